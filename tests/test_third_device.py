@@ -37,10 +37,12 @@ class Lamp(QObject):
         self.notifier = notifier
         self.link = ConnectionState.DISCONNECTED
         self.status = "The lamp is not connected."
+        self.settings: PortSettings | None = None
         self.url = ""
         self.is_on = False
 
     def connect_to(self, settings: PortSettings) -> None:
+        self.settings = settings
         self.url, self.is_on = settings.url, True
         self._set(ConnectionState.CONNECTED, "Connected to a lamp.")
 

@@ -193,7 +193,8 @@ class VirtualTransport:
             self._received += received
 
     def _gone(self) -> PortUnavailable:
-        return PortUnavailable(f"The line to {self._name} is gone. Plug it in, then connect again.")
+        text = f"The line to {self._name} is gone. Plug it in, then connect again."
+        return PortUnavailable(text, is_missing=True)
 
 
 class VirtualProcess(QProcess):

@@ -19,12 +19,14 @@ class BadRequest(StudioError, ValueError):  # noqa: N818 - reads as what it is
 class PortUnavailable(StudioError):  # noqa: N818
     """The port is in use, gone or not permitted; says how to fix it.
 
-    `command`: for a shell, gives the permission; empty where none does.
+    `command`: for a shell, gives the permission; empty where none does. `is_missing`: the port is
+    not there, so an adapter has to be plugged in.
     """
 
-    def __init__(self, text: str, *, command: str = "") -> None:
+    def __init__(self, text: str, *, command: str = "", is_missing: bool = False) -> None:
         super().__init__(text)
         self.command = command
+        self.is_missing = is_missing
 
 
 class PortShared(PortUnavailable):

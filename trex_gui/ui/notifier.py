@@ -16,6 +16,8 @@ class Remedy(Enum):
     """Look for a board whose line settings are unknown."""
     RECONNECT = auto()
     """Connect again to the port that was used last."""
+    PLUG_IN = auto()
+    """The same, where the port is missing: the message is over as soon as it is plugged in."""
     SET_UP_CRC = auto()
     """Let the board detect errors on the line."""
     CHECK_BOARD = auto()
@@ -48,7 +50,7 @@ def remedies_of(error: BaseException, *, may_be_found: bool = False) -> Remedies
         return (Remedy.FIND,) if may_be_found else ()
     if error.command:
         return CopyCommand(error.command), Remedy.RECONNECT
-    return (Remedy.RECONNECT,)
+    return (Remedy.PLUG_IN if error.is_missing else Remedy.RECONNECT,)
 
 
 class Notifier(QObject):
@@ -57,6 +59,7 @@ class Notifier(QObject):
     info = Signal(str)  # what was done, in sentences for the user
     error = Signal(str)  # what was not done, and why
     remedies_offered = Signal(object)  # the `Remedies` for the `error` that came just before
+    resolved = Signal(object)  # a `Remedy` is no longer needed, nor a message that offers it
     # The same behind the event that is being handled: for messages that come with a report whose
     # handling clears the banner.
     delayed_info = Signal(str)
@@ -66,6 +69,9 @@ class Notifier(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
+        # What its window shows, as the banner keeps it: the message, and whether it is an error.
+        self.shown = ""
+        self.shows_problem = False
         self.delayed_info.connect(self.info, Qt.ConnectionType.QueuedConnection)
         self.delayed_error.connect(self.error, Qt.ConnectionType.QueuedConnection)
         self.info.connect(self._log_news)

@@ -41,10 +41,10 @@ class Program:
         self._workspaces: dict[str, Workspace] = {}
         self._add_workspace(manager.current)
 
-        self._auto_connect = AutoConnect(self.ports, manager, self.window.connect_to, manager)
+        self._auto_connect = AutoConnect(self.ports, manager, notifier, manager)
 
     def connect_automatically(self) -> None:
-        """Connect to the last board when its adapter is there, if the user prefers that."""
+        """Connect to known boards whose adapters are there, unless the user does not want it."""
         self._auto_connect.start()
 
     def _make_controller(self, plugin: DevicePlugin) -> Controller:

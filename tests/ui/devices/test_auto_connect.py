@@ -1,13 +1,21 @@
 """Connecting by itself: only where and when the user can expect it."""
 
 import pytest
+from pytestqt.qtbot import QtBot
 from serial.tools.list_ports_common import ListPortInfo
 
-from tests.support.simulator import SimulatedDevice
+from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.virtual_devices import VirtualSimulator
+from tests.support.virtual_time import VirtualRuntime
 from tests.support.window import WindowDriver
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.ui.devices import auto_connect
 from trex_gui.ui.devices.auto_connect import set_automatic
 from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.notifier import Remedy
+
+FACTORY = ConnectionSettings("")
 
 
 @pytest.fixture
@@ -18,79 +26,148 @@ def computer(monkeypatch: pytest.MonkeyPatch) -> list[ListPortInfo]:
     return present
 
 
-def adapter(url: str, number: str = "0001") -> ListPortInfo:
+def adapter(url: str, number: str, socket: str = "1-2") -> ListPortInfo:
     info = ListPortInfo(url, skip_link_detection=True)
-    info.vid, info.pid, info.serial_number = 0x10C4, 0xEA60, number
+    info.vid, info.pid, info.serial_number, info.location = 0x0403, 0x6001, number, socket
     return info
 
 
+class Bench:
+    """A window without a connection, two boards on known adapters, and what is plugged in."""
+
+    def __init__(
+        self,
+        window: WindowDriver,
+        computer: list[ListPortInfo],
+        start_simulator: StartSimulator,
+        virtual_time: VirtualRuntime,
+    ) -> None:
+        self.window = window
+        self.device = window.device
+        self._computer = computer
+        self._time = virtual_time
+        self.boards = [start_simulator("--unpaced"), start_simulator("--unpaced")]
+        self.adapters = [adapter(b.url, f"A500000{i}") for i, b in enumerate(self.boards)]
+        self.plug(*self.adapters)
+        for board in self.boards:  # the second was used last
+            ports = window.program.ports
+            port = ports.find(board.url)
+            assert port is not None
+            ports.lead_to(port, "trex", FACTORY.packed)
+
+    def plug(self, *adapters: ListPortInfo) -> None:
+        """Let these adapters be the only ones, and wait for what comes of it."""
+        self._computer[:] = adapters
+        self.window.program.ports.refresh()
+        self.settle()
+
+    def start(self) -> None:
+        self.window.program.connect_automatically()
+        self.settle()
+
+    def settle(self) -> None:
+        self._time.advance(3.0)
+
+    @property
+    def url(self) -> str:
+        """Where a board is connected; empty if none is."""
+        settings = self.device.settings
+        is_connected = self.device.link is ConnectionState.CONNECTED
+        return settings.url if settings is not None and is_connected else ""
+
+    def listen(self, board: SimulatedDevice) -> list[bytes]:
+        """Return a list of what a board will receive."""
+        sent: list[bytes] = []
+        assert isinstance(board, VirtualSimulator)
+        board.on_write = sent.append
+        return sent
+
+
 @pytest.fixture
-def used(
-    window: WindowDriver, computer: list[ListPortInfo], quick_simulator: SimulatedDevice
-) -> WindowDriver:
-    """A window that was connected to its only port, and is not now."""
-    computer.append(adapter(quick_simulator.url))
-    window.program.ports.refresh()
-    window.connect(quick_simulator.url)
-    window.disconnect()
-    return window
+def bench(
+    qtbot: QtBot,
+    window: WindowDriver,
+    computer: list[ListPortInfo],
+    start_simulator: StartSimulator,
+    virtual_time: VirtualRuntime,
+) -> Bench:
+    return Bench(window, computer, start_simulator, virtual_time)
 
 
-def plug(window: WindowDriver, computer: list[ListPortInfo], *ports: ListPortInfo) -> None:
-    computer[:] = ports
-    window.program.ports.refresh()
-    window.wait_for_files()
+def test_last_board_is_tried_first_at_the_start(bench: Bench) -> None:
+    first, second = bench.boards
+    sent = bench.listen(first)
+    bench.start()
+    assert bench.url == second.url
+    assert not sent
 
 
-def test_last_port_is_connected_at_the_start_and_when_it_appears(
-    used: WindowDriver, computer: list[ListPortInfo]
+def test_other_known_board_is_connected_if_the_last_is_silent(bench: Bench) -> None:
+    first, second = bench.boards
+    second.do("power off")
+    sent = bench.listen(second)
+    bench.start()
+    assert bench.url == first.url
+    assert set(b"".join(sent)) == {0xFF, 0x81}, "one harmless probe, no error"
+    assert not bench.window.has("bannerText")
+
+
+def test_board_is_found_at_the_settings_of_its_adapter(bench: Bench) -> None:
+    first, second = bench.boards
+    bench.plug(bench.adapters[0])
+    ports = bench.window.program.ports
+    port = ports.find(first.url)
+    assert port is not None
+    ports.lead_to(port, "trex", ConnectionSettings("", LineSettings(57600)).packed)
+    bench.start()
+    assert bench.url == "", "it is at another rate"
+    bench.plug(*bench.adapters)
+    assert bench.url == second.url
+    assert bench.device.settings is not None
+    assert bench.device.settings.line == LineSettings()
+
+
+def test_nothing_is_connected_if_two_known_boards_answer(bench: Bench) -> None:
+    bench.plug()
+    bench.start()
+    bench.plug(*bench.adapters)
+    assert bench.url == ""
+    bench.plug(bench.adapters[0])
+    bench.plug(*bench.adapters)
+    assert bench.url == bench.boards[1].url, "only one was plugged in now"
+
+
+def test_foreign_adapters_and_ports_in_use_are_left_alone(
+    bench: Bench, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    device, here = used.device, list(computer)
-    used.program.connect_automatically()
-    used.wait_for_files()
-    assert device.link is ConnectionState.DISCONNECTED, "it is off by default"
-
-    set_automatic(True)
-    plug(used, computer)
-    plug(used, computer, *here)
-    used.wait(lambda: device.link is ConnectionState.CONNECTED)
-
-    used.disconnect()
-    plug(used, computer, adapter("/dev/ttyUSB99"), *here)
-    assert device.link is ConnectionState.DISCONNECTED, "the user has disconnected it"
-
-
-def test_start_connects(used: WindowDriver) -> None:
-    set_automatic(True)
-    used.program.connect_automatically()
-    used.wait(lambda: used.device.link is ConnectionState.CONNECTED)
-
-
-def test_other_adapters_and_ports_in_use_are_left_alone(
-    used: WindowDriver, computer: list[ListPortInfo], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    set_automatic(True)
-    url, here = computer[0].device, list(computer)
-    plug(used, computer)
-    used.program.connect_automatically()
-    plug(used, computer, adapter(url, "0002"))
-    plug(used, computer)
-    plug(used, computer, adapter("/dev/ttyUSB99"))
+    first, second = bench.boards
+    sent = [bench.listen(board) for board in bench.boards]
+    bench.plug()
+    bench.start()
+    bench.plug(adapter(first.url, "B700000"), ListPortInfo(second.url, skip_link_detection=True))
     monkeypatch.setattr(auto_connect, "holder_of", lambda _: "minicom (process 7)")
-    plug(used, computer, *here)
-    assert used.device.link is ConnectionState.DISCONNECTED
+    bench.plug()
+    bench.plug(bench.adapters[0])
+    assert bench.url == ""
+    assert sent == [[], []]
 
 
-def test_typed_address_is_connected_when_its_adapter_appears(
-    used: WindowDriver, computer: list[ListPortInfo]
-) -> None:
-    """A typed address is in the list all the time."""
+def test_nothing_is_connected_against_the_users_wish(bench: Bench) -> None:
+    set_automatic(False)
+    bench.start()
+    assert bench.url == "", "it is switched off"
+
     set_automatic(True)
-    here = list(computer)
-    plug(used, computer)
-    used.program.ports.add_typed(here[0].device)
-    used.program.connect_automatically()
-    used.wait_for_files()
-    assert used.device.link is ConnectionState.DISCONNECTED
-    plug(used, computer, *here)
-    used.wait(lambda: used.device.link is ConnectionState.CONNECTED)
+    bench.plug()
+    bench.window.device.notifier.report("Something is wrong.", (Remedy.FIND,))
+    bench.plug(bench.adapters[0])
+    assert bench.url == "", "a problem is shown"
+
+    bench.window.click("bannerDismiss")
+    bench.plug()
+    bench.plug(bench.adapters[0])
+    assert bench.url == bench.boards[0].url
+    bench.window.disconnect()
+    bench.plug()
+    bench.plug(bench.adapters[0])
+    assert bench.url == "", "the user has disconnected"

@@ -175,7 +175,7 @@ def test_no_port_is_preferred_among_several(make: Make, computer: list[ListPortI
 def test_last_used_port_is_preferred(make: Make, computer: list[ListPortInfo]) -> None:
     computer += [port("/dev/ttyUSB0"), port("/dev/ttyUSB1")]
     ports = make()
-    ports.note_used(ports.entries[1])
+    ports.lead_to(ports.entries[1], "trex", "settings")
     preferred = make().preferred
     assert preferred is not None
     assert preferred.url == "/dev/ttyUSB1"
@@ -184,7 +184,7 @@ def test_last_used_port_is_preferred(make: Make, computer: list[ListPortInfo]) -
 def test_missing_last_used_port_is_not_preferred(make: Make, computer: list[ListPortInfo]) -> None:
     computer += [port("/dev/ttyUSB0"), port("/dev/ttyUSB1")]
     ports = make()
-    ports.note_used(ports.entries[1])
+    ports.lead_to(ports.entries[1], "trex", "settings")
     computer.pop()
     preferred = make().preferred
     assert preferred is not None

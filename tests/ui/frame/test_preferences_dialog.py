@@ -73,15 +73,15 @@ def test_reset_restores_every_default(dialog: WidgetDriver) -> None:
     dialog.select("unitsBox", True)
     start_again()
     assert units().own_first
-    assert connects_automatically()
+    assert not connects_automatically()
     assert default_folder() is not None
     dialog.click("preferencesReset")
     assert (theme().choice, theme().font_size) == ("system", 100)
-    assert not connects_automatically()
+    assert connects_automatically()
     assert not units().own_first
     assert dialog.combo("unitsBox").currentData() is False
     assert default_folder() is None
-    assert not dialog.button("automaticBox").isChecked()
+    assert dialog.button("automaticBox").isChecked()
     start_again()
     assert (theme().choice, theme().font_size) == ("system", 100)
     assert not units().own_first

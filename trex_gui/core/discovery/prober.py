@@ -100,6 +100,18 @@ class MakeProber(Protocol):
         """Try everything if `full`; `known`: the user has said that the port has this kind."""
 
 
+class Recall(Protocol):
+    def __call__(self, wire: Transport, settings: PortSettings, packed: str) -> FoundDevice | None:
+        """Probe only where a device was found before: `packed` is what its settings packed.
+
+        Raises PortUnavailable.
+        """
+
+
+def recall_none(wire: Transport, settings: PortSettings, packed: str) -> None:
+    """Probe nothing, for a kind of device that is found soon enough without."""
+
+
 @dataclass(frozen=True, slots=True)
 class ProberInfo:
     """One kind of device; `announces_at`: line settings of its start message, if it sends one."""
@@ -107,6 +119,7 @@ class ProberInfo:
     name: str
     begin: MakeProber
     announces_at: SerialFormat | None = None
+    recall: Recall = recall_none
 
 
 def ignore_step(_step: ScanProgress) -> None:

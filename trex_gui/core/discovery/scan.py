@@ -1,7 +1,8 @@
 """Scan of one port for devices of any kind, in the window and on the command line.
 
-The port is opened once, because some adapters reset the board behind them each time. The next step
-follows only if nothing was found before:
+The port is opened once, because some adapters reset the board behind them each time. Where a device
+was found before, its settings then are probed first. The next step follows only if nothing was
+found before:
 
 1. listening at the baud rate at which boards announce that they start: harmless, and a scan would
    listen for these 0.3 s anyway;
@@ -76,6 +77,8 @@ def scan_port(
     probers: Mapping[str, ProberInfo],
     *,
     first: str | None = None,
+    packed: str = "",
+    only_recall: bool = False,
     full: bool = False,
     progress: Callable[[ScanProgress], None] = ignore_step,
     cancelled: Callable[[], bool] = never_cancelled,
@@ -89,6 +92,8 @@ def scan_port(
         settings: the port and its timeouts; its line settings are ignored.
         probers: by key of the kind, the most common first.
         first: key of the kind that the port is known to have.
+        packed: the packed settings at which a device of this kind was found before.
+        only_recall: probe these settings, and nothing else.
         full: try everything, however long it takes.
         progress: called before each probe.
         cancelled: called before each probe.
@@ -101,6 +106,12 @@ def scan_port(
     try:
         wire = open_wire(settings.at(opened))
         try:
+            known = probers.get(first or "") if packed and not full else None
+            found = known.recall(wire, settings, packed) if known is not None else None
+            if found is not None:
+                result.device, result.found = first or "", (found,)
+            if found is not None or only_recall:
+                return result
             for key, info in probers.items():
                 running[key] = info.begin(settings, full=full, known=key == first)
             if heard := listen(wire):
@@ -113,10 +124,10 @@ def scan_port(
         except StudioError as error:
             result.error = error
         finally:
-            result.device = next((key for key, prober in running.items() if prober.found), "")
-            _release(wire, settings.timeouts.extra, answered=bool(result.device))
-        if result.device:
-            result.found = running[result.device].found
+            for key in [key for key, prober in running.items() if prober.found]:
+                result.device, result.found = key, running[key].found
+            _release(wire, settings.timeouts.extra, answered=bool(result.found))
+        if result.found:
             return result
         result.cancelled = result.error is None and cancelled()
         diagnoses = [running[key].diagnosis() for key in probed if key in running]

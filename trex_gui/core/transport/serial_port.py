@@ -246,7 +246,8 @@ class SerialTransport:
 
     def _gone(self, error: Exception) -> PortUnavailable:
         log.info("the line %s is gone: %s", self._url, error)
-        return PortUnavailable(f"The line to {self._name} is gone. Plug it in, then connect again.")
+        text = f"The line to {self._name} is gone. Plug it in, then connect again."
+        return PortUnavailable(text, is_missing=True)
 
 
 def _port_errors() -> tuple[type[Exception], ...]:
@@ -350,13 +351,18 @@ def why_not_open(url: str, line: SerialFormat, error: Exception) -> PortUnavaila
     if is_forbidden and sys.platform != "win32":
         command, cure = _permission_cure(url)
         return PortUnavailable(f"Permission denied for {url}. {cure}", command=command)
-    return PortUnavailable(_why_not_open(url, line, error, number))
+    is_missing = "://" not in url and _is_missing(error, number)
+    return PortUnavailable(_why_not_open(url, line, error, number), is_missing=is_missing)
+
+
+def _is_missing(error: Exception, number: int | None) -> bool:
+    return number == errno.ENOENT or "FileNotFoundError" in str(error)
 
 
 def _why_not_open(url: str, line: SerialFormat, error: Exception, number: int | None) -> str:
     if "://" in url:
         return f"{url} cannot be reached: {_plain(error)}."
-    if number == errno.ENOENT or "FileNotFoundError" in str(error):
+    if _is_missing(error, number):
         present = ", ".join(port.device for port in list_ports.comports())
         return f"There is no port {url}. Ports of this computer: {present or 'none'}."
     if number in {errno.EACCES, errno.EPERM}:

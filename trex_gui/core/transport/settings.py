@@ -73,6 +73,11 @@ class PortSettings:
     def short(self) -> str:
         return self.line.short
 
+    @property
+    def packed(self) -> str:
+        """How a device is reached at the port, to be remembered; never empty."""
+        return self.line.short
+
     def text(self) -> str:
         return f"{self.label} at {self.line.text()}"
 

@@ -15,7 +15,15 @@ import contextlib
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from trex_gui.core.discovery.prober import Diagnosis, Evidence, ProberInfo, ScanProgress, flush
+from trex_gui.core.discovery.prober import (
+    Diagnosis,
+    Evidence,
+    ProberInfo,
+    ScanProgress,
+    flush,
+    ignore_step,
+    never_cancelled,
+)
 from trex_gui.core.errors import BadReply, BadRequest
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
@@ -149,4 +157,12 @@ class AracnaProber:
                 return
 
 
-ARACNA_PROBER = ProberInfo("Aracna", AracnaProber, announces_at=LINE)
+def recall(wire: Transport, settings: PortSettings, packed: str) -> FoundRobot | None:
+    """Probe for a robot where one was found before; there is only one setting."""
+    del packed
+    prober = AracnaProber(settings, known=True)
+    prober.probe(wire, 0, ignore_step, never_cancelled)
+    return next(iter(prober.found), None)
+
+
+ARACNA_PROBER = ProberInfo("Aracna", AracnaProber, announces_at=LINE, recall=recall)

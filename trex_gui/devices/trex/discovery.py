@@ -291,7 +291,14 @@ class TrexProber:
                     self._probe_each_number(wire, attempt, progress, cancelled)
                 return
 
-    def _probe(self, wire: Transport, attempt: Attempt) -> None:
+    def recall(self, wire: Transport, settings: ConnectionSettings) -> None:
+        """Send one probe, for a board that was found at these settings."""
+        attempt = Attempt.at(settings)
+        if not attempt.is_unsafe:
+            self._probe(wire, attempt, settings.device_number)
+
+    def _probe(self, wire: Transport, attempt: Attempt, number: int | None = None) -> None:
+        """Send one probe; `number` addresses one board of several that reply to it."""
         try:
             flush(wire, self._settings.timeouts.extra)
             wire.reconfigure(attempt.line)
@@ -305,7 +312,8 @@ class TrexProber:
             # Its reply to the probe without a checksum was lost.
             attempt = Attempt(replace(attempt.line, detection=Detection.NONE))
         is_board = reply.kind in {ReplyKind.BOARD, ReplyKind.BOARD_WITHOUT_CRC}
-        found = self._confirm(wire, attempt) if is_board else None
+        is_one_of_several = number is not None and reply.kind is ReplyKind.SEVERAL
+        found = self._confirm(wire, attempt, number) if is_board or is_one_of_several else None
         if found is not None:
             self.found.append(found)
         elif reply.kind is ReplyKind.SEVERAL:
@@ -319,14 +327,14 @@ class TrexProber:
     def _has_noted(self, line: LineSettings) -> bool:
         return any(noted == line for noted, _ in self._strange)
 
-    def _confirm(self, wire: Transport, attempt: Attempt) -> FoundBoard | None:
+    def _confirm(self, wire: Transport, attempt: Attempt, number: int | None) -> FoundBoard | None:
         """Read more from a board that responded; its line settings are known now."""
         for polynomial in attempt.polynomials or (DEFAULT_POLYNOMIAL,):
-            settings = self._settings_at(attempt.line, polynomial, None)
+            settings = self._settings_at(attempt.line, polynomial, number)
             client = TrexClient(wire, settings, echo=self.echo)
             try:
                 signature = read_signature(client.request, has_crc=client.has_crc)
-                number, stored = (
+                stored_number, stored = (
                     agreed(
                         client.request,
                         GetParameter(parameter_number(key)),
@@ -337,7 +345,7 @@ class TrexProber:
             except (NoReply, BadReply):
                 continue
             note = _note(attempt.line, signature, stored)
-            return FoundBoard(settings, signature, number, self.echo, note)
+            return FoundBoard(settings, signature, stored_number, self.echo, note)
         return None
 
     def _probe_each_number(
@@ -446,5 +454,13 @@ def _note(line: LineSettings, signature: Signature, stored: int) -> str:
     return f"Switched off and on, it will run at {kept.text()}."
 
 
-TREX_PROBER = ProberInfo("TReX", TrexProber)
+def recall(wire: Transport, settings: PortSettings, packed: str) -> FoundBoard | None:
+    """Probe for a board where one was found before; see `core.discovery.Recall`."""
+    prober = TrexProber(settings)
+    with contextlib.suppress(BadRequest):
+        prober.recall(wire, ConnectionSettings.on(settings).unpacked(packed))
+    return next(iter(prober.found), None)
+
+
+TREX_PROBER = ProberInfo("TReX", TrexProber, recall=recall)
 """Finds TReX boards, which send nothing unsolicited."""

@@ -1,21 +1,29 @@
-"""Connecting to the last board by itself: at the start, and when its adapter is plugged in."""
+"""Connecting by itself: to known boards, and to the adapter that was unplugged."""
 
-from collections.abc import Callable, Collection
-from functools import partial
+from collections import deque
+from collections.abc import Sequence
 
-from PySide6.QtCore import QObject, Slot
+from PySide6.QtCore import QObject, QTimer, Slot
 
 from trex_gui.core.transport.linux_ports import holder_of
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.device_manager import DeviceManager
-from trex_gui.ui.devices.ports import Port, Ports
+from trex_gui.ui.devices.ports import Port, PortKind, Ports
+from trex_gui.ui.devices.scanner import DeviceScanner, ScanFinding
 from trex_gui.ui.files import in_background
+from trex_gui.ui.notifier import Notifier, Remedies, Remedy
 from trex_gui.ui.preferences import Preferences
+from trex_gui.ui.runtime import new_timer
 
 _KEY = "connection/automatic"
 
+_SETTLE_MS = 700
+"""Time from the appearance of a port until it is opened: the system grants access to it after it is
+listed, and the port of an adapter that was pulled may be listed for a moment more."""
+
 
 def connects_automatically() -> bool:
-    return Preferences().flag(_KEY, default=False)
+    return Preferences().flag(_KEY, default=True)
 
 
 def set_automatic(enabled: bool) -> None:
@@ -23,45 +31,174 @@ def set_automatic(enabled: bool) -> None:
 
 
 class AutoConnect(QObject):
-    """Connects once each time that the port used last appears, if the user wants that.
+    """Connects where the user can expect it, unless the user does not want it at all.
 
-    Only that port is opened, with the adapter that it had, and not while another program has it.
-    Nothing happens while a device is connected: a line that was lost is the session's. After
-    *Disconnect* the port has to be plugged in again.
+    - At the start, and to adapters that are plugged in: if a device was found there before, and
+      exactly one of them answers. At the start the one used last goes first. Each is probed once,
+      only at the settings at which a device was found. Nothing is done while a problem is shown,
+      and after *Disconnect* until the user connects again.
+    - To the adapter whose line was lost, or that was not there, when it is plugged in. Its name may
+      be another one; another adapter of that name is left alone.
+
+    Ports that another program has open are not touched. Motors stay disarmed.
     """
 
     def __init__(
         self,
         ports: Ports,
         manager: DeviceManager,
-        connect_to: Callable[[Port], object],
+        notifier: Notifier,
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
         self._ports = ports
         self._manager = manager
-        self._connect_to = connect_to
-        self._present: Collection[tuple[str, str]] = ()
+        self._notifier = notifier
+        self._scanner: DeviceScanner = manager.scanner
+        self._present: Sequence[Port] = ()  # what was there when it was looked last
+        self._batches: deque[list[Port]] = deque()  # of each the only device is connected
+        self._is_looking = False
+        self._tried: Port | None = None  # connected, or tried, last
+        self._missing: Port | None = None  # to be connected when it is plugged in
+        self._may_be_stale = False  # the missing port may be listed, and does not work
+        self._notice = ""  # for the next connection
+        self._timer = new_timer(self, _SETTLE_MS, self._on_settled, single_shot=True)
 
     def start(self) -> None:
         """Count what is plugged in now as plugged in just now."""
         self._ports.changed.connect(self._on_ports_changed)
-        self._on_ports_changed()
+        self._manager.changed.connect(self._on_link_changed)
+        self._scanner.finished.connect(self._on_scan_finished)
+        self._notifier.remedies_offered.connect(self._on_remedies_offered)
+        last = self._ports.last_used
+        first = [] if last is None else [last]
+        self._present = self._ports.entries
+        self._look_at(first, [port for port in self._adapters(self._present) if port != last])
+
+    # --- The adapter that was unplugged -------------------------------------------------
+
+    @Slot()
+    def _on_link_changed(self) -> None:
+        current = self._manager.current
+        if current.port is not None and current.port != self._tried:
+            self._tried, self._missing = current.port, None
+        if current.link is ConnectionState.CONNECTED:
+            self._missing, self._may_be_stale = None, False
+            if self._notice:
+                # Behind what the device has to say, which goes first.
+                QTimer.singleShot(0, self._give_notice)
+
+    @Slot()
+    def _give_notice(self) -> None:
+        text, self._notice = self._notice, ""
+        if text and self._notifier.shown:
+            self._notifier.logged.emit(text, False)
+        elif text:
+            self._notifier.info.emit(text)
+
+    @Slot(object)
+    def _on_remedies_offered(self, remedies: Remedies) -> None:
+        if Remedy.PLUG_IN in remedies:
+            self._missing = self._tried
+            self._timer.start()
+
+    def _find_missing(self) -> Port | None:
+        """Return the missing port if it is plugged in; a typed address is always listed."""
+        missing = self._missing
+        if missing is None:
+            return None
+        if missing.adapter is None:
+            found = self._ports.find(missing.url)
+        else:
+            found = self._ports.now(missing)
+        return found if found is not None and found.kind is PortKind.SERIAL else None
+
+    def _reconnect(self) -> bool:
+        """Connect to the missing port if it is back; return whether it is."""
+        found, missing = self._find_missing(), self._missing
+        if found is None or missing is None or self._may_be_stale:
+            return False
+        self._missing = None
+        self._notifier.resolved.emit(Remedy.PLUG_IN)
+        if not self._is_wanted or not found.is_same(missing):
+            return False
+        self._may_be_stale = True
+        self._notice = self.tr("Connected again to {0}. The motors stay off until you arm them.")
+        if found.url != missing.url:
+            self._notice = self.tr(
+                "Connected again: the adapter of {1} is {0} now. The motors stay off until you arm "
+                "them."
+            )
+        self._notice = self._notice.format(found.url, missing.url)
+        self._notifier.cleared.emit()
+        self._manager.connect_to(found)
+        return True
+
+    # --- Known adapters -----------------------------------------------------------------
+
+    @property
+    def _is_wanted(self) -> bool:
+        is_unwanted = self._manager.was_left or self._notifier.shows_problem
+        return connects_automatically() and self._manager.is_idle and not is_unwanted
 
     @Slot()
     def _on_ports_changed(self) -> None:
-        before, self._present = self._present, set(map(_plugged, self._ports.entries))
-        last = self._ports.last_used
-        if last is not None and _plugged(last) not in before and connects_automatically():
-            in_background(
-                self, partial(holder_of, last.url), partial(self._connect, last), lambda _: None
-            )
+        here = self._ports.entries
+        self._present = [port for port in self._present if port in here]
+        if self._missing is not None and self._find_missing() is None:
+            self._may_be_stale = False
+        self._timer.start()
 
-    def _connect(self, port: Port, holder: str | None) -> None:
-        if holder is None and self._manager.is_idle and port == self._ports.last_used:
-            self._connect_to(port)
+    @Slot()
+    def _on_settled(self) -> None:
+        self._ports.refresh()
+        if self._timer.isActive():
+            return  # there was a change
+        before, self._present = self._present, self._ports.entries
+        if not self._reconnect():
+            new = [port for port in self._present if port not in before]
+            self._look_at(self._adapters(new))
 
+    def _adapters(self, ports: Sequence[Port]) -> list[Port]:
+        """Return the adapters at which a device was found before."""
+        return [port for port in ports if port.settings and port.adapter is not None]
 
-def _plugged(port: Port) -> tuple[str, str]:
-    """What changes when another adapter gets the same address, or a typed address its adapter."""
-    return port.url, port.adapter
+    def _look_at(self, *batches: list[Port]) -> None:
+        if not self._is_looking:
+            self._batches = deque(batches)
+            self._look_at_next()
+
+    def _look_at_next(self) -> None:
+        ports = self._batches.popleft() if self._batches else []
+        if not ports:
+            if self._batches:
+                self._look_at_next()
+            return
+        in_background(
+            self,
+            lambda: [port for port in ports if holder_of(port.url) is None],
+            self._probe,
+            lambda _: None,
+        )
+
+    def _probe(self, free: list[Port]) -> None:
+        if not self._is_wanted or self._scanner.running:
+            return
+        self._is_looking = bool(free)
+        if free:
+            self._scanner.start(free, only_recall=True)
+        else:
+            self._look_at_next()
+
+    @Slot()
+    def _on_scan_finished(self) -> None:
+        if not self._is_looking:
+            return
+        self._is_looking = False
+        if self._scanner.was_cancelled or not self._is_wanted:
+            return
+        match self._scanner.findings:
+            case [ScanFinding(port=port, found=found)] if found is not None:
+                self._manager.connect_with(port, found.settings)
+            case []:
+                self._look_at_next()

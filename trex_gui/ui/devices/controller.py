@@ -27,6 +27,8 @@ class DeviceModel(Protocol[SettingsT_contra]):
     def link(self) -> ConnectionState: ...
     @property
     def status(self) -> str: ...
+    @property
+    def settings(self) -> PortSettings | None: ...
 
     def connect_to(self, settings: SettingsT_contra) -> None: ...
     def disconnect_line(self) -> None: ...
@@ -68,6 +70,7 @@ class DeviceController(QObject, Generic[SettingsT]):
         # For the next connection; the address comes with the port.
         self.settings = self._demo_settings = default
         self.port: Port | None = None  # connected, or about to be
+        self._chosen: Port | None = None
         self.starting = False  # the simulator is being started, and will be connected to
         # The simulated device was chosen last and not disconnected since. It stays in use when the
         # line breaks: its panel is where that is repaired.
@@ -95,8 +98,16 @@ class DeviceController(QObject, Generic[SettingsT]):
 
     # --- Connecting ---------------------------------------------------------------------
 
+    def choose(self, port: Port) -> None:
+        """Use the settings at which a device was found at a port, until others are chosen."""
+        if self._chosen is None or not self._chosen.is_same(port):
+            self._chosen = port
+            if port.settings:
+                self.take_packed(port.settings)
+
     def connect_to(self, port: Port) -> None:
         """Connect to a port; closes an open line and ends a scan of the port first."""
+        self.choose(port)
         if self._scanner.is_searching(port):
             self._after_scan = port
             self._scanner.cancel()
@@ -174,12 +185,16 @@ class DeviceController(QObject, Generic[SettingsT]):
     @Slot()
     def _on_link_changed(self) -> None:
         if self.link is ConnectionState.CONNECTED and self.port is not None:
-            self.ports.note_used(self.port)
+            used = self._model.settings
+            self.ports.lead_to(self.port, self.plugin.key, used.packed if used else "")
         if self.link is ConnectionState.DISCONNECTED and not self.starting:
             self.port = None
         self.changed.emit()
 
     # --- For each device ----------------------------------------------------------------
+
+    def take_packed(self, settings: str) -> None:
+        """Use settings at which a device was found before; a device with only one has none."""
 
     @property
     def quality(self) -> LineQuality:

@@ -41,6 +41,7 @@ class DeviceManager(QObject):
         # The controller of the device that is connected, or was last.
         self.current = self.controller(next(iter(makers)))
         self._next: Callable[[], None] | None = None
+        self.was_left = False  # the user has disconnected, and not connected since
 
     def controller(self, device: str) -> Controller:
         """Return the controller of a kind of device by its key."""
@@ -62,11 +63,18 @@ class DeviceManager(QObject):
     def is_idle(self) -> bool:
         return self.current.link is ConnectionState.DISCONNECTED and not self.current.starting
 
+    def choose(self, port: Port) -> None:
+        """Show and use the settings of a port that the user may connect to next."""
+        if self.is_idle and port.device == self.current.plugin.key:
+            self.current.choose(port)
+
     def connect_to(self, port: Port) -> None:
+        self.was_left = False
         controller = self.controller(port.device)
         self._switch_to(controller, lambda: controller.connect_to(port))
 
     def connect_with(self, port: Port, settings: PortSettings) -> None:
+        self.was_left = False
         controller = self.controller(port.device)
         self._switch_to(controller, lambda: controller.connect_with(port, settings))
 
@@ -98,6 +106,8 @@ class DeviceManager(QObject):
         then()
 
     def leave(self) -> None:
+        """Disconnect for the user."""
+        self.was_left = True
         self._next = None
         self.current.leave()
 

@@ -1,23 +1,22 @@
 """Serial ports, typed addresses and simulated devices to connect to."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass, field, replace
 from enum import Enum, auto
 
 from PySide6.QtCore import QObject, Signal, Slot
 from serial.tools import list_ports
 
 from trex_gui.core.plugin import DevicePlugin
+from trex_gui.core.transport.adapters import Adapter
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.runtime import new_timer
 
 _INTERVAL_MS = 1500
 _MOST_TYPED = 8
-_MANY = 20  # ports remembered to lead to another kind than the first
+_MANY = 20  # ports and adapters that are remembered
 _REMEMBERED = "ports/typed"
-_LAST = "ports/last"
-_LAST_ADAPTER = "ports/last_adapter"
-_LEADS_TO = "ports/kinds"
+_KNOWN = "ports/known"
 
 
 class PortKind(Enum):
@@ -30,15 +29,28 @@ class PortKind(Enum):
 class Port:
     """One entry of the list; `url` is what pyserial opens, empty for a simulated device.
 
-    `device` is the key of the kind of device that it leads to. `adapter` tells adapters apart: its
-    maker, product and number as far as the system knows them.
+    `device` is the key of the kind of device that it leads to, `adapter` what it is on USB.
+    `settings` are those at which a device was found there, packed; empty if none was.
     """
 
     kind: PortKind
     url: str
     label: str
     device: str
-    adapter: str = ""
+    adapter: Adapter | None = None
+    settings: str = field(default="", compare=False)
+
+    def is_same(self, other: "Port") -> bool:
+        """Whether this is the other port, whatever it is called and leads to now.
+
+        An adapter that is plugged in while its old name is in use gets another one, and its name
+        may go to another adapter.
+        """
+        if self.adapter is not None and other.adapter is not None:
+            return self.adapter.is_same(other.adapter)
+        if PortKind.DEMO in {self.kind, other.kind}:
+            return (self.kind, self.device) == (other.kind, other.device)
+        return (self.url, self.adapter) == (other.url, other.adapter)
 
 
 class Ports(QObject):
@@ -46,7 +58,8 @@ class Ports(QObject):
 
     Serial ports of this computer come first, then typed addresses (pseudo-terminals and network
     ports are in no list), then a simulated device of each kind. A port leads to the first kind
-    unless another one was found there, or chosen.
+    unless another one was found there, or chosen; that is remembered with the adapter, and with
+    the settings at which a device was found.
     """
 
     changed = Signal()  # `entries`
@@ -56,6 +69,10 @@ class Ports(QObject):
         self.plugins = tuple(plugins)
         self._store = Preferences()
         self._typed = tuple(self._store.text(_REMEMBERED).splitlines()[-_MOST_TYPED:])
+        lines = map(_read, self._store.text(_KNOWN).split("\n")[-_MANY:])
+        kinds = {plugin.key for plugin in self.plugins}
+        # As they were when they were used or chosen, the newest last.
+        self._known = [port for port in lines if port is not None and port.device in kinds]
         self.entries: tuple[Port, ...] = ()
         self._timer = new_timer(self, _INTERVAL_MS, self.refresh)
         self.refresh()
@@ -70,17 +87,25 @@ class Ports(QObject):
     def preferred(self) -> Port | None:
         """The port to offer first: the one used last, the only USB adapter or the only port."""
         serial = [port for port in self.entries if port.kind is PortKind.SERIAL]
-        adapters = [port for port in serial if port.adapter]
-        last = self.find(self._store.text(_LAST))
+        adapters = [port for port in serial if port.adapter is not None]
         only = next((ports[0] for ports in (adapters, serial) if len(ports) == 1), None)
-        return last or only
+        return self.last_used or only
 
     @property
     def last_used(self) -> Port | None:
-        """The port that was used last, while it is there with the same adapter."""
-        port = self.find(self._store.text(_LAST))
-        is_same = port is not None and port.adapter == self._store.text(_LAST_ADAPTER)
-        return port if is_same else None
+        """The port at which a device was found last, while it is there."""
+        newest = next((known for known in reversed(self._known) if known.settings), None)
+        return self.now(newest) if newest is not None else None
+
+    def now(self, port: Port) -> Port | None:
+        """Return a port as it is listed now, perhaps by another name; `None` if it is not there.
+
+        Of several adapters with one serial number it is the one in the same socket.
+        """
+        entries = [entry for entry in self.entries if entry.is_same(port)]
+        if len(entries) > 1:
+            entries = [entry for entry in entries if entry.adapter == port.adapter]
+        return entries[0] if len(entries) == 1 else None
 
     @Slot()
     def refresh(self) -> None:
@@ -89,7 +114,7 @@ class Ports(QObject):
                 PortKind.SERIAL,
                 port.device,
                 _label(port.device, port.description),
-                " ".join(str(part) for part in (port.vid, port.pid, port.serial_number) if part),
+                Adapter.of(port),
             )
             for port in sorted(sorted(list_ports.comports()), key=lambda port: not port.vid)
         ]
@@ -100,8 +125,8 @@ class Ports(QObject):
         for plugin in self.plugins:
             label = self.tr("Demo {0} (no hardware)").format(plugin.name)
             entries.append(Port(PortKind.DEMO, "", label, plugin.key))
-        if tuple(entries) != self.entries:
-            self.entries = tuple(entries)
+        before, self.entries = self.entries, tuple(entries)
+        if self.entries != before:
             self.changed.emit()
 
     def add_typed(self, url: str) -> Port:
@@ -113,42 +138,59 @@ class Ports(QObject):
             self.refresh()
         return self.find(url) or self._entry(PortKind.TYPED, url, url)
 
-    def lead_to(self, port: Port, device: str) -> Port:
-        """Remember which kind of device a port leads to; return its entry."""
-        if port.kind is PortKind.DEMO or device == port.device:
-            return port
-        known = {url: key for url, key in self._known_kinds().items() if url != port.url}
-        if device != self.plugins[0].key:
-            known[port.url] = device
-        lines = [f"{key} {url}" for url, key in known.items()]
-        self._store.set(_LEADS_TO, "\n".join(lines[-_MANY:]))
+    def lead_to(self, port: Port, device: str, settings: str = "") -> Port:
+        """Remember which kind of device a port leads to; return its entry.
+
+        `settings` are those at which such a device was found, packed; a kind that was only chosen
+        has none.
+        """
+        known = replace(port, device=device, settings=settings)
+        is_news = bool(settings) or device != port.device
+        if port.kind is PortKind.DEMO or not is_news or self._lines[-1:] == [_line(known)]:
+            return self.now(port) or port
+        others = [other for other in self._known if not other.is_same(port)]
+        self._known = [*others, known][-_MANY:]
+        self._store.set(_KNOWN, "\n".join(self._lines))
         self.refresh()
-        return self.find(port.url) or self._entry(port.kind, port.url, port.url)
+        return self.now(port) or self._entry(port.kind, port.url, port.url, port.adapter)
 
-    def _known_kinds(self) -> dict[str, str]:
-        lines = self._store.text(_LEADS_TO).splitlines()
-        words = [line.split(" ", 1) for line in lines if " " in line]
-        keys = {plugin.key for plugin in self.plugins}
-        return {url: key for key, url in words if key in keys}
+    @property
+    def _lines(self) -> list[str]:
+        return list(map(_line, self._known))
 
-    def _entry(self, kind: PortKind, url: str, label: str, adapter: str = "") -> Port:
-        device = self._known_kinds().get(url, self.plugins[0].key)
-        if device != self.plugins[0].key:
-            name = next(plugin.name for plugin in self.plugins if plugin.key == device)
+    def _entry(self, kind: PortKind, url: str, label: str, adapter: Adapter | None = None) -> Port:
+        port = Port(kind, url, label, self.plugins[0].key, adapter)
+        known = next((known for known in self._known if known.is_same(port)), None)
+        if known is None:
+            return port
+        if known.device != port.device:
+            name = next(plugin.name for plugin in self.plugins if plugin.key == known.device)
             label = self.tr("{0}: {1}").format(name, label)
-        return Port(kind, url, label, device, adapter)
+        return replace(port, device=known.device, label=label, settings=known.settings)
 
     def find(self, url: str) -> Port | None:
         return next((port for port in self.entries if port.url == url and url), None)
-
-    def note_used(self, port: Port) -> None:
-        """Remember the port of a connection that worked; a simulated device is none."""
-        if port.url:
-            self._store.set(_LAST, port.url)
-            self._store.set(_LAST_ADAPTER, port.adapter)
 
 
 def _label(device: str, description: str) -> str:
     if not description or description in {"n/a", device}:
         return device
     return f"{device}  ({description})"
+
+
+def _line(port: Port) -> str:
+    """Return what is remembered of a port; see `_read`."""
+    adapter = () if port.adapter is None else astuple(port.adapter)
+    words = (port.device, port.settings, port.url, *adapter)
+    return "\t".join(" ".join(word.split()) for word in words)
+
+
+def _read(line: str) -> Port | None:
+    """Return a port as it was remembered; `None` if the line is none."""
+    match line.split("\t"):
+        case [device, settings, url]:
+            return Port(PortKind.TYPED, url, url, device, None, settings)
+        case [device, settings, url, product, number, location]:
+            adapter = Adapter(product, number, location)
+            return Port(PortKind.SERIAL, url, url, device, adapter, settings)
+    return None

@@ -27,6 +27,7 @@ class ScanJob:
     # The prober of each device kind by its key, the most common kind first.
     probers: Mapping[str, ProberInfo]
     first: str | None = None  # key of the kind to probe first
+    packed: str = ""  # settings at which a device of that kind was found before
 
 
 class ScanWorker(WorkerThread):
@@ -40,12 +41,18 @@ class ScanWorker(WorkerThread):
     searched = Signal(int, object)
 
     def __init__(
-        self, jobs: Sequence[ScanJob], parent: QObject | None = None, *, full: bool = False
+        self,
+        jobs: Sequence[ScanJob],
+        parent: QObject | None = None,
+        *,
+        full: bool = False,
+        only_recall: bool = False,
     ) -> None:
         super().__init__(parent)
         self.setObjectName("ScanWorker")
         self._jobs = tuple(jobs)
         self._full = full
+        self._only_recall = only_recall
         self._cancelled = threading.Event()
 
     def run(self) -> None:
@@ -57,6 +64,8 @@ class ScanWorker(WorkerThread):
                 job.settings,
                 job.probers,
                 first=job.first,
+                packed=job.packed,
+                only_recall=self._only_recall,
                 full=self._full,
                 progress=partial(self.stepped.emit, index),
                 cancelled=self._cancelled.is_set,
@@ -104,12 +113,12 @@ class DeviceScanner(QObject):
         self._plugins = tuple(plugins)
         self._timeouts = timeouts or Timeouts()
         self._simulators: dict[str, Simulator] = {}
-        self._found_kinds: dict[str, str] = {}
         self._worker: ScanWorker | None = None
         self._ports: tuple[Port, ...] = ()
         # Of the ports that were scanned so far, in their order.
         self.findings: tuple[ScanFinding, ...] = ()
         self._searched = 0
+        self._only_recall = False
         self.done = 0  # probes that are done or no longer needed
         self.total = 1  # most probes that may be needed
         self.text = ""  # what is probed now; empty while idle
@@ -134,20 +143,32 @@ class DeviceScanner(QObject):
     def running(self) -> bool:
         return self._worker is not None
 
-    def is_searching(self, port: Port) -> bool:
-        return self.running and port in self._ports[self._searched :]
+    @property
+    def was_cancelled(self) -> bool:
+        return self._cancelled
 
-    def start(self, ports: Sequence[Port], *, full: bool = False) -> None:
+    def is_searching(self, port: Port) -> bool:
+        return self.running and any(map(port.is_same, self._ports[self._searched :]))
+
+    def start(
+        self, ports: Sequence[Port], *, full: bool = False, only_recall: bool = False
+    ) -> None:
+        """Scan ports; `only_recall`: only at the settings at which a device was found before.
+
+        That says nothing about ports without a reply.
+        """
         if self._worker is not None or not ports:
             return
         self._ports = tuple(ports)
         self.findings = ()
         self._searched = self.done = self._faults = 0
+        self._only_recall = only_recall
         self.total = 1
         self.summary = ""
         self._cancelled = False
         self.text = self.tr("Opening {0} …").format(_name(self._ports[0]))
-        self._worker = ScanWorker([self._job(port) for port in self._ports], full=full)
+        jobs = [self._job(port) for port in self._ports]
+        self._worker = ScanWorker(jobs, full=full, only_recall=only_recall)
         self._worker.stepped.connect(self._on_stepped, Qt.ConnectionType.QueuedConnection)
         self._worker.searched.connect(self._on_searched, Qt.ConnectionType.QueuedConnection)
         self._worker.finished.connect(self._on_worker_finished, Qt.ConnectionType.QueuedConnection)
@@ -185,9 +206,8 @@ class DeviceScanner(QObject):
             if not is_demo or plugin.key == port.device
         }
         if not is_demo:
-            first = self._found_kinds.get(port.url, port.device)
             settings = PortSettings(port.url, timeouts=self._timeouts)
-            return ScanJob(settings, probers, first)
+            return ScanJob(settings, probers, port.device, port.settings)
         simulator = self._simulators[port.device]
         settings = PortSettings(simulator.url, name=simulator.label, timeouts=self._timeouts)
         return ScanJob(settings, probers)
@@ -210,12 +230,11 @@ class DeviceScanner(QObject):
         self._searched = index + 1
         self._faults += search.is_fault
         if search.found:
-            self._found_kinds[port.url] = search.device
             self.findings += tuple(
                 ScanFinding(port, self._sentence(found), found, search.device)
                 for found in search.found
             )
-        elif not search.cancelled:
+        elif not search.cancelled and not self._only_recall:
             command = search.error.command if isinstance(search.error, PortUnavailable) else ""
             self.findings += (ScanFinding(port, "\n\n".join(search.lines), command=command),)
         self.changed.emit()
@@ -248,6 +267,8 @@ class DeviceScanner(QObject):
         self.finished.emit()
 
     def _sum_up(self) -> str:
+        if self._only_recall:
+            return ""
         if self._cancelled:
             return self.tr("Search cancelled.")
         boards = sum(finding.found is not None for finding in self.findings)

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QComboBox, QInputDialog, QWidget
 
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.device_manager import DeviceManager
-from trex_gui.ui.devices.ports import Port, PortKind, Ports
+from trex_gui.ui.devices.ports import Port, Ports
 from trex_gui.ui.frame.find_dialog import FindDialog
 from trex_gui.ui.notifier import ConnectWith, Remedy
 from trex_gui.ui.theme.icons import set_icon
@@ -160,7 +160,7 @@ class ConnectionBar(QWidget):
     def reconnect(self) -> None:
         """Connect to the port that was connected, or tried, last."""
         if self._last is not None:
-            self.connect_to(self._last)
+            self.connect_to(self._ports.now(self._last) or self._last)
 
     def connect_with(self, remedy: ConnectWith) -> None:
         """Connect with other settings to the port that was connected, or tried, last."""
@@ -235,6 +235,8 @@ class ConnectionBar(QWidget):
     @Slot()
     def _on_ports_changed(self) -> None:
         combo, shown = self._combo, self._port_to_show()
+        if shown is not None:
+            self._manager.choose(shown)
         with QSignalBlocker(combo):
             combo.clear()
             combo.addItem(self.tr("Not connected"), _NOT_CONNECTED)
@@ -252,9 +254,7 @@ class ConnectionBar(QWidget):
             return None if self._wants_none else self._ports.preferred
         if chosen == self._manager.current.port:
             return chosen
-        # As it is in the list now: its kind of device, and so its label, may have changed.
-        is_demo = chosen.kind is PortKind.DEMO
-        return self._ports.demo_of(chosen.device) if is_demo else self._ports.find(chosen.url)
+        return self._ports.now(chosen)
 
     @Slot()
     def _on_link_changed(self) -> None:

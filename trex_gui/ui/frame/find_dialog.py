@@ -63,6 +63,7 @@ class FindDialog(ReusedDialog):
         self._scanner.simulators_changed.connect(self._on_ports_changed)
         self._scanner.changed.connect(self._on_scanner_changed)
         self._scanner.progressed.connect(self._on_progressed)
+        self._scanner.finished.connect(self._remember)
         self._on_ports_changed()
         self._on_scanner_changed()
 
@@ -224,6 +225,15 @@ class FindDialog(ReusedDialog):
         if self._scanner.findings != self._shown:
             self._shown = self._scanner.findings
             self._show_findings(self._shown)
+
+    @Slot()
+    def _remember(self) -> None:
+        """Remember what was found at each port, except where several boards share a line."""
+        boards = [finding for finding in self._scanner.findings if finding.found is not None]
+        ports = [finding.port for finding in boards]
+        for board in boards:
+            if board.found is not None and ports.count(board.port) == 1:
+                self._ports.lead_to(board.port, board.device, board.found.settings.packed)
 
     def _show_findings(self, findings: tuple[ScanFinding, ...]) -> None:
         self._connects.clear()

@@ -378,7 +378,7 @@ class MainWindow(QMainWindow):
                 self._connection.connect_with(remedy)
             case Remedy.FIND:
                 self._connection.find_now()
-            case Remedy.RECONNECT:
+            case Remedy.RECONNECT | Remedy.PLUG_IN:
                 self._connection.reconnect()
             case Remedy.SET_UP_CRC:
                 self._workspace.set_up_crc()

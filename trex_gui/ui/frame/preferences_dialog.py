@@ -80,13 +80,14 @@ class PreferencesDialog(ReusedDialog):
         self._automatic = ui.check_box(
             self,
             "automaticBox",
-            self.tr("Connect to the last board automat&ically"),
+            self.tr("Connect to known boards automat&ically"),
             on_click=set_automatic,
         )
         explanation = Muted(
             self.tr(
-                "When the program starts and when the adapter is plugged in: only with the same "
-                "adapter on the same port, and not while another program uses it. No motor moves."
+                "When the program starts and when an adapter is plugged in at which a board was "
+                "found before, if just one board answers. Not after Disconnect, and not while "
+                "another program uses the port. No motor moves."
             ),
             self,
         )
@@ -174,5 +175,5 @@ class PreferencesDialog(ReusedDialog):
         choose_font_size(100)
         choose_units(own_first=False)
         file_questions.set_default_folder(None)
-        set_automatic(False)
+        set_automatic(True)
         self._show_choices()

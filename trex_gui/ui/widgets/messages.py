@@ -70,6 +70,8 @@ class Banner(_MessageRow):
 
     def __init__(self, parent: QWidget | None = None, notifier: Notifier | None = None) -> None:
         super().__init__("banner", parent, selectable=True)
+        self._notifier = notifier
+        self._offered: Remedies = ()
         self._dismiss = ui.tool_button(
             self, "bannerDismiss", self.tr("Dismiss"), on_click=self.clear
         )
@@ -79,18 +81,24 @@ class Banner(_MessageRow):
             notifier.info.connect(self.show_news)
             notifier.error.connect(self.show_problem)
             notifier.remedies_offered.connect(self.show_remedies)
+            notifier.resolved.connect(self._on_resolved)
             notifier.cleared.connect(self.clear)
         self.clear()
 
     @Slot(str)
     def show_problem(self, text: str) -> None:
         self._show_sign("warning")
-        self._show(text)
+        self._show(text, is_problem=True)
 
     @Slot(str)
     def show_news(self, text: str) -> None:
         self._show_sign("info")
         self._show(text)
+
+    @Slot(object)
+    def _on_resolved(self, remedy: Remedy) -> None:
+        if remedy in self._offered:
+            self.clear()
 
     @Slot()
     def clear(self) -> None:
@@ -99,11 +107,12 @@ class Banner(_MessageRow):
     @Slot(object)
     def show_remedies(self, remedies: Remedies) -> None:
         """Add buttons to the message that is shown."""
+        self._offered = remedies
         for remedy in remedies:
             match remedy:
                 case Remedy.FIND:
                     name, text = "bannerFind", self.tr("Find now")
-                case Remedy.RECONNECT:
+                case Remedy.RECONNECT | Remedy.PLUG_IN:
                     name, text = "bannerReconnect", self.tr("Reconnect")
                 case Remedy.CHECK_BOARD:
                     name, text = "bannerCheckBoard", self.tr("Check the board…")
@@ -121,8 +130,11 @@ class Banner(_MessageRow):
         else:
             self.chosen.emit(remedy)
 
-    def _show(self, text: str) -> None:
+    def _show(self, text: str, *, is_problem: bool = False) -> None:
         self._remove_buttons()
+        self._offered = ()
+        if self._notifier is not None:
+            self._notifier.shown, self._notifier.shows_problem = text, is_problem
         self._text.setText(text)
         # Screen readers need a name while there is no message.
         self._text.setAccessibleName("" if text else self.tr("No message"))

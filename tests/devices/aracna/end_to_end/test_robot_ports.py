@@ -67,8 +67,8 @@ def test_connect_uses_last_connected_robot(
 ) -> None:
     ports = window.program.ports
     port = ports.lead_to(ports.add_typed(robot.url), "aracna")
-    ports.note_used(port)
-    ports.note_used(ports.demo_of("trex"))  # no port that a user would want next time
+    ports.lead_to(port, "aracna", "settings")
+    ports.lead_to(ports.demo_of("trex"), "trex", "settings")  # none that a user would want next
     assert Ports(ports.plugins).preferred == port
     ports.changed.emit()
     assert window.port == f"Aracna: {robot.url}"

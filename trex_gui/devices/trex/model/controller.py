@@ -1,6 +1,7 @@
 """Controller of a TReX: its line settings, and stops that something else than the user caused."""
 
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import replace
 
 from PySide6.QtCore import QObject, Slot
@@ -73,12 +74,17 @@ class TrexController(DeviceController[ConnectionSettings]):
         self.changed.emit()
 
     def connect_with(self, port: Port, settings: PortSettings) -> None:
+        self.choose(port)
         found = ConnectionSettings.on(settings)
         if port.kind is PortKind.DEMO:
             self._demo_settings = found
         else:
             self.set_settings(found)
         self.connect_to(port)
+
+    def take_packed(self, settings: str) -> None:
+        with suppress(BadRequest):  # whoever has edited the file gets those in use
+            self.set_settings(self.settings.unpacked(settings))
 
     @Slot()
     def _note_settings(self) -> None:

@@ -1,0 +1,29 @@
+"""Knowing a USB adapter again."""
+
+import pytest
+
+from trex_gui.core.transport.adapters import Adapter
+
+FTDI = Adapter("0403:6001", "A50285BI", "1-2")
+FIRST = Adapter("0403:6010", "FT4ABCDE", "1-2:1.0")
+NO_NUMBER = Adapter("1a86:7523", "", "1-2")
+SOLD_ALIKE = Adapter("10c4:ea60", "0001", "1-2")
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "is_same"),
+    [
+        (FTDI, Adapter("0403:6001", "A50285BI", "1-3.1"), True),
+        (FTDI, Adapter("0403:6001", "A50285BJ", "1-2"), False),
+        (FIRST, Adapter("0403:6010", "FT4ABCDE", "1-3:1.0"), True),
+        (FIRST, Adapter("0403:6010", "FT4ABCDE", "1-2:1.1"), False),
+        (NO_NUMBER, NO_NUMBER, True),
+        (NO_NUMBER, Adapter("1a86:7523", "", "1-3"), False),
+        (SOLD_ALIKE, Adapter("10c4:ea60", "0001", "1-2"), True),
+        (SOLD_ALIKE, Adapter("10c4:ea60", "0001", "1-3"), False),
+    ],
+)
+def test_adapter_is_known_by_its_number_or_else_its_socket(
+    one: Adapter, other: Adapter, is_same: bool
+) -> None:
+    assert one.is_same(other) is is_same

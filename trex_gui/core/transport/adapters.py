@@ -1,0 +1,45 @@
+"""USB adapters, and how to know one again when its port has another name."""
+
+from dataclasses import dataclass
+
+from serial.tools.list_ports_common import ListPortInfo
+
+_SHARED = 4
+"""Longest serial number, in characters, that several adapters may have: CP2102 are sold with 0001.
+Those are told apart by the socket, as adapters without a number are."""
+
+
+@dataclass(frozen=True, slots=True)
+class Adapter:
+    """A USB adapter as far as the system knows it.
+
+    Attributes:
+        product: numbers of vendor and product: `0403:6001`.
+        number: the serial number; empty if it has none.
+        location: the socket, and the interface of an adapter with several ports: `1-2.3`,
+            `1-2:1.1`; empty where the system does not tell.
+    """
+
+    product: str
+    number: str = ""
+    location: str = ""
+
+    @classmethod
+    def of(cls, port: ListPortInfo) -> "Adapter | None":
+        """Return the adapter of a port; `None` for a port that is not on USB."""
+        if port.vid is None:
+            return None
+        product = f"{port.vid:04x}:{port.pid or 0:04x}"
+        return cls(product, port.serial_number or "", port.location or "")
+
+    def is_same(self, other: "Adapter") -> bool:
+        """Whether this is the other adapter, perhaps in another socket."""
+        if (self.product, self.number) != (other.product, other.number):
+            return False
+        if len(self.number) <= _SHARED:
+            return self.location == other.location
+        return _interface(self) == _interface(other)
+
+
+def _interface(adapter: Adapter) -> str:
+    return adapter.location.partition(":")[2]
