@@ -203,6 +203,20 @@ def test_curve_is_shown_and_hidden_in_the_legend(panel: TracePanelDriver, plot: 
     assert not axis.isVisible()
 
 
+def test_value_near_its_limit_has_a_sign(panel: TracePanelDriver, source: Source) -> None:
+    roles = Qt.ItemDataRole
+    cell = panel.table.model().index(1, TraceColumn.NOW)  # 3 A
+    for limit, text, spoken, color in (
+        (3.8, "3.00 A", "Motor 2, Now: 3.00 A", None),
+        (3.7, "⚠ 3.00 A", "Motor 2, Now: ⚠ 3.00 A, near its limit", theme().color("warning")),
+        (2.9, "⚠ 3.00 A", "Motor 2, Now: ⚠ 3.00 A, over its limit", theme().color("danger")),
+    ):
+        source.limits["motor2"] = limit
+        assert cell.data() == text
+        assert cell.data(roles.AccessibleTextRole) == spoken
+        assert cell.data(roles.ForegroundRole) == color
+
+
 def test_limit_is_drawn_unless_out_of_range(plot: TracePlot, source: Source) -> None:
     before = count(plot, "motor1")
     source.limits["motor1"] = 2.0

@@ -30,7 +30,7 @@ from trex_gui.ui.plotting.marks import EVENT_COLORS, charge_text, mean_text, val
 from trex_gui.ui.plotting.plot import TracePlot
 from trex_gui.ui.plotting.traces import TraceInfo, Traces
 from trex_gui.ui.theme.theme import follow_theme, theme
-from trex_gui.ui.widgets.bar import MINUS
+from trex_gui.ui.widgets.bar import MINUS, WARNING_SIGN, LimitState, limit_state
 from trex_gui.ui.widgets.behaviour import clear_corner, paint_placeholder
 from trex_gui.ui.widgets.builders import flat_table, set_row_height
 
@@ -58,6 +58,9 @@ class TraceColumn(IntEnum):
     LOW = auto()
 
 
+_WIDEST = {TraceColumn.NOW: f"{WARNING_SIGN} 00.00 A", TraceColumn.CHARGE: "000.00 mAh"}
+
+
 class TraceTable(QAbstractTableModel):
     """A row for each curve of a plot; checking a row draws the curve."""
 
@@ -68,7 +71,7 @@ class TraceTable(QAbstractTableModel):
         self._statistics: dict[str, Statistics] = {}
         self._heads = (  # as in `TraceColumn`
             (self.tr("Curve"), self.tr("Select the curves to draw")),
-            (self.tr("Now"), self.tr("Newest value")),
+            (self.tr("Now"), self.tr("Newest value; ⚠ means 80 % of the limit or more")),
             (self.tr("Peak"), self.tr("Highest value in the visible span")),
             (self.tr("Mean"), self.tr("Mean over time in the visible span")),
             (self.tr("RMS"), self.tr("Root mean square in the visible span: what heats wires")),
@@ -101,7 +104,9 @@ class TraceTable(QAbstractTableModel):
             if trace.name in self._plot.shown
         }
         last = self.index(len(self._traces) - 1, TraceColumn.LOW)
-        self.dataChanged.emit(self.index(0, 0), last, [Qt.ItemDataRole.DisplayRole])
+        self.dataChanged.emit(
+            self.index(0, 0), last, [Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.ForegroundRole]
+        )
 
     def is_needed(self, column: TraceColumn) -> bool:
         match column:
@@ -151,7 +156,10 @@ class TraceTable(QAbstractTableModel):
                 case Qt.ItemDataRole.TextAlignmentRole:
                     return _RIGHT
                 case Qt.ItemDataRole.AccessibleTextRole:
-                    return f"{trace.label}, {self._heads[column][0]}: {self._text(trace, column)}"
+                    return self._spoken(trace, column)
+                case Qt.ItemDataRole.ForegroundRole:
+                    color = self._limit_state(trace, column).value
+                    return theme().color(color) if color else None
             return None
         match role:
             case Qt.ItemDataRole.DisplayRole | Qt.ItemDataRole.AccessibleTextRole:
@@ -191,7 +199,24 @@ class TraceTable(QAbstractTableModel):
             case TraceColumn.CHARGE:
                 return charge_text(found) if unit == "A" else ""
         value = self._value(source, trace.name, column)
-        return "" if value is None else value_text(value, unit)
+        near = self._limit_state(trace, column) is not LimitState.BELOW
+        sign = f"{WARNING_SIGN} " if near else ""
+        return "" if value is None else sign + value_text(value, unit)
+
+    def _limit_state(self, trace: TraceInfo, column: TraceColumn) -> LimitState:
+        source = self._plot.source
+        if source is None or column is not TraceColumn.NOW or trace.name not in self._plot.shown:
+            return LimitState.BELOW
+        value = self._value(source, trace.name, column)
+        return limit_state(value, source.limits.get(trace.name))
+
+    def _spoken(self, trace: TraceInfo, column: TraceColumn) -> str:
+        text = {
+            LimitState.BELOW: "{0}, {1}: {2}",
+            LimitState.NEAR: self.tr("{0}, {1}: {2}, near its limit"),
+            LimitState.OVER: self.tr("{0}, {1}: {2}, over its limit"),
+        }[self._limit_state(trace, column)]
+        return text.format(trace.label, self._heads[column][0], self._text(trace, column))
 
     def _value(self, source: Traces, name: str, column: TraceColumn) -> float | None:
         plot = self._plot
@@ -243,7 +268,7 @@ class TraceTableView(QTableView):
         self.verticalHeader().setMinimumSectionSize(self._row)
         header, model = self.horizontalHeader(), self._table
         for column in TraceColumn:
-            widest = "000.00 mAh" if column is TraceColumn.CHARGE else f"{MINUS}00.00 A"
+            widest = _WIDEST.get(column, f"{MINUS}00.00 A")
             head = str(model.headerData(column, Qt.Orientation.Horizontal))
             width = max(self.fontMetrics().horizontalAdvance(text) for text in (widest, head))
             header.resizeSection(column, width + _PADDING)

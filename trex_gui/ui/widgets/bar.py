@@ -30,6 +30,25 @@ _VALUE_FLAGS = (
 )
 
 
+WARNING_SIGN = "⚠"
+_NEAR = 0.8  # share of a limit from which a value is near it
+
+
+class LimitState(Enum):
+    """Where a value is; each is a colour of the theme, the usual one if empty."""
+
+    BELOW = ""
+    NEAR = "warning"
+    OVER = "danger"
+
+
+def limit_state(value: float | None, limit: float | None) -> LimitState:
+    """Return where a value of at least 0 is; without a limit it is below."""
+    if not limit or value is None or value < _NEAR * limit:
+        return LimitState.BELOW
+    return LimitState.NEAR if value <= limit else LimitState.OVER
+
+
 class BarState(Enum):
     DISCONNECTED = "disconnected"
     WAITING = "waiting"  # connected, no value yet

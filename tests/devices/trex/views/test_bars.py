@@ -288,3 +288,26 @@ def test_current_has_a_line_at_its_limit(qtbot: QtBot) -> None:
     before = current.x_of(5)
     current.set_value(20.0)
     assert current.x_of(5) < before, "the scale widens for a greater current"
+
+
+@pytest.mark.parametrize(
+    ("amps", "spoken", "color"),
+    [
+        (3.9, "3.90 A, limit 5.00 A", "bar"),
+        (4.0, "4.00 A, near the limit of 5.00 A", "warning"),
+        (5.0, "5.00 A, near the limit of 5.00 A", "warning"),
+        (5.1, "5.10 A, over the limit of 5.00 A", "danger"),
+    ],
+)
+def test_current_near_its_limit_has_a_sign(
+    qtbot: QtBot, amps: float, spoken: str, color: str
+) -> None:
+    current = CurrentBar()
+    qtbot.addWidget(current)
+    current.resize(400, current.sizeHint().height())
+    current.set_connected(True)
+    current.set_scale(15.0, 5.0)
+    current.set_value(amps)
+    assert current.accessibleDescription() == spoken
+    assert ("⚠" in current._value_text()) == (color != "bar")
+    assert named(color) in colours(current, current.x_of(0), current.x_of(amps))

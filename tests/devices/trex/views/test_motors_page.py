@@ -128,6 +128,8 @@ def test_currents_are_shown_with_their_limits(
     page.wait(lambda: second.accessibleDescription() == "4.50 A, limit 6.00 A")
     assert first.accessibleDescription() == "3.00 A"
     assert first.accessibleName() == "Motor 1, current"
+    simulator.do("current 2 5.4")
+    page.wait(lambda: second.accessibleDescription() == "5.40 A, near the limit of 6.00 A")
     assert not page.has("auxCurrent")
     page.device.disconnect_line()
     page.wait(lambda: first.accessibleDescription() == "not connected")

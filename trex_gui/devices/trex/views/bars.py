@@ -10,7 +10,14 @@ from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.plotting.axes import Labels, spread, ticks, value_labels
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.bar import Bar, BarState, with_sign
+from trex_gui.ui.widgets.bar import (
+    WARNING_SIGN,
+    Bar,
+    BarState,
+    LimitState,
+    limit_state,
+    with_sign,
+)
 
 # Raw counts. Ref: Pololu TReX User's Guide 4.b: a pulse counts from 0.5 to 2.5 ms.
 USUAL_AXIS = {InputSource.RC: (2000, 5500), InputSource.ANALOG: (0, 1023)}
@@ -315,10 +322,13 @@ class _FilledBar(Bar):
     def _paint_live(self, painter: QPainter, track: QRect) -> None:
         value = self.value
         if value is not None:
-            color = self._marks.fill if value > 0 else self._marks.negative
+            color = self._fill_color(value)
             self._paint_fill(painter, track, self.x_of(0), self.x_of(value), color)
             self._paint_line(painter, track, 0, self._marks.mark)
             self._paint_pointer(painter, track, self.x_of(value), 0)
+
+    def _fill_color(self, value: float) -> QColor:
+        return self._marks.fill if value > 0 else self._marks.negative
 
 
 class OutputBar(_FilledBar):
@@ -345,7 +355,7 @@ class OutputBar(_FilledBar):
 
 
 class CurrentBar(_FilledBar):
-    """Shows a motor's current in A, with a line at its limit."""
+    """Shows a motor's current in A, with a line at its limit; near it with a sign and a colour."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         self._limit: float | None = None
@@ -372,17 +382,33 @@ class CurrentBar(_FilledBar):
     def _cache_key(self) -> tuple[object, ...]:
         return (self._limit, self._end)
 
+    @property
+    def limit_state(self) -> LimitState:
+        return limit_state(self.value, self._limit)
+
+    def _fill_color(self, value: float) -> QColor:
+        name = self.limit_state.value
+        return theme().color(name) if name else super()._fill_color(value)
+
     def _value_text(self) -> str:
+        sign = "" if self.limit_state is LimitState.BELOW else f"{WARNING_SIGN} "
+        return sign + self._amps()
+
+    def _amps(self) -> str:
         return "" if self.value is None else f"{self.value:.2f} A"
 
     def _spoken_value(self) -> str:
         if self._limit is None:
-            return self._value_text()
-        text = self.tr("{value}, limit {limit:.2f} A")
-        return text.format(value=self._value_text(), limit=self._limit)
+            return self._amps()
+        text = {
+            LimitState.BELOW: self.tr("{value}, limit {limit:.2f} A"),
+            LimitState.NEAR: self.tr("{value}, near the limit of {limit:.2f} A"),
+            LimitState.OVER: self.tr("{value}, over the limit of {limit:.2f} A"),
+        }[self.limit_state]
+        return text.format(value=self._amps(), limit=self._limit)
 
     def _widest_value(self) -> str:
-        return "00.00 A"
+        return f"{WARNING_SIGN} 00.00 A"
 
     def _paint_live(self, painter: QPainter, track: QRect) -> None:
         super()._paint_live(painter, track)

@@ -232,7 +232,9 @@ class DriveControl(QWidget):
         for button in (self._zero, self.brake):
             button.setMinimumWidth(button.fontMetrics().horizontalAdvance(button.text()) + 20)
         self.current = ui.named(CurrentBar(self), f"{name}Current")
-        self.current.setToolTip(self.tr("Current of this motor; the red line is its limit"))
+        self.current.setToolTip(
+            self.tr("Current of this motor; the red line is its limit, ⚠ means 80 % of it or more")
+        )
         policy = self.brake.sizePolicy()
         policy.setRetainSizeWhenHidden(not two_way)  # so that all sliders have the same length
         self.brake.setSizePolicy(policy)
