@@ -10,8 +10,8 @@ from tests.support.keyboard import check_keyboard
 from tests.support.pages.settings import ComparisonDialog, SettingsFiles, answer_questions
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.window import WidgetDriver, WindowDriver
+from trex_gui.core.code import Language
 from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.settings.code_export import Language
 
 ROVER = """product: TReX
 serial_timeout: 5

@@ -18,9 +18,9 @@ from tests.support.program import trex
 from tests.support.slow_disk import SECONDS, SlowDisk
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
+from trex_gui.core.code import Language
 from trex_gui.core.files import data_folder
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.settings.code_export import Language
 from trex_gui.devices.trex.views.pages.calibration.change_menu import CalibrationFiles
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import now

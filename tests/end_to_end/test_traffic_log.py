@@ -195,6 +195,17 @@ def test_rows_are_shown_in_detail_copied_and_saved(
     page.view.clearSelection()
     page.click("transcriptCopyButton")
     assert QGuiApplication.clipboard().text().count("\n") == page.rows
+    page.view.selectRow(row)
+    page.view.setFocus()
+    for key, text in (
+        ("P", 'write(bytes.fromhex("81"))'),
+        ("C", "{0x81}, 1, 7)"),
+        ("A", "{0x81};"),
+    ):
+        modifiers = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
+        QTest.keyClick(page.view, getattr(Qt.Key, f"Key_{key}"), modifiers)
+        assert text in QGuiApplication.clipboard().text()
+    page.view.clearSelection()
 
     path = tmp_path / "line"
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
@@ -204,3 +215,40 @@ def test_rows_are_shown_in_detail_copied_and_saved(
     text = path.with_suffix(".txt").read_text(encoding="utf-8")
     assert "get Device Number → 7" in text
     assert "get currents" not in text
+
+
+def test_typed_bytes_are_explained_and_sent(
+    window: WindowDriver, page: TrafficDriver, simulator: SimulatedDevice
+) -> None:
+    def meaning() -> str:
+        return page.text("transcriptMeaning")
+
+    page.type_into("transcriptBytes", "9F 0", enter=False)
+    assert "not hexadecimal bytes" in meaning()
+    page.type_into("transcriptBytes", "9F 07", enter=False)
+    assert meaning() == "get Serial Timeout\nConnect a board to send this."
+    window.connect(simulator.url)
+    assert meaning() == "get Serial Timeout"
+    with window.qtbot.waitSignal(window.device.notifier.info) as info:
+        page.type_into("transcriptBytes", "9F 07")
+    assert info.args == ["Sent 9F 07; the reply is 00."]
+
+    page.type_into("transcriptBytes", "AF 07 05 55 2A", enter=False)
+    assert "set Serial Timeout to 0.5 s (5) (stored at once" in meaning()
+    page.click("transcriptSendButton")
+    page.wait(lambda: window.device.parameters.stored_of("serial_timeout") == 5)
+
+    page.type_into("transcriptBytes", "C2 50")
+    assert meaning().endswith("(may move a motor)\nChoose Run motor first.")
+    assert not page.is_enabled("transcriptSendButton")
+    window.trigger("run")
+    page.wait(lambda: page.is_enabled("transcriptSendButton"))
+    page.click("transcriptSendButton")
+    page.wait(lambda: simulator.show()["motors"][0]["speed"] == 80)
+    assert window.device.may_move
+    window.press_escape()
+    page.wait(lambda: simulator.show()["motors"][0]["direction"] == "brake")
+    page.wait(lambda: not window.device.may_move)
+    assert "Sent by hand: set motor 1 to forward 80" in {
+        event.text for event in window.device.events.all
+    }

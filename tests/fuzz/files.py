@@ -18,6 +18,7 @@ from tests.devices.trex.bench.test_files import SAVED
 from tests.devices.trex.recording import samples
 from tests.fuzz.fuzzing import Target, mutations
 from tests.support.bad_files import BAD_FILES
+from trex_gui.core.code import Language
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files import Finding, SettingsError, Severity, load
 from trex_gui.core.guardian.log import last_stop, log_file
@@ -37,7 +38,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.recording import FORMAT as BOARD_FORMAT
 from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
-from trex_gui.devices.trex.settings.code_export import Language, export_code
+from trex_gui.devices.trex.settings.code_export import export_code
 from trex_gui.devices.trex.settings.comparison import compare
 from trex_gui.devices.trex.settings.conversion import convert
 from trex_gui.devices.trex.settings.document import factory_settings

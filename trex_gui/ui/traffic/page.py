@@ -1,5 +1,6 @@
 """Page of the traffic log: every byte on the line, and its meaning."""
 
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 
@@ -7,10 +8,14 @@ from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QGuiApplication, QHideEvent, QKeySequence, QShowEvent
 from PySide6.QtWidgets import QPushButton, QWidget
 
+from trex_gui.core.code import Language
+from trex_gui.core.transport.row_code import rows_as_code
+from trex_gui.core.transport.traffic import Transaction
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.traffic.model import TrafficModel
+from trex_gui.ui.traffic.send_row import PacketSender, SendRow
 from trex_gui.ui.traffic.table import RowDetails, TrafficTable, TrafficView
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
@@ -18,6 +23,8 @@ from trex_gui.ui.widgets.behaviour import only_when_visible
 from trex_gui.ui.workers.file_worker import FileSaver
 
 _TYPING_MS = 200
+
+_MOST_CODE_ROWS = 1000  # copied as code at once: compilers take long for more
 
 _SAVE_TIMEOUT_MS = 3000  # longest wait for a file at the end of the program
 
@@ -32,8 +39,13 @@ class TrafficPage(QWidget):
         device: str,
         notifier: Notifier,
         parent: QWidget | None = None,
+        *,
+        sender: PacketSender | None = None,
     ) -> None:
-        """Show traffic; `key` names the page and its settings, `device` is in the texts."""
+        """Show traffic; `key` names the page and its settings, `device` is in the texts.
+
+        With a `sender` bytes can be typed and sent.
+        """
         super().__init__(parent)
         self.setObjectName(f"{key}Page")
         self._traffic = traffic
@@ -76,17 +88,18 @@ class TrafficPage(QWidget):
         above.addSpacing(above.spacing())
         for button in buttons:
             above.addWidget(button)
-        ui.column(above, (self._view, 1), self._details, self._summary, into=self)
+        send = () if sender is None else (SendRow(sender, key, self),)
+        ui.column(above, (self._view, 1), self._details, *send, self._summary, into=self)
 
-        copying = ui.action(
-            self._view,
-            f"{key}CopyAction",
-            self.tr("Copy"),
-            shortcut=QKeySequence.StandardKey.Copy,
-            context=Qt.ShortcutContext.WidgetShortcut,
-            on_trigger=self._copy,
-        )
-        self._view.addAction(copying)
+        self._add_action(f"{key}Copy", self.tr("&Copy"), QKeySequence.StandardKey.Copy, self._copy)
+        for language, text, shortcut in (
+            (Language.PYTHON, self.tr("Copy as &Python"), "Ctrl+Shift+P"),
+            (Language.C, self.tr("Copy as C (&POSIX)"), "Ctrl+Shift+C"),
+            (Language.ARDUINO, self.tr("Copy as &Arduino sketch"), "Ctrl+Shift+A"),
+        ):
+            copy_code = partial(self._copy_code, language)
+            name = f"{key}Copy{language.value.capitalize()}"
+            self._add_action(name, text, shortcut, copy_code)
         self._view.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
         self._search.textChanged.connect(self._typing.start)
         self._polling.toggled.connect(self._apply_filter)
@@ -101,6 +114,26 @@ class TrafficPage(QWidget):
         traffic.cleared.connect(self._refresh)
         self._polling.setChecked(self._store.flag(self._polling_key, default=False))
         self._apply_filter()
+
+    def _add_action(
+        self,
+        name: str,
+        text: str,
+        shortcut: str | QKeySequence.StandardKey,
+        slot: Callable[[], object],
+    ) -> None:
+        """Add an entry to the menu of the table, with a key while the table has the focus."""
+        context = Qt.ShortcutContext.WidgetShortcut
+        self._view.addAction(
+            ui.action(
+                self._view,
+                f"{name}Action",
+                text,
+                shortcut=shortcut,
+                context=context,
+                on_trigger=lambda _checked=False: slot(),
+            )
+        )
 
     def _make_buttons(self, key: str) -> tuple[QPushButton, ...]:
         copy = ui.button(
@@ -203,15 +236,25 @@ class TrafficPage(QWidget):
 
     @Slot()
     def _copy(self) -> None:
+        rows = self._chosen_rows()
+        self._put_on_clipboard("".join(f"{self._traffic.line_of(row)}\n" for row in rows), rows)
+
+    def _copy_code(self, language: Language) -> None:
+        rows = self._chosen_rows()[:_MOST_CODE_ROWS]
+        self._put_on_clipboard(rows_as_code(rows, self._traffic.decoder, language), rows)
+
+    def _chosen_rows(self) -> Sequence[Transaction]:
+        """Return the selected rows, or all that are shown."""
         selected = sorted(index.row() for index in self._view.selectionModel().selectedRows())
         rows = self._table.rows
-        wanted = [rows[row] for row in selected] if selected else rows
-        if not wanted:
+        return [rows[row] for row in selected] if selected else rows
+
+    def _put_on_clipboard(self, text: str, rows: Sequence[Transaction]) -> None:
+        if not rows:
             self._notifier.error.emit(self.tr("No rows to copy."))
             return
-        lines = [self._traffic.line_of(row) for row in wanted]
-        QGuiApplication.clipboard().setText("\n".join(lines) + "\n")
-        self._notifier.info.emit(self.tr("Copied rows: {0}.").format(f"{len(lines):,}"))
+        QGuiApplication.clipboard().setText(text)
+        self._notifier.info.emit(self.tr("Copied rows: {0}.").format(f"{len(rows):,}"))
 
     @Slot()
     def _ask_and_save(self) -> None:

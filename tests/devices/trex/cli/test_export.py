@@ -6,7 +6,7 @@ import pytest
 
 from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_command import RunCommand
-from trex_gui.devices.trex.settings.code_export import Language
+from trex_gui.core.code import Language
 from trex_gui.devices.trex.settings.history import SettingsHistory
 
 

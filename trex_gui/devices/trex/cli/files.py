@@ -18,6 +18,7 @@ from trex_gui.core.cli import (
     refusals,
     say,
 )
+from trex_gui.core.code import Language
 from trex_gui.core.files import LARGEST_FILE, Finding, SettingsError, load, save
 from trex_gui.core.texts import counted
 from trex_gui.devices.trex.cli.changes import (
@@ -47,7 +48,7 @@ from trex_gui.devices.trex.protocol.calibration import (
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.device_table import Model
 from trex_gui.devices.trex.protocol.errors import Skipped
-from trex_gui.devices.trex.settings.code_export import Language, export_code
+from trex_gui.devices.trex.settings.code_export import export_code
 from trex_gui.devices.trex.settings.comparison import (
     Comparison,
     ComparisonRow,

@@ -21,6 +21,7 @@ from trex_gui.devices.trex.session.messages import (
     GuardianChanged,
     NotResponding,
     SelectBoard,
+    SendPacket,
     SetWatched,
     Write,
 )
@@ -68,6 +69,8 @@ class Connection(DeviceConnection[ConnectionSettings]):
         self.submit(SetWatched(bool(self._watchers)))
 
     def moves(self, request: object) -> bool:
+        if isinstance(request, SendPacket):
+            return request.packet.moves
         return isinstance(request, SetpointRequest)
 
     def writes(self, request: object) -> bool:

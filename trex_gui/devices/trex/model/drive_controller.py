@@ -26,7 +26,8 @@ from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
 from trex_gui.devices.trex.protocol.flags import UART_MEANING, UartError
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
-from trex_gui.devices.trex.session.messages import Connected, ReadReason
+from trex_gui.devices.trex.protocol.raw_packets import RawPacket
+from trex_gui.devices.trex.session.messages import Connected, ReadReason, SendPacket
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.notifier import Notifier
@@ -113,6 +114,12 @@ class DriveController(QObject):
         """Stop everything and disarm; `then` is called once with the confirmation or its error."""
         self._after_stop.append(then)
         self._motors.stop(reason)
+
+    def send_packet(self, packet: RawPacket, then: Callable[[Outcome], None]) -> bool:
+        """Send bytes that the user typed; return whether there is a session."""
+        is_sent = self._connection.request(lambda number: SendPacket(number, packet), then)
+        self.may_move = self.may_move or (is_sent and packet.moves)
+        return is_sent
 
     @property
     def _is_connected(self) -> bool:

@@ -1,11 +1,9 @@
 """Export settings as a program in C, Python or for Arduino, from a Jinja template for each."""
 
 import textwrap
-import unicodedata
-from enum import Enum
 
 from trex_gui import __version__
-from trex_gui.core.resource_files import resource
+from trex_gui.core.code import Language, hexadecimal, plain, render
 from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_FIELDS,
     Calibration,
@@ -21,28 +19,10 @@ from trex_gui.devices.trex.settings.writer import calibration_text, check_keys, 
 
 _COMMENT_WIDTH = 86
 
-_COMMENT_COLUMN = 46  # where comments begin at the latest, unless the code before them is longer
-
 _SOURCE_LETTERS = {mode.source: mode.value for mode in Mode if mode.is_serial}
 """The mode letter in serial mode, by the inputs whose calibrations the board then shows."""
 
 _PARITIES = {Detection.EVEN: "EVEN", Detection.ODD: "ODD"}
-
-
-class Language(Enum):
-    """A language; the value is its word on the command line."""
-
-    ARDUINO = "arduino"
-    PYTHON = "python"
-    C = "c"
-
-    @property
-    def title(self) -> str:
-        return {"arduino": "Arduino sketch"}.get(self.value, f"{self.value.capitalize()} program")
-
-    @property
-    def suffix(self) -> str:
-        return {"arduino": ".ino", "python": ".py", "c": ".c"}[self.value]
 
 
 def file_name(settings: Settings, language: Language) -> str:
@@ -74,7 +54,7 @@ def export_code(settings: Settings, link: ConnectionSettings, language: Language
     product, device, line = settings.product, link.framing.device_number, link.line
     new_device = valid.parameters.get(ParameterKey.DEVICE_NUMBER)
     firmware = "" if settings.firmware is None else f" with firmware {settings.firmware}"
-    return _render(
+    return render(
         f"code/trex_board{language.suffix}.jinja",
         # Header
         version=__version__,
@@ -105,39 +85,6 @@ def export_code(settings: Settings, link: ConnectionSettings, language: Language
     )
 
 
-def _render(name: str, **values: object) -> str:
-    from jinja2 import Environment, StrictUndefined  # noqa: PLC0415 - only exporting needs it
-
-    environment = Environment(
-        trim_blocks=True,
-        keep_trailing_newline=True,
-        undefined=StrictUndefined,
-        autoescape=False,  # noqa: S701 - source code, not HTML; `plain` makes text safe
-    )
-    environment.filters |= {"hex": _hexadecimal, "aligned": _aligned}
-    template = environment.from_string(resource(name).read_text(encoding="utf-8"))
-    return template.render(values)
-
-
-def plain(text: str) -> str:
-    """Return one line of printable ASCII for a comment or a string in C, C++ and Python.
-
-    It contains no `/*`, `*/`, quote, backslash or trigraph (`??/`). Other characters become the
-    nearest letter or `?`.
-    """
-    letters = unicodedata.normalize("NFKD", text.translate(_ASCII))
-    kept = (c for c in letters if not unicodedata.combining(c))
-    safe = "".join(c if c.isascii() and c.isprintable() else "?" for c in kept)
-    safe = safe.replace("\\", "/").replace('"', "'")
-    for pair in ("*/", "/*", "??"):
-        while pair in safe:
-            safe = safe.replace(pair, f"{pair[0]} {pair[1]}")
-    return safe.strip()
-
-
-_ASCII = str.maketrans({"µ": "u", "μ": "u", "−": "-", "–": "-", "—": "-", "×": "x", "…": "..."})
-
-
 def _parameter_row(spec: ParameterSpec, wire: int, settings: Settings) -> dict[str, object]:
     return {
         "number": spec.number,
@@ -157,20 +104,8 @@ def _calibration_row(key: CalibrationKey, calibration: Calibration) -> dict[str,
     }
 
 
-def _aligned(rows: str) -> str:
-    """Align the comments of rows of code in C, and drop empty ones."""
-    pairs = [line.partition(" // ")[::2] for line in rows.splitlines()]
-    width = min(max(len(code) for code, _ in pairs), _COMMENT_COLUMN)
-    lines = [f"{code:{width}} // {comment}" if comment else code for code, comment in pairs]
-    return "".join(f"{line}\n" for line in lines)
-
-
 def _stem(settings: Settings) -> str:
     return f"{settings.product.key}_board"
-
-
-def _hexadecimal(byte: int) -> str:
-    return f"0x{byte:02X}"
 
 
 def _new_line(link: ConnectionSettings, settings: Settings) -> str:
@@ -185,7 +120,7 @@ def _new_line(link: ConnectionSettings, settings: Settings) -> str:
     polynomial = known if bits is None else 0x80 | bits
     if line == link.line and polynomial == link.polynomial:
         return ""
-    return f"{line.text()}, polynomial {_hexadecimal(polynomial)}"
+    return f"{line.text()}, polynomial {hexadecimal(polynomial)}"
 
 
 def _warning(settings: Settings) -> str:
@@ -194,7 +129,7 @@ def _warning(settings: Settings) -> str:
     goes_on = "Motors keep running when the program that started them ends or crashes"
     if wire is None:
         return f"{goes_on}, unless {spec.name} is set on the board."
-    where = f"{spec.name} (parameter {_hexadecimal(spec.number)})"
+    where = f"{spec.name} (parameter {hexadecimal(spec.number)})"
     if wire == 0:
         return f"{goes_on}: these settings switch {where} off. Set it to have them stopped."
     return (

@@ -17,13 +17,14 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from trex_gui.core.code import Language
 from trex_gui.core.errors import BadRequest, StudioError
 from trex_gui.core.files import SettingsError, load, reason_of, save
 from trex_gui.core.resource_files import resource
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.document import SettingsDocument, text_of
 from trex_gui.devices.trex.protocol.device_table import Model, device_table
-from trex_gui.devices.trex.settings.code_export import Language, export_code, file_name
+from trex_gui.devices.trex.settings.code_export import export_code, file_name
 from trex_gui.devices.trex.settings.document import Settings, factory_settings
 from trex_gui.devices.trex.settings.edit_in_place import amend
 from trex_gui.devices.trex.settings.reader import read_settings

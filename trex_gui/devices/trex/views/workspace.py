@@ -227,10 +227,14 @@ class TrexWorkspace(Workspace):
         return LogPage(self.log, self.key, self.notifier, self)
 
     def _make_traffic_page(self) -> QWidget:
+        from trex_gui.devices.trex.model.packet_sender import TrexPacketSender  # noqa: PLC0415
         from trex_gui.ui.traffic.page import TrafficPage  # noqa: PLC0415
 
         traffic = self._device.connection.traffic
-        page = TrafficPage(traffic, "transcript", self.tr("a board"), self.notifier, self)
+        sender = TrexPacketSender(self._device, self)
+        page = TrafficPage(
+            traffic, "transcript", self.tr("a board"), self.notifier, self, sender=sender
+        )
         self._frame.seen_changed.connect(page.set_window_seen)
         return page
 

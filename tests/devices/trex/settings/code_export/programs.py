@@ -14,11 +14,12 @@ import pytest
 
 from tests.devices.trex.settings.samples import factory
 from tests.support.simulator import SimulatorProcess
+from trex_gui.core.code import Language
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
-from trex_gui.devices.trex.settings.code_export import Language, export_code, file_name
+from trex_gui.devices.trex.settings.code_export import export_code, file_name
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.simulator.memory import Eeprom
 

@@ -25,6 +25,7 @@ from tests.devices.trex.settings.samples import TREX, TREX_JR, any_settings, fac
 from tests.support.golden import assert_matches_golden
 from tests.support.matrix import examples
 from trex_gui import __version__
+from trex_gui.core.code import Language, plain
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -32,7 +33,7 @@ from trex_gui.devices.trex.protocol.device_table import Model
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import parameters_of
-from trex_gui.devices.trex.settings.code_export import Language, export_code, file_name, plain
+from trex_gui.devices.trex.settings.code_export import export_code, file_name
 from trex_gui.devices.trex.settings.document import Settings
 
 every_language = pytest.mark.parametrize("language", LANGUAGES, ids=LANGUAGE_NAMES)

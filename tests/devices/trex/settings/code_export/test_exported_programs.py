@@ -34,10 +34,10 @@ from tests.devices.trex.settings.code_export.programs import (
 )
 from tests.devices.trex.simulator.waiting import becomes
 from tests.support.matrix import sampled
+from trex_gui.core.code import Language
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
-from trex_gui.devices.trex.settings.code_export import Language
 from trex_gui.devices.trex.settings.document import Settings
 
 pytestmark = pytest.mark.realtime

@@ -1,0 +1,59 @@
+"""Rows of the traffic as code: it compiles, and sends the same bytes."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.devices.trex.settings.code_export.programs import C, compile_
+from trex_gui.core.code import Language
+from trex_gui.core.transport.row_code import rows_as_code
+from trex_gui.core.transport.traffic import Transaction
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
+
+SETTINGS = ConnectionSettings("virtual")
+ROWS = (
+    Transaction(1, 0.0, note="Opened */ \\", settings=SETTINGS, is_over=True),
+    Transaction(2, 0.1, b"\x81", b"TReX1.2", settings=SETTINGS, is_over=True),
+    Transaction(3, 0.2, b"\xc2\x50", settings=SETTINGS, is_over=True),
+)
+
+
+class Port:
+    """A port that notes what is done with it."""
+
+    def __init__(self) -> None:
+        self.done: list[object] = []
+
+    def write(self, data: bytes) -> None:
+        self.done.append(data)
+
+    def read(self, size: int) -> None:
+        self.done.append(size)
+
+    def flush(self) -> None: ...
+
+
+def test_python_sends_the_bytes_and_waits_for_replies() -> None:
+    names: dict[str, object] = {}
+    code = rows_as_code(ROWS, TrexDecoder(), Language.PYTHON)
+    exec(code, names)
+    send, port = names["send_copied_requests"], Port()
+    assert callable(send)
+    send(port)
+    assert port.done == [b"\x81", 7, b"\xc2\x50"]
+    assert "19200 baud, no error detection, 1 stop bit" in code
+    assert "# set motor 1 to forward 80" in code
+
+
+def test_c_compiles(tmp_path: Path) -> None:
+    source = tmp_path / "rows.c"
+    source.write_text(rows_as_code(ROWS, TrexDecoder(), Language.C), encoding="ascii")
+    compile_([*C, "-c", str(source), "-o", str(tmp_path / "rows.o")])
+
+
+@pytest.mark.parametrize("language", Language)
+def test_rows_without_requests_are_comments(language: Language) -> None:
+    code = rows_as_code(ROWS[:1], TrexDecoder(), language)
+    assert "Opened" in code
+    assert code.count("write(") == rows_as_code((), TrexDecoder(), language).count("write(")

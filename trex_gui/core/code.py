@@ -1,0 +1,70 @@
+"""Programs in C, Python and for Arduino from Jinja templates, as text that compiles."""
+
+import unicodedata
+from enum import Enum
+
+from trex_gui.core.resource_files import resource
+
+_COMMENT_COLUMN = 46  # where comments begin at the latest, unless the code before them is longer
+
+
+class Language(Enum):
+    """A language; the value is its word on the command line."""
+
+    ARDUINO = "arduino"
+    PYTHON = "python"
+    C = "c"
+
+    @property
+    def title(self) -> str:
+        return {"arduino": "Arduino sketch"}.get(self.value, f"{self.value.capitalize()} program")
+
+    @property
+    def suffix(self) -> str:
+        return {"arduino": ".ino", "python": ".py", "c": ".c"}[self.value]
+
+
+def render(name: str, **values: object) -> str:
+    """Fill in a template of the resources."""
+    from jinja2 import Environment, StrictUndefined  # noqa: PLC0415 - only exporting needs it
+
+    environment = Environment(
+        trim_blocks=True,
+        keep_trailing_newline=True,
+        undefined=StrictUndefined,
+        autoescape=False,  # noqa: S701 - source code, not HTML; `plain` makes text safe
+    )
+    environment.filters |= {"hex": hexadecimal, "aligned": _aligned}
+    template = environment.from_string(resource(name).read_text(encoding="utf-8"))
+    return template.render(values)
+
+
+def plain(text: str) -> str:
+    """Return one line of printable ASCII for a comment or a string in C, C++ and Python.
+
+    It contains no `/*`, `*/`, quote, backslash or trigraph (`??/`). Other characters become the
+    nearest letter or `?`.
+    """
+    letters = unicodedata.normalize("NFKD", text.translate(_ASCII))
+    kept = (c for c in letters if not unicodedata.combining(c))
+    safe = "".join(c if c.isascii() and c.isprintable() else "?" for c in kept)
+    safe = safe.replace("\\", "/").replace('"', "'")
+    for pair in ("*/", "/*", "??"):
+        while pair in safe:
+            safe = safe.replace(pair, f"{pair[0]} {pair[1]}")
+    return safe.strip()
+
+
+_ASCII = str.maketrans({"µ": "u", "μ": "u", "−": "-", "–": "-", "—": "-", "×": "x", "…": "..."})
+
+
+def _aligned(rows: str) -> str:
+    """Align the comments of rows of code in C, and drop empty ones."""
+    pairs = [line.partition(" // ")[::2] for line in rows.splitlines()]
+    width = min(max(len(code) for code, _ in pairs), _COMMENT_COLUMN)
+    lines = [f"{code:{width}} // {comment}" if comment else code for code, comment in pairs]
+    return "".join(f"{line}\n" for line in lines)
+
+
+def hexadecimal(byte: int) -> str:
+    return f"0x{byte:02X}"

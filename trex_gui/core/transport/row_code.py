@@ -1,0 +1,36 @@
+"""Rows of the traffic as code that sends the same bytes."""
+
+from collections.abc import Sequence
+
+from trex_gui import __version__
+from trex_gui.core.code import Language, hexadecimal, plain, render
+from trex_gui.core.transport.traffic import Decoder, Transaction
+
+
+def rows_as_code(rows: Sequence[Transaction], decoder: Decoder, language: Language) -> str:
+    """Return a function that sends the requests of these rows and waits for each reply.
+
+    What happened to the line, and bytes that nobody requested, become comments.
+    """
+    line = next((row.settings.line.text() for row in rows if row.settings is not None), "")
+    return render(
+        f"code/rows{language.suffix}.jinja",
+        version=__version__,
+        line=plain(line or "the line settings are not known"),
+        rows=[_row(row, decoder) for row in rows],
+    )
+
+
+def _row(row: Transaction, decoder: Decoder) -> dict[str, object]:
+    meaning = plain(decoder.decoded(row).text.replace("→", "->"))
+    if not row.sent:
+        return {"note": meaning or "-"}
+    return {
+        "note": "",
+        "sent": row.sent.hex(" ").upper(),
+        "bytes": ", ".join(map(hexadecimal, row.sent)),
+        "count": len(row.sent),
+        "size": len(row.received),
+        "received": row.received.hex(" ").upper(),
+        "meaning": meaning,
+    }

@@ -1,0 +1,95 @@
+"""Sending packets that the user types: their meaning, what prevents them, their replies."""
+
+from functools import partial
+
+from PySide6.QtCore import QObject, Signal
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.core.session import Outcome
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.protocol.commands import Signature
+from trex_gui.devices.trex.protocol.raw_packets import RawPacket, packets_of, parse_hexadecimal
+from trex_gui.ui.event_log import EventKind
+from trex_gui.ui.traffic.send_row import SendPreview
+from trex_gui.ui.translations import error_text
+
+_MOST_LINES = 3
+
+
+class TrexPacketSender(QObject):
+    """Sends hexadecimal bytes to the connected board, packet by packet."""
+
+    changed = Signal()
+
+    def __init__(self, device: Device, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._device = device
+        self.hint = self.tr("Hexadecimal, such as 9F 07")
+        device.link_changed.connect(self.changed)
+        device.motors.arming_changed.connect(self.changed)
+        device.state_changed.connect(self.changed)
+
+    def preview(self, text: str) -> SendPreview:
+        if not text.strip():
+            return SendPreview()
+        try:
+            packets = self._packets(text)
+        except BadRequest as error:
+            return SendPreview(blocker=str(error))
+        lines = [self._line(packet) for packet in packets[:_MOST_LINES]]
+        if left := len(packets) - len(lines):
+            lines.append(self.tr("and %n more packet(s)", "", left))
+        is_risky = any(packet.moves or packet.writes for packet in packets)
+        return SendPreview("\n".join(lines), self._blocker(packets), is_risky)
+
+    def send(self, text: str) -> None:
+        packets = self._packets(text)
+        for packet in packets:
+            if packet.moves or packet.writes:
+                said = self.tr("Sent by hand: {0}").format(packet.words(self._board))
+                self._device.events.add(EventKind.NOTE, said)
+            self._device.driving.send_packet(packet, partial(self._on_replied, packet))
+
+    @property
+    def _board(self) -> Signature | None:
+        return None if self._device.state is None else self._device.state.signature
+
+    def _packets(self, text: str) -> tuple[RawPacket, ...]:
+        settings = self._device.settings if self._device.is_connected else None
+        polynomial = None if settings is None else settings.framing.polynomial
+        return packets_of(parse_hexadecimal(text), polynomial)
+
+    def _line(self, packet: RawPacket) -> str:
+        words = packet.words(self._board)
+        if packet.moves:
+            return self.tr("{0} (may move a motor)").format(words)
+        if packet.writes:
+            return self.tr("{0} (stored at once, without a snapshot)").format(words)
+        return words
+
+    def _blocker(self, packets: tuple[RawPacket, ...]) -> str:
+        settings = self._device.settings
+        if not self._device.is_connected or settings is None:
+            return self.tr("Connect a board to send this.")
+        if self._device.applying:
+            return self.tr("Settings are being written; wait until they are.")
+        moving = [packet for packet in packets if packet.moves]
+        if moving and not self._device.motors.armed:
+            return self.tr("Choose Run motor first.")
+        if not all(packet.is_within_stop(settings.device_number) for packet in moving):
+            text = self.tr("A stop would not reach that board: address device {0}.")
+            return text.format(settings.device_number)
+        return ""
+
+    def _on_replied(self, packet: RawPacket, outcome: Outcome) -> None:
+        notifier = self._device.notifier
+        if outcome.error is not None:
+            text = self.tr("{0}: {1}")
+            notifier.error.emit(text.format(packet.hexadecimal, error_text(outcome.error)))
+        elif isinstance(outcome.value, bytes) and outcome.value:
+            text = self.tr("Sent {0}; the reply is {1}.")
+            reply = outcome.value.hex(" ").upper()
+            notifier.info.emit(text.format(packet.hexadecimal, reply))
+        else:
+            text = self.tr("Sent {0}; there was no reply.")
+            notifier.info.emit(text.format(packet.hexadecimal))
