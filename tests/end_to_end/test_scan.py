@@ -55,6 +55,7 @@ def test_board_at_unknown_line_settings_is_found_and_connected(
     dialog.finder.progressed.connect(
         lambda: progress.append((dialog.text("findProgressText"), bar.maximum()))
     )
+    traffic = window.device.connection.traffic
     dialog.search(window, url)
     assert dialog.is_enabled("findCancelButton")
     assert not dialog.is_enabled("findStartButton")
@@ -64,6 +65,11 @@ def test_board_at_unknown_line_settings_is_found_and_connected(
     assert dialog.text("findText0").startswith(f"TReX 1.2 on {url} at 57600 baud, device 7.")
     dialog.wait_for_end()
     assert dialog.text("findProgressText") == "1 board found."
+    meanings = [traffic.decoder.decoded(row).text for row in traffic.without_polling.rows]
+    assert "search: get signature → TReX 1.2" in meanings
+    assert "search: get signature → no reply" in meanings
+    assert any(text.startswith("search: Set to 57600 baud") for text in meanings)
+    assert traffic.faults == 0, "that most probes have no reply is no fault"
     check_keyboard(dialog.root)
     dialog.click("connectFound0")
     assert not dialog.root.isVisible()

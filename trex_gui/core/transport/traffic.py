@@ -1,5 +1,6 @@
 """Traffic of a line: every byte as it passes, paired again to requests and replies."""
 
+import itertools
 import time
 from abc import ABC, abstractmethod
 from collections import deque
@@ -168,6 +169,7 @@ class Transaction:
         ended: when the last byte was received, on the same clock; `None` if none was.
         echo: whether everything sent comes back; `None`: not known yet.
         is_routine: whether it is one of the polls that the program repeats all the time.
+        is_search: whether it is of a search for devices, in which most probes have no reply.
         words: its meaning, once it was decoded; see `Decoder.decoded`.
     """
 
@@ -181,6 +183,7 @@ class Transaction:
     is_routine: bool = False
     ended: float | None = None
     is_over: bool = False
+    is_search: bool = False
     words: Decoded | None = None
 
     @property
@@ -230,15 +233,25 @@ class Decoder(ABC):
         if (known := transaction.words) is not None:  # once: `forget` may come from another thread
             return known
         words = Decoded(transaction.note) if transaction.note else self.read(transaction)
+        if transaction.is_search:
+            words = Decoded(f"search: {words.text}")
         if transaction.is_over:
             transaction.words = words
         return words
 
 
 class TransactionAssembler:
-    def __init__(self, decoder: Decoder) -> None:
+    """Pairs the events of one line.
+
+    `numbers` gives each row its number; `is_search` says that they are of a search for devices.
+    """
+
+    def __init__(
+        self, decoder: Decoder, *, numbers: Iterator[int] | None = None, is_search: bool = False
+    ) -> None:
         self._decoder = decoder
-        self._count = 0
+        self._numbers = itertools.count(1) if numbers is None else numbers
+        self._is_search = is_search
         # What a session knows of the line better than the log:
         self.settings: PortSettings | None = None
         self.echo: bool | None = None
@@ -273,10 +286,9 @@ class TransactionAssembler:
         return False
 
     def _row(self, event: TrafficEvent) -> Transaction:
-        self._count += 1
         sent = event.data if event.direction is TrafficDirection.SENT else b""
         return Transaction(
-            self._count,
+            next(self._numbers),
             event.time,
             sent,
             note=event.text,
@@ -284,4 +296,5 @@ class TransactionAssembler:
             echo=self.echo,
             is_routine=bool(sent) and self._decoder.is_routine(sent),
             is_over=event.direction is TrafficDirection.LINE,
+            is_search=self._is_search,
         )

@@ -12,6 +12,7 @@ from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.devices.scanner import DeviceScanner
 from trex_gui.ui.devices.simulator import Simulator
 from trex_gui.ui.notifier import Notifier, Remedies, Remedy
+from trex_gui.ui.traffic.model import TrafficModel
 
 SettingsT_contra = TypeVar("SettingsT_contra", bound=PortSettings, contravariant=True)
 
@@ -154,6 +155,16 @@ class DeviceController(QObject, Generic[SettingsT]):
             self._model.disconnect_line()
         self.changed.emit()
         self._model.notifier.report(reason, remedies)
+
+    def show_searches_in(self, traffic: TrafficModel) -> None:
+        """Add every byte of searches for devices to this traffic."""
+        self._traffic = traffic
+        self._scanner.log_to(traffic.search_log)
+        self._scanner.changed.connect(self._on_scan_changed)
+
+    @Slot()
+    def _on_scan_changed(self) -> None:
+        self._traffic.set_searching(self._scanner.running)
 
     @Slot()
     def _on_scan_finished(self) -> None:

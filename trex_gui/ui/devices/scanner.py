@@ -1,7 +1,7 @@
 """Scan of the ports for boards with unknown line settings."""
 
 import threading
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -12,10 +12,12 @@ from trex_gui.core.discovery.scan import PortScan, scan_port
 from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.plugin import DevicePlugin
 from trex_gui.core.timing import Timeouts
+from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings
+from trex_gui.core.transport.traffic import TrafficLog, logged
 from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.devices.simulator import Simulator
-from trex_gui.ui.runtime import open_transport
+from trex_gui.ui.runtime import now, open_transport
 from trex_gui.ui.workers.threads import WorkerThread, adopt_orphan
 
 
@@ -47,9 +49,14 @@ class ScanWorker(WorkerThread):
         *,
         full: bool = False,
         only_recall: bool = False,
+        logs: Sequence[TrafficLog] = (),
     ) -> None:
+        """Every byte goes into each of the logs."""
         super().__init__(parent)
         self.setObjectName("ScanWorker")
+        self._open_wire: Callable[[PortSettings], Transport] = open_transport
+        for log in logs:
+            self._open_wire = logged(log, self._open_wire, now)
         self._jobs = tuple(jobs)
         self._full = full
         self._only_recall = only_recall
@@ -69,7 +76,7 @@ class ScanWorker(WorkerThread):
                 full=self._full,
                 progress=partial(self.stepped.emit, index),
                 cancelled=self._cancelled.is_set,
-                open_wire=open_transport,
+                open_wire=self._open_wire,
             )
             self.searched.emit(index, search)
 
@@ -113,6 +120,7 @@ class DeviceScanner(QObject):
         self._plugins = tuple(plugins)
         self._timeouts = timeouts or Timeouts()
         self._simulators: dict[str, Simulator] = {}
+        self._logs: list[TrafficLog] = []
         self._worker: ScanWorker | None = None
         self._ports: tuple[Port, ...] = ()
         # Of the ports that were scanned so far, in their order.
@@ -131,6 +139,10 @@ class DeviceScanner(QObject):
         self._simulators[device] = simulator
         simulator.ready.connect(self.simulators_changed)
         simulator.ended.connect(self.simulators_changed)
+
+    def log_to(self, log: TrafficLog) -> None:
+        """Note every byte of the searches from now on."""
+        self._logs.append(log)
 
     def can_search(self, port: Port) -> bool:
         """Whether a port can be scanned: a simulated device has to run."""
@@ -168,7 +180,7 @@ class DeviceScanner(QObject):
         self._cancelled = False
         self.text = self.tr("Opening {0} …").format(_name(self._ports[0]))
         jobs = [self._job(port) for port in self._ports]
-        self._worker = ScanWorker(jobs, full=full, only_recall=only_recall)
+        self._worker = ScanWorker(jobs, full=full, only_recall=only_recall, logs=self._logs)
         self._worker.stepped.connect(self._on_stepped, Qt.ConnectionType.QueuedConnection)
         self._worker.searched.connect(self._on_searched, Qt.ConnectionType.QueuedConnection)
         self._worker.finished.connect(self._on_worker_finished, Qt.ConnectionType.QueuedConnection)

@@ -1,5 +1,6 @@
 """The newest transactions of a line, for a page and for a file."""
 
+import itertools
 import time
 from collections.abc import Sequence
 from typing import TextIO
@@ -8,7 +9,12 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.transport import transcript
 from trex_gui.core.transport.settings import PortSettings
-from trex_gui.core.transport.traffic import Decoder, Transaction, TransactionAssembler
+from trex_gui.core.transport.traffic import (
+    Decoder,
+    TrafficLog,
+    Transaction,
+    TransactionAssembler,
+)
 from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.workers.file_worker import ProgressCallback
 from trex_gui.ui.workers.session_thread import SessionThread
@@ -47,7 +53,7 @@ class RowBuffer:
 
 
 class TrafficModel(QObject):
-    """Reads the traffic log of a session thread while a session runs.
+    """Reads the traffic log of a session thread while a session or a search runs.
 
     It does so ten times a second for a page that is seen, else once a second without `changed`.
     Rows other than successful polls have a buffer of their own, so that telemetry does not
@@ -64,7 +70,11 @@ class TrafficModel(QObject):
         self.faults = 0  # number of faulty rows since the last `clear`
         self.log = line.log
         self.decoder = decoder
-        self._assembler = TransactionAssembler(decoder)
+        numbers = itertools.count(1)
+        self._assembler = TransactionAssembler(decoder, numbers=numbers)
+        self.search_log = TrafficLog()  # traffic of searches for devices, beside that of the line
+        self._search = TransactionAssembler(decoder, numbers=numbers, is_search=True)
+        self._is_searching = self._is_open = False
         self._newest = 0
         self._epoch = time.time() - now()
         self._is_seen = False
@@ -111,6 +121,7 @@ class TrafficModel(QObject):
     @Slot()
     def pull(self) -> None:
         rows = self._assembler.feed(self.log.take())
+        rows += self._search.feed(self.search_log.take())
         for transaction in rows:
             self._add(transaction)
         if rows and self._is_seen:
@@ -129,18 +140,36 @@ class TrafficModel(QObject):
         if is_new:
             self._newest = transaction.number
             self.everything.add(transaction)
-        is_fault = transaction.is_over and self.decoder.is_fault(transaction)
+        is_fault = (
+            transaction.is_over and not transaction.is_search and self.decoder.is_fault(transaction)
+        )
         self.faults += is_fault
-        if is_fault if transaction.is_routine else is_new:
+        is_hidden = transaction.is_routine and not transaction.is_search
+        if is_fault if is_hidden else is_new:
             self.without_polling.add(transaction)
 
     @Slot()
     def _on_started(self) -> None:
         self._epoch = time.time() - now()
         self._assembler.echo = None
-        self._timer.start()
+        self._is_open = True
+        self._watch()
 
     @Slot()
     def _on_closed(self) -> None:
-        self._timer.stop()
-        self.pull()
+        self._is_open = False
+        self._watch()
+
+    def set_searching(self, searching: bool) -> None:
+        """Set whether a search is going on, which fills `search_log`."""
+        if searching != self._is_searching:
+            self._is_searching = searching
+            self._watch()
+
+    def _watch(self) -> None:
+        """Read the logs while anything fills them."""
+        if self._is_open or self._is_searching:
+            self._timer.start()
+        else:
+            self._timer.stop()
+            self.pull()

@@ -27,6 +27,7 @@ class AracnaController(DeviceController[PortSettings]):
         self.robot = robot = Robot(notifier)
         super().__init__(plugin, robot, ports, scanner, PortSettings("", LINE, timeouts=timeouts))
         robot.setParent(self)
+        self.show_searches_in(robot.traffic)
         self.demo_robot = DemoRobot(self.simulator, self)
 
     @property

@@ -46,6 +46,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         self._default = ConnectionSettings("", timeouts=timeouts or Timeouts())
         super().__init__(plugin, device, ports, scanner, self._default)
         self.device = device
+        self.show_searches_in(device.connection.traffic)
         self._store = Preferences()
         self.settings = self._read_settings()
         self.demo_board = DemoBoard(self.simulator, self)
