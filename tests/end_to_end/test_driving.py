@@ -26,6 +26,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.preferences import Preferences
 
 BACK = ("reverse", 127)
 CURVE = (FULL, ("forward", 42))
@@ -256,6 +257,17 @@ def test_leaving_page_with_held_control_stops_and_disarms(keys: MotorsPage) -> N
     assert keys.target(1) == sixty, "a slider that was released drives on"
     assert keys.is_armed()
 
+    keys.show_page()
+    keys.click("stopOnLeaving")
+    keys.open_page("statusPage")
+    keys.wait_for_brake("every control was released")
+    assert not keys.is_armed()
+    assert keys.motors.stop_reason == "The Motors page was left."
+    keys.show_page()
+    keys.arm()
+    keys.window.showMinimized()
+    keys.wait(lambda: not keys.is_armed())
+    assert Preferences().flag("motors/stop_on_leaving", default=False), "it is remembered"
 
 def test_minimising_with_held_slider_stops_and_disarms(armed: MotorsPage) -> None:
     armed.hold_slider("motor1Slider", 60)

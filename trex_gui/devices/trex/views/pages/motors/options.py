@@ -121,7 +121,7 @@ class SpeedCeiling(QWidget):
 
 
 class Options(ui.GroupBox):
-    """Brake strength, lock and spring return are stored; the other options are not."""
+    """Brake strength, lock, spring return and stop on leaving are stored; the others are not."""
 
     keys_toggled = Signal(bool)  # whether keys drive wherever the focus is
 
@@ -178,6 +178,19 @@ class Options(ui.GroupBox):
         lock_label = ui.label(
             self, "", self.tr("L&ock after Stop"), tip=self._lock.toolTip(), buddy=self._lock
         )
+        # Off at first: Esc, the red button and the state of the motors are below every page, and
+        # whoever looks at Currents or changes a parameter may want the motors to go on.
+        self._leave = ui.check_box(
+            self,
+            "stopOnLeaving",
+            self.tr("Stop when you lea&ve this page"),
+            tip=self.tr(
+                "Stop both motors and the auxiliary when another page is shown or the window is "
+                "minimised"
+            ),
+            checked=self._store.flag("motors/stop_on_leaving", default=False),
+            on_toggle=lambda wanted: self._store.set("motors/stop_on_leaving", wanted),
+        )
         self._return = ui.check_box(
             self,
             "returnToZero",
@@ -196,7 +209,7 @@ class Options(ui.GroupBox):
         for column, widget in enumerate(self._brake.widgets):
             right.addWidget(widget, 0, column)
         right.addWidget(lock_label, 1, 0)
-        right.addWidget(self._lock, 1, 2)
+        right.addLayout(ui.row(self._lock, 1, self._leave), 1, 1, 1, 2)
         checks = ui.row(self._return, self._link, 1, spacing=3 * _SPACING)
         right.addLayout(checks, 2, 0, 1, 3)
         ui.row(left, (right, 1), into=self, spacing=4 * _SPACING)
@@ -228,6 +241,10 @@ class Options(ui.GroupBox):
     @property
     def returns_to_zero(self) -> bool:
         return self._return.isChecked()
+
+    @property
+    def stops_on_leaving(self) -> bool:
+        return self._leave.isChecked()
 
     def set_joint(self, joint: bool) -> None:
         self._joint = joint

@@ -38,7 +38,10 @@ _USUAL_COUNTS = 100
 
 
 class MotorsPage(QWidget):
-    """Nothing moves before the motors are armed; leaving the page releases every control."""
+    """Nothing moves before the motors are armed; leaving the page releases every control.
+
+    It can stop the motors, too.
+    """
 
     parameter_wanted = Signal(str)  # the key of a parameter that the user wants to see or change
 
@@ -289,7 +292,7 @@ class MotorsPage(QWidget):
         self._show_options()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Stop the motors if a control is held.
+        """Stop the motors if a control is held, or whatever drives them if the user wants that.
 
         A pressed slider counts as held, even where it stays at its value when it is released.
         """
@@ -297,6 +300,8 @@ class MotorsPage(QWidget):
         self._dragged = None
         if self._holder or is_dragged:
             self._motors.stop(self.tr("The Motors page was left while a control was held."))
+        elif self._options.stops_on_leaving and self._motors.armed:
+            self._motors.stop(self.tr("The Motors page was left."))
         super().hideEvent(event)
 
     def _note_holder(self) -> None:
