@@ -99,10 +99,14 @@ class StopButton(RedButton):
 
 
 class RunButton(QPushButton):
-    def __init__(self, device: Device, name: str, tip: str, parent: QWidget) -> None:
+    """Arms the motors; it is disabled while they are armed."""
+
+    def __init__(self, device: Device, name: str, parent: QWidget) -> None:
         super().__init__(self.tr("&Run motor"), parent)
         self._motors = motors = device.motors
-        ui.named(self, name, tip=tip)
+        text = self.tr("Lets both motors and the auxiliary be driven; nothing moves yet")
+        ui.named(self, name, tip=text)
+        self.setAccessibleDescription(text)
         ui.set_bold(self)
         tint(self, "run")
         set_icon(self, "run", "run_text")
@@ -113,6 +117,12 @@ class RunButton(QPushButton):
 
     @Slot()
     def _on_changed(self) -> None:
+        """Give the focus to the stop button: arrow keys may change the next widget."""
+        if self._motors.armed and self.hasFocus():
+            window = self.window()
+            for stop in window.findChildren(StopButton):
+                if stop.window() is window:
+                    stop.setFocus()
         self.setEnabled(self._motors.can_arm)
 
 
@@ -127,9 +137,7 @@ class ActionBar(QWidget):
 
         notice = TimeoutNotice(device, self)
         stop = StopButton(device, "stopButton", self)
-        run = RunButton(
-            device, "runButton", self.tr("Let the sliders of the Motors page move the motors"), self
-        )
+        run = RunButton(device, "runButton", self)
         self._state = ui.named(Note(1, self), "motorStateLabel")
         self._state.setAlignment(Qt.AlignmentFlag.AlignVCenter)
         self._unapplied = ui.label(

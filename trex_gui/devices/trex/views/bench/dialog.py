@@ -80,7 +80,7 @@ class BenchDialog(ReusedDialog):
         ui.column((ScrollBox(forms, left), 1), self._hold, into=left, margins=0)
         button = partial(ui.button, self, default=False)
         stop = StopButton(device, "benchStopButton", self)
-        run = RunButton(device, "benchRunButton", self.tr("Let tests move the motors"), self)
+        run = RunButton(device, "benchRunButton", self)
         run.setAutoDefault(False)
         ui.set_bold(self._hold)
         tint(self._hold, "run")

@@ -86,9 +86,7 @@ class WiringPage(QWidget):
             on_click=setup.pulses.confirm_wheels,
         )
         self._run_place = QWidget(self)  # disables the button, which enables itself
-        run = RunButton(
-            device, "setupRunButton", self.tr("Let the buttons below move a motor"), self._run_place
-        )
+        run = RunButton(device, "setupRunButton", self._run_place)
         run.setAutoDefault(False)
         self._run_place.setEnabled(False)
         ui.row(run, into=self._run_place, margins=0)

@@ -65,8 +65,7 @@ class MotorsPage(QWidget):
         self._reason = ui.named(Note(2, self), "motorsReason")
         self._reason.setTextFormat(Qt.TextFormat.RichText)
         self._reason.setAlignment(Qt.AlignmentFlag.AlignVCenter)
-        tip = self.tr("Let the controls of this page move the motors")
-        run = RunButton(device, "motorsRunButton", tip, self)
+        run = RunButton(device, "motorsRunButton", self)
         run.setText(run.text().replace("&", ""))  # the letter is that of the one below the pages
         self._drive_box = drive_box = ui.GroupBox(self.tr("Drive"), self)
         ceiling = SpeedCeiling(device.motors, drive_box)
@@ -122,6 +121,7 @@ class MotorsPage(QWidget):
             signal.connect(self._show_options)
         motors.stop_requested.connect(self._on_stop_requested)
         device.link_changed.connect(self._show_options)
+        device.link_changed.connect(self._show_stored)
         device.state_changed.connect(self._on_state_changed)
         theme().changed.connect(self._on_state_changed)
         device.telemetry.frame_due.connect(self._on_frame_due)
@@ -171,17 +171,24 @@ class MotorsPage(QWidget):
             drive.joint = joint
         self._controls[1].set_title(self.tr("Motor (joint)") if joint else self.tr("Motor 1"))
         self._options.set_joint(joint)
-        text = _stored_text(self._device.parameters, joint=joint)
-        self._stored.setText(text)
         state = self._device.state
         if state is not None:
             usual = _USUAL_COUNTS * state.signature.model.current_unit
             for number in (1, 2):
                 limit = self._device.current_limit(number)
                 self._controls[number].current.set_scale(usual, limit)
-        self._stored.setAccessibleName("" if text else self.tr("Stored motor settings: not known"))
+        self._show_stored()
         self._show_setpoints()
         self._show_options()
+
+    @Slot()
+    def _show_stored(self) -> None:
+        """Show the stored settings; grey, and without links, while the board may store others."""
+        device, is_connected = self._device, self._device.is_connected
+        text = _stored_text(device.parameters, joint=device.is_joint, linked=is_connected)
+        self._stored.setText(text)
+        self._stored.setEnabled(is_connected)
+        self._stored.setAccessibleName("" if text else self.tr("Stored motor settings: not known"))
 
     @Slot()
     def _on_holder_changed(self) -> None:
@@ -337,10 +344,10 @@ def _name(number: int) -> str:
     return "auxiliary slider" if number == _AUXILIARY else f"motor {number} slider"
 
 
-def _stored_text(parameters: ParameterModel, *, joint: bool) -> str:
+def _stored_text(parameters: ParameterModel, *, joint: bool, linked: bool) -> str:
     """Return the stored settings of the motors, equal ones of both motors once.
 
-    Each value that was read is a link to the key of its parameter.
+    If they are `linked`, each value that was read is a link to the key of its parameter.
     """
 
     def tr(text: str) -> str:
@@ -351,6 +358,8 @@ def _stored_text(parameters: ParameterModel, *, joint: bool) -> str:
         if wire is None:
             return ""
         value = escape(value_text(parameters.spec_of(key), wire))
+        if not linked:
+            return value
         return f'<a href="{key}" style="color:{theme().color("link").name()}">{value}</a>'
 
     names = {
