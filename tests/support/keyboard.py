@@ -28,6 +28,7 @@ from PySide6.QtWidgets import (
 )
 
 from tests.support.accessible_names import nameless
+from trex_gui.devices.trex.views.boards import BoardPanel
 from trex_gui.ui.devices.demo_panel import DemoDock
 from trex_gui.ui.widgets.behaviour import HoldButton
 from trex_gui.ui.widgets.builders import RedButton
@@ -51,6 +52,7 @@ _WITHOUT_LETTER = (
 _INSIDE_WITHOUT_LETTER = (
     Banner,  # appears over every page, and would take letters from each
     InlinePrompt,  # the same, and has the focus
+    BoardPanel,  # what its buttons do is in the Device menu, with letters
     DemoDock,  # beside every page: there are not enough letters
     QToolBar,  # its buttons are in a menu
     QLineEdit,  # a sign in an editor, not a button
@@ -202,7 +204,7 @@ def _next(widget: QWidget) -> QWidget:
 
 
 _REGIONS = QGroupBox, QDockWidget, QScrollArea
-_COLUMNS = {"benchLeft"}
+_COLUMNS = {"benchLeft", "boardPanel"}
 """Tab goes through what is in these before it goes on, as through the parts of a splitter."""
 
 _IN_COLUMNS = {"motorsOptions"}

@@ -151,9 +151,12 @@ class ApplyToBoards(QObject):
         if not self.is_running:
             return
         if error is not None:
-            self._set(number, BoardStep.FAILED, error_text(error))
-            is_silent = isinstance(error, TrexError) and error.code is ErrorCode.NOT_SELECTED_SILENT
-            self._is_cancelled = self._is_cancelled or not is_silent
+            problem = error_text(error)
+            if isinstance(error, TrexError) and error.code is ErrorCode.NOT_SELECTED_SILENT:
+                problem = self.tr("It does not respond. Check that it has power.")
+            else:
+                self._is_cancelled = True
+            self._set(number, BoardStep.FAILED, problem)
             self._go_on()
             return
         if (blocker := self._device.settings_blocker) or self._wanted is None:

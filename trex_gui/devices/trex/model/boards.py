@@ -251,7 +251,7 @@ class BoardList(QObject):
                 device.connection.select(number, sharing, lambda outcome: finish(outcome.error))
 
         if device.motors.armed or device.may_move:
-            device.driving.stop(on_stopped, self.tr("Another board is being selected."))
+            device.driving.stop(on_stopped, self.tr("Another board was selected."))
         else:
             on_stopped(None)
 

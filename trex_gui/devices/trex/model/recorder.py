@@ -70,7 +70,7 @@ class Recorder(RecordThread[Record]):
         settings = self._device.settings
         number = settings.device_number if settings is not None else None
         header = Header.of(state, now(), number)
-        self._board, self._settings = _identity(state), header.settings
+        self._board, self._settings = self._identity(state), header.settings
         return header
 
     @Slot(object)
@@ -87,12 +87,16 @@ class Recorder(RecordThread[Record]):
         state = self._device.state
         if state is None or not self.recording:
             return
-        if _identity(state) == self._board:
+        if self._identity(state) == self._board:
             self._put_settings(state)
         else:
             self.end_because(
                 self.tr("Recording {0} ended: the board or its input source has changed.")
             )
+
+    def _identity(self, state: DeviceState) -> tuple[object, ...]:
+        """Return what a recording is of; another board on the line has another `selection`."""
+        return state.signature, state.source, self._device.connection.selection
 
     def _put_settings(self, state: DeviceState) -> None:
         snapshot = settings_snapshot(state, now())
@@ -105,10 +109,6 @@ class Recorder(RecordThread[Record]):
         if self.recording and self._device.link is ConnectionState.DISCONNECTED:
             self.end_because(self.tr("Recording {0} ended with the connection."))
         self.changed.emit()
-
-
-def _identity(state: DeviceState) -> tuple[object, ...]:
-    return state.signature, state.source
 
 
 _BEFORE = 20.0  # seconds kept before a fault or stop
@@ -234,7 +234,7 @@ class EventRecorder(Recorder):
         state = self._device.state
         if state is None:
             return
-        if self._template is not None and _identity(state) == self._board:
+        if self._template is not None and self._identity(state) == self._board:
             self._put_settings(state)
             return
         self._finish()

@@ -59,6 +59,10 @@ class SettingsFiles(QObject):
         """Let the user choose a file and show what it would change of the board."""
         self._ask_and(self.open_file)
 
+    def ask_for_document(self, use: Callable[[SettingsDocument], object]) -> None:
+        """Let the user choose a file; `use` gets it, also one with errors."""
+        self._ask_and(lambda path: self._open(path, use))
+
     def _ask_and(self, use: Callable[[Path], object]) -> None:
         title = self.tr("Open settings file")
         path = file_questions.ask_to_open(self._window, title)

@@ -14,16 +14,19 @@ from shiboken6 import Shiboken
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.bench import Bench
+from trex_gui.devices.trex.model.boards import BoardList
 from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.drive_status import SafeStartWatch
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.linter import BoardLinter
+from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.comparison import ComparisonRow
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.views.action_bar import ActionBar
 from trex_gui.devices.trex.views.bench.dialog import BenchDialog
+from trex_gui.devices.trex.views.boards import BoardPanel, NumberDialog
 from trex_gui.devices.trex.views.demo_panel import DemoPanel
 from trex_gui.devices.trex.views.history_dialog import HistoryDialog
 from trex_gui.devices.trex.views.learning.dialog import LearnDialog
@@ -45,6 +48,7 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.messages import PromptAnswer
 
 if TYPE_CHECKING:
+    from trex_gui.devices.trex.views.apply_to_boards_dialog import ApplyToBoardsDialog
     from trex_gui.devices.trex.views.pages.currents_panel import PlotWindow
     from trex_gui.devices.trex.views.setup.dialog import SetupDialog
 
@@ -68,7 +72,12 @@ class TrexWorkspace(Workspace):
         self._offered_losses: set[ComparisonRow] = set()  # lost settings
         self.log.follow(device.events)
 
+        self._boards = boards = BoardList(device, self)
+        panel = BoardPanel(boards, device, self)
+        panel.number_requested.connect(self._change_number)
+        panel.file_requested.connect(self._apply_to_boards)
         tabs = self.pages
+        ui.tab_order(panel, tabs.tabBar())
         tabs.setObjectName("tabs")
         tabs.setAccessibleName(self.tr("Pages"))
         self.add_pages(
@@ -87,7 +96,8 @@ class TrexWorkspace(Workspace):
 
         self.recordings = Recordings(device, frame)
         bar = ActionBar(device, self)
-        ui.column((tabs, 1), self.recordings.indicator, bar, into=self, margins=0)
+        beside = ui.row(panel, (tabs, 1), margins=0)
+        ui.column((beside, 1), self.recordings.indicator, bar, into=self, margins=0)
         self._demo = DemoPanel(controller, frame)
         self.files = files = SettingsFiles(device, frame)
         self.help_url = "https://www.pololu.com/docs/0J1"
@@ -101,7 +111,10 @@ class TrexWorkspace(Workspace):
         learning = Learning(device, self)
         self._learning = learning
         self._learn = LearnDialog(learning, frame)
-        self._setup: SetupDialog | None = None  # made when it is first opened
+        # Made when they are first opened:
+        self._setup: SetupDialog | None = None
+        self._number: NumberDialog | None = None
+        self._to_boards: ApplyToBoardsDialog | None = None
         self._plot: PlotWindow | None = None
         learning.begun.connect(controller.demo_board.centre_sticks)
         self._bench = BenchDialog(device, Bench(device, self), frame)
@@ -136,6 +149,7 @@ class TrexWorkspace(Workspace):
             device.motors.availability_changed,
             device.motors.lockout_changed,
             device.draft.pending_changed,
+            boards.changed,
         ):
             changed.connect(self._on_actions_changed)
         device.draft.pending_changed.connect(self._keep_edits)
@@ -247,6 +261,25 @@ class TrexWorkspace(Workspace):
             self._setup.apply_requested.connect(self._review.review)
         self._setup.open_setup()
 
+    @Slot()
+    def _change_number(self) -> None:
+        if self._number is None:
+            self._number = NumberDialog(self._boards, self._device, self._frame)
+        self._number.ask()
+
+    @Slot()
+    def _apply_to_boards(self) -> None:
+        self.files.ask_for_document(self._show_changes_of_boards)
+
+    def _show_changes_of_boards(self, document: SettingsDocument) -> None:
+        if self._to_boards is None:
+            from trex_gui.devices.trex.views.apply_to_boards_dialog import (  # noqa: PLC0415
+                ApplyToBoardsDialog,
+            )
+
+            self._to_boards = ApplyToBoardsDialog(self._boards, self._device, self._frame)
+        self._to_boards.open_file(document)
+
     @Slot(object)
     def _show_parameter(self, key: object) -> None:
         self.show_page("parameters")
@@ -313,6 +346,10 @@ class TrexWorkspace(Workspace):
                 Entry("apply", tr("&Apply settings…"), self._review.review, "Ctrl+Return", "apply"),
                 Entry("power", tr("Make stored settings acti&ve…"), self._power.guide, "", "power"),
                 SEPARATOR,
+                Entry("boards", tr("Find &other boards on this line"), self._boards.scan),
+                Entry("number", tr("Change device nu&mber…"), self._change_number),
+                Entry("to_boards", tr("A&pply a file to several boards…"), self._apply_to_boards),
+                SEPARATOR,
                 Entry("setup", tr("Set &up my robot…"), self._set_up, "", "settings"),
                 Entry("learn", tr("Lear&n channels…"), self._learn.learn, "", "calibrate"),
                 Entry("test_sticks", tr("&Test the sticks…"), self._learn.test),
@@ -363,6 +400,9 @@ class TrexWorkspace(Workspace):
             "record": recorder.recording or recorder.can_record,
             "run": device.motors.can_arm,
             "setup": device.is_connected,
+            "boards": self._boards.can_scan,
+            "number": writable and not device.rejects_settings,
+            "to_boards": writable and self._boards.has_several,
             "apply": writable and not device.rejects_settings and draft.pending > 0,
             "power": device.is_connected and to_activate,
             "discard": shown and draft.pending > 0,
@@ -550,6 +590,8 @@ class TrexWorkspace(Workspace):
         self._learn.close()
         if self._setup is not None:
             self._setup.close()
+        if self._to_boards is not None:
+            self._to_boards.close()
         self._bench.close()
         if self._plot is not None and Shiboken.isValid(self._plot):
             self._plot.close()

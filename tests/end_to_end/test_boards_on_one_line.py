@@ -1,0 +1,133 @@
+"""Several boards on one line: the list beside the pages, another number, one file for all."""
+
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QFileDialog, QListWidget, QSpinBox, QTableWidget
+
+from tests.support.keyboard import check_keyboard
+from tests.support.pages.motors import is_stopped
+from tests.support.simulator import StartSimulator
+from tests.support.window import WidgetDriver, WindowDriver
+from trex_gui.core.files import save
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.ui.devices.ports import Port
+
+
+def connect(window: WindowDriver, url: str, number: int) -> None:
+    """Connect to one board of several, as *Find* does that has found it."""
+    port: Port = window.program.ports.add_typed(url)
+    settings = ConnectionSettings(url, device_number=number)
+    window.program.device_manager.connect_with(port, settings)
+    window.wait(lambda: window.device.is_connected and window.motors.is_available)
+
+
+def rows(window: WindowDriver) -> list[list[str]]:
+    shown = window.find(QListWidget, "boardList")
+    return [shown.item(row).text().splitlines() for row in range(shown.count())]
+
+
+def choose(window: WindowDriver, row: int) -> None:
+    """Click a board in the list."""
+    shown = window.find(QListWidget, "boardList")
+    place = shown.visualItemRect(shown.item(row)).center()
+    QTest.mouseClick(shown.viewport(), Qt.MouseButton.LeftButton, pos=place)
+
+
+def test_boards_on_one_line(
+    window: WindowDriver,
+    start_simulator: StartSimulator,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    options = [word for board in ("3", "7", "9:trexjr") for word in ("--device", board)]
+    boards = start_simulator("--unpaced", *options)
+    assert not window.has("boardPanel")
+    assert not window.action("boards").isEnabled()
+    connect(window, boards.url, 7)
+    assert not window.has("boardPanel")
+
+    # They are found while everything else goes on.
+    window.trigger("boards")
+    window.wait(lambda: window.has("boardsProgress"))
+    window.wait(lambda: not window.has("boardsProgress"))
+    assert rows(window) == [
+        ["3 · TReX 1.2", "responding"],
+        ["7 · TReX 1.2", "selected"],
+        ["9 · TReX Jr 1.2", "responding"],
+    ]
+    check_keyboard(window.window)
+
+    # Choosing one stops the one that is driven, and switches every page.
+    window.motors.arm()
+    window.motors.set_speed(1, 30)
+    window.wait(lambda: boards.show("@7")["motors"][0]["target_speed"])
+    assert rows(window)[1][1] == "selected, armed"
+    assert not window.is_enabled("scanBoardsButton")
+    choose(window, 2)
+    window.wait(lambda: rows(window)[2][1] == "selected")
+    assert is_stopped(boards, "@7")
+    assert rows(window)[1][1] == "responding"
+    assert window.window.windowTitle().startswith("TReX Jr 1.2, device 9")
+    window.wait(lambda: window.motors.is_available)
+    window.motors.arm()
+    window.motors.set_speed(1, 30)
+    window.wait(lambda: boards.show("@9")["motors"][0]["target_speed"])
+    assert is_stopped(boards, "@7")
+    window.press_escape()
+    window.wait(lambda: is_stopped(boards, "@9"))
+
+    # The keyboard does the same.
+    shown = window.find(QListWidget, "boardList")
+    shown.setCurrentRow(1)
+    QTest.keyClick(shown, Qt.Key.Key_Return)
+    window.wait(lambda: rows(window)[1][1] == "selected")
+
+    # A number that is taken cannot be written; a free one can.
+    window.trigger("number")
+    dialog = window.dialog("numberDialog")
+    check_keyboard(dialog.root)
+    field = dialog.find(QSpinBox, "newNumberField")
+    assert field.value() == 8
+    field.setValue(9)
+    assert dialog.text("numberKnown") == "Taken: 9 · TReX Jr 1.2."
+    field.setValue(12)
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    window.wait(lambda: [row[0] for row in rows(window)][-1] == "12 · TReX 1.2")
+    assert boards.show("@7")["parameters"]["device_number"] == 12
+
+    # One file for all of them: each keeps its number, and what does not fit is left out.
+    path = tmp_path / "fleet.txt"
+    save(path, "product: TReX\ndevice_number: 55\nserial_timeout: 7\n")
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_a, **_k: (str(path), ""))
+    window.trigger("to_boards")
+    window.wait(lambda: window.has("applyToBoardsDialog"))
+    fleet: WidgetDriver = window.dialog("applyToBoardsDialog")
+    check_keyboard(fleet.root)
+    window.wait(lambda: fleet.is_enabled("writeBoardsButton"))
+    table = fleet.find(QTableWidget, "boardsToWrite")
+
+    def results() -> list[list[str]]:
+        cells = [[table.item(row, column) for column in (1, 2)] for row in range(3)]
+        return [[cell.text() if cell else "" for cell in row] for row in cells]
+
+    assert results()[0] == ["1 setting(s)", "read"]
+    assert results()[2] == ["1 setting(s)", "read"]
+    assert "are for a TReX, not a TReX Jr" in results()[1][1]
+    assert boards.show("@3")["parameters"]["serial_timeout"] == 0
+    fleet.click("writeBoardsButton")
+    window.wait(lambda: results()[2][1] == "written and verified")
+    window.wait(lambda: rows(window)[2][1] == "selected")
+    stored = [
+        (shown["device_number"], shown["serial_timeout"])
+        for name in ("@3", "@7", "@9")
+        for shown in (boards.show(name)["parameters"],)
+    ]
+    assert stored == [(3, 7), (12, 7), (9, 0)]
+    fleet.click("closeBoardsButton")
+
+    # Closing hides the list, and the next connection is to the board that was shown last.
+    window.disconnect()
+    assert not window.has("boardPanel")

@@ -1,0 +1,234 @@
+"""Dialog that writes one settings file to several boards on a line."""
+
+from PySide6.QtCore import Qt, Slot
+from PySide6.QtGui import QCloseEvent
+from PySide6.QtWidgets import QHeaderView, QTableWidget, QTableWidgetItem, QWidget
+
+from trex_gui.devices.trex.model.apply_to_boards import ApplyToBoards, BoardPlan, BoardStep
+from trex_gui.devices.trex.model.boards import BoardList
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.settings.document import SettingsDocument
+from trex_gui.devices.trex.settings.comparison import Comparison
+from trex_gui.devices.trex.views.action_bar import StopButton
+from trex_gui.devices.trex.views.boards import board_name
+from trex_gui.devices.trex.views.comparison_view import ComparisonView
+from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.behaviour import ReusedDialog
+from trex_gui.ui.widgets.labels import Note
+
+_CHECKED, _CLEARED = Qt.CheckState.Checked, Qt.CheckState.Unchecked
+
+
+class ApplyToBoardsDialog(ReusedDialog):
+    """Shows what a file changes of each board, then writes it to those that are checked.
+
+    Not modal; closing it ends the work after the board that is being written.
+    """
+
+    def __init__(self, boards: BoardList, device: Device, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("applyToBoardsDialog")
+        self.resize(880, 600)
+        self._boards = boards
+        self._device = device
+        self.work = ApplyToBoards(boards, device, self)
+        self._name = ""
+        self._cleared: set[int] = set()  # boards whose check box the user has cleared
+        self._is_filling = False
+        self._create_widgets()
+        ui.column(
+            self._intro,
+            (self._table, 2),
+            self._heading,
+            (self._changes, 3),
+            self._note,
+            ui.row(self._stop, 1, self._write, self._end, self._close),
+            into=self,
+        )
+        self._table.itemChanged.connect(self._on_item_changed)
+        self._table.currentCellChanged.connect(self._on_current_changed)
+        self.work.changed.connect(self._update)
+        self.work.finished.connect(self._on_finished)
+        device.link_changed.connect(self._update)
+        device.motors.arming_changed.connect(self._update)
+
+    def _create_widgets(self) -> None:
+        self._intro = ui.label(
+            self,
+            "applyToBoardsIntro",
+            self.tr(
+                "Each checked board gets these settings, one board after the other, with a "
+                "snapshot before. Each keeps its device number and its serial settings. The first "
+                "error while writing ends the work."
+            ),
+            wrap=True,
+        )
+        self._table = ui.flat_table(
+            QTableWidget(0, 3, self), "boardsToWrite", self.tr("Boards to write to")
+        )
+        self._table.setHorizontalHeaderLabels(
+            [self.tr("Board"), self.tr("Changes"), self.tr("Result")]
+        )
+        header = self._table.horizontalHeader()
+        for column in (0, 1):
+            header.setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)
+        header.setStretchLastSection(True)
+        self._table.setWordWrap(True)
+        self._heading = ui.label(self, "boardChangesTitle", bold=True, plain=True)
+        self._changes = ComparisonView(self)
+        self._note = ui.named(Note(0, self), "applyToBoardsNote")
+        self._stop = StopButton(self._device, "boardsStopButton", self)
+        self._write = ui.button(
+            self, "writeBoardsButton", icon="apply", default=True, on_click=self._on_write_clicked
+        )
+        self._end = ui.button(
+            self,
+            "endBoardsButton",
+            self.tr("&End after this board"),
+            on_click=self.work.cancel,
+        )
+        self._close = ui.button(
+            self, "closeBoardsButton", self.tr("Close"), default=False, on_click=self.close
+        )
+
+    def open_file(self, document: SettingsDocument) -> None:
+        """Read every board on the line, and show what a file would change of each."""
+        if self.work.is_running:
+            self.show_in_front()
+            return
+        self._name = document.name
+        self.setWindowTitle(self.tr("Apply {0} to several boards").format(document.name))
+        self._cleared.clear()
+        self._note.show_note("")
+        self._changes.show_nothing()
+        self._heading.setText("")
+        if document.settings is None:
+            text = self.tr("This file cannot be used: it has errors. Nothing was changed.")
+            self._note.show_note(text, alarming=True)
+        else:
+            self.work.review(document.settings, [one.number for one in self._boards.boards])
+        self._update()
+        self.show_in_front()
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        self.work.cancel()
+        super().closeEvent(event)
+
+    # --- Boards -------------------------------------------------------------------------
+
+    def _chosen(self) -> list[int]:
+        return [
+            plan.number
+            for plan in self.work.plans
+            if plan.step is BoardStep.REVIEWED
+            and plan.to_write
+            and plan.number not in self._cleared
+        ]
+
+    @Slot()
+    def _update(self) -> None:
+        self._is_filling = True
+        names = {one.number: board_name(one) for one in self._boards.boards}
+        plans = self.work.plans
+        self._table.setRowCount(len(plans))
+        for row, plan in enumerate(plans):
+            can_check = plan.step is BoardStep.REVIEWED and bool(plan.to_write)
+            texts = (names.get(plan.number, str(plan.number)), *self._texts(plan))
+            for column, text in enumerate(texts):
+                item = self._table.item(row, column) or QTableWidgetItem()
+                item.setText(text)
+                if column == 0:
+                    checkable = Qt.ItemFlag.ItemIsUserCheckable
+                    flags = item.flags() & ~checkable
+                    item.setFlags(flags | checkable if can_check else flags)
+                    state = _CLEARED if plan.number in self._cleared else _CHECKED
+                    role = Qt.ItemDataRole.CheckStateRole
+                    item.setData(role, state if can_check else None)  # `None`: no check box
+                if self._table.item(row, column) is None:
+                    self._table.setItem(row, column, item)
+        self._is_filling = False
+        self._table.resizeRowsToContents()
+        self._update_buttons()
+        self._show_changes()
+
+    def _texts(self, plan: BoardPlan) -> tuple[str, str]:
+        """Return how many settings change, and how far the board is."""
+        changes = ""
+        if plan.changes is not None:
+            changes = (
+                self.tr("%n setting(s)", "", plan.to_write) if plan.to_write else self.tr("none")
+            )
+        state = {
+            BoardStep.WAITING: self.tr("waiting"),
+            BoardStep.READING: self.tr("being read …"),
+            BoardStep.REVIEWED: self.tr("read") if plan.to_write else self.tr("nothing to write"),
+            BoardStep.WRITING: self.tr("being written …"),
+            BoardStep.WRITTEN: self.tr("written and verified"),
+            BoardStep.FAILED: plan.problem,
+            BoardStep.SKIPPED: self.tr("not tried"),
+        }[plan.step]
+        return changes, state
+
+    def _update_buttons(self) -> None:
+        running, chosen = self.work.is_running, self._chosen()
+        is_driven = self._device.motors.armed or self._device.may_move
+        self._write.setText(self.tr("&Write to %n board(s)", "", len(chosen)))
+        can_write = self._device.is_writable and not is_driven
+        self._write.setEnabled(bool(chosen) and not running and can_write)
+        self._end.setEnabled(running)
+
+    @Slot(QTableWidgetItem)
+    def _on_item_changed(self, item: QTableWidgetItem) -> None:
+        if self._is_filling or item.column() != 0 or item.row() >= len(self.work.plans):
+            return
+        number = self.work.plans[item.row()].number
+        if item.checkState() is _CHECKED:
+            self._cleared.discard(number)
+        else:
+            self._cleared.add(number)
+        self._update_buttons()
+
+    @Slot()
+    def _on_current_changed(self) -> None:
+        self._show_changes()
+
+    def _show_changes(self) -> None:
+        """Show what changes of the board in the current row."""
+        plans, row = self.work.plans, self._table.currentRow()
+        if not 0 <= row < len(plans):
+            row = next((i for i, plan in enumerate(plans) if plan.to_write), -1)
+        plan = plans[row] if row >= 0 else None
+        if plan is None or plan.changes is None:
+            self._heading.setText("")
+            self._changes.show_nothing()
+            return
+        heading = self.tr("Changes of board {0}").format(plan.number)
+        if heading == self._heading.text() and plan.step is not BoardStep.REVIEWED:
+            return  # the same rows, which may have been scrolled
+        self._heading.setText(heading)
+        rows = tuple(one for one in plan.changes.rows if one.after is not None)
+        given = Comparison(rows, plan.changes.left_out)
+        self._changes.show_comparison(given, self.tr("Stored"), self.tr("File"), with_ticks=False)
+
+    # --- Writing ------------------------------------------------------------------------
+
+    @Slot()
+    def _on_write_clicked(self) -> None:
+        self._note.show_note("")
+        self.work.write(self._chosen())
+
+    @Slot()
+    def _on_finished(self) -> None:
+        self._update()
+        steps = [plan.step for plan in self.work.plans]
+        written = steps.count(BoardStep.WRITTEN)
+        if not written and BoardStep.FAILED not in steps:
+            return
+        not_done = steps.count(BoardStep.FAILED) + steps.count(BoardStep.SKIPPED)
+        text = ""
+        if written:
+            text = self.tr("Written to %n board(s).", "", written)
+        if not_done:
+            more = self.tr("%n board(s) left out; the reason is beside each.", "", not_done)
+            text = f"{text} {more}".strip()
+        self._note.show_note(text, alarming=not_done > 0)

@@ -1,0 +1,264 @@
+"""The boards on a line beside the pages, and the dialog that gives one another number."""
+
+from PySide6.QtCore import Qt, Signal, Slot
+from PySide6.QtWidgets import (
+    QDialogButtonBox,
+    QFormLayout,
+    QListWidget,
+    QListWidgetItem,
+    QSizePolicy,
+    QWidget,
+)
+
+from trex_gui.devices.trex.discovery import NUMBERS
+from trex_gui.devices.trex.model.boards import BoardList, LineBoard, Presence
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.theme.theme import follow_theme
+from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.behaviour import ReusedDialog
+from trex_gui.ui.widgets.labels import Muted
+
+_NUMBER = Qt.ItemDataRole.UserRole
+_WIDEST = "00 · TReX Jr 1.2  "
+
+
+class BoardPanel(QWidget):
+    """Lists the boards on the line with number, model and state; hidden while it is one.
+
+    Choosing one switches every page to it.
+    """
+
+    number_requested = Signal()
+    file_requested = Signal()
+
+    def __init__(self, boards: BoardList, device: Device, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("boardPanel")
+        self._boards = boards
+        self._device = device
+        self._create_widgets()
+        ui.column(
+            ui.label(self, "boardsTitle", self.tr("Boards on this line"), bold=True, wrap=True),
+            (self._list, 1),
+            self._scanned,
+            self._progress,
+            self._scan,
+            self._cancel,
+            self._change,
+            self._file,
+            into=self,
+            margins=(8, 8, 0, 8),
+        )
+        follow_theme(self, "width", self._take_width)
+        boards.changed.connect(self._update)
+        device.link_changed.connect(self._update)
+        device.motors.arming_changed.connect(self._update)
+        self._update()
+
+    def _create_widgets(self) -> None:
+        self._list = ui.named(
+            QListWidget(self), "boardList", accessible=self.tr("Boards on this line")
+        )
+        self._list.setWordWrap(True)
+        self._list.setSpacing(3)
+        self._list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._list.setToolTip(
+            self.tr("Click a board, or press Enter, to show it on every page. Motors stop first.")
+        )
+        self._list.itemClicked.connect(self._on_chosen)
+        self._list.itemActivated.connect(self._on_chosen)
+        self._scanned = Muted("", self)
+        self._scanned.setObjectName("boardsScanned")
+        self._progress = ui.progress_bar(self, "boardsProgress", self.tr("Progress of the search"))
+        self._progress.setRange(0, NUMBERS)
+        self._scan = ui.button(
+            self,
+            "scanBoardsButton",
+            self.tr("Find boards"),
+            icon="find",
+            tip=self.tr("Ask for each device number which board has it; nothing is changed"),
+            on_click=self._boards.scan,
+        )
+        self._cancel = ui.button(
+            self,
+            "cancelScanButton",
+            self.tr("Cancel"),
+            tip=self.tr("Ask for no more numbers"),
+            on_click=self._boards.cancel_scan,
+        )
+        self._change = ui.button(
+            self,
+            "changeNumberButton",
+            self.tr("Change number…"),
+            icon="edited",
+            tip=self.tr("Give the board that is selected another device number"),
+            on_click=self.number_requested,
+        )
+        self._file = ui.button(
+            self,
+            "fileToBoardsButton",
+            self.tr("Apply a file…"),
+            icon="apply",
+            tip=self.tr("Write a settings file to several boards; each keeps its number"),
+            on_click=self.file_requested,
+        )
+
+    def _take_width(self) -> None:
+        texts = (_WIDEST, *(button.text() for button in (self._scan, self._change, self._file)))
+        width = max(map(self.fontMetrics().horizontalAdvance, texts))
+        self.setFixedWidth(width + 5 * self.fontMetrics().height())
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
+
+    @Slot(QListWidgetItem)
+    def _on_chosen(self, item: QListWidgetItem) -> None:
+        self._boards.select(item.data(_NUMBER))
+        self._update()  # the current item stays the selected board until the other one is read
+
+    @Slot()
+    def _update(self) -> None:
+        boards, device = self._boards, self._device
+        is_open = device.link not in {ConnectionState.DISCONNECTED, ConnectionState.DISCONNECTING}
+        is_scanning = boards.scanned is not None
+        self.setVisible(is_open and (boards.has_several or is_scanning))
+        self._show_boards()
+        text = self.tr("Number {0} of {1} …").format(boards.scanned, NUMBERS - 1)
+        self._scanned.setText(text)
+        self._progress.setValue(boards.scanned or 0)
+        for widget in (self._scanned, self._progress, self._cancel):
+            widget.setVisible(is_scanning)
+        self._scan.setVisible(not is_scanning)
+        self._scan.setEnabled(boards.can_scan)
+        self._change.setEnabled(device.is_writable and not is_scanning and boards.has_several)
+        self._file.setEnabled(device.is_writable and not is_scanning and boards.has_several)
+        self._list.setEnabled(boards.can_select)
+
+    def _show_boards(self) -> None:
+        """Show each board in its place; the list keeps focus and scroll position."""
+        shown = self._boards.boards
+        while self._list.count() > len(shown):
+            self._list.takeItem(self._list.count() - 1)
+        while self._list.count() < len(shown):
+            self._list.addItem(QListWidgetItem())
+        for row, board in enumerate(shown):
+            item = self._list.item(row)
+            item.setData(_NUMBER, board.number)
+            item.setText(f"{board_name(board)}\n{self._state_text(board)}")
+            is_selected = board.presence is Presence.SELECTED
+            font = self._list.font()
+            font.setBold(is_selected)
+            item.setFont(font)
+            item.setToolTip(self._tip(board))
+            if is_selected and not self._boards.is_selecting:
+                self._list.setCurrentItem(item)
+
+    def _state_text(self, board: LineBoard) -> str:
+        device = self._device
+        match board.presence:
+            case Presence.SELECTED if self._boards.is_selecting:
+                return self.tr("being left …")
+            case Presence.SELECTED if device.link is ConnectionState.NOT_RESPONDING:
+                return self.tr("selected, not responding")
+            case Presence.SELECTED if device.motors.armed:
+                return self.tr("selected, armed")
+            case Presence.SELECTED if device.may_move:
+                return self.tr("selected, may be moving")
+            case Presence.SELECTED:
+                return self.tr("selected")
+            case Presence.RESPONDING:
+                return self.tr("responding")
+            case Presence.SILENT:
+                return self.tr("not responding")
+            case Presence.UNREADABLE:
+                return self.tr("reply unreadable")
+            case Presence.UNKNOWN:
+                return self.tr("not asked yet")
+
+    def _tip(self, board: LineBoard) -> str:
+        match board.presence:
+            case Presence.UNREADABLE:
+                return self.tr(
+                    "Several boards seem to have this number. Switch off all but one, and give it "
+                    "a number of its own."
+                )
+            case Presence.SILENT:
+                return self.tr("It replied before. Check its power and its wires.")
+        return ""
+
+
+def board_name(board: LineBoard) -> str:
+    """Return number and model of a board: `7 · TReX 1.2`."""
+    return f"{board.number} · {board.signature}" if board.signature else str(board.number)
+
+
+class NumberDialog(ReusedDialog):
+    """Gives the selected board another device number; what happens is said in the window."""
+
+    def __init__(self, boards: BoardList, device: Device, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("numberDialog")
+        self.setWindowTitle(self.tr("Change device number"))
+        self._boards = boards
+        self._device = device
+        intro = ui.label(
+            self,
+            "",
+            self.tr(
+                "Before it is written, the line is asked for the new number: if another board has "
+                "it, nothing is written. A board that is off cannot be noticed. The new number "
+                "takes effect at once, and a snapshot is saved first."
+            ),
+            wrap=True,
+        )
+        self._now = ui.label(self, "numberNow", plain=True)
+        self._number = ui.spin_box(
+            self, "newNumberField", self.tr("New device number"), 0, NUMBERS - 1
+        )
+        self._number.valueChanged.connect(self._update)
+        self._known = Muted("", self)
+        self._known.setObjectName("numberKnown")
+        self._buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel, self
+        )
+        self._write = self._buttons.button(QDialogButtonBox.StandardButton.Ok)
+        self._write.setText(self.tr("&Write number"))
+        self._buttons.accepted.connect(self._on_accepted)
+        self._buttons.rejected.connect(self.reject)
+        form = QFormLayout()
+        form.addRow(self.tr("Board:"), self._now)
+        form.addRow(self.tr("&New number:"), self._number)
+        ui.column(intro, form, self._known, 1, self._buttons, into=self)
+        self.resize(460, 260)
+        boards.changed.connect(self._update)
+        device.link_changed.connect(self._update)
+
+    def ask(self) -> None:
+        """Propose the first number above the present one that no known board has."""
+        present = self._boards.selected or 0
+        taken = {one.number for one in self._boards.boards} | {present}
+        numbers = [(present + step) % NUMBERS for step in range(1, NUMBERS)]
+        self._number.setValue(next((each for each in numbers if each not in taken), present))
+        self._update()
+        self.show_in_front()
+        self._number.setFocus()
+        self._number.selectAll()
+
+    @Slot()
+    def _update(self) -> None:
+        boards, device = self._boards, self._device
+        self._now.setText(device.board_name)
+        new = self._number.value()
+        taken = next((one for one in boards.boards if one.number == new), None)
+        text = ""
+        if new == boards.selected:
+            text = self.tr("The board has this number already.")
+        elif taken is not None:
+            text = self.tr("Taken: {0}.").format(board_name(taken))
+        self._known.setText(text)
+        can_write = device.is_writable and not device.rejects_settings and not boards.is_selecting
+        self._write.setEnabled(can_write and not text)
+
+    @Slot()
+    def _on_accepted(self) -> None:
+        self.accept()
+        self._device.set_device_number(self._number.value())
