@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import TextIO
+from typing import Self, TextIO
 
 from trex_gui import __version__
 from trex_gui.core.errors import StudioError
@@ -52,7 +52,7 @@ class TranscriptWriter:
     the line; `error` says why the file is not complete.
     """
 
-    def __init__(self, path: Path, decoder: Decoder, epoch: float) -> None:
+    def __init__(self, path: Path | None, decoder: Decoder, epoch: float) -> None:
         self.error: OSError | None = None
         self._path = path
         self._decoder = decoder
@@ -61,9 +61,17 @@ class TranscriptWriter:
         self._pending: Transaction | None = None
         self._file: TextIO | None = None
 
+    @classmethod
+    def into(cls, file: TextIO, decoder: Decoder, epoch: float) -> Self:
+        """Return a writer into an open file, which stays open."""
+        writer = cls(None, decoder, epoch)
+        writer._file = file
+        writer._write(head())
+        return writer
+
     def open(self) -> None:
         """Begin the file unless it was begun; StudioError if it cannot be written."""
-        if self._file is not None:
+        if self._file is not None or self._path is None:
             return
         try:
             self._file = self._path.open(
@@ -84,7 +92,7 @@ class TranscriptWriter:
         if self._pending is not None:
             self._pending.is_over = True
             self._write_row(self._pending)
-        if self._file is not None:
+        if self._file is not None and self._path is not None:
             try:
                 self._file.close()
             except OSError as error:

@@ -43,6 +43,7 @@ TREX = DevicePlugin(
         "stop": _command("motor:stop", "Stop all motors and wait for confirmation."),
         "raw": _command("packets:raw", "Send bytes and show the reply."),
         "decode": _command("packets:decode", "Decode packets without a board."),
+        "report": _command("report:report", "Save a zip for support, without personal data."),
         "replay": _command(
             "replay:replay", "Compare a traffic log with what the simulated board replies."
         ),

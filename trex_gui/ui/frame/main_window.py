@@ -214,6 +214,7 @@ class MainWindow(QMainWindow):
             tr("&Help"),
             (
                 Entry("guide", tr("Online &documentation…"), self._show_help, "F1", "help"),
+                Entry("report", tr("&Save report for support…"), self._show_report, "", "save"),
                 Entry("about", tr("&About…"), self._show_about, "", "info"),
             ),
         )
@@ -397,6 +398,12 @@ class MainWindow(QMainWindow):
             QDesktopServices.openUrl(QUrl(workspace.help_url))
         else:
             self._help.show_text(workspace.help_title, workspace.help_text())
+
+    def _show_report(self) -> None:
+        from trex_gui.ui.frame.report_dialog import ReportDialog  # noqa: PLC0415 - rarely needed
+
+        dialog = self.findChild(ReportDialog) or ReportDialog(self._notifier, self)
+        dialog.open_report(self._workspace.report_parts())
 
     def _show_about(self) -> None:
         QMessageBox.about(

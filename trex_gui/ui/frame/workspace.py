@@ -162,6 +162,14 @@ class Workspace(QWidget):
     def help_text(self) -> str:
         return ""
 
+    def report_parts(self) -> dict[str, Callable[[], str]]:
+        """Return what makes the files of a report for support, called in another thread.
+
+        What they use is taken now.
+        """
+        lines = "".join(f"{entry.line}\n" for entry in self.log.entries)
+        return {"log.txt": lambda: lines}
+
     def menus(self) -> Menus:
         return {Menu.WINDOW: self.page_entries()}
 

@@ -2,7 +2,7 @@
 
 import itertools
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TextIO
 
 from PySide6.QtCore import QObject, Signal, Slot
@@ -20,6 +20,8 @@ from trex_gui.ui.workers.file_worker import ProgressCallback
 from trex_gui.ui.workers.session_thread import SessionThread
 
 MOST_KEPT = 20_000  # rows of each buffer; at full telemetry all transactions of less than a minute
+_REPORTED = 2000  # of each kind, in a report for support
+
 _CHUNK = 100  # rows of a file from one progress report to the next
 _TRIMMED = MOST_KEPT * 9 // 10
 _SHOWN_MS, _UNSEEN_MS = 100, 1000  # from one reading of the log to the next
@@ -99,6 +101,21 @@ class TrafficModel(QObject):
     def line_of(self, row: Transaction) -> str:
         """Return a row as a line of tab-separated text, without its end."""
         return transcript.line_of(row, self.decoder, self._epoch)
+
+    def newest(self) -> Callable[[], str]:
+        """Return what writes the newest rows of both kinds as text, from any thread."""
+        self.pull()
+        rows = {
+            row.number: row
+            for buffer in (self.without_polling, self.everything)
+            for row in buffer.rows[-_REPORTED:]
+        }
+
+        def text() -> str:
+            lines = [self.line_of(rows[number]) for number in sorted(rows)]
+            return transcript.head() + "".join(f"{line}\n" for line in lines)
+
+        return text
 
     def write(
         self, file: TextIO, progress: ProgressCallback, *, rows: Sequence[Transaction]

@@ -159,6 +159,17 @@ class AracnaWorkspace(Workspace):
     def help_text(self) -> str:
         return help_text(self.menus(), self._actions)
 
+    def report_parts(self) -> dict[str, Callable[[], str]]:
+        robot = self._robot
+        status = f"{robot.status}\n"
+        if robot.settings is not None:
+            status += f"Line: {robot.settings.text()}\n"
+        return {
+            "status.txt": lambda: status,
+            **super().report_parts(),
+            "traffic.txt": robot.traffic.newest(),
+        }
+
     # --- Menus --------------------------------------------------------------------------
 
     def menus(self) -> Menus:

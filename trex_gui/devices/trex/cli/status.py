@@ -69,7 +69,7 @@ def status(as_json: bool, **options: Any) -> None:
     with open_line(link_settings(options)) as client:
         identify(client)
         state = read_everything(client.request, has_crc=client.has_crc)
-        report = _report(client, state)
+        report = board_report(client, state)
     if as_json:
         print_json(report)
         return
@@ -114,7 +114,7 @@ def get_command(name: str, as_json: bool, **options: Any) -> None:
         click.echo(f"{wire}\t{spec.text(wire)}")
 
 
-def _report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
+def board_report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
     latched = StatusReader(client.transport.clock).read(client.request)
     raw = query(client.request, GetRawChannels())
     remapped = query(client.request, GetRemappedChannels())

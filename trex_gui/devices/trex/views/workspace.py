@@ -377,6 +377,21 @@ class TrexWorkspace(Workspace):
         self._demo.show_if_wanted()
         self._on_actions_changed()
 
+    def report_parts(self) -> dict[str, Callable[[], str]]:
+        from trex_gui.devices.trex.model.report import (  # noqa: PLC0415 - rarely needed
+            settings_parts,
+            status_text,
+        )
+
+        device = self._device
+        status = status_text(device)
+        return {
+            "status.txt": lambda: status,
+            **settings_parts(device),
+            **super().report_parts(),
+            "traffic.txt": device.connection.traffic.newest(),
+        }
+
     @property
     def device_name(self) -> str:
         return self._device.board_name

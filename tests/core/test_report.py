@@ -1,0 +1,68 @@
+"""The report for support: what is in it, and what is not."""
+
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from trex_gui.core.errors import StudioError
+from trex_gui.core.files import SettingsError
+from trex_gui.core.report import Mask, ReportFile, make_report, save_report
+
+MASK = Mask("/home/mary", "mary", "Rover-Lab.example.org", ("A9007L6T", "0001", "7"))
+
+
+@pytest.mark.parametrize(
+    ("text", "masked"),
+    [
+        ("Saved /home/mary/robots/tank.txt.", "Saved ~/robots/tank.txt."),
+        ("/home/maryann/x and /Users/bob/y", "/home/<user>/x and /Users/<user>/y"),
+        (r"C:\Users\Bob Smith\x, D:/Users/bob/x", r"C:\Users\<user>\x, D:/Users/<user>/x"),
+        ("mary on rover-lab; MARY@Rover-Lab.example.org", "<user> on <computer>; <mail>"),
+        ("summary, maryland, mary's", "summary, maryland, <user>'s"),
+        ("SER=A9007L6T LOCATION=1-2", "SER=<serial 1> LOCATION=1-2"),
+        (
+            "/dev/serial/by-id/usb-FTDI_FT232R_USB_UART_XYZ123-if00-port0",
+            "/dev/serial/by-id/usb-FTDI_FT232R_USB_UART_<serial>-if00-port0",
+        ),
+        ("/dev/cu.usbserial-XYZ123: x", "/dev/cu.usbserial-<serial>: x"),
+        ("socket://bobs-pi:2000 at 10.0.0.7", "socket://<address>:2000 at <address>"),
+        ("socket://127.0.0.1:2000 /dev/ttyUSB0 COM3", "socket://127.0.0.1:2000 /dev/ttyUSB0 COM3"),
+        ("TReX 1.2 replied 54 52 65 58 at 19200 baud", None),
+    ],
+)
+def test_personal_names_are_masked(text: str, masked: str | None) -> None:
+    assert MASK.clean(text) == (text if masked is None else masked)
+
+
+def test_common_and_short_names_are_words() -> None:
+    assert Mask("/root", "root", "pi").clean("root of /root/x, pi") == "root of ~/x, pi"
+    assert Mask("/", "me", "").clean("some /me") == "some /me"
+
+
+def test_report_has_parts_and_says_what_failed(tmp_path: Path) -> None:
+    def fail() -> str:
+        raise StudioError("No TReX responds on /home/mary/port.")
+
+    parts = {"log.txt": lambda: "by mary\n", "status.txt": fail, "empty.txt": lambda: ""}
+    files = make_report(parts, MASK)
+    texts = {file.name: file.text for file in files}
+    assert texts["log.txt"] == "by <user>\n"
+    assert texts["status.txt"] == "Not available: No TReX responds on ~/port.\n"
+    assert "empty.txt" not in texts
+    assert "Python: " in texts["versions.txt"]
+    assert texts["ports.txt"]
+
+    path = tmp_path / "report.zip"
+    save_report(path, files)
+    with zipfile.ZipFile(path) as archive:
+        assert archive.namelist() == [file.name for file in files]
+        assert archive.read("log.txt") == b"by <user>\n"
+
+
+def test_report_is_written_completely_or_not_at_all(tmp_path: Path) -> None:
+    path = tmp_path / "report.zip"
+    path.mkdir()
+    with pytest.raises(SettingsError):
+        save_report(path, [ReportFile("a", "b")])
+    assert list(tmp_path.iterdir()) == [path]

@@ -1,0 +1,159 @@
+"""A report for support: text files in one zip, without anything personal."""
+
+import getpass
+import importlib.metadata
+import io
+import os
+import platform
+import re
+import socket
+import sys
+import zipfile
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+
+from serial.tools import list_ports
+
+from trex_gui import __version__
+from trex_gui.core.errors import StudioError
+from trex_gui.core.files import open_ordinary, save
+from trex_gui.core.guardian.log import log_file
+
+_PACKAGES = ("PySide6-Essentials", "pyserial", "numpy", "pyqtgraph", "ruamel.yaml", "pygame-ce")
+_LARGEST_LOG = 65536  # bytes of the guardian's log, the newest
+_SHORTEST_NAME = 3  # characters of a user or computer name that is masked: shorter ones are words
+_SHORTEST_SERIAL = 5  # characters; shorter ones, such as 0001, belong to many adapters
+_SHARED_NAMES = frozenset({"root", "admin", "administrator", "user", "pi", "localhost"})
+
+_FOLDERS = re.compile(r"((?:/home|/Users|[A-Za-z]:[\\/]Users)[\\/])[^\\/\s:\"'<>|]+")
+_SPACED_FOLDERS = re.compile(r"([A-Za-z]:\\Users\\)[^\\:\"<>|\n]+(?=\\)")
+_BY_ID = re.compile(r"(/dev/serial/by-id/\S*_)[^_\s]+?(-(?:if|port)\d+)")
+_MAC_PORT = re.compile(r"(/dev/(?:cu|tty)\.[A-Za-z]+-?)[^\s:,;.]+")
+_HOST = re.compile(r"\b((?:socket|rfc2217|hwgrep|spy)://)(?!127\.0\.0\.1\b|localhost\b)[^\s/:]+")
+_ADDRESS = re.compile(r"\b(?!127\.0\.0\.1\b)\d{1,3}(?:\.\d{1,3}){3}\b")
+_MAIL = re.compile(r"\b[\w.+-]+@[\w-]+\.[\w.-]+\b")
+
+
+@dataclass(frozen=True, slots=True)
+class ReportFile:
+    """One file of a report, as it is shown and saved."""
+
+    name: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Mask:
+    """What names a person, a computer or an adapter, and is replaced in every file."""
+
+    home: str = ""
+    user: str = ""
+    computer: str = ""
+    serial_numbers: Sequence[str] = ()
+
+    @classmethod
+    def of_this_computer(cls) -> "Mask":
+        try:
+            user = getpass.getuser()
+        except (OSError, KeyError, ImportError):
+            user = ""
+        numbers = sorted({port.serial_number or "" for port in list_ports.comports()})
+        return cls(str(Path.home()), user, socket.gethostname(), numbers)
+
+    def clean(self, text: str) -> str:
+        for number, serial in enumerate(self.serial_numbers, 1):
+            if len(serial) >= _SHORTEST_SERIAL:
+                text = re.sub(
+                    rf"(?<![0-9A-Za-z]){re.escape(serial)}(?![0-9A-Za-z])",
+                    f"<serial {number}>",
+                    text,
+                )
+        text = _BY_ID.sub(r"\1<serial>\2", text)
+        text = _MAC_PORT.sub(r"\1<serial>", text)
+        if len(self.home) > 1:
+            for home in {self.home, self.home.replace("\\", "/")}:
+                text = re.sub(rf"{re.escape(home)}(?![\w.-])", "~", text)
+        text = _SPACED_FOLDERS.sub(r"\1<user>", text)
+        text = _FOLDERS.sub(r"\1<user>", text)
+        text = _HOST.sub(r"\1<address>", text)
+        text = _MAIL.sub("<mail>", text)
+        text = _ADDRESS.sub("<address>", text)
+        for name, mask in ((self.computer, "<computer>"), (self.user, "<user>")):
+            for part in {name, name.partition(".")[0]}:
+                if len(part) >= _SHORTEST_NAME and part.lower() not in _SHARED_NAMES:
+                    text = re.sub(
+                        rf"(?<!\w){re.escape(part)}(?!\w)", mask, text, flags=re.IGNORECASE
+                    )
+        return text
+
+
+def make_report(
+    parts: Mapping[str, Callable[[], str]], mask: Mask | None = None
+) -> tuple[ReportFile, ...]:
+    """Return the files of a report: those of the program and these, without empty ones.
+
+    It lists ports and reads files, so it may take a while. A part that fails says so in its file.
+    """
+    mask = mask or Mask.of_this_computer()
+    own = {"versions.txt": _versions, "ports.txt": _ports, "guardian.txt": _guardian}
+    files = (ReportFile(name, mask.clean(_text(part))) for name, part in {**own, **parts}.items())
+    return tuple(file for file in files if file.text)
+
+
+def save_report(path: Path, files: Iterable[ReportFile]) -> None:
+    """Write the zip completely, or not at all; SettingsError says why not."""
+    data = io.BytesIO()
+    with zipfile.ZipFile(data, "w", zipfile.ZIP_DEFLATED) as archive:
+        for file in files:
+            archive.writestr(file.name, file.text.encode("utf-8", "backslashreplace"))
+    save(path, data.getvalue())
+
+
+def suggested_name() -> str:
+    return f"trex_report_{datetime.now(UTC).astimezone():%Y-%m-%d_%H-%M}.zip"
+
+
+def _text(part: Callable[[], str]) -> str:
+    try:
+        return part()
+    except (StudioError, OSError) as error:
+        return f"Not available: {error}\n"
+
+
+def _versions() -> str:
+    rows = {
+        "TReX Studio": __version__,
+        "written": datetime.now(UTC).isoformat(timespec="seconds"),
+        "system": platform.platform(),
+        "machine": platform.machine(),
+        "Python": sys.version.split()[0],
+        "bundled": str(bool(getattr(sys, "frozen", False))),
+        "desktop": os.environ.get("XDG_CURRENT_DESKTOP", ""),
+        "display": os.environ.get("QT_QPA_PLATFORM") or os.environ.get("XDG_SESSION_TYPE", ""),
+        "language": os.environ.get("LC_ALL") or os.environ.get("LANG", ""),
+    }
+    for package in _PACKAGES:
+        try:
+            rows[package] = importlib.metadata.version(package)
+        except importlib.metadata.PackageNotFoundError:
+            rows[package] = "not installed"
+    return "".join(f"{name}: {value}\n" for name, value in rows.items() if value)
+
+
+def _ports() -> str:
+    ports = sorted(list_ports.comports(), key=lambda port: str(port.device))
+    if not ports:
+        return "This computer has no serial ports.\n"
+    return "".join(f"{port.device}: {port.description} [{port.hwid}]\n" for port in ports)
+
+
+def _guardian() -> str:
+    try:
+        with open_ordinary(log_file()) as file:
+            size = file.seek(0, os.SEEK_END)
+            file.seek(max(0, size - _LARGEST_LOG))
+            return file.read(_LARGEST_LOG).decode(errors="replace")
+    except FileNotFoundError:
+        return ""

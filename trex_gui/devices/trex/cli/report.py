@@ -1,0 +1,77 @@
+"""report: a zip for support, with what the board, the ports and the program are."""
+
+import io
+import json
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import click
+
+from trex_gui.core.cli import refusals, say
+from trex_gui.core.errors import StudioError
+from trex_gui.core.host import host
+from trex_gui.core.report import make_report, save_report
+from trex_gui.core.texts import counted
+from trex_gui.core.transport.traffic import logged
+from trex_gui.core.transport.transcript import TranscriptWriter
+from trex_gui.devices.trex.cli.common import identify, link_options, link_settings
+from trex_gui.devices.trex.cli.status import board_report
+from trex_gui.devices.trex.client.client import TrexClient
+from trex_gui.devices.trex.client.reading import read_everything
+from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
+from trex_gui.devices.trex.settings.document import settings_of
+from trex_gui.devices.trex.settings.writer import write_settings
+
+
+@click.command()
+@link_options
+@click.argument("file", metavar="FILE.zip|-", type=click.Path(dir_okay=False, allow_dash=True))
+def report(file: str, **options: Any) -> None:
+    """Save a report for support: versions, ports, status, settings and traffic in one zip.
+
+    - prints all of it instead, to look at it first. Names of users and computers, network
+    addresses and serial numbers of adapters are masked. Without a board that replies, the report
+    says why. Reading the error bits clears them in the board.
+    """
+    with refusals():
+        files = make_report(_parts(options))
+        if file == "-":
+            for one in files:
+                click.echo(f"==> {one.name} <==\n{one.text}")
+            return
+        save_report(Path(file), files)
+    for one in files:
+        say(f"{one.name}: {counted(len(one.text), 'character')}")
+    click.echo(file)
+
+
+def _parts(options: dict[str, Any]) -> dict[str, Callable[[], str]]:
+    """Read the board now; a part says why if that fails."""
+    if not options["port"]:
+        return {}
+    settings, present = link_settings(options), host()
+    traffic = io.StringIO()
+    writer = TranscriptWriter.into(traffic, TrexDecoder(), time.time() - present.clock())
+    try:
+        transport = logged(writer, present.open_transport, present.clock)(settings)
+        client = TrexClient(transport, settings)
+        try:
+            client.detect_echo()
+            identify(client)
+            state = read_everything(client.request, has_crc=client.has_crc)
+            status = json.dumps(board_report(client, state), indent=2, ensure_ascii=False)
+        finally:
+            client.close()
+    except StudioError as error:
+        status, stored = f"The board could not be read: {error}", ""
+    else:
+        stored = write_settings(settings_of(state))
+    writer.close()
+    text = traffic.getvalue()
+    return {
+        "status.txt": lambda: status + "\n",
+        "settings.txt": lambda: stored,
+        "traffic.txt": lambda: text,
+    }

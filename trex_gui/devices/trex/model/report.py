@@ -1,0 +1,52 @@
+"""What a report for support says of the board."""
+
+from collections.abc import Callable
+from dataclasses import asdict
+
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT
+from trex_gui.devices.trex.protocol.flags import CHANNELS
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.writer import write_settings
+
+
+def status_text(device: Device) -> str:
+    """Return connection, counters and newest measurements, a line each."""
+    lines = [f"State: {device.status}"]
+    if (settings := device.settings) is not None:
+        number = "compact" if settings.device_number is None else settings.device_number
+        lines += [f"Line: {settings.text()}", f"Device number used: {number}"]
+    counters = asdict(device.connection.counters)
+    lines += [f"Transactions, {name}: {count}" for name, count in counters.items()]
+    state, telemetry = device.state, device.telemetry
+    if state is None:
+        return "\n".join([*lines, ""])
+    lines += [
+        f"Board: {device.board_name}",
+        f"Mode: {MODE_TEXT[state.mode]}",
+        f"In control: {device.control_text}",
+        f"Echo: {device.connection.echo}",
+        f"Guardian: {device.connection.is_guarded}",
+        f"Armed: {device.motors.armed}, may be moving: {device.may_move}",
+        f"Currents (A): {telemetry.motor_currents}",
+    ]
+    lines += [
+        f"Channel {channel}: raw {telemetry.raw_of(channel)}, "
+        f"remapped {telemetry.remapped_of(channel)}"
+        for channel in CHANNELS
+    ]
+    lines += [f"Not read: {key}: {why}" for key, why in state.unread.items()]
+    return "\n".join([*lines, ""])
+
+
+def settings_parts(device: Device) -> dict[str, Callable[[], str]]:
+    """Return the files of what the board stores, and of what is edited, if that differs."""
+    stored, shown = device.draft.stored, device.draft.shown
+    parts = {} if stored is None else {"settings.txt": _writer(stored)}
+    if shown is not None and device.draft.pending:
+        parts["settings_edited.txt"] = _writer(shown)
+    return parts
+
+
+def _writer(settings: Settings) -> Callable[[], str]:
+    return lambda: write_settings(settings)

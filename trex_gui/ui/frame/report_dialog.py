@@ -1,0 +1,136 @@
+"""The report for support: every file is shown before anything is written."""
+
+from collections.abc import Callable, Mapping
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import Qt, Slot
+from PySide6.QtWidgets import (
+    QDialogButtonBox,
+    QListWidget,
+    QListWidgetItem,
+    QPlainTextEdit,
+    QPushButton,
+    QWidget,
+)
+
+from trex_gui.core.errors import StudioError
+from trex_gui.core.report import ReportFile, make_report, save_report, suggested_name
+from trex_gui.ui.files import in_background
+from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.theme.theme import fixed_font, follow_theme
+from trex_gui.ui.translations import error_sentence
+from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets import file_questions
+from trex_gui.ui.widgets.behaviour import ReusedDialog
+from trex_gui.ui.widgets.labels import Muted
+
+_FILE = Qt.ItemDataRole.UserRole
+
+
+class ReportDialog(ReusedDialog):
+    """Collects the files when it is opened, shows them, and saves those that are checked."""
+
+    def __init__(self, notifier: Notifier, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._notifier = notifier
+        self.setObjectName("reportDialog")
+        self.setWindowTitle(self.tr("Save report for support"))
+        self.resize(860, 520)
+        about = Muted(
+            self.tr(
+                "This is what the report contains, and nothing else. It is only saved as a file, "
+                "never sent. Names of users and computers, network addresses and serial numbers "
+                "of adapters are masked. Clear the check box of a file to leave it out."
+            ),
+            self,
+        )
+        self._list = ui.named(
+            QListWidget(self), "reportFiles", accessible=self.tr("Files of the report")
+        )
+        self._text = ui.named(
+            QPlainTextEdit(self), "reportText", accessible=self.tr("Content of the file")
+        )
+        self._text.setReadOnly(True)
+        self._text.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
+        self._text.setTabChangesFocus(True)
+        self._text.setPlaceholderText(self.tr("Collecting …"))
+        files = ui.label(self, text=self.tr("&Files:"), buddy=self._list)
+        content = ui.label(self, text=self.tr("Con&tent:"), buddy=self._text)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close, self)
+        buttons.button(QDialogButtonBox.StandardButton.Close).setObjectName("reportClose")
+        self._save = ui.button(
+            self, "reportSave", self.tr("&Save…"), icon="save", on_click=self._ask_and_save
+        )
+        buttons.addButton(self._save, QDialogButtonBox.ButtonRole.ActionRole)
+        left, right = ui.column(files, (self._list, 1)), ui.column(content, (self._text, 1))
+        ui.column(about, (ui.row((left, 1), (right, 3)), 1), buttons, into=self)
+        follow_theme(self, "font", lambda: self._text.setFont(fixed_font()))
+        self._list.currentItemChanged.connect(self._show_current)
+        self._list.itemChanged.connect(self._enable)
+        buttons.rejected.connect(self.close)
+
+    @property
+    def save_button(self) -> QPushButton:
+        return self._save
+
+    def open_report(self, parts: Mapping[str, Callable[[], str]]) -> None:
+        """Collect the files beside the window's thread; `parts` make them there."""
+        self._list.clear()
+        self._text.clear()
+        self._enable()
+        self.show_in_front()
+        in_background(self, partial(make_report, parts), self._show, self._on_failed)
+
+    def _show(self, files: tuple[ReportFile, ...]) -> None:
+        self._list.clear()
+        for file in files:
+            item = QListWidgetItem(self.tr("{0} ({1:,} bytes)").format(file.name, len(file.text)))
+            item.setData(_FILE, file)
+            item.setFlags(item.flags() | Qt.ItemFlag.ItemIsUserCheckable)
+            item.setCheckState(Qt.CheckState.Checked)
+            self._list.addItem(item)
+        self._list.setCurrentRow(0)
+        self._list.setFocus()
+        self._enable()
+
+    @property
+    def _chosen(self) -> tuple[ReportFile, ...]:
+        items = (self._list.item(row) for row in range(self._list.count()))
+        checked = (one for one in items if one.checkState() is Qt.CheckState.Checked)
+        return tuple(item.data(_FILE) for item in checked)
+
+    @Slot()
+    def _enable(self) -> None:
+        self._save.setEnabled(bool(self._chosen))
+
+    @Slot()
+    def _show_current(self) -> None:
+        item = self._list.currentItem()
+        file = item.data(_FILE) if item is not None else None
+        self._text.setPlainText(file.text if isinstance(file, ReportFile) else "")
+
+    @Slot()
+    def _ask_and_save(self) -> None:
+        suggested = file_questions.last_folder() / suggested_name()
+        title, kinds = self.tr("Save report for support"), self.tr("Zip archives (*.zip)")
+        path = file_questions.ask_to_save(self, title, suggested, kinds, ".zip")
+        if path is not None:
+            self.save(path)
+
+    def save(self, path: Path) -> None:
+        file_questions.remember_folder(path)
+        saved = self.tr("The report was written to {0}.").format(path)
+        in_background(
+            self,
+            partial(save_report, path, self._chosen),
+            lambda _: self._on_saved(saved),
+            self._on_failed,
+        )
+
+    def _on_saved(self, text: str) -> None:
+        self.close()
+        self._notifier.info.emit(text)
+
+    def _on_failed(self, error: StudioError) -> None:
+        self._notifier.error.emit(error_sentence(error))
