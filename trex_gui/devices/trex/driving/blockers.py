@@ -148,6 +148,13 @@ class DriveBlocker(Enum):
         ),
         RC_CHANNELS[2],
     )
+    SEVERAL_BOARDS = (
+        Effect.BLOCKS,
+        QT_TRANSLATE_NOOP(
+            "DriveBlocker", "Commands without a device number would reach several boards."
+        ),
+        QT_TRANSLATE_NOOP("DriveBlocker", "Select one of the boards on this line."),
+    )
     NOT_ALLOWED = (
         Effect.BLOCKS,
         QT_TRANSLATE_NOOP("DriveBlocker", "The motors cannot be armed at this moment."),

@@ -44,6 +44,7 @@ class DriveController(QObject):
         may_move: whether motors were driven and no stop was confirmed since, connected or not. A
             board that was not read since the line was opened or quiet may be another one: what it
             confirms does not count.
+        reaches_several: whether commands have no number, and several boards are on the line.
 
     Signals:
         confirmed: a stop was; `may_move` is true if a setpoint was sent meanwhile.
@@ -67,7 +68,7 @@ class DriveController(QObject):
         self._connection = connection
         self._lost_with: ConnectionSettings | None = None  # the line behind which motors may turn
         self._board: Connected | None = None  # the board at the line, as far as it is known
-        self._reaches_several = False
+        self.reaches_several = False
         self._was_read = False  # since the line was opened
         self._is_identified = False  # and since it was quiet: `_board` is at the line
         self._lost: list[Connected] = []  # boards that were driven before another one answered
@@ -97,7 +98,7 @@ class DriveController(QObject):
         Where channels are in control the board keeps a command until channel 5 hands over:
         what was meant for now would start later.
         """
-        reaches_one = self._is_connected and not self._reaches_several
+        reaches_one = self._is_connected and not self.reaches_several
         allowed = reaches_one and bool(self._telemetry.serial_controls)
         if allowed != self._motors.is_available:
             if self._motors.armed and self._is_connected and not allowed:
@@ -106,8 +107,8 @@ class DriveController(QObject):
 
     def set_reaching_several(self, several: bool) -> None:
         """Let no motor be armed while commands without a number would reach `several` boards."""
-        if several != self._reaches_several:
-            self._reaches_several = several
+        if several != self.reaches_several:
+            self.reaches_several = several
             self.follow_control()
 
     def stop(self, then: AfterStop, reason: str = "") -> None:

@@ -36,6 +36,7 @@ class DriveInputs:
         may_move: whether motors were driven and no stop was confirmed since.
         lost_board: a warning about a board that may still be driven, with another one at the line.
         timeout: the board's serial timeout as text; empty if it is off or unknown.
+        reaches_several: whether a command would reach several boards.
         locked_for: seconds.
     """
 
@@ -44,6 +45,7 @@ class DriveInputs:
     may_move: bool = False
     lost_board: str = ""
     timeout: str = ""
+    reaches_several: bool = False
     locked_for: float = 0.0
     is_available: bool = True
     armed: bool = False
@@ -105,6 +107,8 @@ def _own_reasons(now: DriveInputs, *, by_serial: bool) -> Iterator[Reason]:
         yield Reason(DriveBlocker.LOCKED, (ceil(now.locked_for),))
     elif not by_serial:
         return
+    elif now.reaches_several:
+        yield Reason(DriveBlocker.SEVERAL_BOARDS)
     elif not now.is_available:
         yield Reason(DriveBlocker.NOT_ALLOWED)
     elif now.stop_reason:
@@ -149,6 +153,7 @@ def drive_inputs(device: Device, *, is_held: bool = False) -> DriveInputs:
         may_move=device.may_move,
         lost_board=device.driving.lost_board,
         timeout=device.parameters.spec_of(_TIMEOUT).text(timeout) if timeout else "",
+        reaches_several=device.driving.reaches_several,
         locked_for=motors.locked_for,
         is_available=motors.is_available,
         armed=motors.armed,

@@ -87,6 +87,11 @@ RC = BoardInputs(mode=Mode.RC, by_serial=False)
             [DriveBlocker.NOT_ALLOWED],
             "cannot be armed",
         ),
+        (
+            DriveInputs(board=SERIAL, is_available=False, reaches_several=True),
+            [DriveBlocker.SEVERAL_BOARDS],
+            "would reach several boards",
+        ),
         (DriveInputs(board=SERIAL), [DriveBlocker.NOT_ARMED], "nothing is sent yet"),
         (
             DriveInputs(board=SERIAL, stop_reason="The gamepad is gone."),
