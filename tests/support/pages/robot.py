@@ -125,7 +125,7 @@ class RobotWindow(WindowDriver):
         slider = self.find(QSlider, f"aracnaSlider{motor}")
         self.drag(slider.objectName(), slider.value() - 32)
         self.click("aracnaMoveButton")
-        self.wait(lambda: self.robot.state.moving is not None)
+        self.wait(lambda: self.simulated()["servos"][motor]["goal"] == slider.value())
         self.control(f"servo {motor} dead")
         self.control(f"servo {motor} free")
         self.wait(lambda: self.robot.state.stuck is not None)

@@ -103,11 +103,6 @@ def test_firmware_state_is_described_as_text() -> None:
     assert "a servo that is blocked" in state_text(snapshot_of(stage))
     stage.do("servo power off")
     assert "servos that have no power" in state_text(snapshot_of(stage))
-    stage.do("reset")
-    stage.line.advance(1.1)
-    stage.line.send(b".c999999999,1,1,1,1,1,1,1\n")
-    stage.line.advance(1)
-    assert "Restart the board" in state_text(snapshot_of(stage))
     stage.do("power off")
     assert "power is off" in state_text(snapshot_of(stage))
 

@@ -92,7 +92,7 @@ def test_restart_voids_move_while_servos_keep_moving(delay: float) -> None:
     assert not session.of(Moved)
     assert len(session.of(Moving)) == 1  # nothing moves by itself afterwards
     if delay > 0.01:
-        assert session.stage.positions == (598,) * 8
+        assert session.stage.positions == (600,) * 8
 
 
 @pytest.mark.parametrize("delay", [0.0, 0.03, 0.3, 0.7, 1.0, 1.7])
@@ -153,7 +153,7 @@ def test_servo_failing_in_motion_is_reported_stuck_once() -> None:
     assert session.when(Stuck)[0] - session.when(Moving)[1] == pytest.approx(
         88 / 228 * 1.25 + 1.0, abs=0.06
     )
-    assert session.of(Passed)[-1].present == (598,) * 3
+    assert session.of(Passed)[-1].present == (600,) * 3
     assert not session.of(NotResponding)
     behind = bytes(session.stage.transport.sent).split(b".c" + b"600," * 7 + b"600\n")[1]
     assert behind == b".q\n" * behind.count(b".q\n")
@@ -171,7 +171,7 @@ def test_recovered_servo_ends_move_and_starts_nothing_else() -> None:
     session.at(10.5, Move(7, HERE)).until(14.0)
     session.run()
     assert len(session.of(Stuck)) == 1
-    assert [moved.present[3] for moved in session.of(Moved)] == [512, 598, 514]
+    assert [moved.present[3] for moved in session.of(Moved)] == [512, 600, 512]
     assert session.when(Moving)[2] > 10.4, "only what was requested after the robot had answered"
     outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
     assert [number for number, error in outcomes.items() if error is None] == [1, 2, 3, 7]

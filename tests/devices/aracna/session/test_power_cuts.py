@@ -20,7 +20,7 @@ from trex_gui.devices.aracna.session.messages import (
 from trex_gui.devices.aracna.session.servo_estimates import TRUST
 
 SLOW = (30,) * 8
-FASTEST = 2.28 * 30 * 1.1
+FASTEST = 2.28 * 30 * 1.25
 """Units a second of a motor at that speed, and what an instant between two looks adds."""
 
 

@@ -113,8 +113,8 @@ def test_move_reports_each_arrival_and_then_completion() -> None:
     assert moving.expected == pytest.approx(600 / 228)  # as far as it may have to go
     assert [len(passed.present) for passed in session.of(Passed)] == list(range(8))
     [moved] = session.of(Moved)
-    assert moved.present == (598,) * 8
-    assert moved.seconds == pytest.approx(86 / 228, abs=0.06)
+    assert moved.present == (600,) * 8
+    assert moved.seconds == pytest.approx(88 / 228, abs=0.06)
     assert [(one.id, one.error) for one in session.of(Outcome)] == [(1, None), (2, None)]
     assert session.of(Outcome)[1].value == moved
 
@@ -123,8 +123,8 @@ def test_second_move_starts_from_known_positions() -> None:
     session = ScriptedSession().at(0.2, SetSpeeds(1, SLOW)).at(0.4, Move(2, THERE))
     session.at(2.0, Move(3, HERE)).until(4.0)
     session.run()
-    assert session.of(Moving)[1].starts == (598,) * 8
-    assert session.of(Moving)[1].expected == pytest.approx(86 / 228)
+    assert session.of(Moving)[1].starts == (600,) * 8
+    assert session.of(Moving)[1].expected == pytest.approx(88 / 228)
 
 
 def test_next_move_is_sent_only_after_reply() -> None:
@@ -170,8 +170,8 @@ def test_halt_drops_queued_moves_and_reports_motion_end() -> None:
     assert "Stopped" in str(outcomes[2])
     assert "Stopped" in str(outcomes[3])
     assert len(session.of(Moving)) == 1
-    assert session.stage.positions == (598,) * 8
-    assert session.of(Moved)[0].present == (598,) * 8
+    assert session.stage.positions == (600,) * 8
+    assert session.of(Moved)[0].present == (600,) * 8
 
 
 def test_close_in_motion_ends_every_request_with_outcome() -> None:
@@ -212,7 +212,7 @@ def test_move_succeeds_after_truncated_command(stump: bytes, size: int) -> None:
     outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
     assert set(outcomes) == {1, 2}
     assert outcomes[2] is None
-    assert session.stage.positions == (598,) * 8
+    assert session.stage.positions == (600,) * 8
 
 
 def test_silent_robot_is_polled_until_it_answers() -> None:

@@ -87,6 +87,18 @@ def is_free(stage: AracnaStage) -> bytes:
     return stage.line.receive()
 
 
+@pytest.mark.parametrize("glued", [b".l0\n.l1\n", b".l0\n\n.l1\n"])
+def test_command_is_heard_while_the_last_two_bytes_of_a_reply_leave(
+    stage: AracnaStage, glued: bytes
+) -> None:
+    stage.line.advance(2)
+    stage.line.receive()
+    stage.line.send(glued)
+    stage.line.advance(0.01)
+    assert stage.line.receive() == b".l0\r\n.l1\r\n"
+    assert stage.line.station.bytes_missed == 0
+
+
 @named(BUSY)
 def test_query_to_busy_board_is_answered_once_when_idle(
     stage: AracnaStage, busy: Callable[[AracnaStage], None]
@@ -156,7 +168,7 @@ def test_next_command_completes_truncated_one_with_enough_values() -> None:
     stage.line.send(GOALS)  # leaves ".c6", which with the next makes ".c6.c600,…"
     stage.line.advance(0.0095)
     is_free(stage)
-    assert stage.ask(GOALS) == b".c598,598,598,598,598,598,598,598\r\n"
+    assert stage.ask(GOALS) == b".c600,600,600,600,600,600,600,600\r\n"
 
 
 def test_command_sent_right_behind_speeds_is_truncated(

@@ -74,9 +74,9 @@ def test_servo_motion_takes_real_time(start: Start) -> None:
         assert port.readline() == b".v100,100,100,100,100,100,100,100\r\n"
         begun = time.monotonic()
         port.write(b".c626,512,512,512,512,512,512,512\n")
-        assert port.readline() == b".c624,512,512,512,512,512,512,512\r\n"
+        assert port.readline() == b".c626,512,512,512,512,512,512,512\r\n"
         assert time.monotonic() - begun >= 112 / 228
-    assert robot.show()["servos"][0]["position"] == 624
+    assert robot.show()["servos"][0]["position"] == 626
 
 
 @pytest.mark.realtime

@@ -138,6 +138,8 @@ FIELDS = [
     ("five digits, too high", "12345", REFUSED),
     ("eight characters, first four used", "05200000", 520),
     ("eight digits, too high", "12345678", REFUSED),
+    ("nine characters, first four used", "052000000", 520),
+    ("ten characters, first four used", "0520000000", 520),
     ("leading blank", " 520", REFUSED),
     ("leading blank, one digit", " 5", REFUSED),
     ("plus", "+520", REFUSED),
@@ -202,22 +204,19 @@ def test_only_first_eight_values_count(stage: AracnaStage, line: str, reply: str
     assert stage.line.station.firmware.boots == 1
 
 
-HANGING = [
-    ("nine digits", f".c{values('123456789')}\n"),
-    ("nine zeros", f".v{values('000000000')}\n"),
-    ("a word of nine letters", f".c{values('wordwordw')}\n"),
-    ("nine blanks before a number", f".c{values('         5')}\n"),
+LONG = [
+    ("eleven digits", f".c{values('12345678901')}\n"),
+    ("eleven zeros", f".v{values('00000000000')}\n"),
+    ("a word of eleven letters", f".c{values('wordwordwor')}\n"),
+    ("ten blanks before a number", f".c{values('          5')}\n"),
 ]
 
 
-@pytest.mark.parametrize("line", [pytest.param(line, id=name) for name, line in HANGING])
-def test_nine_character_field_hangs_firmware_until_reset(stage: AracnaStage, line: str) -> None:
-    assert stage.ask(line.encode()) == SILENCE
-    assert stage.ask(b".q\n", 60) == SILENCE
-    assert stage.line.station.firmware.state.value == "hung"
-    stage.do("reset")
-    assert stage.ask(b"") == HELLO
+@pytest.mark.parametrize("line", [pytest.param(line, id=name) for name, line in LONG])
+def test_field_of_eleven_characters_restarts_firmware(stage: AracnaStage, line: str) -> None:
+    assert stage.ask(line.encode()) == HELLO
     assert stage.ask(b".q\n") == VERSION
+    assert stage.line.station.firmware.boots == 2
 
 
 def test_first_accepted_goal_enables_torque(stage: AracnaStage) -> None:

@@ -56,7 +56,7 @@ def test_servos_keep_moving_during_board_reset(stage: AracnaStage) -> None:
     stage.line.advance(0.5)
     assert all(now > then for now, then in zip(stage.positions, before, strict=True))
     stage.line.advance(5)
-    assert stage.positions == (798,) * 8
+    assert stage.positions == (800,) * 8
     assert stage.line.receive() == b".c" + HELLO
     assert stage.speeds == (50,) * 8
     assert all(servo.torque for servo in stage.line.servos)

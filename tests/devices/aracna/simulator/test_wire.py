@@ -44,7 +44,7 @@ def test_unpaced_bytes_take_no_time_but_servos_and_boot_do() -> None:
     stage.do("reset")
     stage.line.send(b".q\n")
     assert stage.line.read(11, 2) == b".h\r\n" + VERSION
-    assert stage.now - begun == pytest.approx(1.033, abs=0.001)
+    assert stage.now - begun == pytest.approx(1.0366, abs=0.001)
 
 
 @pytest.mark.parametrize("baud", [300, 9600, 19200, 57600, 115200])

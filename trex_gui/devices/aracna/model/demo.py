@@ -17,7 +17,6 @@ class FirmwareState(Enum):
     ANSWERING = "answering"
     SPEEDS = "speeds"
     MOVING = "moving"
-    HUNG = "hung"
 
 
 @dataclass(frozen=True, slots=True)

@@ -24,8 +24,8 @@ from trex_gui.devices.aracna.session.messages import (
 TOLERANCE = 12
 """Position units between goal and reply that count as none: 3.5 degrees.
 
-A servo stops within its compliance margin, which is not documented for this robot. Its own
-self-test took 50 for a failure.
+A free servo stops on its goal: its compliance margin is 0 unless somebody wrote another one. A
+load keeps it off; the robot's own self-test took 50 for a failure.
 """
 
 

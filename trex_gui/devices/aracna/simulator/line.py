@@ -29,7 +29,9 @@ _OLD_MOTORS = 2  # motors of version 0, of 22 Sep 2012
 class RobotStation:
     """One board with its firmware.
 
-    The UART is polled, without interrupt: only while the program waits for a byte is one read.
+    The UART is polled, without interrupt: only while the program waits for a byte is one read. The
+    transmitter is double-buffered: the program waits until its buffer is free, and so reads again
+    while the last two bytes of a reply are still leaving.
 
     Attributes:
         held: bytes received while the program was busy.
@@ -52,6 +54,8 @@ class RobotStation:
         self._line = line
         self._program: Program | None = None
         self._is_waiting = False
+        self._moved_at = 0.0  # when the last byte leaves the transmitter's buffer for the wire
+        self._sent_at = 0.0  # when it has left the wire
         self._input = RateConverter(line.timeline, OWN, OWN.baud, self._receive_sampled)
         self._output: RateConverter | None = None
 
@@ -72,6 +76,7 @@ class RobotStation:
         self._program = None
         self._is_waiting = False
         self.held.clear()
+        self._moved_at = self._sent_at = 0.0
         self.firmware.state = State.OFF
         self.firmware.led = False
 
@@ -134,8 +139,11 @@ class RobotStation:
             case Pause(seconds):
                 line.timeline.at(line.now + seconds, self._run, still)
             case Transmit(byte):
-                self._transmit(byte)
-                line.timeline.at(line.now + line.byte_time_of(self), self._run, still)
+                written_at = max(line.now, self._moved_at)
+                self._moved_at = max(written_at, self._sent_at)
+                self._sent_at = self._moved_at + line.byte_time_of(self)
+                line.timeline.at(self._moved_at, partial(self._transmit, byte), still)
+                line.timeline.at(written_at, self._run, still)
             case Receive() if self.held:
                 line.timeline.at(line.now, lambda: self._run(self.held.popleft()), still)
             case Receive():

@@ -10,8 +10,11 @@ from enum import Enum
 from trex_gui.devices.aracna.protocol.joints import CEILING, HIGHEST, UNITS_PER_SECOND
 
 FAILED = -1  # value that the board's library returns for a servo without reply
-MARGIN = 2
-"""Distance in units from the goal at which a servo stops. Assumed: the document says "some"."""
+MARGIN = 0
+"""Distance in units from the goal at which a servo stops: the compliance margin.
+
+Ref: AX-12 control table, initial value 0; the firmware never writes it.
+"""
 
 _EPSILON = 1e-9  # seconds; swallows the rounding of summed times
 

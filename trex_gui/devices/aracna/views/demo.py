@@ -286,7 +286,6 @@ def state_text(snapshot: RobotSnapshot) -> str:
         FirmwareState.ANSWERING: tr("Idle: waiting for commands."),  # too short to show
         FirmwareState.SPEEDS: tr("Setting speeds: reading them back from the servos."),
         FirmwareState.MOVING: tr("Moving: reads nothing until every servo has arrived."),
-        FirmwareState.HUNG: tr("Hung because of an invalid command. Restart the board."),
     }[snapshot.state]
 
 
