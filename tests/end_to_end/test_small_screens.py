@@ -82,12 +82,16 @@ def test_windows_of_trex_fit(screen: QRect, window: WindowDriver, tmp_path: Path
         "learn": "learnDialog",
         "test_sticks": "learnDialog",
         "find": "findDialog",
+        "check_board": "checkBoardDialog",
         "preferences": "preferencesDialog",
     }.items():
         window.trigger(key)
         dialog = window.find(QDialog, name)
         window.wait(dialog.isVisible)
         check_window(dialog, screen, None)
+        for tabs in dialog.findChildren(QTabWidget):
+            tabs.setCurrentIndex(tabs.count() - 1)
+            check_window(dialog, screen, None)
         dialog.close()
     check_other_dialogs(window, screen)
 

@@ -163,8 +163,8 @@ class ConnectionBar(QWidget):
             self.connect_to(self._ports.now(self._last) or self._last)
 
     def connect_with(self, remedy: ConnectWith) -> None:
-        """Connect with other settings to the port that was connected, or tried, last."""
-        port = self._last or self._port_to_show()
+        """Connect with other settings to the port that is shown."""
+        port = self._port_to_show() or self._last
         if port is None:
             return
 
@@ -185,6 +185,9 @@ class ConnectionBar(QWidget):
     def _open_search(self, *, at_once: bool) -> None:
         if self._dialog is None:
             self._dialog = FindDialog(self._manager, self._ports, self._unless_busy, self.window())
+            self._dialog.check_requested.connect(
+                lambda: self.remedy_chosen.emit(Remedy.CHECK_BOARD)
+            )
         self._dialog.look(self._port_to_show(), at_once=at_once)
 
     def close_dialogs(self) -> None:

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QSignalBlocker, Qt, Slot
+from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtGui import QGuiApplication, QHideEvent
 from PySide6.QtWidgets import (
     QFrame,
@@ -33,6 +33,8 @@ class FindDialog(ReusedDialog):
 
     Boards stand above the ports without one, which are folded as soon as there is a board.
     """
+
+    check_requested = Signal()  # the user wants to know what to look at on a board
 
     def __init__(
         self,
@@ -117,6 +119,14 @@ class FindDialog(ReusedDialog):
             ),
             self,
         )
+        self._check = ui.button(
+            self,
+            "findCheckButton",
+            self.tr("C&heck the board…"),
+            default=False,
+            tip=self.tr("What the LEDs mean, the wires, and how to restore serial settings"),
+            on_click=self.check_requested,
+        )
         close = ui.button(
             self, "findCloseButton", self.tr("Close"), default=False, on_click=self.close
         )
@@ -129,7 +139,7 @@ class FindDialog(ReusedDialog):
             ui.row(self._start, self._cancel, (self._progress, 1)),
             self._tried,
             (ScrollBox(self._results, self), 1),
-            ui.row(1, close),
+            ui.row(self._check, 1, close),
             into=self,
         )
 
@@ -204,6 +214,7 @@ class FindDialog(ReusedDialog):
         self._full.setEnabled(not running)
         self._start.setEnabled(not running and bool(self._chosen))
         self._cancel.setEnabled(running)
+        self._check.setVisible(self._manager.current.has_line_settings)
         for connect, its_port in self._connects.items():
             connect.setEnabled(its_port != port)
 

@@ -166,6 +166,16 @@ class MainWindow(QMainWindow):
     def connect_to(self, port: Port) -> None:
         self._connection.connect_to(port)
 
+    @Slot(object)
+    def connect_with(self, remedy: ConnectWith) -> None:
+        """Connect with other settings to the port that is shown."""
+        self._connection.connect_with(remedy)
+
+    @Slot()
+    def find_now(self) -> None:
+        """Search the port that is shown."""
+        self._connection.find_now()
+
     @property
     def pages(self) -> QTabWidget:
         return self._workspace.pages
@@ -213,6 +223,7 @@ class MainWindow(QMainWindow):
         yield (
             tr("&Help"),
             (
+                *shared(Menu.HELP),
                 Entry("guide", tr("Online &documentation…"), self._show_help, "F1", "help"),
                 Entry("report", tr("&Save report for support…"), self._show_report, "", "save"),
                 Entry("about", tr("&About…"), self._show_about, "", "info"),
@@ -376,11 +387,13 @@ class MainWindow(QMainWindow):
     def _on_remedy_chosen(self, remedy: Remedy | ConnectWith) -> None:
         match remedy:
             case ConnectWith():
-                self._connection.connect_with(remedy)
+                self.connect_with(remedy)
             case Remedy.FIND:
-                self._connection.find_now()
+                self.find_now()
             case Remedy.RECONNECT | Remedy.PLUG_IN:
                 self._connection.reconnect()
+            case Remedy.CHECK_BOARD:
+                self._workspace.trigger("check_board")
             case Remedy.SET_UP_CRC:
                 self._workspace.set_up_crc()
 

@@ -5,25 +5,20 @@ from dataclasses import dataclass
 from functools import partial
 from itertools import zip_longest
 
-from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Slot
-from PySide6.QtGui import QPainter, QPaintEvent, QPen
+from PySide6.QtCore import Qt, Slot
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.frame.main_window import MainWindow
+from trex_gui.ui.frame.wiring_sketch import Wiring, WiringSketch
 from trex_gui.ui.frame.workspace import Workspace
-from trex_gui.ui.theme.theme import follow_theme, theme
+from trex_gui.ui.theme.theme import follow_theme
 from trex_gui.ui.widgets import builders as ui
 
 _WIDEST_LINES = 100  # characters: longer lines are hard to read
 _WIDEST_BUTTON = 38
 _MOST_PORTS = 4
 _MOST_FILES = 3
-
-Wires = Sequence[tuple[str, str]]
-"""Names of the pins at the adapter and at the board, from top to bottom; at most three."""
-
-_WIRE_COLORS = ("motor1", "motor2", "muted")
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,9 +27,7 @@ class StartTexts:
 
     title: str
     steps: str  # rich text
-    board: str  # name of what is wired
-    wires: Wires
-    wiring: str  # the wires in words
+    wiring: Wiring
     none: str  # heading of what needs no hardware
     demo: str  # on the button, as the texts of files with a free letter
     files: Sequence[tuple[str, str, str]]  # action that opens a file, text, icon
@@ -44,7 +37,14 @@ class StartTexts:
 class StartPanel(QWidget):
     """Leads to a first connection with the kind of device that a workspace is for."""
 
-    def __init__(self, texts: StartTexts, frame: MainWindow, workspace: Workspace) -> None:
+    def __init__(
+        self,
+        texts: StartTexts,
+        frame: MainWindow,
+        workspace: Workspace,
+        jumpers: QWidget | None = None,
+    ) -> None:
+        """`jumpers` is a picture that is shown below that of the wires."""
         super().__init__(workspace)
         self.setObjectName(f"{texts.prefix}startPanel")
         self._device = workspace.key
@@ -72,8 +72,9 @@ class StartPanel(QWidget):
         )
         find.setToolTip(self.tr("Search every port and baud rate; no motor moves"))
         begin = ui.column(steps, self._none, *_left(*self._ports, find), 1)
-        sketch = WiringSketch(texts, hardware)
-        ui.row((sketch, 0, Qt.AlignmentFlag.AlignTop), (begin, 1), into=hardware)
+        sketch = WiringSketch(texts.wiring, f"{texts.prefix}wiringSketch", hardware)
+        pictures = ui.column(sketch, *([jumpers] if jumpers else []), 1, margins=0)
+        ui.row(pictures, (begin, 1), into=hardware)
 
         other = ui.GroupBox(texts.none, self)
         demo = self._button(other, "startDemo", texts.demo, "run", self._connect_to_demo)
@@ -158,52 +159,3 @@ class StartPanel(QWidget):
 
 def _left(*buttons: QPushButton) -> list[ui.Item]:
     return [(button, 0, Qt.AlignmentFlag.AlignLeft) for button in buttons]
-
-
-class WiringSketch(QWidget):
-    """The wires between an adapter and the board."""
-
-    def __init__(self, texts: StartTexts, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName(f"{texts.prefix}wiringSketch")
-        self.setAccessibleName(texts.wiring)
-        self._texts = texts
-        follow_theme(self, "room", self._take_room)
-
-    def _take_room(self) -> None:
-        self.setFixedSize(self.sizeHint())
-        self.update()
-
-    def sizeHint(self) -> QSize:
-        line = self.fontMetrics().height()
-        return QSize(self.fontMetrics().averageCharWidth() * 34, line * 9)
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        del event
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        line = self.fontMetrics().height()
-        box = QRectF(0.5, 1.5 * line, self.width() * 0.32, 6 * line)
-        board = box.translated(self.width() - box.width() - 1, 0)
-        text = theme().color("window_text")
-        painter.setPen(QPen(text, 1))
-        for place, title in ((box, self.tr("Adapter")), (board, self._texts.board)):
-            painter.drawRoundedRect(place, 6, 6)
-            above = QRectF(place.left(), 0, place.width(), 1.4 * line)
-            painter.drawText(above, Qt.AlignmentFlag.AlignCenter, title)
-        for number, (left, right) in enumerate(self._texts.wires):
-            y = box.top() + (2 * number + 1) * line
-            begin, end = QPointF(box.right(), y), QPointF(board.left(), y)
-            color = theme().color(_WIRE_COLORS[number])
-            painter.setPen(QPen(color, 2))
-            painter.drawLine(QLineF(begin, end))
-            painter.setBrush(color)
-            for pin in (begin, end):
-                painter.drawEllipse(pin, 3, 3)
-            painter.setBrush(Qt.BrushStyle.NoBrush)
-            painter.setPen(text)
-            room = QRectF(0, y - line / 2, box.width() - 8, line)
-            middle = Qt.AlignmentFlag.AlignVCenter
-            painter.drawText(room, middle | Qt.AlignmentFlag.AlignRight, left)
-            room.moveLeft(board.left() + 8)
-            painter.drawText(room, middle | Qt.AlignmentFlag.AlignLeft, right)

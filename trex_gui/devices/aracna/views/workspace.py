@@ -25,6 +25,7 @@ from trex_gui.devices.aracna.views.robot.page import RobotPage
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.start_panel import StartPanel, StartTexts
+from trex_gui.ui.frame.wiring_sketch import Wiring
 from trex_gui.ui.frame.workspace import (
     SEPARATOR,
     Entry,
@@ -142,9 +143,11 @@ class AracnaWorkspace(Workspace):
                 "ends, and connect. Nothing moves until you choose Move.</li>"
                 "</ol>"
             ),
-            board=tr("ArbotiX"),
-            wires=(("TX", "RX"), ("RX", "TX"), ("GND", "GND")),
-            wiring=tr("Wiring: TX of the adapter to RX, RX to TX, GND to GND of the board"),
+            wiring=Wiring(
+                tr("ArbotiX"),
+                (("TX", "RX"), ("RX", "TX"), ("GND", "GND")),
+                tr("Wiring: TX of the adapter to RX, RX to TX, GND to GND of the board"),
+            ),
             none=tr("No robot at hand?"),
             demo=tr("Tr&y the demo"),
             files=(

@@ -29,7 +29,7 @@ from trex_gui.devices.trex.protocol.calibration import (
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import who_controls
-from trex_gui.devices.trex.protocol.errors import BoardElsewhere, suggests_scan
+from trex_gui.devices.trex.protocol.errors import BoardElsewhere, needs_a_look, suggests_scan
 from trex_gui.devices.trex.protocol.parameters import (
     MotorParameter,
     ParameterKey,
@@ -50,7 +50,7 @@ from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.event_log import EventKind
-from trex_gui.ui.notifier import ConnectWith, Notifier, remedies_of
+from trex_gui.ui.notifier import ConnectWith, Notifier, Remedies, Remedy, remedies_of
 from trex_gui.ui.runtime import now
 from trex_gui.ui.translations import error_text
 
@@ -363,7 +363,9 @@ class Device(QObject):
         if isinstance(error, BoardElsewhere):
             self.notifier.report(text, (ConnectWith(error.settings),))
         else:
-            self.notifier.report(text, remedies_of(error, may_be_found=suggests_scan(error)))
+            look: Remedies = (Remedy.CHECK_BOARD,) if needs_a_look(error) else ()
+            remedies = remedies_of(error, may_be_found=suggests_scan(error))
+            self.notifier.report(text, (*remedies, *look))
 
     @Slot(str)
     def _on_request_failed(self, reason: str) -> None:

@@ -268,6 +268,17 @@ def is_unsteady(error: BaseException) -> bool:
     return isinstance(error, TrexError) and error.code is ErrorCode.READINGS_DIFFER
 
 
+def needs_a_look(error: BaseException) -> bool:
+    """Whether wires, jumpers and LEDs of the board show what is wrong."""
+    return isinstance(error, TrexError) and error.code in {
+        ErrorCode.NO_BOARD,
+        ErrorCode.NO_BOARD_AT_NUMBER,
+        ErrorCode.ECHO_ONLY,
+        ErrorCode.OTHER_DEVICE,
+        ErrorCode.BOOT_LOADER,
+    }
+
+
 def suggests_scan(error: BaseException) -> bool:
     """Whether the board may have other serial settings: a scan may find it."""
     return isinstance(error, TrexError) and error.code in {

@@ -29,6 +29,7 @@ from trex_gui.devices.trex.views.bench.dialog import BenchDialog
 from trex_gui.devices.trex.views.boards import BoardPanel, NumberDialog
 from trex_gui.devices.trex.views.demo_panel import DemoPanel
 from trex_gui.devices.trex.views.history_dialog import HistoryDialog
+from trex_gui.devices.trex.views.jumper_sketch import JumperPlaces, JumperSketch
 from trex_gui.devices.trex.views.learning.dialog import LearnDialog
 from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
 from trex_gui.devices.trex.views.pages.channels import ChannelsPage
@@ -41,6 +42,7 @@ from trex_gui.devices.trex.views.review.review_dialog import ReviewDialog
 from trex_gui.devices.trex.views.settings_files import SettingsFiles
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.start_panel import StartPanel, StartTexts
+from trex_gui.ui.frame.wiring_sketch import Wiring
 from trex_gui.ui.frame.workspace import SEPARATOR, Entry, FileKind, Menu, Menus, PageInfo, Workspace
 from trex_gui.ui.log import LogPage
 from trex_gui.ui.translations import error_sentence, local_time
@@ -49,6 +51,7 @@ from trex_gui.ui.widgets.messages import PromptAnswer
 
 if TYPE_CHECKING:
     from trex_gui.devices.trex.views.apply_to_boards_dialog import ApplyToBoardsDialog
+    from trex_gui.devices.trex.views.check_board import CheckBoardDialog
     from trex_gui.devices.trex.views.pages.currents_panel import PlotWindow
     from trex_gui.devices.trex.views.setup.dialog import SetupDialog
 
@@ -68,6 +71,11 @@ class TrexWorkspace(Workspace):
         self._agreed: Settings | None = None  # settings shown that may be left as they are
         self._keeps_edits = True
         self._linter = BoardLinter(device, self)
+        self._wiring = Wiring(
+            self.tr("TReX"),
+            (("TX", "SI"), ("RX", "SO"), ("GND", "GND")),
+            self.tr("Wiring: TX of the adapter to SI, RX to SO, GND to GND of the board"),
+        )
         self._safe_start = SafeStartWatch(device, self)
         self._offered_losses: set[ComparisonRow] = set()  # lost settings
         self.log.follow(device.events)
@@ -115,6 +123,7 @@ class TrexWorkspace(Workspace):
         self._setup: SetupDialog | None = None
         self._number: NumberDialog | None = None
         self._to_boards: ApplyToBoardsDialog | None = None
+        self._check: CheckBoardDialog | None = None
         self._plot: PlotWindow | None = None
         learning.begun.connect(controller.demo_board.centre_sticks)
         self._bench = BenchDialog(device, Bench(device, self), frame)
@@ -172,9 +181,7 @@ class TrexWorkspace(Workspace):
                 "<li>Lift the wheels off the ground, switch the board on, and connect:</li>"
                 "</ol>"
             ),
-            board=tr("TReX"),
-            wires=(("TX", "SI"), ("RX", "SO"), ("GND", "GND")),
-            wiring=tr("Wiring: TX of the adapter to SI, RX to SO, GND to GND of the board"),
+            wiring=self._wiring,
             none=tr("No board at hand?"),
             demo=tr("&Try the demo"),
             files=(
@@ -182,7 +189,9 @@ class TrexWorkspace(Workspace):
                 ("open_recording", tr("&Open recording…"), "plot"),
             ),
         )
-        start = StartPanel(texts, self._frame, self)
+        jumpers = JumperSketch(self)
+        jumpers.show_boards(JumperPlaces(tr("Jumpers to connect"), "", None))
+        start = StartPanel(texts, self._frame, self, jumpers)
         page = StatusPage(self._device, self._safe_start, start, self)
         page.setup_requested.connect(self._set_up)
         return page
@@ -280,6 +289,17 @@ class TrexWorkspace(Workspace):
             self._to_boards = ApplyToBoardsDialog(self._boards, self._device, self._frame)
         self._to_boards.open_file(document)
 
+    def _check_board(self) -> None:
+        if self._check is None:
+            from trex_gui.devices.trex.views.check_board import (  # noqa: PLC0415
+                CheckBoardDialog,
+            )
+
+            self._check = CheckBoardDialog(self._device, self._wiring, self._frame)
+            self._check.find_requested.connect(self._frame.find_now)
+            self._check.connect_requested.connect(self._frame.connect_with)
+        self._check.open_dialog()
+
     @Slot(object)
     def _show_parameter(self, key: object) -> None:
         self.show_page("parameters")
@@ -369,6 +389,10 @@ class TrexWorkspace(Workspace):
                     "plot",
                 ),
                 Entry("demo", tr("&Demo TReX panel"), self._demo.toggle, checkable=True),
+            ),
+            Menu.HELP: (
+                Entry("check_board", tr("&Board does not respond…"), self._check_board, "", "find"),
+                SEPARATOR,
             ),
         }
 
@@ -603,10 +627,9 @@ class TrexWorkspace(Workspace):
             self._device.edit_backup.discard()
         self._history.close()
         self._learn.close()
-        if self._setup is not None:
-            self._setup.close()
-        if self._to_boards is not None:
-            self._to_boards.close()
+        for dialog in (self._setup, self._to_boards, self._check):
+            if dialog is not None:
+                dialog.close()
         self._bench.close()
         if self._plot is not None and Shiboken.isValid(self._plot):
             self._plot.close()

@@ -20,8 +20,8 @@ from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
 from trex_gui.devices.trex.views.bars import ChannelBar
+from trex_gui.devices.trex.views.jumper_sketch import JumperPlaces, JumperSketch
 from trex_gui.devices.trex.views.setup.motors_page import rewiring_text
-from trex_gui.devices.trex.views.setup.sketch import JumperPlaces, JumperSketch
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import only_when_visible
@@ -136,7 +136,7 @@ class JumperPage(QWidget):
         caption = Muted(
             self.tr("Schematic: the user's guide shows where your board has them."), self
         )
-        caption.setMaximumWidth(self._sketch.width())
+        caption.setMaximumWidth(2 * self._sketch.width())
         top = Qt.AlignmentFlag.AlignTop
         ui.row(
             ui.column(self._sketch, caption, 1),

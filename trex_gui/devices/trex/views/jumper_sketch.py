@@ -7,10 +7,12 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
-from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.theme.theme import follow_theme, theme
 from trex_gui.ui.widgets import builders as ui
 
 _PIN = 2.5  # radius of a pin, in pixels
+_BOARD_WIDTH = 25  # characters
+_ROW = 1.9  # lines from one pair of pins to the next
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,48 +23,58 @@ class JumperPlaces:
         title: when they are there.
         mode: `RC`, `Analog`, or empty without the mode jumper.
         mix: whether the mix jumper is on; `None` if that does not matter.
+        so_ground: whether the SO–G jumper is on.
+        next_one: the jumper to move now: `mode`, `mix`, `so_ground`, or none.
     """
 
     title: str
     mode: str
     mix: bool | None
+    so_ground: bool = False
+    next_one: str = ""
 
 
 class JumperSketch(QWidget):
-    """The mode jumper and the mix jumper, schematically, of boards side by side."""
+    """The mode, mix and SO–G jumpers, schematically, of boards side by side."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._boards: Sequence[JumperPlaces] = ()
         ui.named(self, "jumperSketch")
-        self.setFixedSize(self.sizeHint())
-        theme().changed.connect(self.update)
+        follow_theme(self, "room", self._take_room)
 
     def show_boards(self, *boards: JumperPlaces) -> None:
         if boards != self._boards:
             self._boards = boards
             self.setAccessibleName(" ".join(map(self._describe, boards)))
-            self.update()
+            self._take_room()
+
+    def _take_room(self) -> None:
+        self.setFixedSize(self.sizeHint())
+        self.update()
 
     def _describe(self, board: JumperPlaces) -> str:
         mode = self.tr("mode jumper at {0}").format(board.mode)
         texts = [mode if board.mode else self.tr("no mode jumper")]
         if board.mix is not None:
             texts.append(self.tr("mix jumper on") if board.mix else self.tr("no mix jumper"))
+        texts.append(self.tr("SO–G jumper on") if board.so_ground else self.tr("no SO–G jumper"))
         return f"{board.title}: {', '.join(texts)}."
 
     def sizeHint(self) -> QSize:
-        line = self.fontMetrics().height()
-        return QSize(self.fontMetrics().averageCharWidth() * 50, line * 11)
+        line, boards = self.fontMetrics().height(), max(len(self._boards), 1)
+        width = self.fontMetrics().averageCharWidth() * _BOARD_WIDTH
+        return QSize(boards * width + (boards - 1) * line, round(10.8 * line))
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
         with QPainter(self) as painter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-            line = self.fontMetrics().height()
-            width = (self.width() - line) / 2
+            line, boards = self.fontMetrics().height(), max(len(self._boards), 1)
+            width = (self.width() - (boards - 1) * line) / boards
+            height = self.height() - 1.7 * line - 1
             for number, board in enumerate(self._boards):
-                place = QRectF(0.5 + number * (width + line), 1.7 * line, width - 1, 9 * line)
+                place = QRectF(0.5 + number * (width + line), 1.7 * line, width - 1, height)
                 self._paint_board(painter, place, board)
 
     def _paint_board(self, painter: QPainter, place: QRectF, board: JumperPlaces) -> None:
@@ -73,14 +85,16 @@ class JumperSketch(QWidget):
         title = QRectF(place.left(), 0, place.width(), 1.6 * line)
         painter.drawText(title, Qt.AlignmentFlag.AlignCenter, board.title)
         rows = (
-            (self.tr("Mode"), self.tr("RC"), board.mode == "RC"),
-            ("", self.tr("Analog"), board.mode == "Analog"),
-            (self.tr("Mix"), "", board.mix),
+            ("mode", self.tr("Mode"), self.tr("RC"), board.mode == "RC"),
+            ("", "", self.tr("Analog"), board.mode == "Analog"),
+            ("mix", self.tr("Mix"), "", board.mix),
+            ("so_ground", self.tr("SO–G"), "", board.so_ground),
         )
-        for number, (name, position, is_on) in enumerate(rows):
-            y = place.top() + (1.3 + 2.4 * number + 0.6 * (number == 2)) * line
+        for number, (key, name, position, is_on) in enumerate(rows):
+            y = place.top() + (0.9 + _ROW * number + 0.5 * (number > 1)) * line
             row = QRectF(place.left(), y, place.width(), line)
-            self._paint_jumper(painter, row, (name, position), is_on)
+            is_next = bool(key) and key == board.next_one
+            self._paint_jumper(painter, row, (f"▸ {name}" if is_next else name, position), is_on)
 
     def _paint_jumper(
         self, painter: QPainter, row: QRectF, names: tuple[str, str], is_on: bool | None
@@ -92,7 +106,7 @@ class JumperSketch(QWidget):
         painter.setPen(QPen(color, 1))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawText(row.adjusted(0.8 * line, 0, 0, 0), middle, name)
-        first = QPointF(row.left() + 4.2 * line, row.center().y())
+        first = QPointF(row.left() + 4.8 * line, row.center().y())
         second = first + QPointF(1.3 * line, 0)
         words = {True: self.tr("on"), False: self.tr("off"), None: self.tr("either")}
         text = row.adjusted(second.x() + 0.9 * line - row.left(), 0, 0, 0)

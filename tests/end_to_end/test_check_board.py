@@ -1,0 +1,78 @@
+"""A board whose serial settings are lost is brought back by its jumpers."""
+
+from functools import partial
+
+import pytest
+from PySide6.QtWidgets import QTabWidget
+
+from tests.support.simulator import SimulatedDevice
+from tests.support.window import WidgetDriver, WindowDriver
+from trex_gui.devices.trex.views.check_board import _STEPS, CheckBoardDialog
+from trex_gui.ui.devices.connection import ConnectionState
+
+
+@pytest.fixture(autouse=True)
+def _no_other_ports(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("serial.tools.list_ports.comports", list)
+
+
+def driver_of(window: WindowDriver) -> WidgetDriver:
+    dialog = window.find(CheckBoardDialog, "checkBoardDialog")
+    assert dialog.isVisible()
+    return WidgetDriver(dialog, window.qtbot)
+
+
+def shows(board: SimulatedDevice, leds: tuple[str, str]) -> bool:
+    return tuple(board.show()["leds"].values()) == leds
+
+
+def test_jumpers_bring_back_lost_serial_settings(
+    window: WindowDriver, quick_simulator: SimulatedDevice
+) -> None:
+    board = quick_simulator
+    board.do("eeprom uart_settings 0x25")  # CRC-7
+    board.do("eeprom crc7_polynomial 0x1D")
+    board.do("power cycle")
+    window.connect_port(window.program.ports.add_typed(board.url))
+    window.wait_for_text("bannerText", "No TReX responds")
+    window.click("bannerCheckBoard")
+    dialog = driver_of(window)
+    tabs = dialog.find(QTabWidget, "checkTabs")
+    assert tabs.currentIndex() == 0
+    tabs.setCurrentIndex(1)
+    assert not dialog.is_enabled("handShakeBack")
+
+    changes = (
+        ("power off", "jumper mode serial", "jumper mix on", "jumper so-ground on"),
+        ("power on",),
+        ("jumper mix off",),
+        ("jumper so-ground off",),
+        ("power cycle",),
+    )
+    for number, (step, done) in enumerate(zip(_STEPS, changes, strict=True)):
+        assert dialog.text("handShakeToDo") == step.to_do
+        for change in done:
+            board.do(change)
+        window.wait(partial(shows, board, step.leds))
+        jumpers = board.show()["jumpers"]
+        assert (jumpers["mix"], jumpers["so_ground"]) == (step.mix, step.so_ground)
+        if step.title == "SO–G off":
+            dialog.click("checkConnectButton")
+            dialog.wait_for_text("checkResult", "is in its boot loader")
+        if number < len(_STEPS) - 1:
+            dialog.click("handShakeNext")
+    assert not dialog.is_enabled("handShakeNext")
+    dialog.click("checkConnectButton")
+    window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
+    assert dialog.text("checkResult") == "Connected to TReX 1.2."
+    assert not dialog.is_enabled("checkConnectButton")
+    assert board.show()["active_uart"]["crc"] is False
+
+    dialog.root.close()
+    window.trigger("check_board")
+    assert tabs.currentIndex() == 1
+    assert dialog.text("handShakeToDo") == _STEPS[0].to_do, "from the beginning"
+    dialog.root.close()
+    window.trigger("find")
+    window.click("findCheckButton")
+    assert dialog.root.isVisible()

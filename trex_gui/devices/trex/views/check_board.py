@@ -1,0 +1,363 @@
+"""Dialog for a board that does not respond: what its LEDs mean, and its serial settings."""
+
+from dataclasses import dataclass
+from functools import partial
+
+from PySide6.QtCore import QCoreApplication, Qt, Signal, Slot
+from PySide6.QtWidgets import QTabWidget, QWidget
+
+from trex_gui.core.errors import QT_TRANSLATE_NOOP
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.views.jumper_sketch import JumperPlaces, JumperSketch
+from trex_gui.devices.trex.views.learning.dialog import StepStrip
+from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.frame.wiring_sketch import Wiring, WiringSketch
+from trex_gui.ui.notifier import ConnectWith
+from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.behaviour import ReusedDialog, keep_room
+from trex_gui.ui.widgets.labels import Muted, Note
+from trex_gui.ui.widgets.leds import Leds
+from trex_gui.ui.widgets.scroll_box import ScrollBox
+
+
+def _tr(text: str) -> str:
+    return QCoreApplication.translate("CheckBoard", text)
+
+
+# --- What the LEDs mean -----------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class _Sight:
+    """What the red and the green LED show, what it means, and what to do."""
+
+    leds: tuple[str, str]
+    shown: str
+    meaning: str
+    to_do: str
+
+
+_SIGHTS = (
+    _Sight(
+        ("off", "off"),
+        QT_TRANSLATE_NOOP("CheckBoard", "Both off"),
+        QT_TRANSLATE_NOOP("CheckBoard", "No power"),
+        QT_TRANSLATE_NOOP(
+            "CheckBoard",
+            "Check the supply and its leads. If only a blue LED is lit, the board has no firmware.",
+        ),
+    ),
+    _Sight(
+        ("on", "off"),
+        QT_TRANSLATE_NOOP("CheckBoard", "Red on"),
+        QT_TRANSLATE_NOOP("CheckBoard", "Running, serial commands control the motors"),
+        QT_TRANSLATE_NOOP(
+            "CheckBoard",
+            "Compare the wires with the picture, then search with Find. Green lights while the "
+            "board receives a command: if it never does, nothing arrives.",
+        ),
+    ),
+    _Sight(
+        ("off", "on"),
+        QT_TRANSLATE_NOOP("CheckBoard", "Green on, or flashing fast"),
+        QT_TRANSLATE_NOOP("CheckBoard", "Running, the channels control the motors"),
+        QT_TRANSLATE_NOOP(
+            "CheckBoard",
+            "As above: the board responds in RC and analog mode, too. Red lights while it "
+            "receives a command. Fast flashes are safe-start.",
+        ),
+    ),
+    _Sight(
+        ("blink 1/s", "blink 1/s"),
+        QT_TRANSLATE_NOOP("CheckBoard", "Both blink together"),
+        QT_TRANSLATE_NOOP("CheckBoard", "Learning mode"),
+        QT_TRANSLATE_NOOP(
+            "CheckBoard",
+            "The board does not respond while it learns its channels. Remove the SO–G jumper, "
+            "then switch the board off and on.",
+        ),
+    ),
+    _Sight(
+        ("alternate 1/s", "alternate 1/s"),
+        QT_TRANSLATE_NOOP("CheckBoard", "Red and green alternate"),
+        QT_TRANSLATE_NOOP("CheckBoard", "Waiting for the boot loader hand-shake"),
+        QT_TRANSLATE_NOOP(
+            "CheckBoard",
+            "Switch the board off, remove the mix and SO–G jumpers, and switch it on. Or go on "
+            "with the hand-shake for lost serial settings.",
+        ),
+    ),
+    _Sight(
+        ("off", "short flash 1/s"),
+        QT_TRANSLATE_NOOP("CheckBoard", "Green flashes once a second"),
+        QT_TRANSLATE_NOOP("CheckBoard", "Boot loader, waiting for new firmware"),
+        QT_TRANSLATE_NOOP("CheckBoard", "Switch the board off and on, with the jumpers removed."),
+    ),
+)
+"""Ref: the reference's table of LED patterns (guide 4.e, manual pages 10-11, forum 1769, 5011)."""
+
+
+class SightsPage(QWidget):
+    """The LED patterns of a board, and how it is connected."""
+
+    def __init__(self, wiring: Wiring, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setObjectName("checkLedsPage")
+        top = Qt.AlignmentFlag.AlignTop
+        rows = ui.grid(margins=0, spacing=(16, 8), stretch=[(1, 1)])
+        for number, sight in enumerate(_SIGHTS):
+            leds = Leds(self)
+            leds.show_patterns(sight.leds, ("", ""), (_tr(sight.shown),) * 2)
+            shown = ui.label(self, text=_tr(sight.shown), wrap=True)
+            meaning = ui.label(self, text=_tr(sight.meaning), bold=True, wrap=True)
+            about = ui.column(meaning, Muted(_tr(sight.to_do), self), margins=0, spacing=0)
+            rows.addLayout(ui.column(leds, shown, margins=0, spacing=0), number, 0, top)
+            rows.addLayout(about, number, 1, top)
+        rows.setRowStretch(len(_SIGHTS), 1)
+        jumpers = JumperSketch(self)
+        jumpers.show_boards(JumperPlaces(self.tr("Jumpers to connect"), "", None))
+        caption = Muted(self.tr("Mode may also be on: the board responds in every mode."), self)
+        caption.setMaximumWidth(jumpers.width())
+        right = ui.column(WiringSketch(wiring, "checkWiring", self), jumpers, caption, 1)
+        ui.row((rows, 1), right, into=self, margins=12, spacing=20)
+
+
+# --- The hand-shake for lost serial settings --------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class _Step:
+    """One step: what to do, where the jumpers are then, what LEDs show and what arrives."""
+
+    title: str
+    to_do: str
+    mix: bool
+    so_ground: bool
+    next_one: str
+    leds: tuple[str, str]
+    shown: str
+    received: str
+
+
+_STEPS = (
+    _Step(
+        QT_TRANSLATE_NOOP("CheckBoard", "Jumpers"),
+        QT_TRANSLATE_NOOP(
+            "CheckBoard",
+            "Switch the board off. Remove the mode jumper. Put the mix and SO–G jumpers on.",
+        ),
+        True,
+        True,
+        "mode",
+        ("off", "off"),
+        QT_TRANSLATE_NOOP("CheckBoard", "Both are off."),
+        QT_TRANSLATE_NOOP("CheckBoard", "Nothing: the board has no power."),
+    ),
+    _Step(
+        QT_TRANSLATE_NOOP("CheckBoard", "Switch on"),
+        QT_TRANSLATE_NOOP("CheckBoard", "Switch the board on."),
+        True,
+        True,
+        "",
+        ("alternate 1/s", "alternate 1/s"),
+        QT_TRANSLATE_NOOP("CheckBoard", "Red and green alternate, about once a second."),
+        QT_TRANSLATE_NOOP("CheckBoard", "Nothing: the SO–G jumper holds its line to ground."),
+    ),
+    _Step(
+        QT_TRANSLATE_NOOP("CheckBoard", "Mix off"),
+        QT_TRANSLATE_NOOP("CheckBoard", "Remove the mix jumper. Leave the power on."),
+        False,
+        True,
+        "mix",
+        ("alternate 4/s", "alternate 4/s"),
+        QT_TRANSLATE_NOOP("CheckBoard", "Red and green alternate, four times as fast."),
+        QT_TRANSLATE_NOOP("CheckBoard", "Nothing: the SO–G jumper holds its line to ground."),
+    ),
+    _Step(
+        QT_TRANSLATE_NOOP("CheckBoard", "SO–G off"),
+        QT_TRANSLATE_NOOP("CheckBoard", "Remove the SO–G jumper. Leave the power on."),
+        False,
+        False,
+        "so_ground",
+        ("off", "short flash 1/s"),
+        QT_TRANSLATE_NOOP("CheckBoard", "Green flashes briefly, once a second."),
+        QT_TRANSLATE_NOOP(
+            "CheckBoard",
+            "The boot loader answers each byte with a question mark. The serial settings should "
+            "be those of the factory now.",
+        ),
+    ),
+    _Step(
+        QT_TRANSLATE_NOOP("CheckBoard", "Connect"),
+        QT_TRANSLATE_NOOP(
+            "CheckBoard",
+            "Switch the board off and on, with all three jumpers removed. Then connect at 19200 "
+            "baud, without parity and CRC.",
+        ),
+        False,
+        False,
+        "",
+        ("on", "off"),
+        QT_TRANSLATE_NOOP("CheckBoard", "Five flashes, then red stays on."),
+        QT_TRANSLATE_NOOP("CheckBoard", "The TReX responds at the factory settings."),
+    ),
+)
+"""Ref: forum threads 1769 and 4631. Inferred: which settings are restored."""
+
+
+class HandShakePage(QWidget):
+    """One step at a time; the last one ends with a connection."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setObjectName("handShakePage")
+        self._at = 0
+        intro = Muted(
+            self.tr(
+                "Search with Find first: it finds a board at any of its settings. If that fails, "
+                "these steps from Pololu's support forum restore the serial settings of the "
+                "factory. One user saw the LEDs alternate for three seconds only, and nothing was "
+                "restored: then begin again. Compare the other settings with your last snapshot "
+                "afterwards (Ctrl+H)."
+            ),
+            self,
+        )
+        self._strip = StepStrip(self)
+        self._step = _StepView(self)
+        self._back = ui.button(
+            self, "handShakeBack", self.tr("&Back"), default=False, on_click=partial(self._go, -1)
+        )
+        self._next = ui.button(
+            self, "handShakeNext", self.tr("&Next"), default=False, on_click=partial(self._go, 1)
+        )
+        for each in (self._back, self._next):
+            keep_room(each)
+        ui.column(
+            intro,
+            self._strip,
+            (ScrollBox(self._step, self), 1),
+            ui.row(1, self._back, self._next),
+            into=self,
+            margins=12,
+            spacing=10,
+        )
+        self.begin()
+
+    def begin(self) -> None:
+        self._at = 0
+        self._go(0)
+
+    def _go(self, steps: int) -> None:
+        self._at += steps
+        self._strip.show_steps([_tr(step.title) for step in _STEPS], self._at)
+        self._step.show_step(_STEPS[self._at])
+        self._back.setEnabled(self._at > 0)
+        self._next.setEnabled(self._at < len(_STEPS) - 1)
+
+
+class _StepView(QWidget):
+    """What to do in a step, and what shows that it was done."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setObjectName("handShakeStep")
+        self._sketch = JumperSketch(self)
+        self._to_do = ui.label(self, "handShakeToDo", wrap=True, bold=True)
+        self._leds = Leds(self)
+        self._shown = ui.label(self, "handShakeLeds", wrap=True)
+        self._received = ui.label(self, "handShakeReceived", wrap=True)
+        about = ui.column(
+            self._to_do,
+            Muted(self.tr("What the LEDs show"), self),
+            ui.row(self._leds, (self._shown, 1)),
+            Muted(self.tr("What this computer receives"), self),
+            self._received,
+            1,
+            margins=0,
+            spacing=8,
+        )
+        top = Qt.AlignmentFlag.AlignTop
+        ui.row((self._sketch, 0, top), (about, 1), into=self, margins=0, spacing=20)
+
+    def show_step(self, step: _Step) -> None:
+        places = JumperPlaces(self.tr("Jumpers"), "", step.mix, step.so_ground, step.next_one)
+        self._sketch.show_boards(places)
+        self._to_do.setText(_tr(step.to_do))
+        self._leds.show_patterns(step.leds, ("", ""), (_tr(step.shown),) * 2)
+        self._shown.setText(_tr(step.shown))
+        self._received.setText(_tr(step.received))
+
+
+# --- The dialog -------------------------------------------------------------------------
+
+
+class CheckBoardDialog(ReusedDialog):
+    """Not modal: it is read beside the board, and Stop stays in reach."""
+
+    connect_requested = Signal(object)  # a `ConnectWith`
+    find_requested = Signal()
+
+    def __init__(self, device: Device, wiring: Wiring, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("checkBoardDialog")
+        self.setWindowTitle(self.tr("Board does not respond"))
+        self.resize(860, 560)
+        self._device = device
+        self._tabs = QTabWidget(self)
+        self._tabs.setObjectName("checkTabs")
+        self._tabs.setAccessibleName(self.tr("Ways to a board that responds"))
+        self._steps = HandShakePage(self._tabs)
+        sights = ScrollBox(SightsPage(wiring, self._tabs), self._tabs)
+        self._tabs.addTab(sights, self.tr("&What the board shows"))
+        self._tabs.addTab(self._steps, self.tr("&Lost serial settings"))
+        self._result = ui.named(Note(2, self), "checkResult")
+        self._find = ui.button(
+            self,
+            "checkFindButton",
+            self.tr("&Find now"),
+            icon="find",
+            default=False,
+            on_click=self.find_requested,
+        )
+        self._connect = ui.button(
+            self,
+            "checkConnectButton",
+            self.tr("&Connect at factory settings"),
+            icon="connect",
+            default=False,
+            tip=self.tr("19200 baud, without parity and CRC, whatever the device number"),
+            on_click=lambda: self.connect_requested.emit(ConnectWith(ConnectionSettings(""))),
+        )
+        close = ui.button(
+            self, "checkCloseButton", self.tr("Close"), default=False, on_click=self.close
+        )
+        ui.column(
+            (self._tabs, 1),
+            self._result,
+            ui.row(self._find, self._connect, 1, close),
+            into=self,
+        )
+        device.link_changed.connect(self._on_link_changed)
+        device.request_failed.connect(self._on_failed)
+
+    def open_dialog(self) -> None:
+        if not self.isVisible():
+            self._steps.begin()
+            self._result.show_note("")
+        self._on_link_changed()
+        self.show_in_front()
+
+    @Slot()
+    def _on_link_changed(self) -> None:
+        link = self._device.link
+        is_free = link is ConnectionState.DISCONNECTED
+        self._find.setEnabled(is_free)
+        self._connect.setEnabled(is_free)
+        if not is_free:
+            self._result.show_note(self._device.status)
+
+    @Slot(str)
+    def _on_failed(self, reason: str) -> None:
+        if self.isVisible():
+            self._result.show_note(reason, alarming=True)

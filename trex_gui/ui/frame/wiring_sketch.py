@@ -1,0 +1,71 @@
+"""Picture of the wires between an adapter and a board."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QWidget
+
+from trex_gui.ui.theme.theme import follow_theme, theme
+
+_WIRE_COLORS = ("motor1", "motor2", "muted")
+
+
+@dataclass(frozen=True, slots=True)
+class Wiring:
+    """The wires of one kind of device."""
+
+    board: str  # name of what is wired
+    # Names of the pins at the adapter and at the board, from top to bottom; at most three.
+    wires: Sequence[tuple[str, str]]
+    text: str  # the wires in words
+
+
+class WiringSketch(QWidget):
+    """The wires between an adapter and the board."""
+
+    def __init__(self, wiring: Wiring, name: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName(name)
+        self.setAccessibleName(wiring.text)
+        self._wiring = wiring
+        follow_theme(self, "room", self._take_room)
+
+    def _take_room(self) -> None:
+        self.setFixedSize(self.sizeHint())
+        self.update()
+
+    def sizeHint(self) -> QSize:
+        line = self.fontMetrics().height()
+        return QSize(self.fontMetrics().averageCharWidth() * 34, line * 9)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        del event
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        line = self.fontMetrics().height()
+        box = QRectF(0.5, 1.5 * line, self.width() * 0.32, 6 * line)
+        board = box.translated(self.width() - box.width() - 1, 0)
+        text = theme().color("window_text")
+        painter.setPen(QPen(text, 1))
+        for place, title in ((box, self.tr("Adapter")), (board, self._wiring.board)):
+            painter.drawRoundedRect(place, 6, 6)
+            above = QRectF(place.left(), 0, place.width(), 1.4 * line)
+            painter.drawText(above, Qt.AlignmentFlag.AlignCenter, title)
+        for number, (left, right) in enumerate(self._wiring.wires):
+            y = box.top() + (2 * number + 1) * line
+            begin, end = QPointF(box.right(), y), QPointF(board.left(), y)
+            color = theme().color(_WIRE_COLORS[number])
+            painter.setPen(QPen(color, 2))
+            painter.drawLine(QLineF(begin, end))
+            painter.setBrush(color)
+            for pin in (begin, end):
+                painter.drawEllipse(pin, 3, 3)
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.setPen(text)
+            room = QRectF(0, y - line / 2, box.width() - 8, line)
+            middle = Qt.AlignmentFlag.AlignVCenter
+            painter.drawText(room, middle | Qt.AlignmentFlag.AlignRight, left)
+            room.moveLeft(board.left() + 8)
+            painter.drawText(room, middle | Qt.AlignmentFlag.AlignLeft, right)
