@@ -29,13 +29,20 @@ def is_bold(page: WidgetDriver, error: str) -> bool:
 def test_errors_are_shown_until_they_are_cleared_and_reset(
     window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
+    quick_simulator.do("fault 2 on")
+    quick_simulator.do("fault 2 off")
     window.connect(quick_simulator.url)
     tabs = window.window.pages
     page = window.open_page("errorsPage")
     index = tabs.currentIndex()
-    window.device.errors.reset()  # what connecting left
+    page.wait(lambda: row(page, "Motor 2 fault")["Last seen"] == "before connecting")
+    assert row(page, "Motor 2 fault")["Count"] == "0"
+    texts = [event.text for event in window.device.events.all]
+    assert any(text.startswith("Latched before connecting") for text in texts)
     assert tabs.tabText(index) == "Errors"
     assert not page.is_enabled("clearErrorsButton")
+    page.click("resetCountsButton")
+    assert row(page, "Motor 2 fault")["Last seen"] == "never"
     fault = row(page, "Motor 1 fault")
     assert [fault["Active now"], fault["Count"], fault["Last seen"]] == ["No", "0", "never"]
 

@@ -1,5 +1,6 @@
 """Every error bit that was ever seen."""
 
+from dataclasses import replace
 from datetime import UTC, datetime
 
 import pytest
@@ -47,6 +48,15 @@ def test_each_of_13_bits_has_its_own_entry(log: ErrorLog) -> None:
 def test_log_starts_with_zero_counts(log: ErrorLog) -> None:
     assert counts(log) == [0] * 13
     assert all(entry.last is None for entry in log.entries)
+
+
+def test_bits_from_before_the_connection_are_noted_and_not_counted(log: ErrorLog) -> None:
+    earlier = replace(news(Status.UART_ERROR, UartError.FRAMING), is_earlier=True)
+    log.take(earlier)
+    log.take(news(UartError.FRAMING))
+    noted = [(entry.bit, entry.count) for entry in log.entries if entry.is_earlier]
+    assert noted == [(Status.UART_ERROR, 0), (UartError.FRAMING, 1)]
+    assert log.uncleared == 1
 
 
 @pytest.mark.parametrize("position", range(13), ids=lambda index: BITS[index].name or "")

@@ -307,7 +307,8 @@ def test_bits_from_before_the_connection_are_not_kept(session: RecorderSetup, ke
     session.simulator.do("fault 2 on")
     session.simulator.do("fault 2 off")
     session.connect()
-    session.wait(lambda: bool(session.device.errors.recent(2)))
+    session.wait(lambda: any(entry.is_earlier for entry in session.device.errors.entries))
+    assert not session.device.errors.recent(2)
     kept.wait(1)
     assert not kept.recorder.recording
 

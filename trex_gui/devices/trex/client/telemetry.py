@@ -36,11 +36,16 @@ class Currents:
 
 @dataclass(frozen=True, slots=True)
 class LatchedStatus:
-    """Status bits and UART error bits that were latched since they were last read."""
+    """Status bits and UART error bits that were latched since they were last read.
+
+    `is_earlier`: the bits were latched before the board was connected or selected, or by the
+    search for it.
+    """
 
     time: float
     status: Status
     uart: UartError
+    is_earlier: bool = False
 
     @property
     def has_line_error(self) -> bool:
@@ -81,6 +86,11 @@ class StatusReader:
     def __init__(self, clock: Callable[[], float]) -> None:
         self._clock = clock
         self.uart_due = False  # bits may be latched that no status announces any more
+        self._is_first = True
+
+    def begin(self) -> None:
+        """Count what is read next as older: the board was searched for, or selected only now."""
+        self._is_first = True
 
     def read(self, request: Requester) -> LatchedStatus | None:
         """Read and clear the status, and the UART errors when there may be some.
@@ -97,4 +107,5 @@ class StatusReader:
             with contextlib.suppress(NoReply, BadReply):
                 uart = request(GetUartErrors())
                 self.uart_due = False
-        return LatchedStatus(self._clock(), status, uart) if status or uart else None
+        is_earlier, self._is_first = self._is_first, self._is_first and self.uart_due
+        return LatchedStatus(self._clock(), status, uart, is_earlier) if status or uart else None

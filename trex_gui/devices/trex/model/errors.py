@@ -42,6 +42,7 @@ class ErrorEntry:
     seen_at: float = -math.inf  # the same in seconds of the program's monotonic clock
     is_doubtful: bool = False  # the last report may be a corrupted reply
     is_uncleared: bool = False  # reported since the user cleared the errors
+    is_earlier: bool = False  # latched before the connection, which is not counted
 
 
 _STATUS_REMEDIES = {
@@ -102,6 +103,10 @@ def stops_motors(bit: Status | UartError, *, errors_stop: bool) -> bool:
     )
 
 
+def is_latched(bit: Status | UartError, latched: LatchedStatus) -> bool:
+    return bool(bit & (latched.status if isinstance(bit, Status) else latched.uart))
+
+
 class ErrorLog(QObject):
     """Counts and times of all status and UART error bits."""
 
@@ -140,10 +145,18 @@ class ErrorLog(QObject):
         ]
 
     def take(self, latched: LatchedStatus, *, is_doubtful: bool = False) -> None:
-        """Count the bits of a status; `is_doubtful`: its reply may have been corrupted."""
+        """Count the bits of a status; `is_doubtful`: its reply may have been corrupted.
+
+        Bits that are older than the connection are only noted.
+        """
         today = datetime.now(UTC).astimezone()
-        self.entries = tuple(
-            replace(
+
+        def taken(entry: ErrorEntry) -> ErrorEntry:
+            if not is_latched(entry.bit, latched):
+                return entry
+            if latched.is_earlier:
+                return replace(entry, is_earlier=True)
+            return replace(
                 entry,
                 count=entry.count + 1,
                 last=today,
@@ -151,10 +164,8 @@ class ErrorLog(QObject):
                 is_doubtful=is_doubtful,
                 is_uncleared=True,
             )
-            if entry.bit & (latched.status if isinstance(entry.bit, Status) else latched.uart)
-            else entry
-            for entry in self.entries
-        )
+
+        self.entries = tuple(map(taken, self.entries))
         self.changed.emit()
 
     def select(self, before: str, board: str) -> None:
@@ -278,6 +289,14 @@ class BoardEvents(EventLog):
             self.add(EventKind.LINK, text, is_problem=may_move)
 
     def note_status(self, latched: LatchedStatus) -> None:
+        if latched.is_earlier:
+            bits = [entry for entry in _UNSEEN if is_latched(entry.bit, latched)]
+            # The kinds of UART errors say more than that there was one.
+            has_kinds = bool(latched.uart)
+            names = [e.name for e in bits if not (has_kinds and e.bit is Status.UART_ERROR)]
+            text = self.tr("Latched before connecting, perhaps by the search for the board: {0}")
+            self.add(EventKind.LINK, text.format(", ".join(names)), latched.time)
+            return
         for bit, kind in _KINDS.items():
             if latched.status & bit:
                 self._note_bit(kind, STATUS_MEANING[bit][0], latched.time)

@@ -115,7 +115,6 @@ _BEFORE = 20.0  # seconds kept before a fault or stop
 _AFTER = 10.0  # seconds after the last one
 _LONGEST = 120.0  # seconds in one file, however often a fault repeats
 _BEGIN_DELAY = 0.5  # seconds in which the stop itself has the computer
-_STALE = 1.0  # seconds after the board was read in which its latched bits are older than that
 
 
 class EventRecorder(Recorder):
@@ -132,7 +131,6 @@ class EventRecorder(Recorder):
         """`user` is the recorder of the user's recordings."""
         self._recent = deque[Record]()
         self._template: Header | None = None  # of the board that is connected
-        self._begun = 0.0  # when it was read first
         self._before: BoardSnapshot | None = None  # what was known before `_recent`
         self._driven: dict[int, bool] = {}  # by motor; 0 is the auxiliary one
         self._event: Event | None = None  # why the recording was made
@@ -172,7 +170,7 @@ class EventRecorder(Recorder):
 
     def _is_worth(self, event: Event) -> bool:
         if event.kind in {EventKind.FAULT, EventKind.OVER_LIMIT, EventKind.TIMEOUT}:
-            return event.time - self._begun > _STALE
+            return True
         is_end = event.kind is EventKind.STOP or (event.kind is EventKind.LINK and event.is_problem)
         return is_end and any(self._driven.values())
 
@@ -240,7 +238,6 @@ class EventRecorder(Recorder):
         self._finish()
         self._template = header = self._header_of(state)
         self._before = BoardSnapshot(header.mode, header.settings)
-        self._begun = header.clock
 
     @Slot()
     def _on_link_changed(self) -> None:

@@ -423,6 +423,7 @@ class TrexSession:
             raise TrexNoReplyError(ErrorCode.NOT_SELECTED_SILENT, job.number)
         client.settings = replace(client.settings, device_number=job.number)
         self._queue.selection = job.id
+        self._status.begin()
         self._status.uart_due = True  # it may have latched bits that no status announces
         self._read_everything(ReadReason.SELECTED)
 
@@ -637,6 +638,7 @@ class TrexSession:
                 self._request_mode(self._line)
             elif (found := self._liveness.look(self._line)) is not None:
                 self._client = self._driver.client = found
+                self._status.begin()
             else:
                 return
             self._stop_if_moving()

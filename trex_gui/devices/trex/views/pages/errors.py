@@ -185,7 +185,7 @@ class ErrorsPage(QWidget):
         for items, entry in zip(self._items, errors.entries, strict=True):
             self._show_entry(items, entry)
         self._clear.setEnabled(errors.uncleared > 0)
-        self._reset.setEnabled(any(entry.count for entry in errors.entries))
+        self._reset.setEnabled(any(one.count or one.is_earlier for one in errors.entries))
 
     def _show_entry(self, items: dict[_Column, QTableWidgetItem], entry: ErrorEntry) -> None:
         device = self._device
@@ -193,8 +193,13 @@ class ErrorsPage(QWidget):
         errors_stop = device.parameters.stored_of(ParameterKey.UART_ERROR_SHUTDOWN) == 1
         is_stopping = is_active and stops_motors(entry.bit, errors_stop=errors_stop)
         last, doubt = self.tr("never"), ""
+        if entry.is_earlier:
+            last = self.tr("before connecting")
+            doubt = self.tr(
+                "Latched before connecting, perhaps by the search for the board; not counted."
+            )
         if entry.last is not None:
-            last = entry.last.strftime("%H:%M:%S")
+            last, doubt = entry.last.strftime("%H:%M:%S"), ""
         if entry.is_doubtful:
             last = self.tr("{0} (doubtful)").format(last)
             doubt = self.tr("The line is noisy and has no CRC: a corrupted reply looks alike.")
