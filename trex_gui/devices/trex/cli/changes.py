@@ -7,7 +7,12 @@ from trex_gui.core.cli import Interruption, ProgressLine, say
 from trex_gui.core.files import SettingsError
 from trex_gui.devices.trex.cli.common import as_options
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.client.reading import DeviceState, Progress, read_everything
+from trex_gui.devices.trex.client.reading import (
+    DeviceState,
+    Progress,
+    read_everything,
+    require_free_number,
+)
 from trex_gui.devices.trex.client.writing import WriteResult, write_all
 from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_KEYS,
@@ -103,8 +108,14 @@ def write_kept(
     progress: Progress = lambda _done, _total, _what: None,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> tuple[WriteResult, ...]:
-    """Save a snapshot, write, and remember what was applied; see `write_all`."""
+    """Save a snapshot, write, and remember what was applied; see `write_all`.
+
+    Nothing is written after a BadRequest: another board on the line has the device number.
+    """
     before, link = settings_of(state), client.settings
+    number = dict(parameters).get(ParameterKey.DEVICE_NUMBER)
+    if number is not None and number != before.parameters.get(ParameterKey.DEVICE_NUMBER):
+        require_free_number(client, number)
     record = remembered(before).after_reading(before, state.source, utc_now())
     whole, remarks = record.with_hidden(before, state.source)
     _keep(whole, link, command, remarks)

@@ -3,6 +3,7 @@
 import sys
 from collections.abc import Iterable
 from dataclasses import asdict, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -40,6 +41,7 @@ from trex_gui.devices.trex.cli.common import (
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.discovery import NUMBERS
 from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_KEYS,
     Calibration,
@@ -48,6 +50,7 @@ from trex_gui.devices.trex.protocol.calibration import (
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.device_table import Model
 from trex_gui.devices.trex.protocol.errors import Skipped
+from trex_gui.devices.trex.session.reconnecting import REACH
 from trex_gui.devices.trex.settings.code_export import export_code
 from trex_gui.devices.trex.settings.comparison import (
     Comparison,
@@ -135,6 +138,17 @@ def get_settings(file: str, **options: Any) -> None:
         say(f"{parameters} and {calibrations} of {state.signature} saved to {file}.")
 
 
+def _read_numbers(text: str) -> tuple[int, ...]:
+    numbers = []
+    for part in text.split(","):
+        if not (part.isascii() and part.isdigit() and int(part) < NUMBERS):
+            raise click.BadParameter(f"a device number is 0 to {NUMBERS - 1}, not {part!r}")
+        numbers.append(int(part))
+    if len(set(numbers)) < len(numbers):
+        raise click.BadParameter("each device number only once")
+    return tuple(numbers)
+
+
 @click.command("set-settings")
 @link_options
 @click.argument("file", type=FILE)
@@ -143,7 +157,20 @@ def get_settings(file: str, **options: Any) -> None:
 @click.option(
     "--convert", is_flag=True, help="Take a file of the other model, or of newer firmware."
 )
-def set_settings(file: str, dry_run: bool, fix: bool, convert: bool, **options: Any) -> None:
+@click.option(
+    "--devices",
+    type=_read_numbers,
+    metavar="N,N,...",
+    help="Write to each of these boards on the line; each keeps its number and serial settings.",
+)
+def set_settings(
+    file: str,
+    dry_run: bool,
+    fix: bool,
+    convert: bool,
+    devices: tuple[int, ...] | None,
+    **options: Any,
+) -> None:
     """Write the settings of FILE to the board; - is standard input.
 
     Checks the file, saves a snapshot of what the board stores, writes only what differs, the
@@ -152,34 +179,68 @@ def set_settings(file: str, dry_run: bool, fix: bool, convert: bool, **options: 
 
     With --convert, values that mean something else to this board are converted, what it does not
     have is left out, and both are listed.
+
+    With --devices every board is read and checked before the first is written. The first error
+    ends it: boards that come later are unchanged.
     """
     wanted = read_file(file, fix=fix)
     chosen = link_settings(options)
-    with open_line_to_change(chosen) as (client, rates):
-        identify(client)
-        state = read_board(client)
-        if convert:
-            wanted = converted(file, wanted, state.signature.model, state.signature.firmware)
-        wanted = _fitted(file, wanted, state)
-        stored = settings_of(state)
-        result = compare(stored, wanted)
-        after = settings_after(stored, result.rows)
-        context = Context(port_rates=rates, used_by_line=chosen.line)
-        if fix:
-            after, accepted = accept_proposals(after, context)
-            say_repairs(file, map(repair_text, accepted))
-            result = compare(stored, after)
-        say(f"{result.summary()}.")
-        warn(after, context)
-        if dry_run:
-            _print(result)
-            return
-        if not result.changed:
-            return
+    command = f"trexcmd set-settings {name_of(file)}"
+    review = partial(_review, file, dry_run=dry_run, fix=fix, convert=convert)
+    if devices is None:
+        with open_line_to_change(chosen) as (client, rates):
+            state, rows = review(wanted, client, rates)
+            if rows:
+                _write(client, chosen, state, command, rows)
+        return
+    kept = {key: wire for key, wire in wanted.parameters.items() if key not in REACH}
+    wanted = replace(wanted, parameters=kept)
+    work = []
+    for number in devices:
+        say(f"Device {number}:")
+        link = replace(chosen, device_number=number)
+        with open_line_to_change(link) as (client, rates):
+            work.append((link, *review(wanted, client, rates)))
+    for link, state, rows in work:
+        if rows:
+            say(f"Device {link.device_number}:")
+            with open_line(link) as client:
+                _write(client, link, state, command, rows)
+
+
+def _review(
+    file: str,
+    wanted: Settings,
+    client: TrexClient,
+    rates: frozenset[int] | None,
+    *,
+    dry_run: bool,
+    fix: bool,
+    convert: bool,
+) -> tuple[DeviceState, list[ComparisonRow]]:
+    """Report what the settings change of the board; return what it stores, and what to write."""
+    identify(client)
+    state = read_board(client)
+    if convert:
+        wanted = converted(file, wanted, state.signature.model, state.signature.firmware)
+    wanted = _fitted(file, wanted, state)
+    stored = settings_of(state)
+    result = compare(stored, wanted)
+    after = settings_after(stored, result.rows)
+    context = Context(port_rates=rates, used_by_line=client.settings.line)
+    if fix:
+        after, accepted = accept_proposals(after, context)
+        say_repairs(file, map(repair_text, accepted))
+        result = compare(stored, after)
+    say(f"{result.summary()}.")
+    warn(after, context)
+    if dry_run:
+        _print(result)
+        return state, []
+    if result.changed:
         require_serial_mode(state, "These settings")
         say_changes(result)
-        command = f"trexcmd set-settings {name_of(file)}"
-        _write(client, chosen, state, command, [row for row in result.rows if row.changed])
+    return state, [row for row in result.rows if row.changed]
 
 
 @click.command()

@@ -1,0 +1,97 @@
+"""Several boards on one line, from the shell."""
+
+import json
+from pathlib import Path
+
+import pytest
+from click.testing import Result
+
+from tests.support.simulator import StartSimulator
+from tests.support.virtual_command import RunCommand, StartCommand
+from tests.support.virtual_devices import VirtualSimulator
+from trex_gui.core.files import save
+
+EXPANDED = ("--protocol", "expanded", "--device", "7")
+
+
+@pytest.fixture
+def line(start_simulator: StartSimulator) -> VirtualSimulator:
+    """Boards 3, 7 and 9, the last one a TReX Jr."""
+    options = [word for board in ("3", "7", "9:trexjr") for word in ("--device", board)]
+    started = start_simulator("--unpaced", *options)
+    assert isinstance(started, VirtualSimulator)
+    return started
+
+
+@pytest.fixture
+def run(start: StartCommand, line: VirtualSimulator) -> RunCommand:
+    def run(*words: str, stdin: str | None = None, **environment: str) -> Result:
+        del stdin, environment
+        command = start(*words, url=line.url)
+        command.wait()
+        return command.result
+
+    return run
+
+
+def stored(line: VirtualSimulator, key: str) -> list[int]:
+    return [line.show(name)["parameters"][key] for name in ("@3", "@7", "@9")]
+
+
+def test_boards_lists_each_number(run: RunCommand, line: VirtualSimulator) -> None:
+    before = line.show("@7")["motors"]
+    result = run("boards", "--json")
+    assert result.exit_code == 0
+    found = json.loads(result.stdout)
+    assert [(row["device_number"], row["product"], row["firmware"]) for row in found] == [
+        (3, "TReX", "1.2"),
+        (7, "TReX", "1.2"),
+        (9, "TReX Jr", "1.2"),
+    ]
+    assert found[0]["options"].endswith("--protocol expanded --device 3")
+    text = run("boards").stdout.splitlines()
+    assert text[2].startswith("9\tTReX Jr 1.2\t--port ")
+    assert line.show("@7")["motors"] == before
+    for name in ("@3", "@7", "@9"):
+        line.do(f"{name} power off")
+    result = run("boards")
+    assert result.exit_code == 1
+    assert "No board replies to a device number" in result.stderr
+
+
+def test_number_of_another_board_is_not_stored(run: RunCommand, line: VirtualSimulator) -> None:
+    result = run("set", *EXPANDED, "device_number", "9")
+    assert result.exit_code == 1
+    assert "Another board on this line has the device number 9" in result.stderr
+    assert stored(line, "device_number") == [3, 7, 9]
+    assert run("set", *EXPANDED, "device_number", "12").exit_code == 0
+    assert stored(line, "device_number") == [3, 12, 9]
+
+
+def test_file_is_written_to_several_boards(
+    run: RunCommand, line: VirtualSimulator, tmp_path: Path
+) -> None:
+    path = tmp_path / "fleet.txt"
+    save(path, "product: TReX\ndevice_number: 55\nuart_settings: 10\nserial_timeout: 7\n")
+    # Every board is checked before the first is written.
+    result = run("set-settings", str(path), "--devices", "3,7,9")
+    assert result.exit_code == 1
+    assert "the board is a TReX Jr" in result.stderr
+    assert stored(line, "serial_timeout") == [0, 0, 0]
+
+    result = run("set-settings", str(path), "--devices", "3,7", "--dry-run")
+    assert result.stdout.count("serial_timeout") == 2
+    assert stored(line, "serial_timeout") == [0, 0, 0]
+
+    result = run("set-settings", str(path), "--devices", "3,7")
+    assert result.exit_code == 0, result.stderr
+    assert result.stderr.count("1 of 1 change stored and verified.") == 2
+    assert stored(line, "serial_timeout") == [7, 7, 0]
+    assert stored(line, "device_number") == [3, 7, 9]
+    assert stored(line, "uart_settings") == [5, 5, 5]
+
+
+@pytest.mark.parametrize("numbers", ["3,3", "128", "", "3;7"])
+def test_wrong_numbers_are_wrong_usage(run: RunCommand, tmp_path: Path, numbers: str) -> None:
+    result = run("set-settings", str(tmp_path / "any.txt"), "--devices", numbers)
+    assert result.exit_code == 2
