@@ -88,7 +88,7 @@ class DriveBlocker(Enum):
         Effect.STOPS,
         QT_TRANSLATE_NOOP(
             "DriveBlocker",
-            "Serial timeout: the board received nothing for {0} and stopped the motors.",
+            "Serial timeout ({0}): the board received nothing and stopped the motors.",
         ),
         QT_TRANSLATE_NOOP(
             "DriveBlocker", "Check the cable, or set a longer Serial Timeout in Parameters."
