@@ -59,6 +59,7 @@ def test_jumpers_bring_back_lost_serial_settings(
         if step.title == "SO–G off":
             dialog.click("checkConnectButton")
             dialog.wait_for_text("checkResult", "is in its boot loader")
+            assert window.has("bannerReconnect")
         if number < len(_STEPS) - 1:
             dialog.click("handShakeNext")
     assert not dialog.is_enabled("handShakeNext")

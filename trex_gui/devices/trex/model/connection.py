@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Signal, Slot
 
+from trex_gui.core.errors import StudioError
 from trex_gui.core.session import Close, Outcome, Progress
 from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.driving.requests import (
@@ -15,6 +16,13 @@ from trex_gui.devices.trex.driving.requests import (
     StopSent,
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.errors import (
+    BoardElsewhere,
+    ErrorCode,
+    TrexError,
+    needs_a_look,
+    suggests_scan,
+)
 from trex_gui.devices.trex.session.messages import (
     Batch,
     Connected,
@@ -28,6 +36,7 @@ from trex_gui.devices.trex.session.messages import (
 from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
 from trex_gui.ui.devices.connection import ConnectionState, DeviceConnection
+from trex_gui.ui.notifier import ConnectWith, Remedies, Remedy, remedies_of
 from trex_gui.ui.workers.session_thread import NO_HANDLER, MakeSession
 
 log = logging.getLogger(__name__)
@@ -157,3 +166,13 @@ class Connection(DeviceConnection[ConnectionSettings]):
         self.device_read.emit(report)
         self._set_state(ConnectionState.CONNECTED, self.tr("Connected to {0}.").format(signature))
         self.ready.emit()
+
+
+def remedies_for(error: StudioError) -> Remedies:
+    """Return the buttons for an error that closed the line, or kept it from being opened."""
+    if isinstance(error, BoardElsewhere):
+        return (ConnectWith(error.settings),)
+    if isinstance(error, TrexError) and error.code is ErrorCode.BOOT_LOADER:
+        return Remedy.RECONNECT, Remedy.CHECK_BOARD
+    remedies = remedies_of(error, may_be_found=suggests_scan(error))
+    return (*remedies, Remedy.CHECK_BOARD) if needs_a_look(error) else remedies

@@ -11,7 +11,7 @@ from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.client.reading import DeviceState, may_be_same_board
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import WriteResult
-from trex_gui.devices.trex.model.connection import Connection
+from trex_gui.devices.trex.model.connection import Connection, remedies_for
 from trex_gui.devices.trex.model.connection_quality import ConnectionQuality
 from trex_gui.devices.trex.model.drive_controller import DriveController, why_the_board_stopped
 from trex_gui.devices.trex.model.errors import BoardEvents, ErrorLog
@@ -29,7 +29,6 @@ from trex_gui.devices.trex.protocol.calibration import (
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import who_controls
-from trex_gui.devices.trex.protocol.errors import BoardElsewhere, needs_a_look, suggests_scan
 from trex_gui.devices.trex.protocol.parameters import (
     MotorParameter,
     ParameterKey,
@@ -50,7 +49,7 @@ from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.event_log import EventKind
-from trex_gui.ui.notifier import ConnectWith, Notifier, Remedies, Remedy, remedies_of
+from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import now
 from trex_gui.ui.translations import error_text
 
@@ -360,12 +359,7 @@ class Device(QObject):
     def _on_connection_failed(self, error: StudioError) -> None:
         text = error_text(error)
         self.request_failed.emit(text)
-        if isinstance(error, BoardElsewhere):
-            self.notifier.report(text, (ConnectWith(error.settings),))
-        else:
-            look: Remedies = (Remedy.CHECK_BOARD,) if needs_a_look(error) else ()
-            remedies = remedies_of(error, may_be_found=suggests_scan(error))
-            self.notifier.report(text, (*remedies, *look))
+        self.notifier.report(text, remedies_for(error))
 
     @Slot(str)
     def _on_request_failed(self, reason: str) -> None:

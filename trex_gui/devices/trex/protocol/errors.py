@@ -275,7 +275,6 @@ def needs_a_look(error: BaseException) -> bool:
         ErrorCode.NO_BOARD_AT_NUMBER,
         ErrorCode.ECHO_ONLY,
         ErrorCode.OTHER_DEVICE,
-        ErrorCode.BOOT_LOADER,
     }
 
 
