@@ -20,7 +20,7 @@ MASK = Mask("/home/mary", "mary", "Rover-Lab.example.org", ("A9007L6T", "0001", 
         (r"C:\Users\Bob Smith\x, D:/Users/bob/x", r"C:\Users\<user>\x, D:/Users/<user>/x"),
         ("mary on rover-lab; MARY@Rover-Lab.example.org", "<user> on <computer>; <mail>"),
         ("summary, maryland, mary's", "summary, maryland, <user>'s"),
-        ("SER=A9007L6T LOCATION=1-2", "SER=<serial 1> LOCATION=1-2"),
+        ("SNR=A9007L6T LOCATION=1-2", "SNR=<serial 1> LOCATION=1-2"),
         (
             "/dev/serial/by-id/usb-FTDI_FT232R_USB_UART_XYZ123-if00-port0",
             "/dev/serial/by-id/usb-FTDI_FT232R_USB_UART_<serial>-if00-port0",

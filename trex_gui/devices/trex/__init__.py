@@ -1,1 +1,51 @@
-"""The Pololu TReX and TReX Jr dual motor controllers."""
+"""The Pololu TReX and TReX Jr dual motor controllers.
+
+What a program needs to use a board is imported from here, without Qt:
+
+    from trex_gui.devices.trex import Trex
+
+    with Trex("/dev/ttyUSB0") as trex:
+        print(trex.status().currents)
+
+`trex_gui.devices.trex.library` describes it; `resources/examples` has programs.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from trex_gui.core.errors import (
+        BadReply,
+        BadRequest,
+        NoReply,
+        PortUnavailable,
+        StudioError,
+    )
+    from trex_gui.devices.trex.library import BoardStatus, ChannelStatus, MotorsStoppedError, Trex
+    from trex_gui.devices.trex.protocol.calibration import Calibration
+    from trex_gui.devices.trex.protocol.errors import Rejected
+
+__all__ = (
+    "BadReply",
+    "BadRequest",
+    "BoardStatus",
+    "Calibration",
+    "ChannelStatus",
+    "MotorsStoppedError",
+    "NoReply",
+    "PortUnavailable",
+    "Rejected",
+    "StudioError",
+    "Trex",
+)
+
+
+_MODULES = ("trex_gui.core.errors", f"{__name__}.protocol.errors", f"{__name__}.library")
+
+
+def __getattr__(name: str) -> Any:
+    """Import the library when it is first used: the window and `trexcmd --help` do without."""
+    for module in _MODULES if name in __all__ else ():
+        if (found := getattr(import_module(module), name, None)) is not None:
+            return found
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

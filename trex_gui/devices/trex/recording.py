@@ -337,3 +337,40 @@ class BoardSnapshot:
                 self.settings = text
             case LatchedStatus():
                 pass
+
+
+Row = dict[str, float | int | str | None]
+"""Newest measurements by the names of their columns, which have the units."""
+
+
+class MeasurementTable:
+    """Rows of measurements: one for each new pair of motor currents."""
+
+    def __init__(self, mode: Mode, unit: float) -> None:
+        self.mode = mode
+        kinds = sample_kinds(mode.source, unit)
+        self._kinds: dict[type[Any], SampleKind] = {kind.type: kind for kind in kinds}
+        measured = measured_kinds(kinds)
+        self._missing = {kind.type for kind in measured} - {Currents}
+        columns = [name for kind in measured for name in kind.exported]
+        self.row: Row = dict.fromkeys(["time_s", *columns])
+        self._clear_status()
+
+    def _clear_status(self) -> None:
+        self.row |= dict.fromkeys(self._kinds[LatchedStatus].exported, 0)
+
+    def take(self, sample: Sample) -> bool:
+        """Take a sample; return whether it completes a row."""
+        self._missing.discard(type(sample))
+        cells = self._kinds[type(sample)].cells(sample)
+        if isinstance(sample, LatchedStatus):
+            self.row |= {name: 1 for name, value in cells.items() if value}
+        elif not isinstance(sample, ModeSample):
+            self.row |= cells
+        return isinstance(sample, Currents) and not self._missing
+
+    def finish(self, time: float) -> Row:
+        """Return the row as of now; status bits are written once."""
+        row = {**self.row, "time_s": round(time, 4)}
+        self._clear_status()
+        return row

@@ -14,27 +14,20 @@ from click.core import ParameterSource
 
 from trex_gui.core.cli import CommandFailed, FiniteRange, Interruption, say
 from trex_gui.core.errors import BadReply, NoReply
-from trex_gui.core.recording.kinds import SampleKind
 from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import agreed
 from trex_gui.devices.trex.client.telemetry import (
-    Currents,
-    LatchedStatus,
     ModeSample,
-    Sample,
     StatusReader,
 )
 from trex_gui.devices.trex.protocol.commands import GetMode
-from trex_gui.devices.trex.protocol.flags import Mode
-from trex_gui.devices.trex.recording import measured_kinds, sample_kinds
+from trex_gui.devices.trex.recording import MeasurementTable, Row
 from trex_gui.devices.trex.session.polling import Schedule, poll, rates
 
 _FLUSH = 0.25  # seconds after which other programs can read what was written
 _SLICE = 0.02
 _FAILURES = 10  # in a row, after which the board counts as gone
-
-Row = dict[str, float | int | str | None]
 
 
 def _read_separator(_context: click.Context, _option: click.Parameter, text: str) -> str:
@@ -105,7 +98,7 @@ def stream(
     with open_line(settings) as client, _target(file) as target, Interruption() as interrupted:
         unit = identify(client).model.current_unit
         mode = agreed(client.request, GetMode(), has_crc=client.has_crc)
-        table = _Table(mode, unit)
+        table = MeasurementTable(mode, unit)
         rows = csv.DictWriter(target, list(table.row), lineterminator="\n", delimiter=separator)
         if not as_json:
             rows.writeheader()
@@ -149,40 +142,9 @@ def _target(file: str | None) -> Iterator[TextIO]:
         raise CommandFailed(f"{file} cannot be written: {error.strerror or error}.") from error
 
 
-class _Table:
-    def __init__(self, mode: Mode, unit: float) -> None:
-        self.mode = mode
-        kinds = sample_kinds(mode.source, unit)
-        self._kinds: dict[type[Any], SampleKind] = {kind.type: kind for kind in kinds}
-        measured = measured_kinds(kinds)
-        self._missing = {kind.type for kind in measured} - {Currents}
-        columns = [name for kind in measured for name in kind.exported]
-        self.row: Row = dict.fromkeys(["time_s", *columns])
-        self._clear_status()
-
-    def _clear_status(self) -> None:
-        self.row |= dict.fromkeys(self._kinds[LatchedStatus].exported, 0)
-
-    def take(self, sample: Sample) -> bool:
-        """Take a sample; return whether it completes a row."""
-        self._missing.discard(type(sample))
-        cells = self._kinds[type(sample)].cells(sample)
-        if isinstance(sample, LatchedStatus):
-            self.row |= {name: 1 for name, value in cells.items() if value}
-        elif not isinstance(sample, ModeSample):
-            self.row |= cells
-        return isinstance(sample, Currents) and not self._missing
-
-    def finish(self, time: float) -> Row:
-        """Return the row as of now; status bits are written once."""
-        row = {**self.row, "time_s": round(time, 4)}
-        self._clear_status()
-        return row
-
-
 def _rows(
     client: TrexClient,
-    table: _Table,
+    table: MeasurementTable,
     seconds: float | None,
     interrupted: Interruption,
     interval: float,

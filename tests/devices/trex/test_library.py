@@ -1,0 +1,270 @@
+"""The library for programs, and its examples, on simulated boards."""
+
+import io
+import runpy
+import subprocess
+import sys
+from collections.abc import Callable
+from contextlib import redirect_stdout
+
+import click
+import pytest
+
+from tests.support.simulator import SimulatedDevice
+from tests.support.virtual_time import VirtualRuntime
+from trex_gui.core.host import Host
+from trex_gui.core.resource_files import resource
+from trex_gui.devices import trex as public
+from trex_gui.devices.trex import (
+    BadRequest,
+    Calibration,
+    MotorsStoppedError,
+    NoReply,
+    StudioError,
+    Trex,
+)
+from trex_gui.devices.trex.settings.history import SettingsHistory
+
+
+class Program:
+    """A program that uses the library, in a thread of its own."""
+
+    def __init__(self, runtime: VirtualRuntime, run: Callable[[], object]) -> None:
+        self.runtime = runtime
+        self.error: BaseException | None = None
+        self.has_ended = False
+        host = Host(runtime.open_transport, runtime.condition, runtime.start_thread, runtime.now)
+
+        def live() -> None:
+            with click.Context(click.Command("program"), obj=host):
+                try:
+                    run()
+                except BaseException as error:  # noqa: BLE001 - raised again in the test
+                    self.error = error
+            self.has_ended = True
+
+        runtime.start_thread(live)
+
+    def until(self, condition: Callable[[], object]) -> None:
+        assert self.runtime.run_until(condition, 60)
+
+    def end(self) -> None:
+        self.until(lambda: self.has_ended)
+        if self.error is not None:
+            raise self.error
+
+
+class Example(Program):
+    """An example of the resources."""
+
+    def __init__(self, runtime: VirtualRuntime, name: str, *arguments: str) -> None:
+        self.output = io.StringIO()
+        path = str(resource("examples") / f"{name}.py")
+
+        def run() -> None:
+            before, sys.argv = sys.argv, [path, *arguments]
+            try:
+                with redirect_stdout(self.output):
+                    runpy.run_path(path, run_name="__main__")
+            finally:
+                sys.argv = before
+
+        super().__init__(runtime, run)
+
+    @property
+    def text(self) -> str:
+        return self.output.getvalue()
+
+
+def motor(simulator: SimulatedDevice, number: int = 1) -> tuple[str, int]:
+    state = simulator.show()["motors"][number - 1]
+    return state["direction"], state["speed"]
+
+
+STOPPED = ("brake", 127)
+
+
+# --- Examples -----------------------------------------------------------------------------
+
+
+def test_status_is_read(virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice) -> None:
+    quick_simulator.do("channel 2 1250us")
+    assert virtual_time.run_until(lambda: quick_simulator.show()["channels"][1]["raw"] == 3125, 1)
+    example = Example(virtual_time, "read_status", quick_simulator.url)
+    example.end()
+    assert example.text.startswith("TReX 1.2: Serial mode, with inputs read as RC pulses.\n")
+    assert "Currents: 0.00 A, 0.00 A\n" in example.text
+    assert "Channel 2: 1250.0, remapped -59" in example.text
+    assert "Errors: none\nSerial timeout: off\n" in example.text
+
+
+def test_currents_are_logged(
+    virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
+) -> None:
+    quick_simulator.do("current 2 3.0")
+    example = Example(virtual_time, "log_currents", quick_simulator.url, "1")
+    example.end()
+    rows = example.text.splitlines()
+    assert rows[0] == "time_s,motor_1_current_A,motor_2_current_A"
+    assert len(rows) > 20
+    assert rows[-1].endswith(",0.0,3.0")
+
+
+def test_channel_is_calibrated(
+    virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
+) -> None:
+    quick_simulator.do("channel 1 1510us")
+    example = Example(virtual_time, "calibrate", quick_simulator.url, "1")
+    example.until(lambda: "both ends" in example.text)
+    for pulse in ("1100us", "1900us"):
+        quick_simulator.do(f"channel 1 {pulse}")
+        virtual_time.run_until(lambda: False, 1)
+    example.end()
+    assert "Stored: Calibration(minimum=2750, neutral=3775, maximum=4750" in example.text
+
+
+def test_parameters_are_stored_after_a_snapshot(
+    virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
+) -> None:
+    example = Example(virtual_time, "set_parameters", quick_simulator.url)
+    example.end()
+    assert "serial_timeout: 0.5 s\n" in example.text
+    assert "2 changed." in example.text
+    assert quick_simulator.show()["parameters"]["serial_timeout"] == 5
+    (snapshot,) = SettingsHistory().snapshots()
+    assert snapshot.reason == "library: serial_timeout, motor1_acceleration"
+    again = Example(virtual_time, "set_parameters", quick_simulator.url)
+    again.end()
+    assert again.text == "0 changed.\n"
+    assert len(SettingsHistory().snapshots()) == 1
+
+
+def test_motor_is_driven_and_stopped(
+    virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
+) -> None:
+    example = Example(virtual_time, "drive", quick_simulator.url, "60")
+    example.until(lambda: motor(quick_simulator) == ("forward", 60))
+    began = virtual_time.now()
+    example.until(lambda: motor(quick_simulator) == STOPPED)
+    assert 1.8 < virtual_time.now() - began < 2.2
+    example.end()
+    assert example.text == "The board has confirmed the stop.\n"
+
+
+def test_every_example_is_tested() -> None:
+    names = {path.stem for path in resource("examples").glob("*.py")}
+    assert names == {"read_status", "log_currents", "calibrate", "set_parameters", "drive"}
+
+
+# --- Stops --------------------------------------------------------------------------------
+
+
+def test_end_of_the_block_stops_the_motors(
+    virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
+) -> None:
+    def run() -> None:
+        with Trex(quick_simulator.url) as trex:
+            trex.drive(80, -30, auxiliary=20)
+            trex.wait(0.3)
+            assert motor(quick_simulator) == ("forward", 80)
+            assert motor(quick_simulator, 2) == ("reverse", 30)
+            raise KeyError("a mistake of the program")
+
+    program = Program(virtual_time, run)
+    with pytest.raises(KeyError):
+        program.end()
+    assert motor(quick_simulator) == motor(quick_simulator, 2) == STOPPED
+    assert quick_simulator.show()["aux"]["speed"] == 0
+
+
+def test_program_that_does_not_respond_is_stopped(
+    virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
+) -> None:
+    def run() -> None:
+        with Trex(quick_simulator.url) as trex:
+            trex.drive(80)
+            virtual_time.sleep(2)
+            assert motor(quick_simulator) == STOPPED
+            trex.drive(80)
+
+    with pytest.raises(MotorsStoppedError, match="did not call the board"):
+        Program(virtual_time, run).end()
+    assert motor(quick_simulator) == STOPPED
+
+
+@pytest.mark.parametrize(
+    ("control_line", "error"),
+    [("fault 1 on", "Motor 1 fault"), ("power off", "stopped responding")],
+)
+def test_drive_ends_with_what_happened(
+    virtual_time: VirtualRuntime,
+    quick_simulator: SimulatedDevice,
+    control_line: str,
+    error: str,
+) -> None:
+    def run() -> None:
+        with Trex(quick_simulator.url) as trex:
+            trex.drive(80)
+            trex.wait(0.5)
+            quick_simulator.do(control_line)
+            trex.wait(20)
+
+    with pytest.raises(StudioError, match=error):
+        Program(virtual_time, run).end()
+
+
+def test_invalid_values_send_nothing(
+    virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
+) -> None:
+    quick_simulator.do("jumper mode rc")
+    quick_simulator.do("power cycle")
+
+    def run() -> None:
+        with Trex(quick_simulator.url) as trex:
+            for attempt in (
+                lambda: trex.drive(80),
+                lambda: trex.drive(128),
+                lambda: trex.drive(auxiliary=-1),
+                lambda: trex.parameter("nosuch"),
+                lambda: trex.set_parameters(serial_timeout="13 s"),
+                lambda: trex.set_calibration(1, Calibration(9, 5, 1, 0)),
+            ):
+                with pytest.raises(BadRequest):
+                    attempt()
+            with pytest.raises(StudioError, match="not in serial mode"):
+                trex.set_parameters(serial_timeout=5)
+
+    Program(virtual_time, run).end()
+    assert quick_simulator.show()["parameters"]["serial_timeout"] == 0
+
+
+def test_missing_board_is_explained(
+    virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
+) -> None:
+    quick_simulator.do("power off")
+
+    def run() -> None:
+        with Trex(quick_simulator.url, baud=9600):
+            raise AssertionError
+
+    with pytest.raises(NoReply, match="No TReX responds"):
+        Program(virtual_time, run).end()
+    with pytest.raises(BadRequest):
+        Trex("port", baud=1)
+
+
+# --- The package ----------------------------------------------------------------------------
+
+
+def test_library_is_imported_when_it_is_used_and_without_qt() -> None:
+    code = (
+        "import sys, trex_gui.devices.trex as trex\n"
+        "assert 'trex_gui.devices.trex.library' not in sys.modules\n"
+        "assert trex.Trex.__name__ == 'Trex'\n"
+        "assert not [name for name in sys.modules if name.startswith('PySide6')]\n"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True, timeout=60)
+    for name in public.__all__:
+        assert getattr(public, name) is not None
+    with pytest.raises(AttributeError):
+        _ = public.nosuch

@@ -1,0 +1,460 @@
+"""A board for programs: read it, set it up, drive it. See `Trex`.
+
+The line belongs to a session in a thread of its own, as in the window: it polls, confirms stops,
+and has a guardian process that stops the motors if the program is killed.
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from itertools import count
+from types import TracebackType
+from typing import Literal, Self
+
+from trex_gui.core.errors import BadRequest, NoReply, StudioError
+from trex_gui.core.errors import describe as error_text
+from trex_gui.core.host import host
+from trex_gui.core.session import Close, Closed, Outcome, RequestQueue
+from trex_gui.core.timing import Timeouts
+from trex_gui.devices.trex.client.reading import DeviceState
+from trex_gui.devices.trex.client.telemetry import (
+    Control,
+    Currents,
+    LatchedStatus,
+    Raw,
+    Remapped,
+    Sample,
+)
+from trex_gui.devices.trex.driving.requests import (
+    HEARTBEAT_INTERVAL,
+    Arm,
+    Heartbeat,
+    MotorsStopped,
+    SetAuxiliary,
+    SetMotor,
+    SetMotors,
+    Stop,
+)
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT, who_controls
+from trex_gui.devices.trex.protocol.driving import Drive
+from trex_gui.devices.trex.protocol.errors import ErrorCode
+from trex_gui.devices.trex.protocol.flags import CHANNELS, Status, UartError, bit_names
+from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.recording import MeasurementTable, Row
+from trex_gui.devices.trex.session.messages import (
+    Batch,
+    Connected,
+    NotResponding,
+    Report,
+    Write,
+    Written,
+)
+from trex_gui.devices.trex.session.session import TrexSession
+from trex_gui.devices.trex.settings.document import settings_of
+from trex_gui.devices.trex.settings.history import SettingsHistory
+
+_LATE = "The program did not call the board for more than half a second while motors were driven."
+_FAULTS = Status.MOTOR1_FAULT | Status.MOTOR2_FAULT
+_STATUS_TIMEOUT = 5.0  # seconds for one sample of everything: 1200 baud takes two
+_WRITING = 60.0  # seconds for every setting at 1200 baud
+_STOPPING = 10.0  # seconds until a stop is confirmed or not
+_MOST_WAITING = 1000  # reports that wait for a program that does not look at them
+
+
+class MotorsStoppedError(StudioError):
+    """The motors were stopped, or stopped by themselves, without a `stop` of the program."""
+
+
+@dataclass(frozen=True, slots=True)
+class ChannelStatus:
+    """An input channel: `raw` in counts and `value` in µs or V, `None` without a signal.
+
+    `remapped` is what the board makes of it, -127 to 127.
+    """
+
+    raw: int | None
+    value: float | None
+    remapped: int
+
+
+@dataclass(frozen=True, slots=True)
+class BoardStatus:
+    """What a board reports.
+
+    Attributes:
+        mode: in a sentence.
+        serial_controls: whether motor commands reach the motors.
+        currents: of motors 1 and 2 in ampere.
+        channels: by number, 1 to 5.
+        errors: names of the error bits since the last status.
+    """
+
+    product: str
+    firmware: str
+    mode: str
+    serial_controls: bool
+    currents: tuple[float, float]
+    channels: Mapping[int, ChannelStatus]
+    errors: tuple[str, ...]
+
+
+class Trex:
+    """A TReX or TReX Jr on a serial line; use it in a `with` statement.
+
+    However the block ends, motors that were driven are stopped and the port is closed. While motors
+    run, use `wait` instead of `time.sleep`: without a call for half a second they are stopped,
+    as a program that hangs cannot stop them. Use it from one thread.
+
+    Methods raise `NoReply` or `BadReply` if the board does not reply as it should,
+    `PortUnavailable` if the line is gone, `BadRequest` for a value that does not fit, and
+    `MotorsStoppedError` if the motors were stopped for another reason than `stop`; all of them are
+    a `StudioError` whose text is for users.
+    """
+
+    def __init__(
+        self,
+        url: str,
+        *,
+        baud: int = 19200,
+        detection: Literal["none", "even", "odd", "crc7"] = "none",
+        stop_bits: int = 1,
+        device_number: int | None = None,
+        polynomial: int = DEFAULT_POLYNOMIAL,
+        timeout: float = 0.0,
+    ) -> None:
+        """Describe the line.
+
+        Args:
+            url: `/dev/ttyUSB0`, `COM3`, `socket://host:port`, `rfc2217://host:port`.
+            baud: in bit/s.
+            detection: parity, or CRC-7 with this `polynomial`.
+            stop_bits: 1 or 2.
+            device_number: 0 to 127 for one board of several; `None` for the compact protocol.
+            polynomial: of the CRC-7, 0x80 to 0xFF.
+            timeout: seconds added to the deadline of each reply.
+        """
+        line = LineSettings(baud, Detection[detection.upper()], stop_bits)
+        line.to_wire()
+        self._settings = ConnectionSettings(
+            url, line, device_number, polynomial, timeouts=Timeouts(extra=timeout)
+        )
+        _ = self._settings.framing
+        self._ids = count(1)
+        self._newest: dict[type[Sample], Sample] = {}
+        self._errors: dict[str, None] = {}
+        self._outcomes: dict[int, Outcome] = {}
+        self._closed: Closed | None = None
+        self._state: DeviceState | None = None
+        self._is_armed = False
+        self._listener: Callable[[Sample], object] | None = None
+
+    def __enter__(self) -> Self:
+        """Open the port and read everything that the board stores; this moves nothing."""
+        computer = host()
+        self._clock = computer.clock
+        self._inbox = RequestQueue(computer.condition())
+        self._reports = _Reports(RequestQueue(computer.condition()))
+        session = TrexSession(
+            self._settings, self._inbox, self._reports.put, computer.open_transport
+        )
+        self._join = computer.start_thread(session.run)
+        try:
+            self._wait_for(lambda: self._state is not None)
+        except BaseException:
+            self._close()
+            raise
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        """Stop the motors and close the port; NoReply if a stop was not confirmed."""
+        closed = self._close()
+        if closed is not None and closed.may_move:
+            text = "The stop is not confirmed. If a motor still turns, cut its power."
+            if error is None:
+                raise NoReply(text)
+            error.add_note(text)
+
+    # --- Reading ------------------------------------------------------------------------
+
+    @property
+    def state(self) -> DeviceState:
+        """What the board stores, as it was last read; the session keeps it up to date."""
+        assert self._state is not None, "used outside of its `with` block"  # noqa: S101
+        return self._state
+
+    def status(self) -> BoardStatus:
+        """Return what the board measures now, and the errors since the last call."""
+        self._newest.clear()
+        wanted = {Raw, Remapped, Currents, Control}
+        self._wait_for(lambda: wanted <= self._newest.keys(), _STATUS_TIMEOUT)
+        raw, remapped = self._newest[Raw], self._newest[Remapped]
+        currents, control = self._newest[Currents], self._newest[Control]
+        assert isinstance(raw, Raw)  # noqa: S101 - for the type checker, as the others
+        assert isinstance(remapped, Remapped)  # noqa: S101
+        assert isinstance(currents, Currents)  # noqa: S101
+        assert isinstance(control, Control)  # noqa: S101
+        state, unit = self.state, self.state.signature.model.current_unit
+        errors, self._errors = tuple(self._errors), {}
+        return BoardStatus(
+            product=state.signature.model.name,
+            firmware=state.signature.firmware,
+            mode=MODE_TEXT[state.mode],
+            serial_controls=control.by_serial,
+            currents=(currents.counts[0] * unit, currents.counts[1] * unit),
+            channels={
+                channel: ChannelStatus(
+                    counts, None if counts is None else state.source.physical(counts), value
+                )
+                for channel, counts, value in zip(
+                    CHANNELS, raw.counts, remapped.values, strict=True
+                )
+            },
+            errors=errors,
+        )
+
+    def measurements(self, seconds: float) -> Iterator[Row]:
+        """Yield a row for each new pair of motor currents, as `trexcmd stream` writes them.
+
+        Keys have the units: `time_s`, `motor_1_current_A`, `channel_1_us`, …
+        """
+        table = MeasurementTable(self.state.mode, self.state.signature.model.current_unit)
+        begun, ready = self._clock(), list[Row]()
+
+        def take(sample: Sample) -> None:
+            if sample.time >= begun and table.take(sample):
+                ready.append(table.finish(sample.time - begun))
+
+        while self._clock() - begun < seconds:
+            self._listener = take
+            try:
+                self._pump(begun + seconds)
+            finally:
+                self._listener = None
+            while ready:
+                yield ready.pop(0)
+
+    # --- Settings -----------------------------------------------------------------------
+
+    def parameter(self, key: str) -> int:
+        """Return the wire value of a parameter, such as `serial_timeout`."""
+        spec = self.state.specs[key]
+        if spec.key not in self.state.parameters:
+            raise BadRequest(f"{spec.name} was not read: {self.state.unread.get(spec.key, '')}")
+        return self.state.parameters[spec.key]
+
+    def parameter_text(self, key: str) -> str:
+        """Return a parameter with its unit: `0.5 s`."""
+        return self.state.specs[key].text(self.parameter(key))
+
+    def set_parameters(self, **values: int | str) -> tuple[str, ...]:
+        """Store parameters and read them back; return the keys of those that changed.
+
+        A value is the wire value or a text with its unit, such as `"0.5 s"`. A snapshot of what the
+        board stores is saved first, where the window keeps its own.
+
+        Raises:
+            Rejected: the board does not accept one; those before it are stored.
+        """
+        wires = {}
+        for key, value in values.items():
+            spec = self.state.specs[key]
+            wires[spec.key] = spec.check(value) if isinstance(value, int) else spec.wire(value)
+        changed = {k: wire for k, wire in wires.items() if self.state.parameters.get(k) != wire}
+        self._write(parameters=tuple(changed.items()))
+        return tuple(changed)
+
+    def calibration(self, channel: int) -> Calibration:
+        """Return the calibration of a channel for the inputs in use, in counts."""
+        return self.state.calibrations[channel]
+
+    def set_calibration(self, channel: int, calibration: Calibration) -> None:
+        """Store the calibration of a channel for the inputs in use; as `set_parameters`."""
+        if problem := calibration.problem():
+            raise BadRequest(f"channel {channel}: {problem}")
+        if self.state.calibrations.get(channel) != calibration:
+            key = CalibrationKey.of(self.state.source, channel)
+            self._write(calibrations=((key, calibration),))
+
+    def _write(
+        self,
+        parameters: tuple[tuple[str, int], ...] = (),
+        calibrations: tuple[tuple[CalibrationKey, Calibration], ...] = (),
+    ) -> None:
+        if not parameters and not calibrations:
+            return
+        reason = f"library: {', '.join(key for key, _ in (*parameters, *calibrations))}"
+        settings = settings_of(self.state)
+        SettingsHistory().take(settings, adapter=self._settings.url, reason=reason)
+        request = Write(next(self._ids), parameters, calibrations, before=self.state)
+        written = self._result(request.id, request, _WRITING)
+        assert isinstance(written, Written)  # noqa: S101 - for the type checker
+        self._state = written.state
+        for result in written.results:
+            if result.error is not None:
+                raise result.error
+
+    # --- Motors -------------------------------------------------------------------------
+
+    def drive(
+        self,
+        motor_1: int | None = None,
+        motor_2: int | None = None,
+        *,
+        auxiliary: int | None = None,
+        accelerate: bool = False,
+    ) -> None:
+        """Set speeds of -127 to 127, of the auxiliary motor 0 to 127; `None` leaves one alone.
+
+        The motors run until `stop`, the end of the block, or half a second without a call.
+        `accelerate` uses the acceleration that is set in the board.
+
+        Raises:
+            BadRequest: a speed does not fit, or serial commands do not reach the motors.
+        """
+        speeds = {1: motor_1, 2: motor_2}
+        motors = [
+            SetMotor(motor, Drive.at(speed), accelerate)
+            for motor, speed in speeds.items()
+            if speed is not None
+        ]
+        if auxiliary is not None and not 0 <= auxiliary <= 127:
+            raise BadRequest(f"the auxiliary motor's speed is 0 to 127, not {auxiliary}")
+        self._pump(self._clock())  # what was reported meanwhile may forbid it
+        control = self._newest.get(Control)
+        by_serial = control.by_serial if isinstance(control, Control) else None
+        if not (self.state.serial_controls if by_serial is None else by_serial):
+            joint = self.state.parameters.get(ParameterKey.MOTOR_MODE) == 1
+            raise BadRequest(who_controls(self.state.mode, by_serial=False, joint=joint))
+        if not self._is_armed:
+            self._is_armed = True
+            self._inbox.put(Arm())
+        if len(motors) == 2:
+            self._inbox.put(SetMotors((motors[0], motors[1])))
+        elif motors:
+            self._inbox.put(motors[0])
+        if auxiliary is not None:
+            self._inbox.put(SetAuxiliary(auxiliary, accelerate))
+
+    def stop(self) -> None:
+        """Brake both motors, switch the auxiliary motor off, and wait for the confirmation.
+
+        Raises:
+            NoReply: the board does not confirm it.
+        """
+        self._is_armed = False
+        request = Stop(next(self._ids))
+        self._result(request.id, request, _STOPPING)
+
+    def wait(self, seconds: float) -> None:
+        """Let time pass while motors run."""
+        end = self._clock() + seconds
+        while self._clock() < end:
+            self._pump(end)
+
+    # --- The session --------------------------------------------------------------------
+
+    def _result(self, number: int, request: object, seconds: float) -> object:
+        self._inbox.put(request)
+        self._wait_for(lambda: number in self._outcomes, seconds)
+        outcome = self._outcomes.pop(number)
+        if outcome.error is not None:
+            raise outcome.error
+        return outcome.value
+
+    def _wait_for(self, condition: Callable[[], bool], seconds: float = 60.0) -> None:
+        end = self._clock() + seconds
+        while not condition():
+            if self._clock() >= end:
+                raise NoReply(f"The board did not answer within {seconds:g} s.")
+            self._pump(end)
+
+    def _pump(self, end: float) -> None:
+        """Send a heartbeat if motors are armed, and take the next report and those behind it."""
+        if self._is_armed:
+            self._inbox.put(Heartbeat())
+        seconds = min(max(end - self._clock(), 0.0), HEARTBEAT_INTERVAL)
+        report = self._reports.get(seconds)
+        while report is not None:
+            self._take(report)
+            report = self._reports.get(0.0)
+
+    def _take(self, report: Report) -> None:
+        match report:
+            case Connected(state=state):
+                self._state = state
+                if self._is_armed:
+                    self._fail("The board was restarted or changed, so the motors were stopped.")
+            case Batch(samples=samples):
+                for sample in samples:
+                    self._take_sample(sample)
+            case Outcome(id=number):
+                self._outcomes[number] = report
+            case NotResponding(reason=reason):
+                self._is_armed = False
+                raise NoReply(f"The board has stopped responding: {reason}")
+            case MotorsStopped(reason=code) if code is not None:
+                cause = _LATE if code is ErrorCode.NO_HEARTBEAT else error_text(code)
+                self._fail(f"{cause} The motors were stopped.")
+            case Closed(error=error):
+                self._closed, self._is_armed = report, False
+                raise error or NoReply("The line was closed.")
+            case _:
+                pass
+
+    def _take_sample(self, sample: Sample) -> None:
+        self._newest[type(sample)] = sample
+        if self._listener is not None:
+            self._listener(sample)
+        if not isinstance(sample, LatchedStatus):
+            return
+        names = (*bit_names(sample.status), *bit_names(sample.uart))
+        self._errors |= dict.fromkeys(names)
+        shuts_down = self.state.parameters.get(ParameterKey.UART_ERROR_SHUTDOWN)
+        has_stopped = sample.uart & UartError.TIMEOUT or (sample.uart and shuts_down)
+        if self._is_armed and (sample.status & _FAULTS or has_stopped):
+            self.stop()
+            self._fail(f"The board reports: {', '.join(names)}. The motors were stopped.")
+
+    def _fail(self, text: str) -> None:
+        self._is_armed = False
+        raise MotorsStoppedError(text)
+
+    def _close(self) -> Closed | None:
+        self._is_armed = False
+        self._inbox.put(Close())
+        self._join()
+        while self._closed is None and (report := self._reports.get(0.0)) is not None:
+            if isinstance(report, Closed):
+                self._closed = report
+        return self._closed
+
+
+class _Reports:
+    """Reports from the session's thread; a program that does not look at them keeps the newest."""
+
+    def __init__(self, queue: RequestQueue) -> None:
+        self._queue = queue
+        self._put = self._taken = 0
+
+    def put(self, report: Report) -> None:
+        is_full = self._put - self._taken >= _MOST_WAITING
+        if is_full and isinstance(report, Batch):
+            kept = tuple(one for one in report.samples if isinstance(one, LatchedStatus))
+            if not kept:
+                return
+            report = Batch(kept, report.counters)
+        self._put += 1
+        self._queue.put(report)
+
+    def get(self, seconds: float) -> Report | None:
+        report: Report | None = self._queue.get(seconds)
+        self._taken += report is not None
+        return report
