@@ -1,20 +1,30 @@
 """Settings are reviewed before they are written and followed until they are active."""
 
+from pathlib import Path
+
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QDialog, QSpinBox, QWidget
 
 from tests.support.held_line import before_storing
 from tests.support.keyboard import check_keyboard
-from tests.support.pages.settings import ComparisonDialog, ReviewDialog, SimulatedPower
+from tests.support.pages.settings import (
+    ComparisonDialog,
+    ReviewDialog,
+    SettingsFiles,
+    SimulatedPower,
+)
 from tests.support.simulator import StartSimulator
 from tests.support.virtual_devices import VirtualSimulator
-from tests.support.window import LEFT, WindowDriver
+from tests.support.window import LEFT, WidgetDriver, WindowDriver
 from trex_gui.devices.trex.model.settings.comparison_table import ComparisonColumn
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter
+from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 from trex_gui.ui.devices.connection import ConnectionState
 
 LINES = (
@@ -132,6 +142,87 @@ def test_review_reports_stored_and_failed_settings(
     assert "not in serial mode" in refused
     assert untried == "not attempted"
     assert device.draft.pending == 2
+
+
+def test_board_decides_about_values_beyond_inferred_limits(
+    connected_window: WindowDriver,
+    review: ReviewDialog,
+    simulator: VirtualSimulator,
+    tmp_path: Path,
+) -> None:
+    window, device, key = connected_window, connected_window.device, "ignored_channels"
+    page = window.open_page("parametersPage")
+    view = page.find(ParameterView, "parametersView")
+
+    def try_wire(wire: int) -> None:
+        rows = view.model()
+        assert isinstance(rows, ParameterFilter)
+        view.setCurrentIndex(rows.index_of(key))
+        page.find(QAction, "tryParameter").trigger()
+        dialog = WidgetDriver(page.find(QDialog, "wireDialog"), window.qtbot)
+        check_keyboard(dialog.root)
+        assert "This limit is inferred" in dialog.text("wireNote")
+        dialog.find(QSpinBox, "wireField").setValue(wire)
+        dialog.click("tryWireButton")
+
+    def write_anyway() -> None:
+        review.open()
+        review.click("writeButton")
+        assert review.text("questionText").startswith("Ignored Channels 63: beyond a limit")
+        assert stored(simulator, key) == 0, "a question comes first"
+        review.click("writeAnyway")
+        review.wait(lambda: not device.applying and len(review.rows()[0]) == len(ComparisonColumn))
+
+    try_wire(63)
+    review.open()
+    review.click("writeButton")
+    check_keyboard(review.root)
+    review.toggle("Ignored Channels")
+    assert not review.has("writeAnyway"), "the question is about what is written"
+    review.close()
+
+    write_anyway()
+    assert "the board rejects this value" in review.rows()[0][-1]
+    review.close()
+    simulator.do("accept ignored_channels 127 31")
+    write_anyway()
+    assert "reads back channels 1, 2, 3, 4, 5" in review.rows()[0][-1]
+    assert device.parameters.stored_of(key) == 31
+    review.close()
+    edit(window, ignored_channels=0)
+    simulator.do("accept ignored_channels 127")
+    review.write()
+    review.close()
+    try_wire(63)
+    write_anyway()
+    assert review.rows()[0][-1] == "stored"
+    review.close()
+    assert stored(simulator, key) == 63
+    window.wait_for_files()
+    help_text = page.text("parameterHelp")
+    assert "This firmware has stored beyond that: wire value 63." in help_text
+
+    edit(window, ignored_channels=0)
+    review.write()
+    review.close()
+    edit(window, ignored_channels=63)
+    review.write()  # no question a second time
+    review.close()
+    assert stored(simulator, key) == 63
+    window.disconnect()
+    window.connect(simulator.url)
+    window.wait_for_files()
+    assert not device.parameters.is_doubtful(key, 63), "nor after connecting again"
+    assert device.parameters.is_doubtful(key, 62)
+
+    file = SettingsFiles(window).load(
+        tmp_path / "any.txt", "product: TReX\nreversed_channels: 63\n"
+    )
+    assert any("the board decides" in message for _, message in file.findings())
+    file.click("takeChangesButton")
+    review.open()
+    review.click("writeButton")
+    assert review.text("questionText").startswith("Reversed Channels 63: beyond a limit")
 
 
 def test_interrupted_write_keeps_unwritten_settings_pending(

@@ -396,3 +396,43 @@ def test_what_was_applied_last_is_compared_with_the_board(trexcmd: RunCommand) -
     assert lost.exit_code == 0
     assert " ".join(lost.stdout.split()) == "serial_timeout 0 → 15 off → 1.5 s"
     assert "New: what was applied 20" in lost.stderr
+
+
+def test_force_lets_the_board_decide_and_remembers_what_it_stored(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path
+) -> None:
+    refused = trexcmd("set", "ignored_channels", "63")
+    assert refused.exit_code == 1
+    assert "this limit is inferred: --force lets the board decide" in refused.stderr
+    rejected = trexcmd("set", "ignored_channels", "63", "--force")
+    assert rejected.exit_code == 1
+    assert "Ignored Channels: the board rejects this value" in rejected.stderr
+
+    quick_simulator.do("accept ignored_channels 127 31")
+    other = trexcmd("set", "ignored_channels", "32", "--force")
+    assert other.exit_code == 1
+    assert "wire 32" in other.stderr, "what was wanted"
+    assert "none" in other.stderr, "what was stored"
+    assert trexcmd("set", "ignored_channels", "63").exit_code == 1, "neither is remembered"
+
+    quick_simulator.do("accept ignored_channels 127")
+    accepted = trexcmd("set", "ignored_channels", "63", "--force")
+    assert accepted.exit_code == 0, accepted.stderr
+    assert "Remembered as accepted by a TReX 1.2: ignored_channels 63." in accepted.stderr
+    assert quick_simulator.show()["parameters"]["ignored_channels"] == 63
+    assert trexcmd("set", "ignored_channels", "0").exit_code == 0
+    assert trexcmd("set", "ignored_channels", "63").exit_code == 0, "no question a second time"
+
+    file = tmp_path / "board.txt"
+    assert trexcmd("get-settings", str(file)).exit_code == 0
+    assert "ignored_channels: 63" in file.read_text(encoding="utf-8")
+    assert trexcmd("set-settings", str(file)).exit_code == 0
+    file.write_text("product: TReX\nreversed_channels: 33\n", encoding="utf-8")
+    result = trexcmd("set-settings", str(file))
+    assert result.exit_code == 1
+    assert "line 2: warning: reversed_channels: 0 to 31" in result.stderr
+    assert "--force lets the board decide" in result.stderr
+    quick_simulator.do("accept reversed_channels 127")
+    assert trexcmd("set-settings", str(file), "--force").exit_code == 0
+    assert trexcmd("set", "motor_mode", "2", "--force").exit_code == 2, "sourced"
+    assert trexcmd("set", "ignored_channels", "128", "--force").exit_code == 2, "seven bits"

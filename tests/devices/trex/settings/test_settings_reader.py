@@ -153,7 +153,6 @@ def test_unknown_firmware_gives_warning() -> None:
             "uart_error_shutdown: on",
             "uart_error_shutdown: 0 (off) or 1 (on), not on; on is written 1",
         ),
-        ("ignored_channels: 32", "ignored_channels: 0 to 31 (channels 1 to 5), not 32"),
         (
             "uart_settings: 0xFFF",
             f"uart_settings: {UART_RANGE}, not 0xFFF",

@@ -71,9 +71,9 @@ def test_unreadable_parameter_raises_key_error(which: str) -> None:
 
 def test_out_of_range_value_is_rejected() -> None:
     eeprom = Eeprom()
-    with pytest.raises(ValueError, match="UART-Error Shutdown"):
-        eeprom.write("uart_error_shutdown", 2)
-    assert eeprom["uart_error_shutdown"] == 1
+    with pytest.raises(ValueError, match="Motor Mode"):
+        eeprom.write("motor_mode", 2)
+    assert eeprom["motor_mode"] == 0
 
 
 def _document(**changes: Any) -> str:

@@ -1,10 +1,10 @@
 """What every command does before and after it changes what a board stores."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 from trex_gui.core.cli import Interruption, ProgressLine, say
-from trex_gui.core.files import SettingsError
+from trex_gui.core.files import Finding, SettingsError
 from trex_gui.devices.trex.cli.common import as_options
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import (
@@ -23,9 +23,10 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.session.reconnecting import after_power_cycle
+from trex_gui.devices.trex.settings.accepted import AcceptedValues
 from trex_gui.devices.trex.settings.board_records import BoardRecord, BoardRecords, utc_now
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
-from trex_gui.devices.trex.settings.document import Settings, settings_of
+from trex_gui.devices.trex.settings.document import Settings, open_values, settings_of
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.devices.trex.settings.rules import Context, lint
@@ -46,6 +47,36 @@ def say_changes(result: Comparison) -> None:
     rows = tuple(row for row in result.rows if row.changed)
     if text := replace(result, rows=rows).report():
         say(text)
+
+
+def require_consent(
+    file: str, state: DeviceState, wanted: Mapping[str, int], *, force: bool
+) -> None:
+    """Raise SettingsError for values beyond inferred limits, unless the board is to decide.
+
+    Values that boards with this model and firmware have stored before need no consent.
+    """
+    known = AcceptedValues().of(state.signature)
+    findings = [
+        Finding(None, key, f"{problem}; this limit is inferred: --force lets the board decide")
+        for key, wire in open_values(state.specs, wanted).items()
+        if wire not in known.get(key, ()) and wire != state.parameters.get(key)
+        if (problem := state.specs[key].problem(wire)) is not None
+    ]
+    if findings and not force:
+        raise SettingsError(file, findings)
+
+
+def remember_accepted(state: DeviceState, stored: Mapping[str, int]) -> None:
+    """Remember values beyond inferred limits that the board has stored."""
+    if values := open_values(state.specs, stored):
+        try:
+            AcceptedValues().add(state.signature, values)
+        except SettingsError as error:
+            say(f"Warning: what the board accepted was not remembered. {error}")
+            return
+        names = ", ".join(f"{key} {wire}" for key, wire in values.items())
+        say(f"Remembered as accepted by a {state.signature}: {names}.")
 
 
 def require_serial_mode(state: DeviceState, what: str) -> None:
@@ -96,6 +127,8 @@ def write_one(
         (stored,) = write_kept(client, state, command, parameters, calibrations)
     if stored.error is not None:
         raise stored.error
+    if isinstance(stored.stored, int):
+        remember_accepted(state, {stored.key: stored.stored})
 
 
 def write_kept(

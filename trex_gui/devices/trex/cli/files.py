@@ -1,7 +1,7 @@
 """get-settings, set-settings, check-settings, diff, export: a board's settings as a file."""
 
 import sys
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from dataclasses import asdict, replace
 from functools import partial
 from pathlib import Path
@@ -24,7 +24,9 @@ from trex_gui.core.files import LARGEST_FILE, Finding, SettingsError, load, save
 from trex_gui.core.texts import counted
 from trex_gui.devices.trex.cli.changes import (
     read_board,
+    remember_accepted,
     remembered,
+    require_consent,
     require_serial_mode,
     say_changes,
     say_what_follows,
@@ -163,11 +165,16 @@ def _read_numbers(text: str) -> tuple[int, ...]:
     metavar="N,N,...",
     help="Write to each of these boards on the line; each keeps its number and serial settings.",
 )
+@click.option(
+    "--force", is_flag=True, help="Let the board decide about values beyond inferred limits."
+)
 def set_settings(
     file: str,
+    *,
     dry_run: bool,
     fix: bool,
     convert: bool,
+    force: bool,
     devices: tuple[int, ...] | None,
     **options: Any,
 ) -> None:
@@ -186,15 +193,18 @@ def set_settings(
     wanted = read_file(file, fix=fix)
     chosen = link_settings(options)
     command = f"trexcmd set-settings {name_of(file)}"
-    review = partial(_review, file, dry_run=dry_run, fix=fix, convert=convert)
+    kept = () if devices is None else REACH
+    review = partial(
+        _review, file, dry_run=dry_run, fix=fix, convert=convert, force=force, kept=kept
+    )
     if devices is None:
         with open_line_to_change(chosen) as (client, rates):
             state, rows = review(wanted, client, rates)
             if rows:
                 _write(client, chosen, state, command, rows)
         return
-    kept = {key: wire for key, wire in wanted.parameters.items() if key not in REACH}
-    wanted = replace(wanted, parameters=kept)
+    others = {key: wire for key, wire in wanted.parameters.items() if key not in kept}
+    wanted = replace(wanted, parameters=others)
     work = []
     for number in devices:
         say(f"Device {number}:")
@@ -217,6 +227,8 @@ def _review(
     dry_run: bool,
     fix: bool,
     convert: bool,
+    force: bool,
+    kept: Collection[str],
 ) -> tuple[DeviceState, list[ComparisonRow]]:
     """Report what the settings change of the board; return what it stores, and what to write."""
     identify(client)
@@ -229,7 +241,7 @@ def _review(
     after = settings_after(stored, result.rows)
     context = Context(port_rates=rates, used_by_line=client.settings.line)
     if fix:
-        after, accepted = accept_proposals(after, context)
+        after, accepted = accept_proposals(after, context, kept=kept)
         say_repairs(file, map(repair_text, accepted))
         result = compare(stored, after)
     say(f"{result.summary()}.")
@@ -238,6 +250,7 @@ def _review(
         _print(result)
         return state, []
     if result.changed:
+        require_consent(name_of(file), state, wanted.parameters, force=force)
         require_serial_mode(state, "These settings")
         say_changes(result)
     return state, [row for row in result.rows if row.changed]
@@ -357,6 +370,7 @@ def _write(
         say(f"Stored: {', '.join(names[key] for key in stored)}.")
     say(f"{len(stored)} of {counted(len(results), 'change')} stored and verified.")
     after = {key: wire for key, wire in stored.items() if isinstance(wire, int)}
+    remember_accepted(state, after)
     say_what_follows(client, chosen, state, after)
     if failed:
         begun = "Interrupted: not" if interrupted else "Not"

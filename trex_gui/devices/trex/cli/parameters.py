@@ -10,6 +10,7 @@ from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.cli.changes import (
     change_one,
     read_board,
+    require_consent,
     require_serial_mode,
     say_changes,
     say_how_to_reach,
@@ -39,12 +40,18 @@ from trex_gui.devices.trex.settings.rules import Context
 @link_options
 @click.argument("name", shell_complete=complete_parameter)
 @click.argument("value")
-def set_command(name: str, value: str, **options: Any) -> None:
+@click.option(
+    "--force", is_flag=True, help="Let the board decide about a value beyond an inferred limit."
+)
+def set_command(name: str, value: str, force: bool, **options: Any) -> None:
     """Store one parameter and read it back.
 
     VALUE is a wire value as in settings files (15), or a value with its unit or in words
     ("1.5 s", "off"). Saves a snapshot of what the board stores first. Writes nothing if the board
     has this value already.
+
+    With --force, limits that no source confirms do not count: the board may reject the value or
+    store another one. What it stores is remembered as accepted by its firmware.
     """
     link = link_settings(options)
     _check_value(name, value)
@@ -52,6 +59,7 @@ def set_command(name: str, value: str, **options: Any) -> None:
         spec = spec_of(client, name)
         wire = _wire(spec, value)
         state = read_board(client)
+        require_consent(spec.name, state, {spec.key: wire}, force=force)
         stored = settings_of(state)
         change_one(
             client,
@@ -66,7 +74,7 @@ def set_command(name: str, value: str, **options: Any) -> None:
 
 def _wire(spec: ParameterSpec, value: str) -> int:
     is_wire = value.strip().isdecimal() and len(value) < 10
-    return spec.check(int(value)) if is_wire else spec.wire(value)
+    return spec.check(int(value), forced=True) if is_wire else spec.wire(value)
 
 
 def _check_value(name: str, value: str) -> None:

@@ -95,13 +95,13 @@ def write_parameter(
     `has_crc` says for every function here whether a CRC protects the line; see `agreed`.
 
     Raises:
-        BadRequest: the value is outside the parameter's limits; nothing was sent.
+        BadRequest: the value is outside limits that are not inferred; nothing was sent.
         Rejected: the board rejected it.
         BadReply: the value read back differs.
         NoReply: the board does not respond.
         PortUnavailable: the line is gone.
     """
-    command = SetParameter(spec.number, spec.check(wire))
+    command = SetParameter(spec.number, spec.check(wire, forced=True))
     if not spec.readable:
         code = agreed(request, command, has_crc=has_crc)
         if code is not ResultCode.OK:

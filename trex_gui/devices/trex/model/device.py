@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Collection, Mapping
+from functools import partial
 
 from PySide6.QtCore import QObject, Signal, Slot
 
@@ -27,6 +28,7 @@ from trex_gui.devices.trex.protocol.calibration import (
     Calibration,
     CalibrationKey,
 )
+from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import who_controls
 from trex_gui.devices.trex.protocol.parameters import (
@@ -44,11 +46,13 @@ from trex_gui.devices.trex.session.messages import (
     Written,
 )
 from trex_gui.devices.trex.session.reconnecting import REACH, reconnect_candidates
-from trex_gui.devices.trex.settings.document import factory_settings, settings_of
+from trex_gui.devices.trex.settings.accepted import AcceptedValues
+from trex_gui.devices.trex.settings.document import factory_settings, open_values, settings_of
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.event_log import EventKind
+from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import now
 from trex_gui.ui.translations import error_text
@@ -92,6 +96,8 @@ class Device(QObject):
         self.history = SettingsHistory()
         self.edit_backup = EditBackup(self.draft, parent=self)
         self.memory = BoardMemory(parent=self)
+        self._accepted = AcceptedValues()
+        self._accepted_by: Signature | None = None
         self._apply = Apply(self.draft, self.history, self.memory, self._request, self)
         self.connection = Connection(self)
         self.driving = DriveController(
@@ -416,6 +422,8 @@ class Device(QObject):
         """Follow in its files what the board stores; `opened`: it may be another board."""
         state, is_simulated = report.state, bool(report.settings.name)
         self.edit_backup.take_board(ask=opened, is_simulated=is_simulated)
+        if opened or self._accepted_by != state.signature:
+            self._take_accepted(state.signature, is_simulated)
         stored = settings_of(state)
         self.memory.take_board(stored, state.source, opened=opened, is_simulated=is_simulated)
 
@@ -442,6 +450,18 @@ class Device(QObject):
         self.draft.select_state(state, report.settings)
         self._take_files(report, opened=True)
 
+    def _take_accepted(self, board: Signature, is_simulated: bool) -> None:
+        """Take what boards of this kind have stored before; the demo says nothing about them."""
+        self._accepted_by = board
+        self.parameters.set_accepted({})
+        if not is_simulated:
+            read, then = partial(self._accepted.of, board), self.parameters.set_accepted
+            in_background(self, read, then, self._on_not_remembered)
+
+    def _on_not_remembered(self, error: StudioError) -> None:
+        text = self.tr("What the board accepted was not remembered. {0}")
+        self.notifier.error.emit(text.format(error_text(error)))
+
     @Slot()
     def _on_not_responding(self) -> None:
         self._give_up_apply(self.tr("Nothing was written: the board does not respond."))
@@ -465,7 +485,21 @@ class Device(QObject):
         if self.draft.reset_pending or ParameterKey.FACTORY_RESET in keys:
             uncertain |= written.state.parameters.keys()
         self.driving.note_stored(written.state, uncertain)
+        self._remember_accepted(written)
         self.state_changed.emit()
+
+    def _remember_accepted(self, written: Written) -> None:
+        """Remember values beyond inferred limits that the board has stored."""
+        verified = {
+            result.key: result.stored
+            for result in written.results
+            if result.error is None and isinstance(result.stored, int)
+        }
+        board = written.state.signature
+        is_simulated = self.settings is not None and bool(self.settings.name)
+        if (values := open_values(written.state.specs, verified)) and not is_simulated:
+            add = partial(self._accepted.add, board, values)
+            in_background(self, add, self.parameters.set_accepted, self._on_not_remembered)
 
     @Slot()
     def _on_ready(self) -> None:

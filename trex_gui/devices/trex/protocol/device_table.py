@@ -12,7 +12,7 @@ from typing import Any
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.resource_files import resource
 
-_HIGHEST_WIRE = 127
+HIGHEST_WIRE = 127
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,11 +55,11 @@ class PwmClock:
         pairs = [
             (prescaler, top)
             for prescaler in range(len(self.divisors))
-            for top in range(_HIGHEST_WIRE + 1)
+            for top in range(HIGHEST_WIRE + 1)
             if self.frequency(prescaler, top) <= highest
             and (
                 prescaler == 0
-                or self.frequency(prescaler, top) < self.frequency(prescaler - 1, _HIGHEST_WIRE)
+                or self.frequency(prescaler, top) < self.frequency(prescaler - 1, HIGHEST_WIRE)
             )
         ]
         return tuple(sorted(pairs, key=lambda pair: self.frequency(*pair)))

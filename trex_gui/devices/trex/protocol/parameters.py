@@ -13,7 +13,12 @@ from functools import cache
 from typing import Any
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.trex.protocol.device_table import Model, device_table, version_key
+from trex_gui.devices.trex.protocol.device_table import (
+    HIGHEST_WIRE,
+    Model,
+    device_table,
+    version_key,
+)
 from trex_gui.devices.trex.protocol.flags import channel_mask, channels_in
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
@@ -113,6 +118,16 @@ class ParameterKind(StrEnum):
     RESET = "reset"
 
 
+# A board at line settings that no source knows could not be reached any more.
+_WITH_LIMITS = {
+    ParameterKind.NUMBER,
+    ParameterKind.CHOICE,
+    ParameterKind.CHANNELS,
+    ParameterKind.ACCELERATION,
+    ParameterKind.PWM_MAXIMUM,
+}
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ParameterSpec:
     """One entry of the parameter table as it holds for one model; no layer repeats it.
@@ -156,12 +171,25 @@ class ParameterSpec:
     def default_confirmed(self) -> bool:
         return "default" not in self.inferred
 
-    def problem(self, wire: int) -> str | None:
-        return None if wire in self.valid else f"{self.name} is {self.range_text()}, not {wire}"
+    def is_open(self, wire: int) -> bool:
+        """Whether only an inferred limit is against this wire value: the board decides."""
+        if self.kind not in _WITH_LIMITS or not 0 <= wire <= HIGHEST_WIRE:
+            return False
+        return ("min" if wire < self.minimum else "max") in self.inferred and wire not in self.valid
 
-    def check(self, wire: int) -> int:
+    @property
+    def has_open_values(self) -> bool:
+        return any(map(self.is_open, (0, HIGHEST_WIRE)))
+
+    def problem(self, wire: int, *, forced: bool = False) -> str | None:
+        """Say why a value is not allowed; `forced` allows those that are open."""
+        if wire in self.valid or (forced and self.is_open(wire)):
+            return None
+        return f"{self.name} is {self.range_text()}, not {wire}"
+
+    def check(self, wire: int, *, forced: bool = False) -> int:
         """Return `wire` if it is allowed, else raise BadRequest naming the limits."""
-        if problem := self.problem(wire):
+        if problem := self.problem(wire, forced=forced):
             raise BadRequest(problem)
         return wire
 

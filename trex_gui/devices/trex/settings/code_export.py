@@ -46,7 +46,9 @@ def export_code(settings: Settings, link: ConnectionSettings, language: Language
     link.line.to_wire()  # raises for an unknown baud rate
     check_keys(settings)
     valid = settings.without_invalid()
-    left_out = [p for spec, wire in settings.parameter_items() if (p := spec.problem(wire))]
+    left_out = [
+        p for spec, wire in settings.parameter_items() if (p := spec.problem(wire, forced=True))
+    ]
     left_out += [f"{key}: {p}" for key, c in settings.calibration_items() if (p := c.problem())]
     # Communication comes last, so that the board stays reachable after an interruption.
     parameters = valid.parameter_items()

@@ -45,12 +45,26 @@ class Settings:
         """Return the given calibrations, those for RC pulses first."""
         return [(key, self.calibrations[key]) for key in CalibrationKey if key in self.calibrations]
 
-    def without_invalid(self) -> "Settings":
+    def without_invalid(self, *, forced: bool = True) -> "Settings":
+        """Leave out what no board takes; without `forced`, also what only a board can tell."""
         return replace(
             self,
-            parameters={s.key: wire for s, wire in self.parameter_items() if not s.problem(wire)},
+            parameters={
+                spec.key: wire
+                for spec, wire in self.parameter_items()
+                if not spec.problem(wire, forced=forced)
+            },
             calibrations={key: c for key, c in self.calibration_items() if not c.problem()},
         )
+
+
+def open_values(specs: ParameterSet, parameters: Mapping[str, int]) -> dict[str, int]:
+    """Return the values that only an inferred limit is against, by key."""
+    return {
+        spec.key: parameters[spec.key]
+        for spec in specs.readable
+        if spec.key in parameters and spec.is_open(parameters[spec.key])
+    }
 
 
 def specs_for(product: Model, firmware: str | None) -> ParameterSet:

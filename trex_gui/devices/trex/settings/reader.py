@@ -41,6 +41,7 @@ _MESSAGES: Mapping[str, str] = {
     "firmware_unknown": "versions {oldest} to {newest} are known, {given} is not",
     "not_a_setting": "is a command to the board, not a setting",
     "value_invalid": "{allowed}, not {given}{hint}",
+    "value_open": "{allowed}, not {given}; this limit is inferred, so the board decides",
     "needs_firmware": "a {product} has it from firmware {since} on, these are for {firmware}",
     "other_product": "a {product} does not have it, whatever its firmware",
     "key_unknown": "there is no such setting{guess}",
@@ -211,8 +212,10 @@ class _Reader:
             self._report_unknown(key, entry.line, product, firmware)
         elif not spec.readable:
             self.error(entry.line, key, "not_a_setting")
-        elif wire is not None and spec.problem(wire) is None:
+        elif wire is not None and spec.problem(wire, forced=True) is None:
             self.parameters[key] = wire
+            if spec.is_open(wire):
+                self.warn(entry.line, key, "value_open", allowed=_range(spec), given=wire)
         else:
             given, hint = _shown(entry.value), _hint(spec, entry.value)
             fields = {"allowed": _range(spec), "given": given, "hint": hint}

@@ -1,6 +1,6 @@
 """Repair settings: values of a file that are not valid, and settings that do not fit together."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -35,9 +35,11 @@ def repair_values(data: bytes, name: str) -> Repaired:
 
 
 def accept_proposals(
-    settings: Settings, context: Context = _NO_CONTEXT
+    settings: Settings, context: Context = _NO_CONTEXT, *, kept: Collection[str] = ()
 ) -> tuple[Settings, tuple[LintFinding, ...]]:
     """Make the changes that the rules propose; return the settings, and what was accepted.
+
+    Proposals that change one of the parameters `kept` are not accepted.
 
     A change may be why another rule speaks, so the rules are asked again, each once per setting.
     """
@@ -46,7 +48,9 @@ def accept_proposals(
         new = {
             (found.rule, found.keys): found
             for found in lint(settings, context)
-            if found.change and (found.rule, found.keys) not in accepted
+            if found.change
+            and found.change.keys().isdisjoint(kept)
+            and (found.rule, found.keys) not in accepted
         }
         if not new:
             break

@@ -52,7 +52,7 @@ def lint(settings: Settings, context: Context = _NOTHING_MORE) -> tuple[LintFind
     A rule is silent if a setting that it needs is missing or invalid. Each change may be made
     without the others; of two changes of one setting the later one resolves both.
     """
-    case = _Case(settings.without_invalid(), context)
+    case = _Case(settings.without_invalid(forced=False), context)
     return tuple(
         LintFinding(
             rule,

@@ -62,7 +62,7 @@ def _parameter_blocks(settings: Settings) -> Iterator[list[str]]:
 def parameter_line(spec: ParameterSpec, wire: int, settings: Settings) -> str:
     """Return a setting with its comment, or a comment if the board would reject the value."""
     setting = f"{spec.key}: {wire}"
-    if problem := spec.problem(wire):
+    if problem := spec.problem(wire, forced=True):
         return _left_out(setting, problem)
     text = parameter_text(spec, wire, settings)
     # As wide as the widest line can be, so that a change of one value changes one line.
@@ -81,6 +81,8 @@ def parameter_text(spec: ParameterSpec, wire: int, settings: Settings) -> str:
 
 def plain_text(spec: ParameterSpec, wire: int) -> str:
     """Return a value in its own unit; empty if that would repeat the value."""
+    if spec.is_open(wire):
+        return "beyond a limit that is inferred: the board decides"
     text = spec.text(wire)
     return "" if text == str(wire) else text
 

@@ -234,6 +234,19 @@ def _eeprom(board: Board, key: str, value: str) -> str:
     return f"{key} is {board.eeprom[key]}; power cycle to use it"
 
 
+def _accept(board: Board, key: str, highest: str, mask: str = "127") -> str:
+    """Let the firmware take values beyond an inferred limit, and store some of their bits."""
+    try:
+        spec = board.memory.parameters[key]
+        limits = int(highest, 0), int(mask, 0)
+    except ValueError as error:
+        raise ControlError(str(error)) from error
+    if not spec.is_open(limits[0]):
+        raise ControlError(f"{spec.key}: {limits[0]} is not beyond an inferred limit")
+    board.memory.accepted[spec.key] = limits
+    return f"{spec.key} up to {limits[0]} is stored and bitwise and {limits[1]}"
+
+
 def _factory(board: Board) -> str:
     board.factory_reset()
     _require_saved(board)
@@ -276,5 +289,6 @@ _COMMANDS: dict[str, Command] = {
     "fault": ("fault MOTOR on|off", _fault),
     "battery": ("battery VOLTS [OHMS]", _battery),
     "eeprom": ("eeprom KEY VALUE", _eeprom),
+    "accept": ("accept KEY HIGHEST [MASK]", _accept),
     "factory": ("factory", _factory),
 }

@@ -19,7 +19,7 @@ from trex_gui.devices.trex.protocol.calibration import (
     HIGHEST_CODED,
     Calibration,
 )
-from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.protocol.device_table import HIGHEST_WIRE, device_table
 from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode, channel_mask
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
@@ -80,7 +80,7 @@ class Eeprom:
         """Store a wire value and save; KeyError or ValueError if there is no such one."""
         if key not in self._values:
             raise KeyError(key)
-        self._values[key] = self._specs[key].check(value)
+        self._values[key] = self._specs[key].check(value, forced=True)
         self._save_if_possible()
 
     def calibration(self, source: InputSource, channel: int) -> Calibration:
@@ -178,7 +178,7 @@ class Eeprom:
                 raise ValueError(f"there is no parameter {key}")
             if type(value) is not int:
                 raise TypeError(f"{key} is not a whole number")
-            self._values[key] = self._specs[key].check(value)
+            self._values[key] = self._specs[key].check(value, forced=True)
         for source, name in _CALIBRATION_KEYS.items():
             rows = document.get(name)
             if rows is None:
@@ -232,11 +232,14 @@ class Memory:
         active: active parameters by key.
         line_settings, baud: active settings of the serial line, and its real bit rate.
         writes: number of finished writes.
+        accepted: by key, the highest value that this firmware takes beyond the inferred limits,
+            and the bits that it stores.
     """
 
     def __init__(self, eeprom: Eeprom, firmware: str) -> None:
         self.parameters = parameters_of(eeprom.model.key, firmware)
         self.writes = 0
+        self.accepted: dict[str, tuple[int, int]] = {}
         self.eeprom = eeprom
         self._firmware = firmware
         self._steps: deque[_Step] = deque()
@@ -274,7 +277,8 @@ class Memory:
     def pwm_frequency(self, number: int) -> float:
         prescaler = self.active[MotorParameter.PWM_PRESCALER.of(number)]
         maximum = self.active[MotorParameter.PWM_MAXIMUM.of(number)]
-        return device_table().pwm.frequency(prescaler, maximum)
+        pwm = device_table().pwm
+        return pwm.frequency(min(prescaler, len(pwm.divisors) - 1), maximum)
 
     @property
     def response_delay(self) -> float:
@@ -295,8 +299,10 @@ class Memory:
         spec = self.parameters.number(number)
         if spec is None:
             return ResultCode.BAD_PARAMETER
-        if value not in spec.valid:
+        highest, mask = self.accepted.get(spec.key, (spec.maximum, HIGHEST_WIRE))
+        if value not in spec.valid and not (spec.is_open(value) and value <= highest):
             return ResultCode.BAD_VALUE
+        value &= mask
         if spec.readable:
             self._begin_write(spec.key, value, at_once=not spec.needs_power_cycle)
         else:

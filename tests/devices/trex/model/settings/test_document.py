@@ -13,6 +13,7 @@ from tests.devices.trex.settings.samples import any_settings, factory
 from tests.support.bad_files import BAD_FILES, BadFile
 from tests.support.documents import save_now
 from tests.support.matrix import examples
+from trex_gui.core.errors import BadRequest
 from trex_gui.core.files import SettingsError, load
 from trex_gui.core.resource_files import resource
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
@@ -59,6 +60,20 @@ def test_edit_changes_only_its_value_and_comment(rover: Path) -> None:
     assert (document.modified, document.draft.pending) == (False, 0)
     after = rover.read_bytes().decode()
     assert after == ROVER.replace("  5  # 0.5 s", "  15  # 1.5 s")
+
+
+def test_value_beyond_an_inferred_limit_is_written_and_read_again(rover: Path) -> None:
+    document = SettingsDocument.of_file(rover, load(rover))
+    with pytest.raises(BadRequest):
+        document.draft.parameters.edit("ignored_channels", 63)
+    document.draft.parameters.edit("ignored_channels", 63, forced=True)
+    save_now(document, document.content)
+    assert "ignored_channels: 63" in rover.read_bytes().decode()
+    (warning,) = [found for found in document.findings if found.key == "ignored_channels"]
+    assert "the board decides" in warning.message
+    again = SettingsDocument.of_file(rover, load(rover)).settings
+    assert again is not None
+    assert again.parameters["ignored_channels"] == 63
 
 
 def test_undoing_all_edits_after_a_save_restores_all_bytes(rover: Path) -> None:

@@ -54,12 +54,12 @@ class Draft:
         """Edit a value; the stored value, or `None`, drops the edit.
 
         Raises:
-            BadRequest: the value is outside the parameter's limits.
+            BadRequest: the value is outside limits that are not inferred.
         """
         if wire is None or wire == self.stored.get(spec.key):
             self.edited.pop(spec.key, None)
         else:
-            self.edited[spec.key] = spec.check(wire)
+            self.edited[spec.key] = spec.check(wire, forced=True)
         self.removed.discard(spec.key)
 
     def leave_out(self, key: str) -> None:

@@ -30,6 +30,7 @@ from trex_gui.devices.trex.protocol.parameters import (
     motor_name,
     other_motor_key,
 )
+from trex_gui.devices.trex.settings.accepted import Accepted
 from trex_gui.ui.devices.undo import Edit
 from trex_gui.ui.translations import error_sentence
 
@@ -107,7 +108,8 @@ class ParameterModel(QAbstractTableModel):
         self._pinned: tuple[str, ...] = ()
         self._draft = Draft()
         self._problems: dict[str, str] = {}
-        self.text = ParameterText(self._specs, self._draft, self._problems, self)
+        self._accepted: dict[str, frozenset[int]] = {}
+        self.text = ParameterText(self._specs, self._draft, self._problems, self._accepted, self)
         self.model_key = ""  # the kind of board that the rows belong to; empty before the first
         self.both_motors = False  # whether an edit for one motor is made for the other, too
         self._headers = (self.tr("Parameter"), self.tr("Motor 1"), self.tr("Motor 2"))
@@ -233,6 +235,15 @@ class ParameterModel(QAbstractTableModel):
                     self._problems[result.key] = str(result.error)
                 self._announce(result.key)
 
+    def set_accepted(self, accepted: Accepted) -> None:
+        """Set which values beyond inferred limits boards with this firmware have stored."""
+        self._accepted.clear()
+        self._accepted.update(accepted)
+        for key in accepted:
+            if key in self._places:
+                self._announce(key)
+        self._announce_pending()
+
     # --- Values -------------------------------------------------------------------------
 
     @property
@@ -305,6 +316,16 @@ class ParameterModel(QAbstractTableModel):
     def can_leave_out(self, key: str) -> bool:
         return key in self._draft.optional and self.value_of(key) is not None
 
+    def open_key(self, key: str) -> str | None:
+        """Return the parameter of a value for which others than its limits allow can be tried."""
+        keys = (each for each in self.text.together(key) if self._specs[each].has_open_values)
+        return next(keys, None) if self.is_editable(key) else None
+
+    def is_doubtful(self, key: str, wire: int) -> bool:
+        """Whether only a board can tell if it takes this value, and none has yet."""
+        is_known = wire in self._accepted.get(key, ()) or wire == self.stored_of(key)
+        return self._specs[key].is_open(wire) and not is_known
+
     def other_motor_of(self, key: str) -> str | None:
         """Return the same parameter of the other motor if both can be edited."""
         other_motor = other_motor_key(key)
@@ -314,10 +335,11 @@ class ParameterModel(QAbstractTableModel):
 
     # --- Edits --------------------------------------------------------------------------
 
-    def edit(self, key: str, wire: int, *, alone: bool = False) -> None:
+    def edit(self, key: str, wire: int, *, alone: bool = False, forced: bool = False) -> None:
         """Edit a value; the stored value drops the edit.
 
         With `both_motors`, the other motor gets the value in the same step, except with `alone`.
+        `forced` allows values beyond limits that are only inferred.
 
         Raises:
             BadRequest: the value is outside the parameter's limits.
@@ -325,21 +347,24 @@ class ParameterModel(QAbstractTableModel):
         """
         if not self.can_edit(key):
             raise KeyError(key)
-        self._edit({key: wire}, (key,) if alone else self._with_other_motor((key,)))
+        keys = (key,) if alone else self._with_other_motor((key,))
+        self._edit({key: wire}, keys, forced=forced)
 
     def edit_frequency(self, key: str, code: int) -> None:
         """Edit prescaler and maximum of a PWM in one step; see `edit`."""
         keys = self.text.together(key)
         self._edit(dict(zip(keys, frequency_wires(code), strict=True)), self._all_with(key))
 
-    def _edit(self, values: Mapping[str, int], keys: Sequence[str]) -> None:
+    def _edit(
+        self, values: Mapping[str, int], keys: Sequence[str], *, forced: bool = False
+    ) -> None:
         """Edit values; the other motor's keys get the values of their counterparts."""
         if all(wire == self.value_of(key) for key, wire in values.items()):
             return  # an editor that was opened and left does not edit the other motor either
         wanted = {key: values.get(key, values.get(other_motor_key(key) or "", 0)) for key in keys}
         for key, wire in wanted.items():
             if wire != self.stored_of(key):
-                self._specs[key].check(wire)
+                self._specs[key].check(wire, forced=forced or not self.is_doubtful(key, wire))
         self._change(wanted)
 
     def reset(self, key: str) -> None:

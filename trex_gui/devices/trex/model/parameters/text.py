@@ -19,6 +19,7 @@ from trex_gui.devices.trex.protocol.parameters import (
     pwm_keys,
     ramp_seconds,
 )
+from trex_gui.devices.trex.settings.accepted import Accepted
 from trex_gui.ui.units import units
 
 _MAXIMA = FULL_SCALE + 1
@@ -37,7 +38,8 @@ class ParameterColumn(IntEnum):
 class ParameterText(QObject):
     """Derives every text from the current draft; has no state.
 
-    `problems` are reasons of failed reads and writes by key.
+    `problems` are reasons of failed reads and writes by key; `accepted` are values beyond
+    inferred limits that boards with this firmware have stored.
     """
 
     def __init__(
@@ -45,6 +47,7 @@ class ParameterText(QObject):
         specs: Mapping[str, ParameterSpec],
         draft: Draft,
         problems: Mapping[str, str],
+        accepted: Accepted,
         parent: QObject,
     ) -> None:
         super().__init__(parent)
@@ -53,6 +56,7 @@ class ParameterText(QObject):
         self._pairs: dict[str, tuple[str, ...]] = {}
         self._draft = draft
         self._problems = problems
+        self._accepted = accepted
         self._sources = {
             (True, True): self.tr("The vendor's documents or staff confirm range and default."),
             (True, False): self.tr(
@@ -123,6 +127,7 @@ class ParameterText(QObject):
         sentences = (
             self.tr("Wire value: {0}.").format(self._wire_text(key, wires)) if wires else "",
             self.tr("Range: {0}.").format(self._range(key)),
+            self._also_accepted(keys),
             self.tr("Default: {0}.").format(self.with_wire(key, self._defaults(key))),
             self.tr("Takes effect when the board is switched off and on.")
             if self._specs[key].needs_power_cycle
@@ -130,6 +135,12 @@ class ParameterText(QObject):
             self._origin([self._specs[each] for each in keys]),
         )
         return tuple(filter(None, sentences))
+
+    def _also_accepted(self, keys: Sequence[str]) -> str:
+        """Return what this firmware takes beyond the range, as a sentence; mostly empty."""
+        wires = sorted(wire for each in keys for wire in self._accepted.get(each, ()))
+        text = self.tr("This firmware has stored beyond that: wire value {0}.")
+        return text.format(", ".join(map(str, wires))) if wires else ""
 
     def _wire_text(self, key: str, wires: Sequence[int]) -> str:
         """Return the wire value, with the physical one if the cell does not show that."""

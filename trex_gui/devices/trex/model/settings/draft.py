@@ -178,7 +178,7 @@ class SettingsDraft(QObject):
         Rows without a right side, or whose setting cannot be edited, are left out.
 
         Raises:
-            BadRequest: the board would reject a value; nothing was changed.
+            BadRequest: no board takes a value; nothing was changed.
         """
         wanted = [row for row in rows if row.after is not None and self.can_edit(row.key)]
         for row in wanted:
@@ -188,13 +188,13 @@ class SettingsDraft(QObject):
                 if isinstance(row.after, Calibration):
                     self.calibrations.edit(CALIBRATION_KEYS[row.key], row.after)
                 elif row.after is not None:
-                    self.parameters.edit(row.key, row.after, alone=True)
+                    self.parameters.edit(row.key, row.after, alone=True, forced=True)
 
     def _check(self, row: ComparisonRow) -> None:
         if isinstance(row.after, Calibration):
             row.after.encode()
         elif row.after is not None and row.after != self.parameters.stored_of(row.key):
-            self.parameters.spec_of(row.key).check(row.after)
+            self.parameters.spec_of(row.key).check(row.after, forced=True)
 
     def discard_edits(self) -> None:
         """Go back to the stored settings, in one undo step."""

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from enum import Enum, auto
+from functools import partial
 
 from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QWidget
@@ -23,6 +24,7 @@ from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.builders import button, column, label, named, progress_bar, row
 from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.messages import InlinePrompt, PromptAnswer
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 
@@ -52,6 +54,7 @@ class ReviewDialog(ReusedDialog):
         self._findings_head = label(self, "reviewFindingsHead", wrap=True, bold=True)
         self._findings = FindingsList("review", self._rows, self, is_wide=True)
         self._findings_area = ScrollBox(self._findings, self)
+        self._question = named(InlinePrompt(self), "reviewQuestion")
         self._foot = label(self, "reviewFoot", wrap=True)
         self._progress = progress_bar(self, "reviewProgress", self.tr("Progress of writing"))
         self._progress.setTextVisible(True)
@@ -75,6 +78,7 @@ class ReviewDialog(ReusedDialog):
             self._findings_head,
             (self._findings_area, 1),
             self._foot,
+            self._question,
             self._power,
             buttons,
             into=self,
@@ -140,6 +144,32 @@ class ReviewDialog(ReusedDialog):
         wanted = frozenset(row.key for row in self._rows.table.ticked)
         if not wanted or self._phase is not _Phase.REVIEW or not self._can_write:
             return
+        if not (doubts := self._doubts()):
+            self._write_rows(wanted)
+            return
+        text = self.tr(
+            "{0}: beyond a limit that is inferred. The board decides: it may reject the value, or "
+            "store another one."
+        )
+        write = PromptAnswer(
+            "writeAnyway", self.tr("Write an&yway"), partial(self._write_rows, wanted)
+        )
+        self._question.ask(
+            text.format(", ".join(doubts)), write, still=lambda: self._doubts() == doubts
+        )
+
+    def _doubts(self) -> list[str]:
+        """Return the checked values of which only the board can tell whether it takes them."""
+        if self._phase is not _Phase.REVIEW or not self._can_write:
+            return []
+        return [
+            self.tr("{0} {1}").format(row.name, row.after)
+            for row in self._rows.table.ticked
+            if isinstance(row.after, int)
+            and self._device.parameters.is_doubtful(row.key, row.after)
+        ]
+
+    def _write_rows(self, wanted: frozenset[str]) -> None:
         self._problem = ""
         self._phase = _Phase.WRITING  # the findings stay
         self._rows.freeze(self.tr("Before"), self.tr("New value"))
@@ -252,6 +282,7 @@ class ReviewDialog(ReusedDialog):
         text, alarming = self._head_text()
         self._head.show_note(text, alarming=alarming)
         self._show_findings()
+        self._question.reconsider()
         self._foot.setVisible(reviewing)
         self._foot.setText(self._foot_text())
 

@@ -45,6 +45,7 @@ from trex_gui.devices.trex.views.pages.parameters.editors import (
     editor_for,
 )
 from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter
+from trex_gui.devices.trex.views.pages.parameters.wire_dialog import WireDialog
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import follow_theme, theme
@@ -344,6 +345,9 @@ class ParameterView(QTableView):
     def _set_up_menu(self) -> None:
         model, copy = self._model, QKeySequence.StandardKey.Copy
         self._edit = self._action("editParameter", self._begin_edit, self.tr("Edit"))
+        self._try = self._action(
+            "tryParameter", self._ask_for_wire, self.tr("Try another &wire value…")
+        )
         self._reset = self._action(
             "resetParameter", model.reset, icon="default", shortcut="Ctrl+Backspace"
         )
@@ -354,11 +358,12 @@ class ParameterView(QTableView):
         self._to_other_motor = self._action("copyToOtherMotor", model.copy_to_other_motor)
         self._pin = self._action("pinParameter", self._toggle_pin, self.tr("Pi&n to the top"))
         self._copy = self._action("copyParameter", self._copy_line, icon="copy", shortcut=copy)
+        self._try.setIconText(self.tr("Other &value…"))
         self._pin.setIconText(self.tr("Pi&n"))
         self._reset.setIconText(self.tr("Defa&ult"))
         self._menu = QMenu(self)
         self._menu.setObjectName("parameterMenu")
-        self._menu.addAction(self._edit)
+        self._menu.addActions([self._edit, self._try])
         self._menu.addSeparator()
         self._menu.addActions([self._reset, self._restore, self._leave_out, self._to_other_motor])
         self._menu.addSeparator()
@@ -369,7 +374,7 @@ class ParameterView(QTableView):
     @property
     def tools(self) -> tuple[QAction, ...]:
         """What is offered as buttons beside the table, too."""
-        return self._reset, self._pin
+        return self._reset, self._pin, self._try
 
     def _action(
         self,
@@ -409,12 +414,14 @@ class ParameterView(QTableView):
     def update_actions(self) -> None:
         """Describe the effect of each action; disable or hide those without one."""
         model, key = self._model, self.current_key
-        for each in (self._reset, self._pin):
+        for each in self.tools:
             each.setVisible(bool(key))
         if not key:
             return
         stored, can_edit = model.text.stored(key), self.isEnabled()
         self._edit.setEnabled(can_edit and model.is_editable(key))
+        self._try.setVisible(model.open_key(key) is not None)
+        self._try.setEnabled(can_edit)
         self._reset.setText(model.text.reset(key))
         self._reset.setEnabled(can_edit and self.currentIndex().data(Role.RESET) is not None)
         restore = self.tr("Restore stored value")
@@ -433,6 +440,10 @@ class ParameterView(QTableView):
         lines = self._lines(key)
         self._copy.setText(self.tr("Copy as “{0}”").format(", ".join(lines)))
         self._copy.setEnabled(bool(lines))
+
+    def _ask_for_wire(self, key: str) -> None:
+        if (open_key := self._model.open_key(key)) is not None:
+            WireDialog(self._model, open_key, self).show()
 
     def _toggle_pin(self, key: str) -> None:
         self._model.toggle_pin(key)

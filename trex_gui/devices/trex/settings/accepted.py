@@ -1,0 +1,70 @@
+"""Values beyond inferred limits that boards have stored, remembered for their firmware."""
+
+import json
+import logging
+from collections.abc import Mapping
+from pathlib import Path
+
+from trex_gui.core.files import SettingsError, data_folder, load, save
+from trex_gui.devices.trex.protocol.commands import Signature
+from trex_gui.devices.trex.protocol.device_table import HIGHEST_WIRE
+
+log = logging.getLogger(__name__)
+
+Accepted = Mapping[str, frozenset[int]]
+"""Wire values by parameter."""
+
+
+class AcceptedValues:
+    """One file for all boards, which the window and the command line share."""
+
+    def __init__(self, path: Path | None = None) -> None:
+        self.path = path or data_folder() / "accepted_values.json"
+
+    def of(self, board: Signature) -> Accepted:
+        """Return what boards with this model and firmware have stored.
+
+        A file that cannot be used counts as empty: then the user is asked again.
+        """
+        found = self._read().get(_name(board))
+        return {} if not isinstance(found, dict) else _sound(found)
+
+    def add(self, board: Signature, values: Mapping[str, int]) -> Accepted:
+        """Remember values that a board has stored; return all of its model and firmware.
+
+        Raises:
+            SettingsError: that failed; what was remembered is still there.
+        """
+        known = dict(self.of(board))
+        for key, wire in values.items():
+            known[key] = known.get(key, frozenset()) | {wire}
+        document = self._read() | {_name(board): {key: sorted(all_) for key, all_ in known.items()}}
+        try:
+            self.path.parent.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise SettingsError.of(self.path, f"it cannot be written: {error}") from error
+        save(self.path, json.dumps(document, indent=2) + "\n")
+        return known
+
+    def _read(self) -> dict[str, object]:
+        if not self.path.exists():
+            return {}
+        try:
+            document = json.loads(load(self.path, "accepted values"))
+        except (SettingsError, ValueError, RecursionError) as error:
+            log.warning("%s is not used: %s", self.path, str(error)[:200])
+            return {}
+        return document if isinstance(document, dict) else {}
+
+
+def _name(board: Signature) -> str:
+    return f"{board.model.key} {board.firmware}"
+
+
+def _sound(found: Mapping[str, object]) -> Accepted:
+    """Return what can be wire values."""
+    return {
+        str(key): frozenset(w for w in wires if type(w) is int and 0 <= w <= HIGHEST_WIRE)
+        for key, wires in found.items()
+        if isinstance(wires, list)
+    }
