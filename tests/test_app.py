@@ -72,7 +72,7 @@ def tour_pages() -> list[str]:
     pages += [f"learn-{step}" for step in ("rest", "travel", "review", "test")]
     setup_steps = ("driver", "jumpers", "sticks", "motors", "limits", "review")
     pages += [f"setup-{step}" for step in setup_steps]
-    pages += ["errors", "trexLog", "transcript"]
+    pages += ["errors", "trexLog", "transcript", "check-leds", "check-jumpers"]
     robot_pages = ["aracnaRobot", "aracnaPoses", "aracnaLog", "aracnaTranscript"]
     pages += [*robot_pages, *(f"{page}-moving" for page in robot_pages), "aracnaRobot-stuck"]
     return pages

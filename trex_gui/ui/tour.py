@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QAbstractButton, QWidget
+from PySide6.QtWidgets import QAbstractButton, QTabWidget, QWidget
 
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.program import Program
@@ -112,6 +112,13 @@ class Tour(QObject):
         if found is None or not (found.isVisible() and found.isEnabled()):
             return False
         found.click()
+        return True
+
+    def choose_tab(self, tabs: str, index: int) -> bool:
+        found = self._program.window.findChild(QTabWidget, tabs)
+        if found is None:
+            return False
+        found.setCurrentIndex(index)
         return True
 
     def is_visible(self, widget: str) -> bool:

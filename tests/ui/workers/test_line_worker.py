@@ -291,7 +291,7 @@ def test_port_in_use_is_reported(line: Watched, watch: Watch) -> None:
     assert not line.has(Closed)
 
 
-def test_silent_device_is_reported_within_a_second(
+def test_silent_device_is_reported_within_seconds(
     quick_simulator: SimulatedDevice, watch: Watch
 ) -> None:
     quick_simulator.do("power off")
@@ -299,7 +299,7 @@ def test_silent_device_is_reported_within_a_second(
     begun = now()
     watched.worker.start()
     watched.wait(Closed)
-    assert now() - begun < 1.0
+    assert now() - begun < 2.5
     assert isinstance(watched.end.error, NoReply)
     assert "No TReX responds" in str(watched.end.error)
 

@@ -1,4 +1,4 @@
-"""Screenshot tour of a TReX: its pages with running motors, learning, and the set-up assistant."""
+"""Screenshot tour of a TReX: its pages with running motors, learning, and other dialogs."""
 
 from collections.abc import Iterator
 from functools import partial
@@ -70,3 +70,9 @@ def tour_steps(tour: Tour, controller: TrexController) -> Iterator[Do]:
         if step != _SETUP_STEPS[-1]:
             yield partial(tour.press, "setupNextButton")
     yield partial(tour.press, "setupCloseButton")
+    yield partial(tour.choose, "check_boardAction")
+    yield from tour.look_at("checkBoardDialog", "check-leds")
+    yield partial(tour.choose_tab, "checkTabs", 1)
+    yield partial(tour.press, "handShakeNext")
+    yield from tour.look_at("checkBoardDialog", "check-jumpers")
+    yield partial(tour.press, "checkCloseButton")
