@@ -122,13 +122,26 @@ def test_pose_beyond_joint_limits_is_rejected_before_sending(
     assert near(robot, [20] + [551] * 7)
 
 
-def test_built_in_pose_is_clamped_to_limits_and_reported(
-    trexcmd: RunCommand, robot: SimulatedDevice
-) -> None:
+def test_led_is_switched_and_reported(trexcmd: RunCommand, robot: SimulatedDevice) -> None:
+    for state in ("on", "off"):
+        assert trexcmd("aracna", "led", state).stdout == f"{state}\n"
+        assert robot.show()["led"] == (state == "on")
+    assert trexcmd("aracna", "led", "2").exit_code == 2
+
+
+def test_built_in_pose_fits_the_limits(trexcmd: RunCommand, robot: SimulatedDevice) -> None:
     result = trexcmd("aracna", "pose", "--pose", "stand", "--speed", "500")
     assert result.exit_code == 0, result.stderr
     assert near(robot, [512, 550] * 4)
-    assert "stand: motor 1 is sent to 550, its limit, not to 680." in result.stderr
+    assert "limit" not in result.stderr
+
+
+def test_pose_of_a_file_is_cropped_to_the_limits_and_reported(
+    trexcmd: RunCommand, robot: SimulatedDevice, file: str
+) -> None:
+    result = trexcmd("aracna", "pose", "--pose", "far", "--file", file, "--speed", "0")
+    assert result.exit_code == 0, result.stderr
+    assert "far: motor 0 is sent to 600, its limit, not to 1000." in result.stderr
 
 
 def test_pose_is_loaded_from_file_by_name(

@@ -44,6 +44,28 @@ def test_move_sends_goals_and_speeds(connected_window: RobotWindow) -> None:
     assert speeds.held == (*(300,) * 7, 0)
 
 
+def test_debug_led_is_switched_from_the_menu(connected_window: RobotWindow) -> None:
+    window = connected_window
+    action = window.action("aracna_led")
+
+    def switches_to(*, on: bool) -> None:
+        window.trigger("aracna_led")
+        window.wait(lambda: window.robot.state.led is on)
+        assert window.simulated()["led"] == on
+        assert action.isChecked() == on
+
+    for on in (True, False, True):
+        switches_to(on=on)
+    window.control("reset")
+    window.wait(lambda: window.robot.state.led is None)
+    assert not action.isChecked()
+    window.wait(action.isEnabled)
+    window.control("line mute on")
+    window.trigger("aracna_led")
+    window.wait_for_text("bannerText", "LED not switched")
+    assert not action.isChecked()
+
+
 def test_goals_stay_within_limits(connected_window: RobotWindow) -> None:
     window = connected_window
     assert window.drag("aracnaSlider1", 1000).value() == 550

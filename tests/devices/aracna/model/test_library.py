@@ -292,4 +292,4 @@ def test_gait_ignores_changed_pose_of_same_name(
     assert step.pose_name == "stand up flat"
     pose = library.project.pose("stand up flat")
     assert pose is not None
-    assert pose.positions == (770, 40) * 4
+    assert pose.positions == (600, 40) * 4

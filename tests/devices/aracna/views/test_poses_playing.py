@@ -62,6 +62,7 @@ def test_step_pose_and_time_are_edited_in_table(driver: StagedPageDriver, qtbot:
 
 
 def test_play_requests_clamped_steps_with_chosen_options(driver: StagedPageDriver) -> None:
+    driver.library.set_positions("flat", (770, 40) * 4)
     driver.library.add_sequence("up", [SequenceStep("flat", 3000), SequenceStep("stand", 2000)])
     driver.connect()
     driver.show_present(*(300,) * 8)

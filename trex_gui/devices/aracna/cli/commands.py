@@ -1,4 +1,4 @@
-"""The commands query, speeds, pose and play."""
+"""The commands query, led, speeds, pose and play."""
 
 from pathlib import Path
 
@@ -61,6 +61,20 @@ def query(port: str | None, extra_timeout: float, *, as_json: bool) -> None:
         print_json(row)
     else:
         click.echo(f"Aracna, firmware {robot.version}, {counted(robot.motors, 'motor')}")
+
+
+@aracna.command()
+@port_option
+@timeout_option
+@_traffic_option
+@click.argument("state", type=click.Choice(["on", "off"]))
+def led(state: str, port: str | None, extra_timeout: float) -> None:
+    """Switch the debug LED of the board: it shows which robot is on this port. Moves nothing.
+
+    It is off after each start of the board. Prints what the robot reports.
+    """
+    with CommandSession(port_settings(port, extra_timeout)) as session:
+        click.echo("on" if session.set_led(on=state == "on") else "off")
 
 
 @aracna.command()

@@ -27,6 +27,7 @@ from trex_gui.devices.aracna.session.messages import (
     Passed,
     Play,
     Report,
+    SetLed,
     SetSpeeds,
     SpeedsHeld,
     StepBegun,
@@ -100,6 +101,10 @@ class CommandSession:
                 self.faults.append(f"Motor {motor} holds speed {held}, not {requested}.")
         return reply.held
 
+    def set_led(self, *, on: bool) -> bool:
+        """Switch the debug LED; return whether it is on then."""
+        return bool(self._result(SetLed(next(self._ids), on)))
+
     def report_faults(self) -> None:
         for fault in self.faults:
             say(fault)
@@ -116,7 +121,7 @@ class CommandSession:
 
     # --- Waiting ------------------------------------------------------------------------
 
-    def _result(self, request: SetSpeeds | Move | Play) -> object:
+    def _result(self, request: SetSpeeds | SetLed | Move | Play) -> object:
         self._inbox.put(request)
         for report in self._received():
             match report:

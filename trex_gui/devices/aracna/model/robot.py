@@ -25,6 +25,7 @@ from trex_gui.devices.aracna.session.messages import (
     NotResponding,
     Play,
     Restarted,
+    SetLed,
     SetLimits,
     SetSpeeds,
     SetTimeScale,
@@ -249,6 +250,11 @@ class Robot(DeviceConnection[PortSettings]):
             self._pending_speeds += 1
         self.changed.emit()
 
+    def set_led(self, *, on: bool) -> None:
+        """Switch the debug LED of the board, between motions; nothing moves."""
+        if self.link is ConnectionState.CONNECTED:
+            self.request(lambda number: SetLed(number, on), self._on_led_done)
+
     def play(self, play: Play) -> bool:
         """Play steps, which the session crops to the limits; return whether they are sent.
 
@@ -383,6 +389,13 @@ class Robot(DeviceConnection[PortSettings]):
         self._pending_speeds = max(self._pending_speeds - 1, 0)
         if outcome.error is not None and not self._pending_speeds:  # else newer ones replaced it
             self._reject_because(self.tr("Speeds not set: {0}"), outcome.error)
+
+    def _on_led_done(self, outcome: Outcome) -> None:
+        if outcome.error is None:
+            self.state.led = bool(outcome.value)
+        else:
+            self._reject_because(self.tr("LED not switched: {0}"), outcome.error)
+        self.changed.emit()
 
     def _on_move_done(self, outcome: Outcome) -> None:
         self._pending_moves -= 1

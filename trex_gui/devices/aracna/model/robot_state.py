@@ -74,6 +74,7 @@ class RobotState:
         moving: the `.c` that is not answered yet.
         uncertain: whether a motion that is no longer observed may still be running.
         unobserved_until: when such a motion should end; kept when it is over.
+        led: whether the debug LED is on; `None` until the robot was asked to switch it.
         step: the running step; `None` before the first.
     """
 
@@ -88,6 +89,7 @@ class RobotState:
     uncertain: bool = False
     unobserved_until: float | None = None
     speeds: SpeedsHeld | None = None
+    led: bool | None = None
     play: Play | None = None
     step: StepBegun | None = None
     stats: LineStats = field(default_factory=LineStats)
@@ -116,7 +118,7 @@ class RobotState:
             case Restarted() | NotResponding() | StoppedResponding():
                 self.present = (None,) * self.motors
                 self._stop_observing()
-                self.moved, self.speeds = None, None
+                self.moved, self.speeds, self.led = None, None, None
                 self.uncertain, self.step = self.goals is not None, None
             case Connected(version=version):
                 self.version = version

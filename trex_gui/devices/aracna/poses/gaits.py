@@ -1,25 +1,30 @@
 """Poses and gaits that come with the program.
 
 Ref: CreativeMachinesLab/aracna `RobotPi/PiConstants.py` (poses: an inner and an outer position, the
-same for all legs; several are outside the joints' limits and are cropped when played),
+same for all legs; several are outside the joints' limits there and are cropped when played),
 `RobotPi/commonGaits.py` (a list of poses with a duration each, linear in between, from the last one
 back to the first) and `RobotPi/RobotPi.py` (3 s to flat, then 3 s to stand). Gaits marked `ours`
-are made of the authors' poses, but are not theirs.
+are made of the authors' poses, but are not theirs. Everything here is cropped to the limits that
+were tuned on the robot, as the authors' programs do before they send a goal.
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from trex_gui.devices.aracna.poses.project import SHORTEST_MS, Pose, SequenceStep
-from trex_gui.devices.aracna.protocol.joints import HIGHEST, MOTORS
+from trex_gui.devices.aracna.protocol.joints import MOTORS, crop, factory_limits
 
 SLOW_SECONDS = 3.0  # time in which the authors' robot goes to flat, and from there to stand
 
 
 def all_legs(name: str, inner: int, outer: int) -> Pose:
     """Return a pose with the same positions for all legs: even motors are inner joints."""
-    return Pose(name, (inner, outer) * (MOTORS // 2))
+    return _within_limits(name, (inner, outer) * (MOTORS // 2))
+
+
+def _within_limits(name: str, positions: Sequence[float]) -> Pose:
+    return Pose(name, crop(positions, factory_limits()))
 
 
 FLAT = all_legs("flat", 770, 40)
@@ -82,12 +87,11 @@ def sampled(
     samples: int,
     about: str,
 ) -> Gait:
-    """Return the gait that samples a periodic function of time, cropped to 0-1023."""
+    """Return the gait that samples a periodic function of time."""
     stages = []
     for number in range(1, samples + 1):
-        positions = motion(seconds * number / samples)
-        cropped = tuple(min(max(round(position), 0), HIGHEST) for position in positions)
-        stages.append(GaitStage(Pose(f"{number} of {samples}", cropped), seconds / samples))
+        pose = _within_limits(f"{number} of {samples}", motion(seconds * number / samples))
+        stages.append(GaitStage(pose, seconds / samples))
     return Gait(name, tuple(stages), about)
 
 
@@ -111,7 +115,7 @@ def _star(swung: int) -> Gait:
             positions[2 * leg] -= _LIFT
         positions[2 * swung + 1] -= sign * _SWING
         positions[2 * opposite + 1] += sign * _SWING
-        return Pose(name, tuple(positions))
+        return _within_limits(name, positions)
 
     swinging = (swung, opposite)
     return Gait(

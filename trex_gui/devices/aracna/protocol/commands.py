@@ -14,6 +14,11 @@ QUERY = b".q\n"  # three bytes: as many as the chip keeps while the firmware is 
 EMPTY = b"\n"  # ends an unfinished line in the firmware's buffer; has no other effect
 
 
+def led(*, on: bool) -> bytes:
+    """Return the command that switches the debug LED of the board; it moves nothing."""
+    return b".l1\n" if on else b".l0\n"
+
+
 def speeds(values: Sequence[int], motors: int) -> bytes:
     """Return the command that sets every servo's speed, 0-1023 (0: unlimited)."""
     return _line("v", "speed", values, motors)

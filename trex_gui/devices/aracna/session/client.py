@@ -60,7 +60,7 @@ class Answered:
     """The complete reply has arrived."""
 
     command: SentCommand
-    reply: Version | Speeds | Positions
+    reply: Version | Speeds | Positions | Led
     time: float
 
 
@@ -146,6 +146,9 @@ class AracnaClient:
         line = commands.speeds(values, self._known_motors())
         self._send("v", tuple(values), line, REPLY_TIMEOUT)
 
+    def set_led(self, *, on: bool) -> None:
+        self._send("l", (int(on),), commands.led(on=on), REPLY_TIMEOUT)
+
     def move(self, goals: Sequence[int], timeout: float) -> None:
         """Move every motor, one goal of 0-1023 for each (BadRequest otherwise)."""
         line = commands.positions(goals, self._known_motors())
@@ -191,7 +194,7 @@ class AracnaClient:
             voided, self.pending = self.pending, None
             return [Voided(voided, now)]
         command = self.pending
-        if not isinstance(reply, Led | Unrecognized) and command is not None:
+        if not isinstance(reply, Unrecognized) and command is not None:
             if self._matches(command, reply):
                 self._count_reply(command, now)
                 self.pending = self._query_behind(now)
@@ -215,6 +218,8 @@ class AracnaClient:
                 return command.letter == "v" and len(values) == self.motors
             case Positions(values):
                 return command.letter == "c" and len(values) == self.motors
+            case Led():
+                return command.letter == "l"
             case _:
                 return False
 

@@ -15,10 +15,11 @@ from trex_gui.devices.aracna.session.messages import (
     Play,
     Report,
     Request,
+    SetLed,
     SetSpeeds,
 )
 
-Job = Move | SetSpeeds
+Job = Move | SetSpeeds | SetLed
 """A request with one outcome: one command, and before a `Move` possibly its speeds."""
 
 JobT = TypeVar("JobT", Move, Drag, Job, "Job | Drag")
@@ -123,7 +124,7 @@ class JobQueue:
 
     def reject(self, request: Request | None, error: StudioError) -> None:
         """Report the outcome of a request that was never queued, if it has one."""
-        if isinstance(request, Move | SetSpeeds | Play):
+        if isinstance(request, Move | SetSpeeds | SetLed | Play):
             self._report(Outcome(request.id, error=error))
 
     def reject_drag(self, drag: Drag, error: StudioError) -> None:

@@ -27,6 +27,14 @@ class SetSpeeds:
 
 
 @dataclass(frozen=True, slots=True)
+class SetLed:
+    """Switch the board's debug LED; the value of its `Outcome` is whether it is on then."""
+
+    id: int
+    on: bool
+
+
+@dataclass(frozen=True, slots=True)
 class Move:
     """Move every motor to a goal; the value of its `Outcome` is the `Moved`.
 
@@ -101,7 +109,9 @@ class Halt:
     """
 
 
-Request = SetSpeeds | SetLimits | Move | Drag | Play | SetTimeScale | EndPlay | Halt | Close
+Request = (
+    SetSpeeds | SetLed | SetLimits | Move | Drag | Play | SetTimeScale | EndPlay | Halt | Close
+)
 
 # --- Reports --------------------------------------------------------------------------------
 

@@ -13,7 +13,7 @@ from trex_gui.core.session import SHORTEST_WAIT, Close, Closed, Closing, Inbox, 
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.protocol import commands
-from trex_gui.devices.aracna.protocol.replies import UNREADABLE, Positions, Speeds, Version
+from trex_gui.devices.aracna.protocol.replies import UNREADABLE, Led, Positions, Speeds, Version
 from trex_gui.devices.aracna.session.client import (
     LINE,
     Answered,
@@ -51,6 +51,7 @@ from trex_gui.devices.aracna.session.messages import (
     Report,
     Request,
     Restarted,
+    SetLed,
     SetLimits,
     SetSpeeds,
     SetTimeScale,
@@ -187,7 +188,7 @@ class AracnaSession:
                 self._check_ready()
                 self._jobs.drop_drag()
                 self._player.start(request, self._now())
-            case Move() | SetSpeeds():
+            case Move() | SetSpeeds() | SetLed():
                 self._check_ready()
                 self._jobs.add(request)
             case _:
@@ -235,6 +236,8 @@ class AracnaSession:
                 self._move(goals)
             case SetSpeeds(speeds=speeds):
                 self._client.set_speeds(speeds)
+            case SetLed(on=on):
+                self._client.set_led(on=on)
         return False
 
     def _move(self, goals: tuple[int, ...]) -> None:
@@ -290,6 +293,8 @@ class AracnaSession:
                     error = RobotNoReplyError(ErrorCode.GOALS_MISSED, tuple(wrong))
                     self._player.stop(now, Ending.MISSED, error)
                 self._jobs.finish(moved)
+            case Led(on=on):
+                self._jobs.finish(on)
 
     def _on_speeds(self, speeds: SpeedsHeld) -> None:
         """Start a motion only if every servo has taken its speed."""

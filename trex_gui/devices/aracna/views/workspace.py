@@ -215,6 +215,9 @@ class AracnaWorkspace(Workspace):
                     self._set_up_offline,
                 ),
                 Entry("aracna_limits", tr("Reset the joints' &limits"), robot.limits.reset),
+                Entry(
+                    "aracna_led", tr("&Debug LED of the board"), self._switch_led, checkable=True
+                ),
             ),
             tr("Pos&es"): (
                 Entry("aracna_new", tr("&New pose file"), files.new, keys.New, "new"),
@@ -266,12 +269,16 @@ class AracnaWorkspace(Workspace):
             "aracna_end": not idle and robot.link is ConnectionState.CONNECTED,
             "aracna_record": recorder.recording or recorder.can_record,
             "aracna_offline": robot.link is ConnectionState.DISCONNECTED,
+            "aracna_led": idle and robot.link is ConnectionState.CONNECTED,
             "aracna_limits": not robot.limits.are_factory,
             "aracna_capture": None not in robot.state.present,
             "aracna_undo": undo.canUndo(),
             "aracna_redo": undo.canRedo(),
             "aracna_demo": self._controller.demo_in_use,
         }
+
+    def _switch_led(self) -> None:
+        self._robot.set_led(on=not self._robot.state.led)
 
     def _set_up_offline(self) -> None:
         self.show_page("robot")
@@ -296,6 +303,7 @@ class AracnaWorkspace(Workspace):
         text = self.tr("Stop &recording") if recording else self.tr("&Record…")
         self._actions["aracna_record"].setText(text)
         self._actions["aracna_demo"].setChecked(self._demo.wanted)
+        self._actions["aracna_led"].setChecked(bool(self._robot.state.led))
         if (shown := (self.enabled_actions(), self.has_edits)) != self._shown:
             self._shown = shown
             self.actions_changed.emit()

@@ -165,7 +165,7 @@ class Controls(QWidget):
         self._stand = self._button(
             "Stand",
             self.tr("S&tand"),
-            self.tr("Inner 512, outer 680, within the limits; nothing moves yet"),
+            self.tr("Inner 512, outer 550; nothing moves yet"),
             self.stand,
         )
         self._speed = CommonSpeedBox("aracnaSpeedAll", self.tr("Speed of all motors"), self)
