@@ -19,6 +19,7 @@ from trex_gui.devices.trex.driving.requests import Arm, Stop
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
 from trex_gui.devices.trex.protocol.flags import UartError
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.protocol.raw_packets import packets_of
 from trex_gui.devices.trex.session.messages import Connected, SendPacket
 
@@ -90,3 +91,18 @@ def test_board_is_read_again_after_a_packet_that_writes(stage: Stage) -> None:
     assert outcomes(reports)[1].value == b"\0"
     assert among(reports, Connected)[-1].state.parameters["serial_timeout"] == 15
     assert not moving(stage.transport.sent)
+
+
+def test_board_is_found_where_a_packet_has_put_it(stage: Stage) -> None:
+    stage.script.at(1.0, packet(1, "AF 7E 0A 55 2A"))
+    stage.script.at(2.0, stage.board.power_off).at(4.0, stage.board.power_on)
+    reports = run_for(stage, 25.0)
+    assert among(reports, Connected)[-1].settings.line == LineSettings(115200)
+
+
+def test_write_without_a_reply_is_read_again(stage: Stage) -> None:
+    stage.script.at(1.0, lambda: stage.line.faults.__setattr__("to_drop", 1))
+    stage.script.at(1.0, packet(1, "AF 0E 0F 55 2A"))
+    reports = run_for(stage, 8.0)
+    assert isinstance(outcomes(reports)[1].error, NoReply)
+    assert among(reports, Connected)[-1].state.parameters["motor1_acceleration"] == 15

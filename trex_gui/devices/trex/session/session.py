@@ -88,7 +88,7 @@ from trex_gui.devices.trex.session.polling import (
     Topic,
     poll,
 )
-from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
+from trex_gui.devices.trex.session.reconnecting import LivenessMonitor, reconnect_candidates
 
 log = logging.getLogger(__name__)
 
@@ -448,12 +448,29 @@ class TrexSession:
         else:
             self._collect()
             self._serve_motors()
-        reply = self._line.send_packet(packet.packet)
+        try:
+            reply = self._line.send_packet(packet.packet)
+        except (NoReply, BadReply):
+            self._status.uart_due = True  # it may have cleared bits
+            if packet.writes:
+                self._stale_reads = _STALE_READS  # it may be stored all the same
+            raise
         if packet.device_number in self._own_numbers:
             self._keep_cleared(reply.value)
         if packet.writes:
-            self._read_everything(ReadReason.RELOADED)
+            self._read_after_write()
         return reply.raw
+
+    def _read_after_write(self) -> None:
+        """Read what a packet of the user's has stored, and where the board will be with it."""
+        before = self._state.parameters
+        self._read_everything(ReadReason.RELOADED)
+        state = self._state
+        places = reconnect_candidates(
+            self._line.settings, before, state.parameters, state.signature.firmware
+        )
+        if places:
+            self._liveness.expect(places)
 
     @property
     def _own_numbers(self) -> set[int | None]:
