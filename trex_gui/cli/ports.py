@@ -24,7 +24,7 @@ from trex_gui.core.discovery.scan import scan_port
 from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.host import host
 from trex_gui.core.plugin import Lazy, PortAnswer
-from trex_gui.core.timing import Timeouts
+from trex_gui.core.timing import Timeouts, seconds_left
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.trex.cli.common import link_options
 
@@ -101,10 +101,15 @@ def find_command(port: str | None, full: bool, extra_timeout: float, as_json: bo
             if interrupted:
                 break
             say(f"Searching {url} ...")
-            with ProgressLine(f"Searching {url}") as line:
+            with ProgressLine("Searching") as line:
+                begun = host().clock()
 
-                def show(step: ScanProgress, line: ProgressLine = line) -> None:
-                    line(step.done, step.total, f"{step.kind} at {step.line.text()}")
+                def show(
+                    step: ScanProgress, line: ProgressLine = line, begun: float = begun
+                ) -> None:
+                    left = seconds_left(host().clock() - begun, step.done, step.total)
+                    text = "" if left is None else f", at most {left} s left"
+                    line(step.done, step.total, f"{step.kind} at {step.line.short}{text}")
 
                 search = scan_port(
                     PortSettings(url, timeouts=Timeouts(extra=extra_timeout)),

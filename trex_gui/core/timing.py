@@ -1,5 +1,6 @@
 """How long the program waits for a board and for its own window, and how often it shows values."""
 
+import math
 from dataclasses import dataclass
 
 FRAME = 1 / 30
@@ -13,6 +14,20 @@ UNWATCHED_INTERVAL = 0.25
 TEXT_INTERVAL = 0.2
 """Seconds between two renewals of a measured value as text: nobody reads faster, and a text that
 changes may lay out the whole page again."""
+
+
+_LEAST_STEPS = 3
+_ROUND = 5  # seconds
+
+
+def seconds_left(elapsed: float, done: int, total: int) -> int | None:
+    """Estimate what the rest of some steps takes, in steps of 5 s; `None` while too few are done.
+
+    `elapsed`: seconds that the steps that are done have taken.
+    """
+    if not _LEAST_STEPS <= done < total:
+        return None
+    return _ROUND * math.ceil(elapsed / done * (total - done) / _ROUND)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, QEvent, QTimer
+from PySide6.QtCore import QCoreApplication, QEvent
 
 from trex_gui.core.plugin import DevicePlugin
 from trex_gui.core.timing import Timeouts
@@ -99,11 +99,11 @@ class Program:
         is_current = key == self.device_manager.current.plugin.key
         if kind.open_offline is not None:
             if connecting and is_current:
-                self.when_connected(lambda: kind.open(path))
+                self.device_manager.when_connected(lambda: kind.open(path))
             else:
                 kind.open_offline(path)
         elif connecting and not is_current:
-            self.when_connected(lambda: self.window.open_file(path))
+            self.device_manager.when_connected(lambda: self.window.open_file(path))
         else:
             self.window.open_file(path)
 
@@ -111,17 +111,6 @@ class Program:
         kinds = [(key, kind) for key, space in self.workspaces.items() for kind in space.file_kinds]
         suffix = path.suffix.lower()
         return next((found for found in kinds if suffix in found[1].suffixes), kinds[0])
-
-    def when_connected(self, then: Callable[[], object]) -> None:
-        """Call `then` once, as soon as a device responds and its connection is reported."""
-        manager = self.device_manager
-
-        def run_once() -> None:
-            if manager.current.link is ConnectionState.CONNECTED:
-                manager.changed.disconnect(run_once)
-                QTimer.singleShot(0, then)
-
-        manager.changed.connect(run_once)
 
     def report_last_stop(self) -> None:
         """Say whether the guardian stopped motors since the last start.
@@ -133,7 +122,7 @@ class Program:
         if manager.is_idle or manager.current.link is ConnectionState.CONNECTED:
             report()
         else:
-            self.when_connected(report)
+            self.device_manager.when_connected(report)
 
     def stop_now(self, *, ending: bool = False) -> None:
         self.device_manager.stop_now(ending=ending)

@@ -48,7 +48,7 @@ def dialog(qtbot: QtBot, ports: Ports) -> Iterator[FindBoardDialog]:
     device = Device()
     controller = new_controller(device, ports)
     manager = DeviceManager({"trex": lambda: controller}, scanner_of(controller))
-    dialog = FindDialog(manager, ports, lambda then: then())
+    dialog = FindDialog(manager, ports, lambda then: then(), lambda *_: ())
     qtbot.addWidget(dialog)
     yield FindBoardDialog(dialog, manager.scanner, qtbot)
     manager.shut_down()

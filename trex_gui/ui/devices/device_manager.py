@@ -4,7 +4,7 @@ from collections.abc import Callable, Collection, Mapping
 from functools import partial
 from typing import Any
 
-from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtCore import QObject, QTimer, Signal, Slot
 
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.ui.devices.connection import ConnectionState
@@ -104,6 +104,21 @@ class DeviceManager(QObject):
             self.current = controller
             self.current_changed.emit()
         then()
+
+    def when_connected(self, then: Callable[[], object], *, only_now: bool = False) -> None:
+        """Call `then` once, as soon as a device responds and its connection is reported.
+
+        `only_now`: not if the present attempt to connect fails.
+        """
+
+        def run_once() -> None:
+            is_connected = self.current.link is ConnectionState.CONNECTED
+            if is_connected or (only_now and self.is_idle):
+                self.changed.disconnect(run_once)
+            if is_connected:
+                QTimer.singleShot(0, then)
+
+        self.changed.connect(run_once)
 
     def leave(self) -> None:
         """Disconnect for the user."""

@@ -1,5 +1,6 @@
 """Scan of the ports for boards with unknown line settings."""
 
+import math
 import threading
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -11,7 +12,7 @@ from trex_gui.core.discovery.prober import FoundDevice, ProberInfo, ScanProgress
 from trex_gui.core.discovery.scan import PortScan, scan_port
 from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.plugin import DevicePlugin
-from trex_gui.core.timing import Timeouts
+from trex_gui.core.timing import Timeouts, seconds_left
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.core.transport.traffic import TrafficLog, logged
@@ -19,6 +20,8 @@ from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.devices.simulator import Simulator
 from trex_gui.ui.runtime import now, open_transport
 from trex_gui.ui.workers.threads import WorkerThread, adopt_orphan
+
+_LONG = 90  # seconds from which on the time left is shown in minutes
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,6 +132,7 @@ class DeviceScanner(QObject):
         self._only_recall = False
         self.done = 0  # probes that are done or no longer needed
         self.total = 1  # most probes that may be needed
+        self._begun = 0.0
         self.text = ""  # what is probed now; empty while idle
         self.summary = ""  # how the last scan ended, in a sentence; empty before any did
         self._cancelled = False
@@ -156,6 +160,16 @@ class DeviceScanner(QObject):
         return self._worker is not None
 
     @property
+    def time_left(self) -> str:
+        """The longest that the scan still takes, for the user; empty while that is not known."""
+        left = seconds_left(now() - self._begun, self.done, self.total)
+        if not self.running or self._cancelled or left is None:
+            return ""
+        if left <= _LONG:
+            return self.tr("At most {0} s left.").format(left)
+        return self.tr("At most {0} min left.").format(math.ceil(left / 60))
+
+    @property
     def was_cancelled(self) -> bool:
         return self._cancelled
 
@@ -176,6 +190,7 @@ class DeviceScanner(QObject):
         self._searched = self.done = self._faults = 0
         self._only_recall = only_recall
         self.total = 1
+        self._begun = now()
         self.summary = ""
         self._cancelled = False
         self.text = self.tr("Opening {0} …").format(_name(self._ports[0]))

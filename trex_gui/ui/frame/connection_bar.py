@@ -1,6 +1,6 @@
 """The row above the pages: port, line settings, state of the connection."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QSignalBlocker, Signal, Slot
 from PySide6.QtWidgets import QComboBox, QInputDialog, QWidget
@@ -9,6 +9,7 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Port, Ports
 from trex_gui.ui.frame.find_dialog import FindDialog
+from trex_gui.ui.frame.workspace import LineChoice
 from trex_gui.ui.notifier import ConnectWith, Remedy
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import follow_theme, set_text_color
@@ -36,9 +37,14 @@ class ConnectionBar(QWidget):
     interruption_wanted = Signal(object)
 
     def __init__(
-        self, device_manager: DeviceManager, ports: Ports, parent: QWidget | None = None
+        self,
+        device_manager: DeviceManager,
+        ports: Ports,
+        line_choices: Callable[[str, object], Sequence[LineChoice]],
+        parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
+        self._line_choices = line_choices
         self._manager = device_manager
         self._ports = ports
         self._dialog: FindDialog | None = None
@@ -184,7 +190,9 @@ class ConnectionBar(QWidget):
 
     def _open_search(self, *, at_once: bool) -> None:
         if self._dialog is None:
-            self._dialog = FindDialog(self._manager, self._ports, self._unless_busy, self.window())
+            self._dialog = FindDialog(
+                self._manager, self._ports, self._unless_busy, self._line_choices, self.window()
+            )
             self._dialog.check_requested.connect(
                 lambda: self.remedy_chosen.emit(Remedy.CHECK_BOARD)
             )

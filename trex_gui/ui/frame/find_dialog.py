@@ -1,6 +1,7 @@
 """Dialog that finds boards with unknown line settings."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from functools import partial
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtGui import QGuiApplication, QHideEvent
@@ -9,6 +10,7 @@ from PySide6.QtWidgets import (
     QLabel,
     QListWidget,
     QListWidgetItem,
+    QMenu,
     QPushButton,
     QSizePolicy,
     QToolButton,
@@ -18,6 +20,7 @@ from PySide6.QtWidgets import (
 from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.devices.scanner import ScanFinding
+from trex_gui.ui.frame.workspace import LineChoice
 from trex_gui.ui.theme.style import use_theme_style
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
@@ -41,9 +44,13 @@ class FindDialog(ReusedDialog):
         device_manager: DeviceManager,
         ports: Ports,
         unless_busy: Callable[[Callable[[], object]], object],
+        line_choices: Callable[[str, object], Sequence[LineChoice]],
         parent: QWidget | None = None,
     ) -> None:
-        """`unless_busy` calls a function that ends a connection, after a question if need be."""
+        """`unless_busy` calls a function that ends a connection, after a question if need be.
+
+        `line_choices` returns other line settings than those in use for a kind of device.
+        """
         super().__init__(parent)
         self.setObjectName("findDialog")
         self.setWindowTitle(self.tr("Find a board"))
@@ -51,6 +58,7 @@ class FindDialog(ReusedDialog):
         self._ports = ports
         self._manager = device_manager
         self._unless_busy = unless_busy
+        self._line_choices = line_choices
         self._scanner = device_manager.scanner
         self._checked: dict[Port, bool] = {}  # as the user has chosen
         self._first: Port | None = None  # chosen in the window
@@ -227,7 +235,8 @@ class FindDialog(ReusedDialog):
         hint = self.tr(
             "The likely settings come first; a port without a reply takes about half a minute."
         )
-        self._tried.setText(self._scanner.text or self._scanner.summary or hint)
+        text = f"{self._scanner.text} {self._scanner.time_left}".strip()
+        self._tried.setText(text or self._scanner.summary or hint)
 
     @Slot()
     def _on_scanner_changed(self) -> None:
@@ -296,21 +305,55 @@ class FindDialog(ReusedDialog):
                 default=False,
                 on_click=lambda: self._connect(finding),
             )
-            connect.setEnabled(finding.port != self._manager.current.port)
-            self._connects[connect] = finding.port
-            layout.addWidget(connect, 0, Qt.AlignmentFlag.AlignVCenter)
+            buttons = [connect]
+            if choices := self._line_choices(finding.device, finding.found.settings.line):
+                buttons.append(self._change_button(row, index, finding, choices))
+            for button in buttons:
+                button.setEnabled(finding.port != self._manager.current.port)
+                self._connects[button] = finding.port
+                layout.addWidget(button, 0, Qt.AlignmentFlag.AlignVCenter)
         if finding.command:
             copy = ui.button(row, f"copyCommand{index}", self.tr("Copy command"), default=False)
             copy.clicked.connect(lambda: QGuiApplication.clipboard().setText(finding.command))
             layout.addWidget(copy, 0, Qt.AlignmentFlag.AlignVCenter)
         return row
 
-    def _connect(self, finding: ScanFinding) -> None:
+    def _change_button(
+        self, row: QWidget, index: int, finding: ScanFinding, choices: Sequence[LineChoice]
+    ) -> QPushButton:
+        """Return a button that connects, and then proposes other line settings to the user."""
+        button = ui.button(
+            row,
+            f"changeFound{index}",
+            self.tr("Connect and set"),
+            accessible=self.tr("Connect and set other line settings: {0}").format(finding.text),
+            tip=self.tr("Shows what will be written first"),
+            default=False,
+        )
+        menu = QMenu(button)
+        for choice in choices:
+            action = menu.addAction(choice.text)
+            action.triggered.connect(partial(self._connect, finding, choice.review))
+        button.setMenu(menu)
+        return button
+
+    def _connect(
+        self,
+        finding: ScanFinding,
+        then: Callable[[], object] | None = None,
+        _checked: bool = False,
+    ) -> None:
         if finding.found is None:
             return
         port = self._ports.lead_to(finding.port, finding.device)
         settings = finding.found.settings
-        self._unless_busy(lambda: self._manager.connect_with(port, settings))
+
+        def connect() -> None:
+            self._manager.connect_with(port, settings)
+            if then is not None:
+                self._manager.when_connected(then, only_now=True)
+
+        self._unless_busy(connect)
         self.close()
 
 

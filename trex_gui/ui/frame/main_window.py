@@ -39,6 +39,7 @@ from trex_gui.ui.frame.workspace import (
     Entries,
     Entry,
     FileKind,
+    LineChoice,
     Menu,
     Menus,
     Workspace,
@@ -88,7 +89,7 @@ class MainWindow(QMainWindow):
         self._add_all_workspaces = add_all_workspaces
         self._store = Preferences()
         frame = QWidget(self)
-        self._connection = ConnectionBar(device_manager, ports, frame)
+        self._connection = ConnectionBar(device_manager, ports, self._line_choices, frame)
         self.question = InlinePrompt(frame)  # for questions of the window and of the workspaces
         self._stack = QStackedWidget(frame)
         banner = Banner(frame, notifier)
@@ -162,6 +163,10 @@ class MainWindow(QMainWindow):
         if isinstance(app, QApplication):
             self._escape = EscapeWatch(app, self._manager, self)
             self._dialog_icons = DialogIcons(app, self)
+
+    def _line_choices(self, device: str, line: object) -> Sequence[LineChoice]:
+        made = [workspace for workspace in self._workspaces if workspace.key == device]
+        return made[0].line_choices(line) if made else ()
 
     def connect_to(self, port: Port) -> None:
         self._connection.connect_to(port)

@@ -69,6 +69,14 @@ class PageInfo:
     make: Callable[[], QWidget]  # called once: when it is first shown, or soon after the start
 
 
+@dataclass(frozen=True, slots=True)
+class LineChoice:
+    """Line settings to offer; `review` lets the user review them, once the device is connected."""
+
+    text: str
+    review: Callable[[], object]
+
+
 class Workspace(QWidget):
     """The pages of a device, the bar below them, and its menu entries.
 
@@ -208,6 +216,11 @@ class Workspace(QWidget):
     def shut_down(self) -> bool:
         """End every thread; return whether all ended in time."""
         return True
+
+    def line_choices(self, line: object) -> Sequence[LineChoice]:
+        """Return other line settings to offer for a device that was found with these."""
+        del line
+        return ()
 
     def set_up_crc(self) -> None:
         """Let the user review the settings with which the device detects errors on the line."""

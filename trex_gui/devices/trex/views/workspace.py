@@ -1,6 +1,6 @@
 """The workspace of a TReX: pages, dialogs and menus."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
@@ -43,7 +43,16 @@ from trex_gui.devices.trex.views.settings_files import SettingsFiles
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.start_panel import StartPanel, StartTexts
 from trex_gui.ui.frame.wiring_sketch import Wiring
-from trex_gui.ui.frame.workspace import SEPARATOR, Entry, FileKind, Menu, Menus, PageInfo, Workspace
+from trex_gui.ui.frame.workspace import (
+    SEPARATOR,
+    Entry,
+    FileKind,
+    LineChoice,
+    Menu,
+    Menus,
+    PageInfo,
+    Workspace,
+)
 from trex_gui.ui.log import LogPage
 from trex_gui.ui.translations import error_sentence, local_time
 from trex_gui.ui.widgets import builders as ui
@@ -646,7 +655,36 @@ class TrexWorkspace(Workspace):
         kept = [files.shut_down() for files in (device.edit_backup.files, device.memory.files)]
         return self.recordings.shut_down() and all(kept)
 
+    def line_choices(self, line: object) -> Sequence[LineChoice]:
+        texts = {
+            LineSettings(): self.tr("Factor&y line settings: {0}…"),
+            LineSettings(115200): self.tr("Fas&t: {0}…"),
+        }
+        return [
+            LineChoice(text.format(other.text()), partial(self._review_line, other))
+            for other, text in texts.items()
+            if other != line
+        ]
+
+    def _review_line(self, line: LineSettings) -> None:
+        text = self.tr(
+            "{0} is now one of the pending changes. It takes effect after the board is switched "
+            "off and on; this window then follows. Other programs on this line have to use it, too."
+        )
+        self._propose_line(lambda _: line, text.format(line.text()))
+
     def set_up_crc(self) -> None:
+        self._propose_line(
+            lambda wire: replace(LineSettings.from_wire(wire), detection=Detection.CRC7),
+            self.tr(
+                "CRC-7 is now one of the pending changes. It takes effect after the board is "
+                "switched off and on; this window then follows. Other programs on this line "
+                "have to use CRC-7, too."
+            ),
+        )
+
+    def _propose_line(self, change: Callable[[int], LineSettings], text: str) -> None:
+        """Edit the line settings that the board stores, and let the user review that."""
         key, parameters = ParameterKey.UART_SETTINGS, self._device.parameters
         if parameters.stored_of(key) != parameters.active_of(key):
             self._power.guide()
@@ -656,15 +694,8 @@ class TrexWorkspace(Workspace):
         if wire is None:
             return
         with suppress(BadRequest):  # a value that names no baud rate has to be edited first
-            line = replace(LineSettings.from_wire(wire), detection=Detection.CRC7)
-            parameters.edit(key, line.to_wire())
-            self.notifier.info.emit(
-                self.tr(
-                    "CRC-7 is now one of the pending changes. It takes effect after the board is "
-                    "switched off and on; this window then follows. Other programs on this line "
-                    "have to use CRC-7, too."
-                )
-            )
+            parameters.edit(key, change(wire).to_wire())
+            self.notifier.info.emit(text)
             self._review.review()
 
     def edit_line_settings(self) -> None:
