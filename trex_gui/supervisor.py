@@ -72,6 +72,18 @@ class SafetySupervisor(QObject):
             windows.watch_session_of(int(self._program.window.winId()))
             windows.leaving.connect(self._stopper.stop)
             return windows
+        manager, limit = self._program.device_manager, self._program.timeouts.sleep_delay
+        if sys.platform == "darwin":
+            from trex_gui.system import mac_events  # noqa: PLC0415 - only there
+
+            try:
+                native = mac_events.NativeMac()
+            except (OSError, AttributeError, ValueError) as error:  # a library is not as described
+                log.warning("a locked screen and sleep cannot be noticed: %s", error)
+                return None
+            mac = mac_events.MacEvents(native, lambda: manager.may_move, self, timeout=limit)
+            mac.leaving.connect(self._stopper.stop)
+            return mac
         try:
             from trex_gui.system import login_session  # noqa: PLC0415 - needs D-Bus
         except ImportError as error:  # a system without the library of D-Bus
@@ -79,9 +91,8 @@ class SafetySupervisor(QObject):
             return None
         events = login_session.SessionEvents(parent=self)
         events.leaving.connect(self._stopper.stop)
-        manager = self._program.device_manager
         self._sleep_delay = login_session.SleepDelay(
-            lambda: manager.may_move, parent=self, timeout=self._program.timeouts.sleep_delay
+            lambda: manager.may_move, parent=self, timeout=limit
         )
         events.sleeping.connect(self._sleep_delay.note_sleep)
         return events

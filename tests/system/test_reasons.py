@@ -5,8 +5,10 @@ import sys
 import pytest
 from PySide6.QtDBus import QDBusConnection
 
+from tests.system.test_mac_events import FakeMac
 from trex_gui.supervisor import ExceptionWatch, SuspendDetector
 from trex_gui.system.login_session import SessionEvents
+from trex_gui.system.mac_events import LOCKED, WILL_SLEEP, MacEvents
 from trex_gui.system.windows_events import (
     PBT_APMSUSPEND,
     WM_POWERBROADCAST,
@@ -41,6 +43,16 @@ def said_by_windows() -> list[str]:
     return [why_to_stop(*message) or "" for message in messages]
 
 
+def said_by_a_mac() -> list[str]:
+    """Everything that macOS may tell."""
+    mac, reports = FakeMac(), list[str]()
+    events = MacEvents(mac, lambda: False, timeout=1.0)
+    events.leaving.connect(reports.append)
+    mac.notify(LOCKED[0])
+    mac.tell_power(WILL_SLEEP, 5)
+    return reports
+
+
 def said_of_a_sleep_that_is_over() -> list[str]:
     slept = 0.0
     watch = SuspendDetector(lambda: slept)
@@ -68,10 +80,11 @@ def test_stop_reasons_are_clauses_without_stop_or_motor(
     reasons = [
         *said_by_the_desktop(begins=True),
         *said_by_windows(),
+        *said_by_a_mac(),
         *said_of_a_sleep_that_is_over(),
         *said_of_a_mistake(monkeypatch),
     ]
-    assert len(reasons) == 8
+    assert len(reasons) == 10
     for reason in reasons:
         assert reason, "each of them is one"
         assert not reason.endswith("."), reason

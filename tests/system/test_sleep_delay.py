@@ -40,7 +40,7 @@ class Asleep:
     @property
     def waited_ms(self) -> int:
         """How long motors were looked at; a computer that stands still looks at none."""
-        return self.delay._polls * self.delay._timer.interval()
+        return self.delay._wait._polls * self.delay._wait._timer.interval()
 
     def begin_to_sleep(self) -> None:
         with self.qtbot.waitSignal(self.events.sleeping):

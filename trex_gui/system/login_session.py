@@ -17,7 +17,7 @@ from PySide6.QtDBus import (
     QDBusUnixFileDescriptor,
 )
 
-from trex_gui.ui.runtime import new_timer
+from trex_gui.system.stop_wait import StopWait
 
 log = logging.getLogger(__name__)
 
@@ -26,8 +26,6 @@ _PATH = "/org/freedesktop/login1"
 _ANY = ""
 """Any service, or any path: the bus configuration decides who may send these signals, and one stop
 too many does no harm."""
-
-_POLL_MS = 20
 
 
 class SessionEvents(QObject):
@@ -101,13 +99,10 @@ class SleepDelay(QObject):
         timeout: float,
     ) -> None:
         super().__init__(parent)
-        self._timeout = timeout
-        self._may_move = may_move
         self._bus = system or QDBusConnection.systemBus()
         self._descriptor: int | None = None
         self._request: QDBusPendingCallWatcher | None = None
-        self._polls = 0
-        self._timer = new_timer(self, _POLL_MS, self._on_poll)
+        self._wait = StopWait(may_move, self.give, self, timeout=timeout)
         self.take()
 
     @property
@@ -127,7 +122,7 @@ class SleepDelay(QObject):
         self._request.finished.connect(self._on_reply)
 
     def give(self) -> None:
-        self._timer.stop()
+        self._wait.cancel()
         if self._descriptor is not None:
             os.close(self._descriptor)
             self._descriptor = None
@@ -139,17 +134,10 @@ class SleepDelay(QObject):
         The stop itself was sent because of `SessionEvents.leaving`.
         """
         if begins:
-            self._polls = 0
-            self._timer.start()
+            self._wait.start()
         else:
-            self._timer.stop()
+            self._wait.cancel()
             self.take()
-
-    @Slot()
-    def _on_poll(self) -> None:
-        self._polls += 1
-        if not self._may_move() or self._polls * _POLL_MS >= self._timeout * 1000:
-            self.give()
 
     @Slot(QDBusPendingCallWatcher)
     def _on_reply(self, watcher: QDBusPendingCallWatcher) -> None:

@@ -1,0 +1,152 @@
+"""A locked screen, a screen saver and sleep, as macOS reports them.
+
+Ref: Apple's documentation of CFNotificationCenter, and of IORegisterForSystemPower (IOKit,
+IOPMLib.h, IOMessage.h): the system waits up to 30 s for `IOAllowPowerChange`. The names of the
+notifications of the login window are not documented, but have long been used.
+Not tested on macOS yet.
+"""
+
+import ctypes
+from collections.abc import Callable
+from typing import Any, Protocol
+
+from PySide6.QtCore import QObject, Signal
+
+from trex_gui.system.stop_wait import StopWait
+
+CAN_SLEEP = 0xE0000270  # kIOMessageCanSystemSleep: an idle computer asks
+WILL_SLEEP = 0xE0000280  # kIOMessageSystemWillSleep
+LOCKED = ("com.apple.screenIsLocked", "com.apple.screensaver.didstart")
+
+_FRAMEWORKS = "/System/Library/Frameworks/{0}.framework/{0}"
+_UTF8 = 0x08000100
+_AT_ONCE = 4  # CFNotificationSuspensionBehaviorDeliverImmediately
+
+_ON_NOTIFICATION = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 5)
+"""Center, observer, name, object, user info."""
+
+_ON_POWER = ctypes.CFUNCTYPE(
+    None, ctypes.c_void_p, ctypes.c_uint32, ctypes.c_uint32, ctypes.c_void_p
+)
+"""Reference of the caller, service, message, argument of the message."""
+
+
+class MacSystem(Protocol):
+    """What macOS reports, in the thread of its main run loop, which is the window's."""
+
+    def listen(
+        self, on_notification: Callable[[str], object], on_power: Callable[[int, int], object]
+    ) -> None:
+        """Begin; `on_power` takes a message and its argument."""
+
+    def allow_power_change(self, argument: int) -> None:
+        """Answer the power message with this argument."""
+
+
+class NativeMac:
+    """CoreFoundation and IOKit; `load` and `symbol` find libraries and their constants.
+
+    Raises:
+        OSError, AttributeError, ValueError: a library, or something in it, is not there.
+    """
+
+    def __init__(
+        self,
+        load: Callable[[str], Any] = ctypes.CDLL,
+        symbol: Callable[[Any, str], object] = ctypes.c_void_p.in_dll,
+    ) -> None:
+        core, power = (load(_FRAMEWORKS.format(name)) for name in ("CoreFoundation", "IOKit"))
+        pointer, number, port = ctypes.c_void_p, ctypes.c_long, ctypes.c_uint32
+        self._make_text = _typed(
+            core.CFStringCreateWithCString, pointer, pointer, ctypes.c_char_p, ctypes.c_uint32
+        )
+        self._center = _typed(core.CFNotificationCenterGetDistributedCenter, pointer)
+        self._observe = _typed(
+            core.CFNotificationCenterAddObserver,
+            None,
+            *(pointer, pointer, _ON_NOTIFICATION, pointer, pointer, number),
+        )
+        self._main_loop = _typed(core.CFRunLoopGetMain, pointer)
+        self._add_source = _typed(core.CFRunLoopAddSource, None, pointer, pointer, pointer)
+        self._common_modes = symbol(core, "kCFRunLoopCommonModes")
+        self._register = _typed(
+            power.IORegisterForSystemPower,
+            port,
+            *(pointer, ctypes.POINTER(pointer), _ON_POWER, ctypes.POINTER(port)),
+        )
+        self._source_of = _typed(power.IONotificationPortGetRunLoopSource, pointer, pointer)
+        self._allow = _typed(power.IOAllowPowerChange, ctypes.c_int, port, number)
+        self._connection = 0
+        self._kept: tuple[object, ...] = ()  # the callbacks, as long as macOS may call them
+
+    def listen(
+        self, on_notification: Callable[[str], object], on_power: Callable[[int, int], object]
+    ) -> None:
+        notified = _ON_NOTIFICATION(
+            lambda _center, observer, *_rest: on_notification(LOCKED[observer - 1])
+        )
+        powered = _ON_POWER(
+            lambda _own, _service, message, argument: on_power(message, argument or 0)
+        )
+        notification_port, notifier = ctypes.c_void_p(), ctypes.c_uint32()
+        self._kept = (notified, powered, notification_port, notifier)
+        center = self._center()
+        for observer, name in enumerate(LOCKED, start=1):  # 0 would be none
+            text = self._make_text(None, name.encode("ascii"), _UTF8)
+            self._observe(center, observer, notified, text, None, _AT_ONCE)
+        self._connection = self._register(
+            None, ctypes.byref(notification_port), powered, ctypes.byref(notifier)
+        )
+        if self._connection:
+            source = self._source_of(notification_port)
+            self._add_source(self._main_loop(), source, self._common_modes)
+
+    def allow_power_change(self, argument: int) -> None:
+        self._allow(self._connection, argument)
+
+
+def _typed(function: Any, result: Any, *arguments: Any) -> Any:
+    """Return a C function that knows its types: pointers have 64 bits, ctypes assumes 32."""
+    function.restype, function.argtypes = result, arguments
+    return function
+
+
+class MacEvents(QObject):
+    """Tells when to stop, and lets the computer sleep once the stop is confirmed.
+
+    Signals:
+        leaving: the user cannot see the window any more, or soon; the reason to stop, a clause
+            without a full stop.
+    """
+
+    leaving = Signal(str)
+
+    def __init__(
+        self,
+        native: MacSystem,
+        may_move: Callable[[], bool],
+        parent: QObject | None = None,
+        *,
+        timeout: float,
+    ) -> None:
+        """Sleep is held up for `timeout` seconds at most while `may_move`."""
+        super().__init__(parent)
+        self._native = native
+        self._awaited = 0  # the argument of the message that sleep waits for
+        self._wait = StopWait(may_move, self._allow, self, timeout=timeout)
+        native.listen(self._on_notification, self._on_power)
+
+    def _on_notification(self, name: str) -> None:
+        if name in LOCKED:
+            self.leaving.emit(self.tr("The screen was locked"))
+
+    def _on_power(self, message: int, argument: int) -> None:
+        if message == CAN_SLEEP:
+            self._native.allow_power_change(argument)
+        elif message == WILL_SLEEP:
+            self._awaited = argument
+            self._wait.start()
+            self.leaving.emit(self.tr("The computer goes to sleep"))
+
+    def _allow(self) -> None:
+        self._native.allow_power_change(self._awaited)
