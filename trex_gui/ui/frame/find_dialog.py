@@ -218,6 +218,8 @@ class FindDialog(ReusedDialog):
             self._busy.setText(self.tr("This computer has no serial ports. Plug an adapter in."))
         self._busy.setVisible(port is not None or self._list.count() == 0)
         self._disconnect.setVisible(port is not None)
+        if running:  # the focus goes there from Start
+            self._cancel.setEnabled(True)
         self._list.setEnabled(not running)
         self._full.setEnabled(not running)
         self._start.setEnabled(not running and bool(self._chosen))
