@@ -52,6 +52,7 @@ def test_window_reconnects_to_the_same_adapter_only(
     window.wait(lambda: device.link is ConnectionState.CONNECTED)
     window.wait_for_text("bannerText", "1 earlier change still pending.")
     assert not window.motors.armed
+    assert window.motors.board.endswith("-0403:6001-A500001"), "its speed ceiling is found again"
     assert board.show()["motors"][0]["direction"] == "brake"
     assert device.parameters.pending == ((ParameterKey.SERIAL_TIMEOUT, 9),)
     assert ports.preferred == ports.find("/dev/ttyUSB1")

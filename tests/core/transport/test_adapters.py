@@ -27,3 +27,4 @@ def test_adapter_is_known_by_its_number_or_else_its_socket(
     one: Adapter, other: Adapter, is_same: bool
 ) -> None:
     assert one.is_same(other) is is_same
+    assert (one.key == other.key) is is_same

@@ -32,6 +32,12 @@ class Adapter:
         product = f"{port.vid:04x}:{port.pid or 0:04x}"
         return cls(product, port.serial_number or "", port.location or "")
 
+    @property
+    def key(self) -> str:
+        """A name for what is remembered of the adapter; the same wherever `is_same` says so."""
+        place = self.location if len(self.number) <= _SHARED else _interface(self)
+        return "-".join(filter(None, (self.product, self.number, place))).replace("/", "-")
+
     def is_same(self, other: "Adapter") -> bool:
         """Whether this is the other adapter, perhaps in another socket."""
         if (self.product, self.number) != (other.product, other.number):

@@ -74,6 +74,10 @@ class TrexController(DeviceController[ConnectionSettings]):
         self._store.set(_POLYNOMIAL, settings.polynomial)
         self.changed.emit()
 
+    def connect_to(self, port: Port) -> None:
+        self.device.motors.adapter = "" if port.adapter is None else port.adapter.key
+        super().connect_to(port)
+
     def connect_with(self, port: Port, settings: PortSettings) -> None:
         self.choose(port)
         found = ConnectionSettings.on(settings)

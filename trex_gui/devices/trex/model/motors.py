@@ -68,6 +68,7 @@ class Motors(QObject):
         holder: the name of the control that has acquired the motors; empty if none has.
         auxiliary: the setpoint of the auxiliary motor, 0-127.
         board: what the ceiling is remembered for; empty before the first board was read.
+        adapter: what tells the next board from one that is alike; empty if nothing does.
         is_first_drive: whether no ceiling was ever chosen for this board.
         ceiling: the greatest speed that is sent, 1-127; greater setpoints are limited to it.
         ceiling_in_force: the `ceiling`, or a lower one that was in force when the motors were
@@ -94,7 +95,7 @@ class Motors(QObject):
         self.stop_reason = ""
         self.holder = ""
         self.auxiliary = 0
-        self.board = ""
+        self.board = self.adapter = ""
         self.is_first_drive = True
         self.ceiling = self.ceiling_in_force = FIRST_CEILING
         self.linked = False
@@ -134,6 +135,7 @@ class Motors(QObject):
 
         One that is only renamed keeps its ceiling, whatever was chosen for a board of that name.
         """
+        board = "-".join(filter(None, (board, self.adapter)))
         if board == self.board:
             return
         self.board = board

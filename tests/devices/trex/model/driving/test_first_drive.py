@@ -104,6 +104,15 @@ def test_ceiling_falls_back_when_another_board_takes_over(qtbot: QtBot) -> None:
     assert motors.ceiling == FULL_SCALE
 
 
+def test_boards_alike_on_different_adapters_have_their_own_ceilings(qtbot: QtBot) -> None:
+    motors = Motors()
+    for adapter, expected in (("one", FIRST_CEILING), ("two", FIRST_CEILING), ("one", 90)):
+        motors.adapter = adapter
+        motors.take_board("trex-1.2-7")
+        assert motors.ceiling == expected
+        motors.set_ceiling(90)
+
+
 @pytest.mark.parametrize("chosen", [FIRST_CEILING, 60])
 def test_new_device_number_changes_no_ceiling(
     device: Device, start_simulator: StartSimulator, qtbot: QtBot, chosen: int
