@@ -225,6 +225,29 @@ def test_repaired_text_opens_the_pages(open_text: Open) -> None:
     assert editor.path.read_bytes() == b"product: TReX\r\nmotor_mode: 1\r\n# mine\r\n"
 
 
+def test_values_are_repaired_and_listed(open_text: Open) -> None:
+    faulty = "\ufeffproduct: TReX\r\nserial_timeout: 1.5 s  # mine\r\nmotor_mode: 9\r\n"
+    editor = open_text(faulty)
+    check_keyboard(editor.root)
+    editor.click("repairTextButton")
+    message = "Repaired: line 2: serial_timeout: 1.5 s becomes 15 (1.5 s). Correct the rest"
+    assert editor.text("bannerText").startswith(message)
+    assert editor.path.read_bytes() == faulty.encode(), "it is not saved"
+    editor.click("repairTextButton")
+    assert "Nothing could be repaired" in editor.text("bannerText")
+    assert editor.document.text == faulty.replace("1.5 s", "15")
+    editor.action("Undo").trigger()
+    assert editor.document.text == faulty
+
+    editor = open_text("product: TReX\nserial_timeout: 300 # mine\n")
+    editor.click("repairTextButton")
+    assert "serial_timeout: 300 becomes 127 (12.7 s)." in editor.text("bannerText")
+    assert editor.tabs.isTabEnabled(PARAMETERS)
+    assert editor.editor.isWindowModified()
+    editor.save()
+    assert editor.path.read_bytes() == b"product: TReX\nserial_timeout: 127 # mine\n"
+
+
 def test_typing_is_undone_to_the_byte(open_text: Open) -> None:
     for text in (
         "product: TReX\nmotor_mode: 9\n",

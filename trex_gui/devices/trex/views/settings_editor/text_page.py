@@ -15,9 +15,10 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QPlainTextEdit, QTextEdit, QWidget
 
-from trex_gui.core.files import Severity
+from trex_gui.core.files import SettingsError, Severity
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.settings.edit_in_place import BYTE_ORDER_MARK
+from trex_gui.devices.trex.settings.repair import repair_values
 from trex_gui.devices.trex.settings.yaml_subset import LINE_END
 from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsPanel
 from trex_gui.ui.theme.icons import icon
@@ -57,6 +58,7 @@ class TextPage(QWidget):
     """The text of the document, which can be edited here while it has errors."""
 
     checked = Signal()  # the text was read again
+    repaired = Signal(object)  # a line for each repair; empty: nothing could be repaired
 
     def __init__(self, document: SettingsDocument, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -73,13 +75,25 @@ class TextPage(QWidget):
             tip=self.tr("Read the text again and list its errors"),
             on_click=self._on_check_clicked,
         )
+        self._repair = button(
+            self,
+            "repairTextButton",
+            self.tr("&Repair values"),
+            icon="edited",
+            tip=self.tr(
+                "Write values with units as wire values, and numbers beyond their range as the "
+                "nearest one in it; the file changes when you save it"
+            ),
+            on_click=self._on_repair_clicked,
+        )
         # The text itself, for Undo and Redo
         self.editor = named(
             NumberedText(self), "settingsText", accessible=self.tr("Text of the settings file")
         )
         self._findings = named(FindingsPanel(self), "textFindings")
 
-        top = row((self._notice, 1), (self._check, 0, Qt.AlignmentFlag.AlignTop))
+        at_top = Qt.AlignmentFlag.AlignTop
+        top = row((self._notice, 1), (self._check, 0, at_top), (self._repair, 0, at_top))
         vertical = Qt.Orientation.Vertical
         both = splitter(self, "", vertical, (self.editor, 3), (self._findings, 2))
         column(top, (both, 1), into=self)
@@ -108,6 +122,23 @@ class TextPage(QWidget):
         self.checked.emit()
 
     @Slot()
+    def _on_repair_clicked(self) -> None:
+        document = self._document
+        try:
+            text, repairs = repair_values(document.text.encode("utf-8"), document.name)
+        except SettingsError:
+            repairs = ()  # not sound YAML; the findings say where
+        if repairs:
+            cursor = QTextCursor(self.editor.document())  # unlike a new text, it can be undone
+            cursor.select(QTextCursor.SelectionType.Document)
+            cursor.insertText(text.removeprefix(BYTE_ORDER_MARK))
+            self._shown = text  # with the line ends that the editor does not know
+            document.set_text(text)
+        document.check()
+        self.checked.emit()
+        self.repaired.emit(repairs)
+
+    @Slot()
     def _on_typed(self) -> None:
         if self.editor.isReadOnly():
             return
@@ -122,6 +153,7 @@ class TextPage(QWidget):
         document = self._document
         self.editor.setReadOnly(document.readable)
         self._check.setVisible(not document.readable)
+        self._repair.setVisible(not document.readable)
         self._findings.setVisible(not document.readable)
         if document.text != self._shown:
             self._shown = document.text

@@ -87,6 +87,7 @@ class SettingsEditor(QMainWindow):
         self._text.editor.undoAvailable.connect(self._update_actions)
         self._text.editor.redoAvailable.connect(self._update_actions)
         self._text.checked.connect(self._on_checked)
+        self._text.repaired.connect(self._on_repaired)
         document.draft.parameters.rejected.connect(self._banner.show_problem)
         self._findings.line_chosen.connect(self._on_line_chosen)
         self._findings.accepted.connect(self._linter.accept)
@@ -305,6 +306,18 @@ class SettingsEditor(QMainWindow):
             )
         else:
             self._banner.clear()
+
+    @Slot(object)
+    def _on_repaired(self, repairs: tuple[str, ...]) -> None:
+        if not repairs:
+            self._banner.show_problem(
+                self.tr("Nothing could be repaired: correct the text in the lines named below.")
+            )
+            return
+        parts = [self.tr("Repaired: {0}.").format("; ".join(repairs))]
+        if not self.document.readable:
+            parts.append(self.tr("Correct the rest in the text."))
+        self._banner.show_news(" ".join(parts))
 
     @Slot(int)
     def _on_line_chosen(self, line: int) -> None:
