@@ -381,6 +381,21 @@ def exchange_at(
     board.on_write = watch
 
 
+def test_notes_of_a_file_are_kept_for_the_board(trexcmd: RunCommand, tmp_path: Path) -> None:
+    file = tmp_path / "board.txt"
+    note = "# Note on motor_mode: two motors\nmotor_mode"
+    file.write_text(memory(trexcmd).replace("motor_mode", note))
+    assert trexcmd("diff", str(file)).stdout.split() == ["motor_mode", "note", "two", "motors"]
+    result = trexcmd("set-settings", str(file))
+    assert "1 note kept on this computer: a board stores none." in result.stderr
+    assert trexcmd("diff", str(file)).stdout == ""
+    assert "# Note on motor_mode: two motors\nmotor_mode: 0 " in memory(trexcmd)
+    assert trexcmd("set", "serial_timeout", "1.5 s").exit_code == 0
+    (snapshot,) = SettingsHistory().snapshots()
+    assert SettingsHistory().load(snapshot).notes == {"motor_mode": "two motors"}
+    assert trexcmd("export", "--as", "c", "-").stdout.count("// motor_mode: two motors") == 1
+
+
 def test_what_was_applied_last_is_compared_with_the_board(trexcmd: RunCommand) -> None:
     nothing = trexcmd("diff", "--last")
     assert nothing.exit_code == 1

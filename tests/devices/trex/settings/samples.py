@@ -11,6 +11,7 @@ from trex_gui.devices.trex.protocol.calibration import (
 )
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.settings.document import Settings, specs_for
+from trex_gui.devices.trex.settings.notes import clean_note
 from trex_gui.devices.trex.settings.reader import read_settings
 
 TREX, TREX_JR = device_table().models
@@ -48,6 +49,9 @@ def any_calibration(draw: st.DrawFn) -> Calibration:
     return Calibration(minimum, draw(st.integers(minimum, maximum)), maximum, draw(_coded))
 
 
+any_note = st.text(max_size=30).map(clean_note).filter(bool)
+
+
 @st.composite
 def any_settings(draw: st.DrawFn) -> Settings:
     """Settings that a board takes, as many as happens."""
@@ -56,9 +60,11 @@ def any_settings(draw: st.DrawFn) -> Settings:
     specs = specs_for(model, firmware).readable
     values = {spec.key: st.sampled_from(sorted(spec.valid)) for spec in specs}
     places = st.sampled_from(CalibrationKey)
+    keys = st.sampled_from([*values, *CalibrationKey])
     return Settings(
         product=model,
         firmware=firmware,
         parameters=draw(st.fixed_dictionaries({}, optional=values)),
         calibrations=draw(st.dictionaries(places, any_calibration())),
+        notes=draw(st.dictionaries(keys, any_note, max_size=4)),
     )

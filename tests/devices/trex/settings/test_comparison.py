@@ -158,6 +158,26 @@ def test_value_off_is_compared_across_models() -> None:
     assert (row.text_before, row.text_after) == ("0.8 A", "off")
 
 
+def test_notes_of_the_right_side_are_offered_and_reported() -> None:
+    values = {"motor_mode": 1, "serial_timeout": 5}
+    before = Settings(
+        TREX, None, values, notes={"motor_mode": "one", "serial_timeout": "slow\nnet"}
+    )
+    after = replace(before, parameters={**values, "serial_timeout": 9}, notes={"motor_mode": "two"})
+    comparison = compare(before, after)
+    assert {row.key: (row.changed, row.brings_note) for row in comparison.differing} == {
+        "serial_timeout": (True, False),
+        "motor_mode": (False, True),
+    }
+    assert (comparison.changed, comparison.offered, comparison.equal) == (1, 2, 1)
+    lines = [" ".join(line.split()) for line in comparison.report().splitlines()]
+    assert lines == [
+        "serial_timeout 5 → 9 0.5 s → 0.9 s",
+        "serial_timeout note slow / net",
+        "motor_mode note one → two",
+    ]
+
+
 @modest
 @given(before=any_settings(), after=any_settings())
 def test_every_setting_has_row_or_is_left_out(before: Settings, after: Settings) -> None:

@@ -9,6 +9,7 @@ from tests.devices.trex.settings.samples import TREX, TREX_JR, factory
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibration, CalibrationKey
 from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.edit_in_place import amend
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
 
@@ -56,6 +57,31 @@ RC = "{minimum: 2500, neutral: 3750, maximum: 5000, deadband: 75}"
 RC_TEXT = "1000 / 1500 / 2000 µs, deadband 30 µs"
 ANALOG = "{minimum: 0, neutral: 512, maximum: 1023, deadband: 20}"
 ANALOG_TEXT = "0.00 / 2.50 / 5.00 V, deadband 0.10 V"
+
+
+def test_notes_are_comments_above_their_settings() -> None:
+    notes = {
+        "serial_timeout": "radio drops out\nsee the log of 3 May",
+        "rc_channel_2": "new stick",
+        "motor_mode": "two motors",
+    }
+    given = factory()
+    parameters = {key: given.parameters[key] for key in ("device_number", "serial_timeout")}
+    settings = replace(given, parameters=parameters, notes=notes)
+    text = write_settings(settings)
+    assert "device_number: 7\n# Note on serial_timeout: radio drops out\n" in text
+    assert "# Note on serial_timeout: see the log of 3 May\nserial_timeout: 0 " in text
+    assert "\n# Note on rc_channel_2: new stick\nrc_channel_2: {minimum" in text
+    assert text.endswith("\n\n# Note on motor_mode: two motors\n")
+    assert read_settings(text)[0] == settings
+
+    for line in ("# note on serial_timeout: x", "#Note on motor_mode: x", "# Note on speed: x"):
+        assert read_settings(f"{text}{line}\n")[0] == settings, "a comment like any other"
+    changed = replace(settings, notes={"serial_timeout": "no", "device_number": "left one"})
+    amended = amend(text, changed)
+    assert "# Note on device_number: left one\ndevice_number: 7" in amended
+    assert "# Note on serial_timeout: no\nserial_timeout: 0 " in amended
+    assert amended.count("# Note on") == 2
 
 
 def test_factory_settings_are_written_as_expected_text() -> None:

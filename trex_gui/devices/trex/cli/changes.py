@@ -5,6 +5,7 @@ from dataclasses import replace
 
 from trex_gui.core.cli import Interruption, ProgressLine, say
 from trex_gui.core.files import Finding, SettingsError
+from trex_gui.core.texts import counted
 from trex_gui.devices.trex.cli.common import as_options
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import (
@@ -181,6 +182,20 @@ def settings_after(before: Settings, results: Sequence[WriteResult]) -> Settings
         elif result.stored is not None and result.key in parameters:
             parameters[result.key] = result.stored
     return replace(before, parameters=parameters, calibrations=calibrations)
+
+
+def board_settings(state: DeviceState) -> Settings:
+    """Return what a board stores, with the notes that are kept here."""
+    stored = settings_of(state)
+    return replace(stored, notes=remembered(stored).settings.notes)
+
+
+def remember_notes(stored: Settings, notes: Mapping[str, str]) -> None:
+    """Keep these notes, besides others on settings of the board."""
+    wanted = {**stored.notes, **notes}
+    if wanted != stored.notes:
+        _remember(stored, remembered(stored).with_notes(wanted))
+        say(f"{counted(len(notes), 'note')} kept on this computer: a board stores none.")
 
 
 def remembered(stored: Settings) -> BoardRecord:

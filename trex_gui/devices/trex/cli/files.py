@@ -23,8 +23,10 @@ from trex_gui.core.code import Language
 from trex_gui.core.files import LARGEST_FILE, Finding, SettingsError, load, save
 from trex_gui.core.texts import counted
 from trex_gui.devices.trex.cli.changes import (
+    board_settings,
     read_board,
     remember_accepted,
+    remember_notes,
     remembered,
     require_consent,
     require_serial_mode,
@@ -62,7 +64,7 @@ from trex_gui.devices.trex.settings.comparison import (
 )
 from trex_gui.devices.trex.settings.conversion import conversion_lines
 from trex_gui.devices.trex.settings.conversion import convert as convert_settings
-from trex_gui.devices.trex.settings.document import Settings, settings_of
+from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.repair import (
     accept_proposals,
@@ -124,12 +126,12 @@ def save_file(file: str, text: str) -> None:
 def get_settings(file: str, **options: Any) -> None:
     """Save the board's settings to FILE; - is standard output.
 
-    All parameters, and the calibrations of the active input source: the board does not show
-    the others. An existing file is replaced.
+    All parameters, the notes kept on this computer, and the calibrations of the active input
+    source: the board does not show the others. An existing file is replaced.
     """
     with open_line(link_settings(options)) as client:
         state = read_board(client)
-    settings = settings_of(state)
+    settings = board_settings(state)
     text = write_settings(settings, title_lines=[f"Read from the board by trexcmd {__version__}"])
     for key, reason in state.unread.items():
         say(f"Warning: {key} could not be read and is left out: {reason}")
@@ -182,7 +184,7 @@ def set_settings(
 
     Checks the file, saves a snapshot of what the board stores, writes only what differs, the
     serial settings last, and reads each value back. Ctrl-C ends it after the setting that is
-    being written.
+    being written. Notes of the file are kept on this computer.
 
     With --convert, values that mean something else to this board are converted, what it does not
     have is left out, and both are listed.
@@ -236,7 +238,7 @@ def _review(
     if convert:
         wanted = converted(file, wanted, state.signature.model, state.signature.firmware)
     wanted = _fitted(file, wanted, state)
-    stored = settings_of(state)
+    stored = board_settings(state)
     result = compare(stored, wanted)
     after = settings_after(stored, result.rows)
     context = Context(port_rates=rates, used_by_line=client.settings.line)
@@ -249,6 +251,7 @@ def _review(
     if dry_run:
         _print(result)
         return state, []
+    remember_notes(stored, wanted.notes)
     if result.changed:
         require_consent(name_of(file), state, wanted.parameters, force=force)
         require_serial_mode(state, "These settings")
@@ -276,7 +279,7 @@ def diff(first: str | None, second: str | None, last: bool, as_json: bool, **opt
         with open_line(link_settings(options)) as client:
             identify(client)
             state = read_board(client)
-        before = settings_of(state)
+        before = board_settings(state)
         record = remembered(before)
         if record.applied is None:
             raise CommandFailed("Nothing was applied to this board from this computer yet.")
@@ -291,7 +294,7 @@ def diff(first: str | None, second: str | None, last: bool, as_json: bool, **opt
         with open_line(link_settings(options)) as client:
             identify(client)
             state = read_board(client)
-        before, after = settings_of(state), _visible(wanted, state)
+        before, after = board_settings(state), _visible(wanted, state)
         names = ("the board", name_of(first))
     if before.product != after.product:
         say(
@@ -418,7 +421,7 @@ def export(file: str, language: str, **options: Any) -> None:
     with open_line(link) as client:
         identify(client)
         state = read_board(client)
-        text = export_code(settings_of(state), link, Language(language))
+        text = export_code(board_settings(state), link, Language(language))
     save_file(file, text)
     if file != "-":
         say(f"{Language(language).title} for the {state.signature} saved to {file}.")

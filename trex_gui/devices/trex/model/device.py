@@ -69,7 +69,7 @@ class Device(QObject):
     Attributes:
         draft: what the board stores, and its edits.
         edit_backup: the edits of boards, over the end of the program.
-        memory: what this computer keeps of the board: what was applied last.
+        memory: what this computer keeps of the board: what was applied last, and its notes.
         history: what boards stored before each Apply.
         events: what happened since the line was opened, on the clock of `telemetry`.
         state: what was read from the board; `None` while none is connected.
@@ -95,7 +95,7 @@ class Device(QObject):
         self.mix_jumper = MixJumper(self.draft, self.telemetry, self)
         self.history = SettingsHistory()
         self.edit_backup = EditBackup(self.draft, parent=self)
-        self.memory = BoardMemory(parent=self)
+        self.memory = BoardMemory(self.draft.notes, parent=self)
         self._accepted = AcceptedValues()
         self._accepted_by: Signature | None = None
         self._apply = Apply(self.draft, self.history, self.memory, self._request, self)

@@ -25,6 +25,7 @@ class Model:
     current_unit: float
     firmware: tuple[str, ...]
     highest_pwm: int | None
+    guide: str  # the address of its user's guide
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,6 +100,7 @@ def read_table(text: str) -> DeviceTable:
             current_unit=row["current_unit_ma"] / 1000,
             firmware=tuple(row["firmware"]),
             highest_pwm=row.get("max_pwm_hz"),
+            guide=row["guide"],
         )
         for key, row in data["models"].items()
     )

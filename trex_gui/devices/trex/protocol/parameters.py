@@ -157,6 +157,7 @@ class ParameterSpec:
     since: str = "1.0"
     inferred: frozenset[str] = frozenset()
     doubt: str = ""
+    section: str = ""  # of the user's guide, such as `4.c`; empty: not known
 
     @property
     def readable(self) -> bool:
@@ -440,4 +441,5 @@ def _read_spec(row: Mapping[str, Any], model: Model) -> ParameterSpec:
         since=row["since"],
         inferred=frozenset(inferred),
         doubt=row.get("doubt", ""),
+        section=source.get(f"guide_{model.key}", ""),
     )

@@ -121,11 +121,18 @@ class BoardRecord:
         """Expect nothing of the parameters, which the next start of the board resets."""
         return replace(self, settings=replace(self.settings, parameters={}), applied=None)
 
+    def with_notes(self, notes: Mapping[str, str]) -> "BoardRecord":
+        return replace(self, settings=replace(self.settings, notes=notes))
+
     def with_hidden(self, stored: Settings, source: InputSource) -> tuple[Settings, list[str]]:
-        """Return what a board stores with its other calibrations, and comments on their age."""
+        """Return what a board stores with what it hides, and comments on the age of that.
+
+        It hides the calibrations of the other input source and the notes.
+        """
         others = {k: c for k, c in self.settings.calibrations.items() if k.source is not source}
         lines = [_line(_name(key), each) for key, each in self.known.items() if key is not source]
-        whole = replace(stored, calibrations={**stored.calibrations, **others})
+        calibrations = {**stored.calibrations, **others}
+        whole = replace(stored, calibrations=calibrations, notes=self.settings.notes)
         return whole, lines if others else []
 
 

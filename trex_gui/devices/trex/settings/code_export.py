@@ -1,6 +1,7 @@
 """Export settings as a program in C, Python or for Arduino, from a Jinja template for each."""
 
 import textwrap
+from collections.abc import Iterator
 
 from trex_gui import __version__
 from trex_gui.core.code import Language, hexadecimal, plain, render
@@ -84,7 +85,15 @@ def export_code(settings: Settings, link: ConnectionSettings, language: Language
         parameters=[_parameter_row(*item, settings) for item in parameters],
         calibrations=[_calibration_row(*item) for item in valid.calibration_items()],
         left_out="\n".join(map(plain, left_out)),
+        notes="\n".join(_notes(settings)),
     )
+
+
+def _notes(settings: Settings) -> Iterator[str]:
+    """Yield the notes on settings, one after the other in lines of limited length."""
+    for key in sorted(settings.notes):
+        text = plain(f"{key}: {settings.notes[key]}".replace("\n", " / "))
+        yield textwrap.fill(text, _COMMENT_WIDTH, subsequent_indent="    ")
 
 
 def _parameter_row(spec: ParameterSpec, wire: int, settings: Settings) -> dict[str, object]:

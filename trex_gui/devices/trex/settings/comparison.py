@@ -29,11 +29,23 @@ class ComparisonRow:
     text_before: str  # in physical units; empty for `None`
     text_after: str  # likewise
     kind: ParameterKind | None = field(default=None, compare=False)  # of a parameter
+    note_before: str = ""
+    note_after: str = ""
 
     @property
     def changed(self) -> bool:
         """Whether going from before to after writes this setting."""
         return self.after is not None and self.before != self.after
+
+    @property
+    def brings_note(self) -> bool:
+        """Whether the settings after have a note that those before lack."""
+        return bool(self.note_after) and self.note_after != self.note_before
+
+    @property
+    def is_offered(self) -> bool:
+        """Whether there is something to take from the settings after: a value or a note."""
+        return self.changed or self.brings_note
 
     @property
     def is_missing(self) -> bool:
@@ -64,15 +76,19 @@ class Comparison:
 
     @property
     def differing(self) -> tuple[ComparisonRow, ...]:
-        return tuple(row for row in self.rows if row.before != row.after)
+        return tuple(row for row in self.rows if row.before != row.after or row.brings_note)
 
     @property
     def changed(self) -> int:
         return sum(row.changed for row in self.rows)
 
     @property
+    def offered(self) -> int:
+        return sum(row.is_offered for row in self.rows)
+
+    @property
     def equal(self) -> int:
-        return len(self.rows) - len(self.differing)
+        return sum(row.before == row.after for row in self.rows)
 
     @property
     def missing(self) -> int:
@@ -161,7 +177,8 @@ def _parameter_row(key: str, before: Settings, after: Settings) -> ComparisonRow
     spec = _specs(before)[key]
     old_text = "" if old is None else spec.text(old)
     new_text = "" if new is None else _specs(after)[key].text(new)
-    return ComparisonRow(key, spec.name, old, new, old_text, new_text, spec.kind)
+    notes = before.notes.get(key, ""), after.notes.get(key, "")
+    return ComparisonRow(key, spec.name, old, new, old_text, new_text, spec.kind, *notes)
 
 
 def _calibration_rows(before: Settings, after: Settings) -> Iterator[ComparisonRow]:
@@ -171,7 +188,8 @@ def _calibration_rows(before: Settings, after: Settings) -> Iterator[ComparisonR
         new_text = "" if new is None else calibration_text(key.source, new)
         if old is not None or new is not None:
             name = f"Calibration of {key.label}"
-            yield ComparisonRow(key, name, old, new, old_text, new_text)
+            notes = before.notes.get(key, ""), after.notes.get(key, "")
+            yield ComparisonRow(key, name, old, new, old_text, new_text, None, *notes)
 
 
 def _counts(noun: str, rows: list[ComparisonRow]) -> str:
@@ -184,7 +202,21 @@ def _counts(noun: str, rows: list[ComparisonRow]) -> str:
 
 
 def _cells(row: ComparisonRow) -> Iterator[tuple[str, str, str]]:
-    """Yield the lines of a row: key, wire values, physical values."""
+    """Yield the lines of a row: key, wire values, physical values; then its note."""
+    yield from _value_cells(row)
+    if text := note_text(row.note_before, row.note_after):
+        yield f"{row.key} note", "", text
+
+
+def note_text(before: str, after: str) -> str:
+    """Return the note of a row on one line, old → new if the two differ; empty without one."""
+    notes = (note.replace("\n", " / ") for note in (before, after))
+    return " → ".join(dict.fromkeys(filter(None, notes)))
+
+
+def _value_cells(row: ComparisonRow) -> Iterator[tuple[str, str, str]]:
+    if row.before == row.after:  # only its note differs
+        return
     if isinstance(row.key, CalibrationKey) and row.before is not None and row.after is not None:
         for name in row.differing_fields:
             old, new = getattr(row.before, name), getattr(row.after, name)

@@ -88,7 +88,12 @@ def convert(settings: Settings, product: Model, firmware: str | None) -> Convers
         rows.append(ConvertedRow(key, name, Fate.CARRIED_OVER, text, text, ""))
     order = list(Fate)
     rows.sort(key=lambda row: order.index(row.fate))
-    converted = replace(target, parameters=parameters, calibrations=settings.calibrations)
+    converted = replace(
+        target,
+        parameters=parameters,
+        calibrations=settings.calibrations,
+        notes=settings.notes,
+    )
     return Conversion(converted, tuple(rows))
 
 

@@ -30,6 +30,7 @@ class Settings:
     firmware: str | None = None  # `None`: unknown
     parameters: Mapping[str, int] = field(default_factory=dict)  # wire values by key
     calibrations: Mapping[CalibrationKey, Calibration] = field(default_factory=dict)
+    notes: Mapping[str, str] = field(default_factory=dict)  # why, by key; see `settings.notes`
 
     @property
     def specs(self) -> ParameterSet:

@@ -8,7 +8,7 @@ So the text is edited at the positions of ruamel.yaml's nodes.
 import re
 from bisect import bisect_right
 from collections import defaultdict
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 
 from ruamel.yaml.nodes import MappingNode, Node
@@ -16,6 +16,7 @@ from ruamel.yaml.nodes import MappingNode, Node
 from trex_gui.core.files import SettingsError
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS
 from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.notes import note_line_key, note_lines
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import (
     calibration_line,
@@ -37,7 +38,8 @@ def amend(text: str, settings: Settings, name: str = "settings") -> str:
     """Return the text of a settings file with other settings in it; errors call it `name`.
 
     Changed values are replaced where they are, in the same base. A comment beside a value is
-    updated if the program wrote it; the user's comments stay. Missing settings are appended;
+    updated if the program wrote it; the user's comments stay, and notes change where they are or
+    are put above their setting. Missing settings are appended;
     removed settings become comments, and so do values that the board would reject. A text that
     has the settings already does not change. Line ends and a byte order mark stay.
 
@@ -51,7 +53,8 @@ def amend(text: str, settings: Settings, name: str = "settings") -> str:
     mark = BYTE_ORDER_MARK if text.startswith(BYTE_ORDER_MARK) else ""
     document = _Document(text.removeprefix(BYTE_ORDER_MARK), name)
     _change_entries(document, old, wanted)
-    document.append(list(_missing_lines(document, settings)))
+    homeless = _change_notes(document, old.notes, wanted.notes)
+    document.append(list(_missing_lines(document, settings, homeless)))
     amended = mark + document.text()
     if (amended != text or wanted != old) and not _reads_as(wanted, amended):
         raise SettingsError.of(
@@ -96,7 +99,12 @@ class _Document:
         # By line: first and last column, and the text that replaces what is between.
         self._edits: dict[int, list[tuple[int, int, str]]] = defaultdict(list)
         self._comments: dict[int, str] = {}
-        self._insertion = (0, "")  # a line, and the text to insert before it
+        self._insertions: dict[int, str] = {}  # text to insert before a line
+        self._removed: set[int] = set()  # lines
+        self.notes: dict[str, list[int]] = defaultdict(list)  # their lines by key
+        for number, line in enumerate(LINE_END.split(self.body)):
+            if key := note_line_key(line):
+                self.notes[key].append(number)
 
     def text(self) -> str:
         """Return the changed text; comments keep their columns if there is room."""
@@ -109,9 +117,9 @@ class _Document:
             if comment and len(code) != len(old):
                 room = len(gap) + len(old) - len(code)
                 gap = " " * max(min(_SMALLEST_GAP, len(gap)), room)
-            parts.append("".join([code, gap, self._comments.get(number, comment), end]))
-        number, text = self._insertion
-        return "".join([*parts[:number], text, *parts[number:]])
+            line = "".join([code, gap, self._comments.get(number, comment), end])
+            parts += [self._insertions.get(number, ""), "" if number in self._removed else line]
+        return "".join([*parts, self._insertions.get(len(self._line_starts), "")])
 
     def replace(self, node: Node, old: str, new: str) -> None:
         start = self.body.find(old, node.start_mark.index, node.end_mark.index)
@@ -160,14 +168,38 @@ class _Document:
             lines = [line for line in lines if line.startswith("#")]
         if not lines:
             return
-        found = LINE_END.search(self.body)
-        line_end = found[0] if found and found[0] in {"\r\n", "\n", "\r"} else "\n"
-        margin = " " * self.root.start_mark.column
+        line_end, margin = self._line_end, " " * self.root.start_mark.column
         text = line_end.join(margin + line for line in lines)
         ends = [n for n, at in enumerate(self._line_starts) if self.body.startswith("...", at)]
         number = ends[-1] if ends else len(self._line_starts)
         has_line_end = bool(ends) or self._line_starts[-1] == len(self.body)
-        self._insertion = number, text + line_end if has_line_end else line_end + text
+        text = text + line_end if has_line_end else line_end + text
+        self._insertions[number] = self._insertions.get(number, "") + text
+
+    def set_note(self, key: str, lines: list[str]) -> bool:
+        """Put a note where the old one was, or above its setting; return whether there is a place.
+
+        No lines remove a note.
+        """
+        old = self.notes.get(key, [])
+        self._removed.update(old)
+        if not lines:
+            return True
+        if not old and key not in self.entries:
+            return False
+        number = old[0] if old else self._line_at(self.entries[key].start)
+        start = self._line_starts[number]
+        indented = self.body[start:]
+        margin = indented[: len(indented) - len(indented.lstrip(" "))]
+        text = "".join(margin + line + self._line_end for line in lines)
+        self._insertions[number] = self._insertions.get(number, "") + text
+        return True
+
+    @property
+    def _line_end(self) -> str:
+        """The first line end of the text, if it is an ordinary one."""
+        found = LINE_END.search(self.body)
+        return found[0] if found and found[0] in {"\r\n", "\n", "\r"} else "\n"
 
     def _edit(self, start: int, end: int, new: str) -> None:
         number = self._line_at(start)
@@ -233,8 +265,18 @@ def _change_entries(document: _Document, old: Settings, new: Settings) -> None:
             document.remove(key)
 
 
-def _missing_lines(document: _Document, settings: Settings) -> Iterator[str]:
-    """Yield a line for each setting that the text lacks, in the order of the table."""
+def _change_notes(
+    document: _Document, old: Mapping[str, str], new: Mapping[str, str]
+) -> dict[str, str]:
+    """Change, add or remove notes; return those on settings that the text lacks."""
+    changed = [key for key in {**old, **new} if old.get(key) != new.get(key)]
+    return {key: new[key] for key in changed if not document.set_note(key, note_lines(key, new))}
+
+
+def _missing_lines(
+    document: _Document, settings: Settings, notes: Mapping[str, str]
+) -> Iterator[str]:
+    """Yield a line for each setting that the text lacks, in the order of the table, and notes."""
     if settings.firmware is not None and "firmware" not in document.entries:
         yield f"firmware: {settings.firmware}"
     lines = [
@@ -246,4 +288,7 @@ def _missing_lines(document: _Document, settings: Settings) -> Iterator[str]:
     for key, line in lines:
         is_rejected = line.startswith("#")
         if line not in present if is_rejected else key not in document.entries:
+            yield from note_lines(key, notes)
             yield line
+    for key in sorted(notes.keys() - {key for key, _ in lines}):
+        yield from note_lines(key, notes)

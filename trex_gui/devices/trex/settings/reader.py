@@ -20,6 +20,7 @@ from trex_gui.devices.trex.protocol.calibration import (
 from trex_gui.devices.trex.protocol.device_table import Model, device_table, version_key
 from trex_gui.devices.trex.protocol.parameters import ParameterKind, ParameterSpec, parameters_of
 from trex_gui.devices.trex.settings.document import Settings, specs_for
+from trex_gui.devices.trex.settings.notes import read_notes
 from trex_gui.devices.trex.settings.yaml_subset import compose, line_of, shortened
 
 MOST_FINDINGS = 100  # a file with more is no settings file; the rest is counted
@@ -68,7 +69,7 @@ def read_settings(
     data = text if isinstance(text, bytes) else text.encode("utf-8", "surrogatepass")
     content = decode(data, name)
     reader = _Reader()
-    settings = reader.read(compose(content, name))
+    settings = reader.read(compose(content, name), read_notes(content))
     if content[-1:] not in {"\n", "\r"}:
         reader.warn(len(content.splitlines()), None, "unterminated")
     findings = reader.sorted_findings()
@@ -97,7 +98,7 @@ def text_fixes(content: str, name: str) -> tuple[TextFix, ...]:
         SettingsError: it is not sound YAML.
     """
     reader = _Reader()
-    reader.read(compose(content, name))
+    reader.read(compose(content, name), {})
     return tuple(sorted(reader.fixes))
 
 
@@ -137,7 +138,7 @@ class _Reader:
             found.append(_finding(None, None, "more_errors", Severity.ERROR, count=self.left_out))
         return tuple(found)
 
-    def read(self, root: MappingNode) -> Settings | None:
+    def read(self, root: MappingNode, notes: Mapping[str, str]) -> Settings | None:
         """Return the settings; `None` without a product."""
         entries = self._entries(root, None)
         product = self._product(entries)
@@ -150,7 +151,7 @@ class _Reader:
             elif key not in {"product", "firmware"}:
                 self._read_parameter(key, entry, product, firmware)
         self._warn_of_missing(entries.keys(), product, firmware)
-        return Settings(product, firmware, self.parameters, self.calibrations)
+        return Settings(product, firmware, self.parameters, self.calibrations, notes)
 
     def _entries(self, node: MappingNode, owner: str | None) -> dict[str, _Entry]:
         entries: dict[str, _Entry] = {}

@@ -1,7 +1,7 @@
 """Write settings as text: one line each, with the physical value as a comment."""
 
 from collections.abc import Iterator, Sequence
-from itertools import groupby
+from itertools import chain, groupby
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.protocol.calibration import (
@@ -18,6 +18,7 @@ from trex_gui.devices.trex.protocol.parameters import (
     ramp_seconds,
 )
 from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.notes import note_lines
 
 _CALIBRATION_TITLES = {
     InputSource.RC: "# Calibrations for RC pulses, in counts of 0.4 µs",
@@ -28,8 +29,9 @@ _CALIBRATION_TITLES = {
 def write_settings(settings: Settings, *, title_lines: Sequence[str] = ()) -> str:
     """Return the text of a settings file, which reads back as the same settings.
 
-    A value that the board would reject becomes a comment with the reason. `title_lines` are
-    comments for the head of the file.
+    A value that the board would reject becomes a comment with the reason. Notes are comments above
+    their settings, those on settings that are not given at the end. `title_lines` are comments for
+    the head of the file.
 
     Raises:
         BadRequest: the settings hold a key that their model and firmware do not have.
@@ -40,6 +42,9 @@ def write_settings(settings: Settings, *, title_lines: Sequence[str] = ()) -> st
     if settings.firmware is not None:
         head.append(f"firmware: {settings.firmware}")
     blocks = [head, *_parameter_blocks(settings), *_calibration_blocks(settings)]
+    given = {*settings.parameters, *settings.calibrations}
+    if left := sorted(settings.notes.keys() - given):
+        blocks.append(list(chain.from_iterable(note_lines(key, settings.notes) for key in left)))
     return "\n\n".join("\n".join(block) for block in blocks) + "\n"
 
 
@@ -56,7 +61,10 @@ def _parameter_blocks(settings: Settings) -> Iterator[list[str]]:
     groups = list(dict.fromkeys(spec.group for spec, _ in items))
     items.sort(key=lambda item: groups.index(item[0].group))
     for group, members in groupby(items, key=lambda item: item[0].group):
-        yield [f"# {group.capitalize()}", *(parameter_line(*item, settings) for item in members)]
+        lines = [f"# {group.capitalize()}"]
+        for spec, wire in members:
+            lines += [*note_lines(spec.key, settings.notes), parameter_line(spec, wire, settings)]
+        yield lines
 
 
 def parameter_line(spec: ParameterSpec, wire: int, settings: Settings) -> str:
@@ -105,7 +113,11 @@ def _calibration_blocks(settings: Settings) -> Iterator[list[str]]:
     for source, members in groupby(settings.calibration_items(), key=lambda item: item[0].source):
         items = list(members)
         width = max(len(_calibration_setting(*item)) for item in items)
-        yield [_CALIBRATION_TITLES[source], *(calibration_line(*item, width) for item in items)]
+        lines = [_CALIBRATION_TITLES[source]]
+        for key, calibration in items:
+            lines += note_lines(key, settings.notes)
+            lines.append(calibration_line(key, calibration, width))
+        yield lines
 
 
 def calibration_line(key: CalibrationKey, calibration: Calibration, width: int = 0) -> str:

@@ -130,7 +130,7 @@ class SnapshotPane(QWidget):
         shown = (str(snapshot.path), present)
         if shown == self._shown:
             table = self._rows.table
-            all_ticked = len(table.ticked) == table.comparison.changed
+            all_ticked = len(table.ticked) == table.comparison.offered
             self._rows.renew(comparison, summary, tick_new=all_ticked)
             return
         self._shown = shown
@@ -167,8 +167,8 @@ class SnapshotPane(QWidget):
         self._details.setVisible(any(parts))
 
     def _board_counts(self, comparison: Comparison) -> str:
-        if comparison.changed:
-            text = self.tr("%n setting(s) would be restored, {0} match.", "", comparison.changed)
+        if comparison.offered:
+            text = self.tr("%n setting(s) would be restored, {0} match.", "", comparison.offered)
             text = text.format(comparison.equal)
         elif comparison.missing or comparison.left_out:
             text = self.tr("This snapshot has no differences to restore.")
@@ -218,7 +218,7 @@ class SnapshotPane(QWidget):
             return self.tr("The board does not respond, so nothing can be restored.")
         if self._device.applying:
             return self.tr("Settings are being written; wait until that is done.")
-        if self._rows.table.comparison.changed == 0:
+        if self._rows.table.comparison.offered == 0:
             return self.tr("There is nothing to restore.")
         if not self._rows.table.ticked:
             return self.tr("Select the settings to restore.")

@@ -52,6 +52,7 @@ class ParameterText(QObject):
     ) -> None:
         super().__init__(parent)
         self.frequencies: tuple[int, ...] = ()  # codes of those that the board can have
+        self._guide = ""
         self._specs = specs
         self._pairs: dict[str, tuple[str, ...]] = {}
         self._draft = draft
@@ -71,6 +72,7 @@ class ParameterText(QObject):
     def set_board(self, board: Model) -> None:
         """Follow new specifications, those of a board of this model."""
         self.frequencies = frequency_codes(board)
+        self._guide = board.guide
         pairs = ((key, pwm_keys(key)) for key in self._specs)
         self._pairs = {key: pair for key, pair in pairs if self._specs.keys() >= set(pair)}
 
@@ -141,6 +143,13 @@ class ParameterText(QObject):
         wires = sorted(wire for each in keys for wire in self._accepted.get(each, ()))
         text = self.tr("This firmware has stored beyond that: wire value {0}.")
         return text.format(", ".join(map(str, wires))) if wires else ""
+
+    def guide(self, key: str) -> tuple[str, str]:
+        """Return the address of what the user's guide says of a value, and what to call it."""
+        section = self._specs[key].section
+        if not section:
+            return self._guide, self.tr("User's guide of the board")
+        return f"{self._guide}/{section}", self.tr("User's guide, section {0}").format(section)
 
     def _wire_text(self, key: str, wires: Sequence[int]) -> str:
         """Return the wire value, with the physical one if the cell does not show that."""

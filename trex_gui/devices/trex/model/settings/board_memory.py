@@ -6,6 +6,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.files import SettingsError
 from trex_gui.devices.trex.model.settings.board_files import BoardFiles
+from trex_gui.devices.trex.model.settings.notes import Notes
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.settings.board_records import (
@@ -23,7 +24,7 @@ Change = Callable[[BoardRecord], BoardRecord]
 
 
 class BoardMemory(QObject):
-    """Reads the record of a board, follows what is read and written, and saves it.
+    """Reads the record of a board, follows what is read, written and noted, and saves it.
 
     Attributes:
         record: `None` until it was read from its file.
@@ -38,8 +39,14 @@ class BoardMemory(QObject):
     changed = Signal()
     failed = Signal(str)
 
-    def __init__(self, folder: BoardRecords | None = None, parent: QObject | None = None) -> None:
+    def __init__(
+        self,
+        notes: Notes | None = None,
+        folder: BoardRecords | None = None,
+        parent: QObject | None = None,
+    ) -> None:
         super().__init__(parent)
+        self._notes = notes or Notes(self)
         self.record: BoardRecord | None = None
         self.differing = Comparison(())
         self.files = BoardFiles[BoardRecord, BoardRecord](folder or BoardRecords(), self)
@@ -50,6 +57,7 @@ class BoardMemory(QObject):
         self._later: list[Change] = []  # what happened before the record was read
         self.files.found.connect(self._on_found)
         self.files.failed.connect(self._on_failed)
+        self._notes.edited.connect(self._on_note_edited)
 
     # --- What is known ------------------------------------------------------------------
 
@@ -88,6 +96,8 @@ class BoardMemory(QObject):
             self._rename(board)
         self._is_renamed = False
         if opened or board != self._board:
+            if board != self._board:
+                self._notes.forget()
             self._board, self.record, self._later = board, None, []
             self.files.read(board)
             self._compare()
@@ -121,6 +131,7 @@ class BoardMemory(QObject):
             self.files.save(self._board, None)
             self.files.save(board, self.record)
             self._board = board
+            self._notes.load(self._notes.all, board)
 
     # --- Decisions ----------------------------------------------------------------------
 
@@ -148,6 +159,11 @@ class BoardMemory(QObject):
             self.differing = self.record.differences(self._stored)
         self.changed.emit()
 
+    @Slot()
+    def _on_note_edited(self) -> None:
+        notes = self._notes.all
+        self._change(lambda record: record.with_notes(notes))
+
     @Slot(object, object)
     def _on_found(self, board: BoardIdentity, found: BoardRecord | None) -> None:
         if board != self._board or self.record is not None:
@@ -156,6 +172,7 @@ class BoardMemory(QObject):
         later, self._later = self._later, []
         for change in later:
             self._change(change)
+        self._notes.load(self.record.settings.notes, board)
 
     @Slot(object)
     def _on_failed(self, failure: SettingsError) -> None:

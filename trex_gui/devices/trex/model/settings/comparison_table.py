@@ -18,7 +18,12 @@ from trex_gui.devices.trex.model.parameters.text import acceleration_text
 from trex_gui.devices.trex.model.settings.rows import renew_rows
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibration
 from trex_gui.devices.trex.protocol.parameters import ParameterKind
-from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow, wire_text
+from trex_gui.devices.trex.settings.comparison import (
+    Comparison,
+    ComparisonRow,
+    note_text,
+    wire_text,
+)
 from trex_gui.ui.theme.icons import icon
 
 Index = QModelIndex | QPersistentModelIndex
@@ -73,7 +78,7 @@ class ComparisonTable(QAbstractTableModel):
         """Update both sides; cleared check boxes stay cleared, new changes get `tick_new`."""
         if not tick_new:
             ticked = {row.key for row in self.ticked}
-            self._cleared |= {row.key for row in comparison.rows if row.changed} - ticked
+            self._cleared |= {row.key for row in comparison.rows if row.is_offered} - ticked
         self.comparison = comparison
         self.set_outcomes({})
         renew_rows(self, self._rows, self._chosen_rows(), lambda row: row.key)
@@ -95,11 +100,11 @@ class ComparisonTable(QAbstractTableModel):
     def ticked(self) -> tuple[ComparisonRow, ...]:
         """The changes to make, in the order of the table."""
         rows = self.comparison.rows if self._with_ticks else ()
-        return tuple(row for row in rows if row.changed and row.key not in self._cleared)
+        return tuple(row for row in rows if row.is_offered and row.key not in self._cleared)
 
     def tick_all(self, ticked: bool) -> None:
-        changed = {row.key for row in self.comparison.rows if row.changed}
-        self._cleared = set() if ticked else changed
+        offered = {row.key for row in self.comparison.rows if row.is_offered}
+        self._cleared = set() if ticked else offered
         self._announce_ticks()
 
     def tick(self, keys: Collection[str]) -> None:
@@ -195,13 +200,14 @@ class ComparisonTable(QAbstractTableModel):
             self._with_ticks
             and index.isValid()
             and index.column() == ComparisonColumn.SETTING
-            and self._rows[index.row()].changed
+            and self._rows[index.row()].is_offered
         )
 
     def _cells(self, row: ComparisonRow) -> tuple[str, ...]:
         outcome = self._outcomes.get(row.key)
+        note = note_text(row.note_before, row.note_after)
         return (
-            row.name,
+            f"{row.name}\n{self.tr('Note: {0}').format(note)}" if note else row.name,
             self._side_text(row, row.before, row.text_before),
             self._side_text(row, row.after, row.text_after),
             _wires_text(row),

@@ -52,6 +52,7 @@ class SettingsDocument(QObject):
             self._findings = (doubt,)
         self.draft.parameters.pending_changed.connect(self._on_edited)
         self.draft.calibrations.changed.connect(self._on_edited)
+        self.draft.notes.edited.connect(self._on_edited)
 
     @classmethod
     def of_file(cls, path: Path, data: bytes) -> "SettingsDocument":

@@ -12,6 +12,7 @@ from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.model.settings.calibrations import Calibrations
+from trex_gui.devices.trex.model.settings.notes import Notes
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibration
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.device_table import Model
@@ -44,6 +45,7 @@ class SettingsDraft(QObject):
         self.undo = QUndoStack(self)
         self.parameters = ParameterModel(self, self.undo)
         self.calibrations = Calibrations(self, self.undo)
+        self.notes = Notes(self, self.undo)
         self.reset_pending = False  # the next start will reset what is written until then
         self._product: Model | None = None
         self._firmware: str | None = None
@@ -132,6 +134,7 @@ class SettingsDraft(QObject):
         source = InputSource.ANALOG if is_analog else InputSource.RC
         self.parameters.load(specs, settings.parameters, {}, power_cycled=True, open_ended=True)
         self.calibrations.load(settings.product.key, source, settings.calibrations, open_ended=True)
+        self.notes.load(settings.notes)
         self.loaded.emit()
 
     def _begin(self, product: Model, firmware: str | None) -> None:
@@ -146,7 +149,7 @@ class SettingsDraft(QObject):
         if self._product is None:
             return None
         parameters, calibrations = self.parameters.all_stored, self.calibrations.all_stored
-        return Settings(self._product, self._firmware, parameters, calibrations)
+        return Settings(self._product, self._firmware, parameters, calibrations, self.notes.all)
 
     @property
     def shown(self) -> Settings | None:
@@ -154,7 +157,7 @@ class SettingsDraft(QObject):
         if self._product is None:
             return None
         parameters, calibrations = self.parameters.all_shown, self.calibrations.all_shown
-        return Settings(self._product, self._firmware, parameters, calibrations)
+        return Settings(self._product, self._firmware, parameters, calibrations, self.notes.all)
 
     # --- Edits --------------------------------------------------------------------------
 
@@ -173,14 +176,16 @@ class SettingsDraft(QObject):
         return self.parameters.can_edit(key)
 
     def stage(self, rows: Iterable[ComparisonRow], text: str) -> None:
-        """Edit settings to the right side of a comparison, in one undo step.
+        """Edit settings to the right side of a comparison, and take its notes, in one undo step.
 
         Rows without a right side, or whose setting cannot be edited, are left out.
 
         Raises:
             BadRequest: no board takes a value; nothing was changed.
         """
-        wanted = [row for row in rows if row.after is not None and self.can_edit(row.key)]
+        chosen = list(rows)
+        wanted = [row for row in chosen if row.after is not None and self.can_edit(row.key)]
+        noted = [row for row in chosen if row.brings_note]
         for row in wanted:
             self._check(row)
         with self.one_edit(text):
@@ -189,6 +194,8 @@ class SettingsDraft(QObject):
                     self.calibrations.edit(CALIBRATION_KEYS[row.key], row.after)
                 elif row.after is not None:
                     self.parameters.edit(row.key, row.after, alone=True, forced=True)
+            for row in noted:
+                self.notes.edit(row.key, row.note_after, name=row.name)
 
     def _check(self, row: ComparisonRow) -> None:
         if isinstance(row.after, Calibration):

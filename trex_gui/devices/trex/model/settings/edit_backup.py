@@ -162,7 +162,7 @@ class EditBackup(QObject):
             calibrations = {**self._undecided.calibrations, **calibrations}
         if not parameters and not calibrations:
             return None
-        return replace(stored, parameters=parameters, calibrations=calibrations)
+        return replace(stored, parameters=parameters, calibrations=calibrations, notes={})
 
     @Slot(object)
     def _on_failed(self, failure: SettingsError) -> None:

@@ -76,6 +76,7 @@ class PrintedSettings(QObject):
                 cells = (spec.name, spec.key, value, "" if wire is None else str(wire))
                 is_changed = wire not in {None, spec.default}
                 rows.append(_row((*cells, value_text(spec, spec.default)), bold=is_changed))
+                rows += self._note_row(spec.key, len(titles))
         return _table(titles, rows)
 
     def _calibrations(self) -> str:
@@ -84,6 +85,7 @@ class PrintedSettings(QObject):
             counts = [getattr(found, field) for field in CALIBRATION_FIELDS]
             values = (f"{key.source.text(count)} ({count})" for count in counts)
             rows.append(_row((key.label, key, *values)))
+            rows += self._note_row(key, 6)
         titles = {
             self.tr("Channel"): 18,
             self.tr("Key"): 18,
@@ -93,6 +95,12 @@ class PrintedSettings(QObject):
             self.tr("Deadband"): 16,
         }
         return _table(titles, rows) if rows else f"<p>{escape(self.tr('None are given.'))}</p>"
+
+    def _note_row(self, key: str, columns: int) -> list[str]:
+        """Return the note on a setting as a row below it; empty without one."""
+        note = self._settings.notes.get(key, "")
+        text = escape(self.tr("Note: {0}").format(note)).replace("\n", "<br>")
+        return [f'<tr><td colspan="{columns}"><i>{text}</i></td></tr>'] if note else []
 
     def _remark_list(self) -> str:
         if not self._remarks:

@@ -11,6 +11,7 @@ from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.model.parameters.text import ParameterColumn
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.views.findings_list import FindingsList
+from trex_gui.devices.trex.views.note_field import NoteField
 from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter, ParameterFilters
 from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 from trex_gui.ui.theme.theme import follow_theme
@@ -39,11 +40,20 @@ class ParameterTable(QWidget):
         self._no_match = self._no_match_note()
         beside = QWidget(self)
         beside.setObjectName("aboutParameters")
-        self._help = ParameterHelp(self._model, beside)
         tools = [action_button(each, beside) for each in self._view.tools]
-
-        self._findings = FindingsList("parameter", tools[-1], beside)
-        column(row(*tools, 1), self._help, self._findings, 1, into=beside, margins=0)
+        self._help = ParameterHelp(self._model, beside)
+        self._note = NoteField(draft.notes, beside)
+        note = label(beside, text=self.tr("Note on the &value:"), buddy=self._note)
+        self._findings = FindingsList("parameter", self._note, beside)
+        column(
+            row(*tools, 1),
+            self._help,
+            column(note, self._note, spacing=2),
+            self._findings,
+            1,
+            into=beside,
+            margins=0,
+        )
         panel = ScrollBox(beside, self)
         follow_theme(
             panel,
@@ -128,7 +138,10 @@ class ParameterTable(QWidget):
 
     @Slot()
     def _show_help(self) -> None:
-        self._help.show_help_of(self._view.current_key)
+        key = self._view.current_key
+        self._help.show_help_of(key)
+        text = self._model.text
+        self._note.show_note_on(*((text.together(key)[0], text.title(key)) if key else ("", "")))
         self._view.update_actions()
 
 
@@ -141,7 +154,12 @@ class ParameterHelp(QLabel):
         self.setObjectName("parameterHelp")
         self.setWordWrap(True)
         self.setTextFormat(Qt.TextFormat.RichText)
-        self.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.setTextInteractionFlags(
+            Qt.TextInteractionFlag.TextSelectableByMouse
+            | Qt.TextInteractionFlag.LinksAccessibleByMouse
+            | Qt.TextInteractionFlag.LinksAccessibleByKeyboard
+        )
+        self.setOpenExternalLinks(True)
         self.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Minimum)
 
@@ -160,6 +178,7 @@ class ParameterHelp(QLabel):
             *([f"<b>{notes}</b>"] if notes else []),
             escape(text.description(key)),
             "<br>".join(map(escape, text.about(key))),
+            '<a href="{}">{}</a>'.format(*map(escape, text.guide(key))),
         ]
 
 

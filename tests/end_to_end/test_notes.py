@@ -1,0 +1,86 @@
+"""Notes on settings: typed on the page, kept for the board, in files, history and comparisons."""
+
+from pathlib import Path
+
+from PySide6.QtTest import QTest
+
+from tests.support.program import trex
+from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.window import WindowDriver
+from trex_gui.core.files import load
+from trex_gui.devices.trex.settings.history import SettingsHistory
+from trex_gui.devices.trex.settings.reader import read_settings
+from trex_gui.devices.trex.views.comparison_view import ComparisonView
+from trex_gui.devices.trex.views.note_field import NoteField
+from trex_gui.devices.trex.views.pages.parameters.page import ParametersPage
+from trex_gui.devices.trex.views.settings_editor.compare_dialogs import LoadDialog
+from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
+
+NOTE = "The radio drops out\nbehind the barn."
+KEY = "serial_timeout"
+
+
+def settle(window: WindowDriver) -> None:
+    window.wait(lambda: window.device.memory.record is not None)
+    window.wait(lambda: window.device.memory.files.is_idle)
+
+
+def test_note_is_typed_and_kept_wherever_the_value_goes(
+    window: WindowDriver,
+    quick_simulator: SimulatedDevice,
+    start_simulator: StartSimulator,
+    tmp_path: Path,
+) -> None:
+    other, draft = start_simulator("--device", "9"), window.device.draft
+    window.connect(quick_simulator.url)
+    settle(window)
+    window.open_page("parametersPage")
+    window.find(ParametersPage, "parametersPage").table.show_parameter(KEY)
+    field = window.find(NoteField, "noteEdit")
+    field.setFocus()
+    QTest.keyClicks(field, "The radio drops out\r behind the barn. ")
+    assert draft.notes.of(KEY) == NOTE
+    window.trigger("undo")
+    assert not field.toPlainText(), "what is typed at once is one step"
+    window.trigger("redo")
+    assert field.toPlainText() == NOTE
+    assert draft.pending == 0, "a note needs no Apply"
+
+    window.device.parameters.edit(KEY, 15)
+    window.trigger("apply")
+    review = window.dialog("reviewDialog").find_only(ComparisonView).table
+    assert "Note: The radio drops out / behind the barn." in review.index(0, 0).data()
+    with window.qtbot.waitSignal(window.device.applied):
+        window.dialog("reviewDialog").click("writeButton")
+    (snapshot,) = SettingsHistory().snapshots()
+    assert SettingsHistory().load(snapshot).notes == {KEY: NOTE}
+    window.dialog("reviewDialog").root.close()
+
+    path = tmp_path / "board.txt"
+    files = trex(window.program).workspace.files
+    files.save_file(path)
+    window.wait(path.exists)
+    assert read_settings(load(path))[0].notes == {KEY: NOTE}
+    shown = draft.shown
+    assert shown is not None
+    assert "Note: The radio drops out<br>behind the barn." in PrintedSettings(shown, "x").html()
+
+    window.device.parameters.edit("device_number", 12)
+    with window.qtbot.waitSignal(window.device.applied):
+        window.device.apply()
+    window.disconnect()
+    window.connect(other.url)
+    settle(window)
+    assert not field.toPlainText(), "another board"
+    draft.undo.undo()
+    assert not draft.notes.all
+    files.open_file(path)
+    window.wait(lambda: window.has("takeChangesButton"))
+    dialog = window.find(LoadDialog, "loadSettingsDialog")
+    assert KEY in {row.key for row in dialog._view.table.ticked}
+    window.click("takeChangesButton")
+    assert draft.notes.all == {KEY: NOTE}
+    window.disconnect()
+    window.connect(quick_simulator.url)
+    settle(window)
+    assert field.toPlainText() == NOTE, "kept under the new number"

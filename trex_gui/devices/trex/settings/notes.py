@@ -1,0 +1,47 @@
+"""Notes on settings in the text of a file: why a setting has its value.
+
+Each line of a note is a comment of its own, `# Note on serial_timeout: the radio drops out`, mostly
+above the setting. To readers that know no notes it is a comment like any other.
+"""
+
+import re
+from collections.abc import Mapping
+
+from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS
+from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.settings.yaml_subset import LINE_END
+
+LONGEST_NOTE = 1000  # characters; with a note on each setting a file is still read
+
+_NOTE = re.compile(r"[ \t]*# Note on ([a-z0-9_]+): (.*\S)[ \t]*")
+
+
+def note_line_key(line: str) -> str:
+    """Return the key that a line of a settings file is a note on; empty for any other line."""
+    found = _NOTE.fullmatch(line)
+    return found[1] if found and _can_have_note(found[1]) else ""
+
+
+def read_notes(text: str) -> dict[str, str]:
+    """Return the notes in a text by key, with their lines; the order of the text does not count."""
+    notes: dict[str, list[str]] = {}
+    for line in LINE_END.split(text):
+        if (found := _NOTE.fullmatch(line)) and _can_have_note(found[1]):
+            notes.setdefault(found[1], []).append(found[2])
+    return {key: "\n".join(notes[key]) for key in sorted(notes)}
+
+
+def note_lines(key: str, notes: Mapping[str, str]) -> list[str]:
+    """Return a note as lines of a settings file; none if there is none."""
+    return [f"# Note on {key}: {line}" for line in clean_note(notes.get(key, "")).splitlines()]
+
+
+def clean_note(text: str) -> str:
+    """Return a note as files can keep it: printable, without empty lines and spaces at the ends."""
+    lines = (line.expandtabs().strip() for line in text.splitlines())
+    shown = ("".join(c if c.isprintable() else "?" for c in line) for line in lines)
+    return "\n".join(filter(None, shown))
+
+
+def _can_have_note(key: str) -> bool:
+    return key in CALIBRATION_KEYS or any(row["key"] == key for row in device_table().rows)

@@ -1,0 +1,59 @@
+"""A field for the note on a setting."""
+
+from PySide6.QtCore import QSignalBlocker, Slot
+from PySide6.QtGui import QFocusEvent
+from PySide6.QtWidgets import QPlainTextEdit, QWidget
+
+from trex_gui.devices.trex.model.settings.notes import Notes
+from trex_gui.devices.trex.settings.notes import clean_note
+from trex_gui.ui.theme.theme import follow_theme
+from trex_gui.ui.widgets.builders import named
+
+_LINES = 3
+
+
+class NoteField(QPlainTextEdit):
+    """Shows and edits the note on one setting; all that is typed at once is one step to undo."""
+
+    def __init__(self, notes: Notes, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._notes = notes
+        self._key = ""
+        self._name = ""
+        self._run = object()
+        named(self, "noteEdit", accessible=self.tr("Note"))
+        self.setTabChangesFocus(True)
+        self.setPlaceholderText(self.tr("Why this value? Kept on this computer and in files."))
+        follow_theme(self, "height", self._fit)
+        self.textChanged.connect(self._on_typed)
+        notes.changed.connect(self._renew)
+        self._renew()
+
+    def _fit(self) -> None:
+        frame = 2 * (self.frameWidth() + round(self.document().documentMargin()))
+        self.setFixedHeight(_LINES * self.fontMetrics().lineSpacing() + frame)
+
+    def show_note_on(self, key: str, name: str) -> None:
+        """Show the note on a setting; an empty key is none. `name` is for the user."""
+        if key != self._key:
+            self._run = object()
+        self._key, self._name = key, name
+        self.setAccessibleName(self.tr("Note on {0}").format(name) if key else self.tr("Note"))
+        self._renew()
+
+    @Slot()
+    def _renew(self) -> None:
+        self.setEnabled(bool(self._key) and self._notes.are_known)
+        note = self._notes.of(self._key)
+        if clean_note(self.toPlainText()) != note:
+            with QSignalBlocker(self):
+                self.setPlainText(note)
+
+    @Slot()
+    def _on_typed(self) -> None:
+        self._notes.edit(self._key, self.toPlainText(), name=self._name, run=self._run)
+        self._renew()  # a note that is too long is cut
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        self._run = object()
