@@ -127,6 +127,17 @@ def test_board_is_found_at_the_settings_of_its_adapter(bench: Bench) -> None:
     assert bench.device.settings.line == LineSettings()
 
 
+def test_typed_address_is_left_alone(bench: Bench) -> None:
+    bench.plug()
+    ports = bench.window.program.ports
+    sent = bench.listen(bench.boards[0])
+    ports.lead_to(ports.add_typed(bench.boards[0].url), "trex", FACTORY.packed)
+    assert ports.last_used is not None
+    bench.start()
+    assert bench.url == ""
+    assert not sent
+
+
 def test_nothing_is_connected_if_two_known_boards_answer(bench: Bench) -> None:
     bench.plug()
     bench.start()

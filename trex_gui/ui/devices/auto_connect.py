@@ -71,7 +71,8 @@ class AutoConnect(QObject):
         self._scanner.finished.connect(self._on_scan_finished)
         self._notifier.remedies_offered.connect(self._on_remedies_offered)
         last = self._ports.last_used
-        first = [] if last is None else [last]
+        # A typed address may lead elsewhere by now: a pseudo-terminal to somebody's shell.
+        first = [last] if last is not None and last.kind is PortKind.SERIAL else []
         self._present = self._ports.entries
         self._look_at(first, [port for port in self._adapters(self._present) if port != last])
 
@@ -123,11 +124,10 @@ class AutoConnect(QObject):
         if not self._is_wanted or not found.is_same(missing):
             return False
         self._may_be_stale = True
-        self._notice = self.tr("Connected again to {0}. The motors stay off until you arm them.")
+        self._notice = self.tr("Connected again to {0}. No motor was started.")
         if found.url != missing.url:
             self._notice = self.tr(
-                "Connected again: the adapter of {1} is {0} now. The motors stay off until you arm "
-                "them."
+                "Connected again: the adapter of {1} is {0} now. No motor was started."
             )
         self._notice = self._notice.format(found.url, missing.url)
         self._notifier.cleared.emit()
