@@ -417,7 +417,7 @@ def test_force_lets_the_board_decide_and_remembers_what_it_stored(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     refused = trexcmd("set", "ignored_channels", "63")
-    assert refused.exit_code == 1
+    assert refused.exit_code == 2
     assert "this limit is inferred: --force lets the board decide" in refused.stderr
     rejected = trexcmd("set", "ignored_channels", "63", "--force")
     assert rejected.exit_code == 1

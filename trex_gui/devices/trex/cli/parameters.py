@@ -7,6 +7,7 @@ import click
 
 from trex_gui.core.cli import say
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.files import SettingsError
 from trex_gui.devices.trex.cli.changes import (
     change_one,
     read_board,
@@ -59,7 +60,10 @@ def set_command(name: str, value: str, force: bool, **options: Any) -> None:
         spec = spec_of(client, name)
         wire = _wire(spec, value)
         state = read_board(client)
-        require_consent(spec.name, state, {spec.key: wire}, force=force)
+        try:
+            require_consent(spec.name, state, {spec.key: wire}, force=force)
+        except SettingsError as error:  # of a value that was typed, not of a file
+            raise click.UsageError(str(error)) from error
         stored = settings_of(state)
         change_one(
             client,
