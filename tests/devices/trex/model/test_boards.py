@@ -114,6 +114,18 @@ def test_scan_finds_each_board_by_number(make: Make) -> None:
     stand.device.disconnect_line()
     stand.wait(lambda: stand.device.link is ConnectionState.DISCONNECTED)
     assert set(stand.presences.values()) == {Presence.UNKNOWN}
+    # They are known again when the program is started the next time.
+    stand.boards = BoardList(stand.device)
+    stand.connect(9)
+    known = {3: Presence.UNKNOWN, 7: Presence.UNKNOWN, 9: Presence.SELECTED}
+    assert stand.presences == known
+    stand.wait(lambda: Presence.UNKNOWN not in stand.presences.values())
+    # Whoever addresses no board expects a single one, which can be driven.
+    stand.simulator.do("@3 power off")
+    stand.simulator.do("@7 power off")
+    stand.connect(None)
+    assert not stand.presences
+    assert stand.device.motors.can_arm
 
 
 def test_scan_of_single_board_says_what_others_would_need(make: Make) -> None:
@@ -361,6 +373,15 @@ def test_work_is_cancelled_between_boards(make: Make) -> None:
     stand.connect(7)
     stand.scan()
     work = Work(stand)
+    work.review(wanted(serial_timeout=5), (3, 7, 9))
+    stand.wait(lambda: work.steps[3] is BoardStep.READING)
+    stand.connect(7)  # the line is closed and opened again
+    assert not work.is_running
+    assert work.steps == {
+        3: BoardStep.FAILED,
+        7: BoardStep.SKIPPED,
+        9: BoardStep.SKIPPED,
+    }
     work.reviewed(wanted(serial_timeout=5), 3, 7, 9)
 
     def cancel() -> None:

@@ -16,7 +16,6 @@ from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
 from trex_gui.devices.trex.session.reconnecting import REACH
 from trex_gui.devices.trex.settings.comparison import Comparison
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.translations import error_text
 
 
@@ -81,7 +80,7 @@ class ApplyToBoards(QObject):
         self._current: int | None = None  # the board that is being written
         device.applied.connect(self._on_applied)
         device.request_failed.connect(self._on_request_failed)
-        device.link_changed.connect(self._on_link_changed)
+        device.connection.line_closed.connect(self._on_line_closed)
 
     def review(self, settings: Settings, numbers: Collection[int]) -> None:
         """Read these boards, and find out what the settings change of each."""
@@ -221,15 +220,14 @@ class ApplyToBoards(QObject):
             self._go_on()
 
     @Slot()
-    def _on_link_changed(self) -> None:
+    def _on_line_closed(self) -> None:
         if not self.is_running:
             return
-        if self._device.link is ConnectionState.DISCONNECTED:
-            for plan in self.plans:
-                if plan.step in {BoardStep.READING, BoardStep.WRITING}:
-                    self._set(plan.number, BoardStep.FAILED, self.tr("The line was closed."))
-            self._current = self._home = None
-            self._end()
+        for plan in self.plans:
+            if plan.step in {BoardStep.READING, BoardStep.WRITING}:
+                self._set(plan.number, BoardStep.FAILED, self.tr("The line was closed."))
+        self._current = self._home = None
+        self._end()
 
     def _end(self) -> None:
         """Go back to the board that was selected at first, and report."""

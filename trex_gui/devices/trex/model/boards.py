@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from enum import Enum, auto
+from urllib.parse import quote
 
 from PySide6.QtCore import QObject, Signal, Slot
 
@@ -15,6 +16,7 @@ from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.session.messages import ProbeNumber
 from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.translations import error_text
 
@@ -34,7 +36,7 @@ class Presence(Enum):
     UNREADABLE = auto()
     """Something replies that cannot be read: several boards may have this number."""
     UNKNOWN = auto()
-    """It was not asked since the line was opened."""
+    """It was not asked since the line was opened; it was there before."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +60,7 @@ class BoardList(QObject):
     selected one: without a number they would reach every board.
 
     Attributes:
-        boards: by number; of the last line that was open.
+        boards: by number; of the last line that was open, or of an earlier scan of it.
         scanned: how many numbers were asked; `None` while no scan runs.
         is_selecting: whether another board is being selected.
     """
@@ -76,6 +78,7 @@ class BoardList(QObject):
         self._next = 0  # which board is asked next whether it responds
         self._presence = new_timer(self, _PRESENCE_MS, self._on_presence_due)
         device.link_changed.connect(self._on_link_changed)
+        device.connection.line_closed.connect(self._on_line_closed)
         device.state_changed.connect(self._on_state_changed)
         device.motors.arming_changed.connect(self._on_link_changed)
 
@@ -151,8 +154,11 @@ class BoardList(QObject):
             self._ask_next()
 
     def _finish_scan(self) -> None:
-        """Report what was found; from now on address one board if there are several."""
-        found = [one for one in self.boards if one.presence is not Presence.SILENT]
+        """Keep and report what was found; from now on address one board if there are several."""
+        missing = {Presence.SILENT, Presence.UNKNOWN}
+        found = [one for one in self.boards if one.presence not in missing]
+        self.boards = tuple(found)
+        self._remember()
         if len(found) > 1:
             text = self.tr("%n board(s) on this line.", "", len(found))
             self._device.notifier.info.emit(text)
@@ -259,14 +265,16 @@ class BoardList(QObject):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        device = self._device
-        if device.link is ConnectionState.DISCONNECTED:
-            self.scanned = None
-            self.is_selecting = self._is_asking = False
-            self._presence.stop()
-            self.boards = tuple(_as(one, Presence.UNKNOWN) for one in self.boards)
-        elif not self._may_ask:
+        if not self._may_ask:
             self.cancel_scan()
+        self.changed.emit()
+
+    @Slot()
+    def _on_line_closed(self) -> None:
+        self.scanned = None
+        self.is_selecting = self._is_asking = False
+        self._presence.stop()
+        self.boards = tuple(_as(one, Presence.UNKNOWN) for one in self.boards)
         self.changed.emit()
 
     @Slot()
@@ -277,7 +285,9 @@ class BoardList(QObject):
             return
         if device.settings.url != self._url:
             self._url = device.settings.url
-            self.boards = ()
+            self.boards = self._known_boards()
+        if not self._is_addressed and all(_is_unknown(one) for one in self.boards):
+            self.boards = ()  # a single board is expected
         selected, before = self.selected, self.boards
         if before and selected is not None and self._is_addressed:
             kept = [one for one in before if one.number != selected]
@@ -287,10 +297,27 @@ class BoardList(QObject):
                 kept = [one for one in kept if not _is_shown(one)]
             board = LineBoard(selected, self._signature, Presence.SELECTED)
             self.boards = tuple(sorted([*kept, board], key=lambda one: one.number))
+            if {one.number for one in self.boards} != {one.number for one in before}:
+                self._remember()
         if self.has_several and not self._presence.isActive():
             self._presence.start()
         device.driving.set_reaching_several(self.has_several and not self._is_addressed)
         self.changed.emit()
+
+    @property
+    def _known_key(self) -> str:
+        return f"boards/{quote(self._url, safe='')}"
+
+    def _remember(self) -> None:
+        numbers = ",".join(str(one.number) for one in self.boards)
+        Preferences().set(self._known_key, numbers)
+
+    def _known_boards(self) -> tuple[LineBoard, ...]:
+        """Return the boards that an earlier scan of this port has found."""
+        words = Preferences().text(self._known_key).split(",")
+        known = {int(word) for word in words if word.isascii() and word.isdigit()}
+        numbers = sorted(number for number in known if number < NUMBERS)
+        return tuple(LineBoard(number, None, Presence.UNKNOWN) for number in numbers)
 
     @Slot()
     def _on_presence_due(self) -> None:
@@ -307,3 +334,7 @@ def _as(board: LineBoard, presence: Presence) -> LineBoard:
 
 def _is_shown(board: LineBoard) -> bool:
     return board.presence is Presence.SELECTED
+
+
+def _is_unknown(board: LineBoard) -> bool:
+    return board.presence is Presence.UNKNOWN
