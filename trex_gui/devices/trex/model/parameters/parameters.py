@@ -237,6 +237,8 @@ class ParameterModel(QAbstractTableModel):
 
     def set_accepted(self, accepted: Accepted) -> None:
         """Set which values beyond inferred limits boards with this firmware have stored."""
+        if accepted == self._accepted:
+            return
         self._accepted.clear()
         self._accepted.update(accepted)
         for key in accepted:
