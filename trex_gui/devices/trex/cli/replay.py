@@ -1,65 +1,13 @@
-"""replay: a saved transcript against the simulated board, in virtual time."""
+"""replay: a saved transcript against the simulated board."""
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
 from pathlib import Path
 
 import click
 
 from trex_gui.core.cli import CommandFailed, refusals, say
-from trex_gui.core.errors import BadRequest
-from trex_gui.core.files import load
-from trex_gui.core.simulator.line import SimulatedLine
 from trex_gui.core.texts import counted
-from trex_gui.core.transport.traffic import Transaction
-from trex_gui.core.transport.transcript import LARGEST, TranscriptRow, read_transcript
-from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.protocol.commands import (
-    GetCalibration,
-    GetCurrent,
-    GetCurrents,
-    GetMode,
-    GetParameter,
-    GetRawChannels,
-    GetRemappedChannels,
-    GetSerialControl,
-    GetSignature,
-    GetStatus,
-    GetUartErrors,
-    SetCalibration,
-    SetParameter,
-    Signature,
-)
-from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.flags import InputSource, Mode
-from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL, Malformed, Packet, Reply
-from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
-from trex_gui.devices.trex.protocol.parameters import (
-    ParameterKey,
-    parameter_number,
-    parameters_of,
-)
-from trex_gui.devices.trex.protocol.raw_packets import packets_of
-from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder, last_exchange
-from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import TrexLine
-from trex_gui.devices.trex.simulator.memory import Eeprom
-
-_MEASURED = (
-    GetRawChannels,
-    GetRemappedChannels,
-    GetCurrent,
-    GetCurrents,
-    GetSerialControl,
-    GetStatus,
-    GetUartErrors,
-)
-"""Queries whose replies depend on sticks, motors and line: only their size is compared."""
-
-_WAIT = 0.3  # virtual seconds for a reply: the longest write takes 32 ms
-_LONGEST_GAP = 2.0  # virtual seconds between two rows; a longer pause is cut
-
-_JUMPERS = {Mode.RC: "rc", Mode.ANALOG: "analog"}
+from trex_gui.core.transport.transcript import TranscriptRow
+from trex_gui.devices.trex.replay import RecordedTraffic
 
 
 @click.command()
@@ -74,17 +22,18 @@ def replay(file: str, everything: bool) -> None:
     differs.
     """
     with refusals():
-        text = load(Path(file), "traffic logs", LARGEST).decode("utf-8", "replace")
-        rows = list(read_transcript(text, file, TrexDecoder()))
-    recorded = RecordedTraffic.of(rows)
+        recorded = RecordedTraffic.load(Path(file))
+    rows = recorded.rows
     say(f"Simulated board: {recorded.text()}.")
     differing = 0
     for row, received in recorded.replayed():
         differing += 1
         if differing == 1 or everything:
-            _print_difference(row, received, recorded.settings)
+            _print_difference(recorded, row, received)
         if not everything:
             break
+    for warning in recorded.warnings:
+        say(f"Warning: {warning}")
     if differing:
         raise CommandFailed(
             f"Different replies: {differing}, in {counted(len(rows), 'transaction')}."
@@ -94,124 +43,8 @@ def replay(file: str, everything: bool) -> None:
     click.echo(f"{counted(len(rows), 'transaction')}, no difference.")
 
 
-def _print_difference(row: TranscriptRow, received: bytes, settings: ConnectionSettings) -> None:
-    decoder = TrexDecoder()
+def _print_difference(recorded: RecordedTraffic, row: TranscriptRow, received: bytes) -> None:
     click.echo(f"Line {row.line}: {row.sent.hex(' ').upper()}")
     for title, reply in (("file", row.received), ("simulator", received)):
-        transaction = Transaction(1, row.time, row.sent, reply, settings=settings, is_over=True)
         shown = reply.hex(" ").upper() or "nothing"
-        click.echo(f"  {title + ':':11}{shown}  ({decoder.decoded(transaction).text})")
-
-
-@dataclass(slots=True)
-class RecordedTraffic:
-    """A transcript, and what its replies show of the board at the beginning."""
-
-    rows: Sequence[TranscriptRow]
-    settings: ConnectionSettings = field(default_factory=lambda: ConnectionSettings(""))
-    signature: Signature | None = None
-    mode: Mode = Mode.SERIAL_RC
-    parameters: dict[int, int] = field(default_factory=dict)
-    calibrations: dict[tuple[InputSource, int], Calibration] = field(default_factory=dict)
-    is_echoed: bool = False
-
-    @classmethod
-    def of(cls, rows: Sequence[TranscriptRow]) -> "RecordedTraffic":
-        found = cls(rows)
-        if _damaged(rows, DEFAULT_POLYNOMIAL) < _damaged(rows, None):
-            found.settings = ConnectionSettings("", LineSettings(detection=Detection.CRC7))
-        answered = [row for row in rows if row.received and row.sent]
-        echoed = [row for row in answered if row.received.startswith(row.sent)]
-        found.is_echoed = len(echoed) * 2 > len(answered)
-        written: set[object] = set()
-        for row in rows:
-            found._learn(row, written)
-        return found
-
-    def _learn(self, row: TranscriptRow, written: set[object]) -> None:
-        """Take what a value was before anything in the file has changed it."""
-        match last_exchange(self._transaction(row)):
-            case Packet(command=GetSignature()), Reply(value=Signature() as signature):
-                self.signature = self.signature or signature
-            case Packet(command=GetMode()), Reply(value=Mode() as mode):
-                self.mode = mode
-            case Packet(command=SetParameter(number=number)), _:
-                written.add(number)
-            case Packet(command=SetCalibration(channel=channel)), _:
-                written.add((self.mode.source, channel))
-            case Packet(command=GetParameter(number=number)), Reply(value=int(value)):
-                if number not in written:
-                    self.parameters.setdefault(number, value)
-            case Packet(command=GetCalibration(channel=channel)), Reply(value=Calibration() as one):
-                if (self.mode.source, channel) not in written:
-                    self.calibrations.setdefault((self.mode.source, channel), one)
-            case _:
-                pass
-
-    def _transaction(self, row: TranscriptRow) -> Transaction:
-        return Transaction(
-            row.line,
-            row.time,
-            row.sent,
-            row.received,
-            settings=self.settings,
-            echo=self.is_echoed,
-            is_over=True,
-        )
-
-    def text(self) -> str:
-        board = "TReX 1.2, as no signature was read" if self.signature is None else self.signature
-        known = counted(len(self.parameters), "stored value")
-        return f"{board}, {known} from the file, others as from the factory"
-
-    def replayed(self) -> Iterable[tuple[TranscriptRow, bytes]]:
-        """Yield each row whose reply differs, and the simulator's reply."""
-        line = self._line()
-        first = self.rows[0].time if self.rows else 0.0
-        at, before = line.now, first
-        for row in self.rows:
-            at += min(max(row.time - before, 0.0), _LONGEST_GAP)
-            before = row.time
-            line.advance_to(at)
-            line.receive()
-            if not row.sent:
-                continue
-            line.send(row.sent)
-            received = line.read(max(len(row.received), 1), _WAIT) + line.receive()
-            if self._differs(row, received):
-                yield row, received
-
-    def _differs(self, row: TranscriptRow, received: bytes) -> bool:
-        packet, _ = last_exchange(self._transaction(row))
-        if isinstance(packet, Packet) and isinstance(packet.command, _MEASURED):
-            return len(received) != len(row.received)
-        return received != row.received
-
-    def _line(self) -> SimulatedLine:
-        signature = self.signature
-        model = "trex" if signature is None else signature.model.key
-        firmware = "1.2" if signature is None else signature.firmware
-        eeprom = Eeprom(model)
-        specs = parameters_of(model, firmware)
-        stored = dict(self.parameters)
-        if self.settings.line.has_crc:
-            stored.setdefault(
-                parameter_number(ParameterKey.UART_SETTINGS), self.settings.line.to_wire()
-            )
-        for number, value in stored.items():
-            spec = specs.number(number)
-            if spec is not None and spec.readable:
-                try:
-                    eeprom.write(spec.key, value)
-                except BadRequest as error:
-                    say(f"Warning: {error}; the simulated board has its default.")
-        for (source, channel), calibration in self.calibrations.items():
-            eeprom.write_calibration(source, channel, calibration)
-        board = Board(model, firmware, eeprom=eeprom, mode=_JUMPERS.get(self.mode, "serial"))
-        return TrexLine([board], echo=self.is_echoed, paced=False)
-
-
-def _damaged(rows: Iterable[TranscriptRow], polynomial: int | None) -> int:
-    """Return how many sent packets cannot be read on a line with this CRC, or without one."""
-    packets = (one for row in rows for one in packets_of(row.sent, polynomial))
-    return sum(isinstance(one.packet, Malformed) for one in packets)
+        click.echo(f"  {title + ':':11}{shown}  ({recorded.meaning(row, reply)})")

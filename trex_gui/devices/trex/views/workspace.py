@@ -270,6 +270,14 @@ class TrexWorkspace(Workspace):
         self._frame.seen_changed.connect(page.set_window_seen)
         return page
 
+    def _compare_traffic(self) -> None:
+        from trex_gui.devices.trex.views.traffic_comparison import (  # noqa: PLC0415 - rarely
+            TrafficComparison,
+        )
+
+        found = self.findChild(TrafficComparison) or TrafficComparison(self.notifier, self)
+        found.ask_and_compare()
+
     def _set_up(self) -> None:
         if self._setup is None:
             from trex_gui.devices.trex.views.setup.dialog import SetupDialog  # noqa: PLC0415
@@ -355,6 +363,8 @@ class TrexWorkspace(Workspace):
                     self.recordings.toggle_keeps_events,
                     checkable=True,
                 ),
+                SEPARATOR,
+                Entry("replay", tr("Compare traffic &log with simulator…"), self._compare_traffic),
             ),
             Menu.EDIT: (
                 Entry("undo", tr("&Undo"), device.draft.undo.undo, keys.Undo, "undo"),
