@@ -685,11 +685,13 @@ def test_page_shows_channel_commands_in_rc_mode(page: MotorsPage) -> None:
     assert "RC channels control the motors" in status.text("motorsReason2")
     page.wait(lambda: page.simulator.show()["leds"]["green"] == "fast flash")
     assert led_words(status) == ["Red: flickers with each packet", "Green: flashes fast"]
+    assert status.has("statusLedsNote"), "safe-start is only inferred"
     page.simulator.do("channel 2 1500us")
     page.wait(lambda: not page.simulator.show()["safe_start"])
     status.wait_for_text("motorsReason1", "RC channels control the motors")
     assert not status.has("motorsReason2")
     assert led_words(status) == ["Red: flickers with each packet", "Green: on"]
+    assert not status.has("statusLedsNote")
     page.show_page()
     page.wait(lambda: "Channel 2" not in page.text("motorsReason"))
 

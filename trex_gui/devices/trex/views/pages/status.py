@@ -12,7 +12,12 @@ from PySide6.QtWidgets import (
 
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.driving.blockers import TEXT_CONTEXT, DriveBlocker, Effect
-from trex_gui.devices.trex.driving.board_reasons import LED_TEXTS, BoardInputs, led_patterns
+from trex_gui.devices.trex.driving.board_reasons import (
+    LED_TEXTS,
+    SAFE_START_FLASH,
+    BoardInputs,
+    led_patterns,
+)
 from trex_gui.devices.trex.model.connection_quality import quality_text
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import (
@@ -53,7 +58,9 @@ class MotorsBox(ui.GroupBox):
         )
         title = ui.label(self._leds_line, "", self.tr("LEDs on the board:"))
         ui.row(title, (self._leds, 1), into=self._leds_line, margins=0, spacing=10)
-        ui.column(self._reasons, self._leds_line, into=self)
+        note = self.tr("If the green LED is steady instead, safe-start is over.")
+        self._steady = ui.named(Muted(note, self), "statusLedsNote")  # the board cannot be asked
+        ui.column(self._reasons, self._leds_line, self._steady, into=self)
 
     def show_statuses(self, statuses: tuple[DriveStatus, ...], board: BoardInputs | None) -> None:
         for row in range(len(self._rows), len(statuses)):
@@ -74,8 +81,9 @@ class MotorsBox(ui.GroupBox):
                     text.setText(shown)
                     text.setAccessibleName(f"{status.text} {status.remedy}".rstrip())
         self._leds_line.setVisible(board is not None)
-        if board is not None:
-            patterns = led_patterns(board)
+        patterns = led_patterns(board) if board is not None else ()
+        self._steady.setVisible(SAFE_START_FLASH in patterns)
+        if patterns:
             red, green = (
                 QCoreApplication.translate(TEXT_CONTEXT, LED_TEXTS[one]) for one in patterns
             )
