@@ -428,7 +428,7 @@ def test_force_lets_the_board_decide_and_remembers_what_it_stored(
     assert other.exit_code == 1
     assert "wire 32" in other.stderr, "what was wanted"
     assert "none" in other.stderr, "what was stored"
-    assert trexcmd("set", "ignored_channels", "63").exit_code == 1, "neither is remembered"
+    assert trexcmd("set", "ignored_channels", "63").exit_code == 2, "neither is remembered"
 
     quick_simulator.do("accept ignored_channels 127")
     accepted = trexcmd("set", "ignored_channels", "63", "--force")
