@@ -27,9 +27,10 @@ from trex_gui.ui.runtime import now
 
 
 @pytest.fixture
-def disk(monkeypatch: pytest.MonkeyPatch) -> Iterator[SlowDisk]:
+def disk(monkeypatch: pytest.MonkeyPatch, window: WindowDriver) -> Iterator[SlowDisk]:
     disk = SlowDisk(monkeypatch)
     yield disk
+    window.wait(lambda: window.device.memory.files.is_idle)
     assert disk.stalls == []
 
 
