@@ -35,13 +35,16 @@ from trex_gui.devices.trex.model.playback import Playback
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.recording import FORMAT as BOARD_FORMAT
 from trex_gui.devices.trex.replay import RecordedTraffic
 from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
+from trex_gui.devices.trex.settings.board_records import BoardRecord, BoardRecords, utc_now
 from trex_gui.devices.trex.settings.code_export import export_code
 from trex_gui.devices.trex.settings.comparison import compare
 from trex_gui.devices.trex.settings.conversion import convert
 from trex_gui.devices.trex.settings.document import factory_settings
+from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 from trex_gui.devices.trex.settings.edit_in_place import amend
 from trex_gui.devices.trex.settings.history import BOUND_FILE, SettingsHistory
 from trex_gui.devices.trex.settings.reader import MOST_FINDINGS, read_settings
@@ -131,8 +134,35 @@ YAML = tuple(
         *("[" * 300, "{a: " * 300, "product: TReX Jr\n", "firmware: 1.0\n", "motor_mode: 1\n"),
         *("firmware: 1.9.999\n", "rc_channel_1: ", "analog_channel_5:\n  minimum: 1\n"),
         "{minimum: 1, neutral: 2, maximum: 3, deadband: 4}\n",
+        "\n# Note on motor_mode: one\n",
     )
 )
+
+
+def _record_samples() -> Sequence[bytes]:
+    stored = factory_settings(device_table().model("trex"), "1.2")
+    record = BoardRecord(stored).after_writing(stored, InputSource.RC, (), utc_now())
+    with tempfile.TemporaryDirectory() as folder:
+        records, board = BoardRecords(Path(folder)), BoardIdentity.of(stored)
+        records.save(board, record.with_notes({"motor_mode": "two motors"}))
+        return [records.path(board).read_bytes()]
+
+
+def check_record(data: bytes, folder: Path) -> None:
+    """What is kept of a board beside what it stores."""
+    stored = factory_settings(device_table().model("trex"), "1.2")
+    records, board = BoardRecords(folder), BoardIdentity.of(stored)
+    records.path(board).write_bytes(data)
+    try:
+        record = records.load(board)
+    except SettingsError as error:
+        _check_findings(error.findings, data, rejected=True)
+        return
+    assert record is not None
+    records.save(board, record)
+    assert records.load(board) == record
+    record.differences(stored)
+    record.after_reading(stored, InputSource.ANALOG, utc_now()).with_hidden(stored, InputSource.RC)
 
 
 # --- Snapshots --------------------------------------------------------------------------
@@ -438,6 +468,7 @@ FILE_TARGETS = (
     Target("transcripts", mutations(_transcript_samples, TRANSCRIPT), check_transcript),
     Target("guardian_log", mutations(guardian_samples, GUARDIAN), check_guardian_log),
     Target("settings", mutations(settings_samples, YAML), check_settings, examples=20),
+    Target("board_records", mutations(_record_samples, YAML), check_record, examples=20),
     Target("snapshots", mutations(_snapshot_samples, YAML), check_snapshot, examples=20),
     Target("poses", mutations(pose_samples, POSES), check_poses),
     Target("bench", mutations(lambda: [to_csv(SAVED).encode()], BENCH), check_bench),

@@ -187,9 +187,10 @@ def _record(settings: Settings, text: str) -> BoardRecord:
     """Read the head; values without a line in it, or with a damaged one, are not known."""
     found: dict[str, Known] = {}
     for name, verb, stamp in _HEAD.findall(text):
-        with suppress(ValueError):
-            time = datetime.fromisoformat(stamp)
-            found[name] = Known(time.astimezone(UTC), verb == "applied")
+        with suppress(ValueError, OverflowError):
+            time = datetime.fromisoformat(stamp).astimezone(UTC)
+            if 1970 < time.year < 9999:  # others cannot be shown in every time zone
+                found[name] = Known(time, verb == "applied")
     known = {source: found[_name(source)] for source in InputSource if _name(source) in found}
     given = {key: c for key, c in settings.calibrations.items() if key.source in known}
     applied = found.get(_PARAMETERS)

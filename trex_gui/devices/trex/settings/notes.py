@@ -26,8 +26,9 @@ def read_notes(text: str) -> dict[str, str]:
     """Return the notes in a text by key, with their lines; the order of the text does not count."""
     notes: dict[str, list[str]] = {}
     for line in LINE_END.split(text):
-        if (found := _NOTE.fullmatch(line)) and _can_have_note(found[1]):
-            notes.setdefault(found[1], []).append(found[2])
+        found = _NOTE.fullmatch(line)
+        if found and _can_have_note(found[1]) and (text := clean_note(found[2])):
+            notes.setdefault(found[1], []).append(text)
     return {key: "\n".join(notes[key]) for key in sorted(notes)}
 
 
