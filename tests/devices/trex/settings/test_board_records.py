@@ -93,5 +93,7 @@ def test_records_are_settings_files(tmp_path: Path) -> None:
     records.path(BOARD).write_text("product: TReX\n!")
     with pytest.raises(SettingsError):
         records.load(BOARD)
+    assert (tmp_path / "boards" / "trex-1.2-7.txt.damaged").exists(), "its notes are not lost"
+    records.save(BOARD, record)
     records.save(BOARD, None)
     assert records.load(BOARD) is None

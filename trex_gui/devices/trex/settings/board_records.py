@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from pathlib import Path
 
-from trex_gui.core.files import data_folder, load
+from trex_gui.core.files import SettingsError, data_folder, load
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
@@ -156,6 +156,8 @@ class BoardRecords:
     def load(self, board: BoardIdentity) -> BoardRecord | None:
         """Return the record of a board; `None`: there is none.
 
+        A damaged file is renamed to `….damaged`: it may hold notes, and will be replaced.
+
         Raises:
             SettingsError: it cannot be read, is damaged, or is of another model.
         """
@@ -163,7 +165,12 @@ class BoardRecords:
         if not path.exists():
             return None
         data = load(path)
-        return _record(settings_of_board(data, path, board), data.decode("utf-8-sig"))
+        try:
+            return _record(settings_of_board(data, path, board), data.decode("utf-8-sig"))
+        except SettingsError:
+            with suppress(OSError):
+                path.replace(path.with_name(f"{path.name}.damaged"))
+            raise
 
 
 def _line(name: str, known: Known) -> str:
