@@ -303,7 +303,7 @@ def test_file_that_cannot_be_edited_in_place_is_rewritten(
         del text, settings
         raise SettingsError("settings", [Finding(None, None, "it cannot be changed in place")])
 
-    monkeypatch.setattr("trex_gui.devices.trex.cli.files.amend", refuse)
+    monkeypatch.setattr("trex_gui.devices.trex.cli.check.amend", refuse)
     file, out = tmp_path / "in.txt", tmp_path / "out.txt"
     file.write_text(COMMENTED, encoding="utf-8")
     result = trexcmd("check-settings", str(file), str(out))
