@@ -17,7 +17,9 @@ from trex_gui.core.errors import (
     describe,
 )
 from trex_gui.devices.trex.protocol import errors as trex_errors
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import (
+    BoardElsewhere,
     ErrorCode,
     OtherBoard,
     Rejected,
@@ -43,6 +45,9 @@ EVERY_ERROR: list[StudioError] = [
     TrexNoReplyError(ErrorCode.NO_REPLY, "81"),
     TrexBadReplyError(ErrorCode.OTHER_DEVICE, "COM3", "It is garbled."),
     OtherBoard(ErrorCode.OTHER_VALUES),
+    BoardElsewhere(
+        ErrorCode.OTHER_BAUD, "COM3", "TReX 1.2", "9600", "19200", ConnectionSettings("COM3")
+    ),
     Skipped(ErrorCode.WRITE_CANCELLED),
 ]
 
@@ -81,7 +86,7 @@ def test_pickled_rejection_keeps_subject_and_code() -> None:
 
 @pytest.mark.parametrize("code", list(ErrorCode))
 def test_every_code_has_a_sentence(code: ErrorCode) -> None:
-    assert "{" not in describe(code, ("A", "B", "C"))
+    assert "{" not in describe(code, ("A", "B", "C", "D"))
 
 
 def test_error_inside_an_error_is_translated_too() -> None:
