@@ -117,6 +117,15 @@ def test_boards_on_one_line(
     assert results()[2] == ["1 setting(s)", "read"]
     assert "are for a TReX, not a TReX Jr" in results()[1][1]
     assert boards.show("@3")["parameters"]["serial_timeout"] == 0
+    # Closing the dialog ends the work after the board that is being read.
+    once = Qt.ConnectionType.SingleShotConnection
+    window.device.draft.loaded.connect(fleet.root.close, once)
+    window.trigger("to_boards")
+    window.wait(lambda: "not tried" in results()[2][1])
+    window.wait(lambda: rows(window)[2][1] == "selected")
+    assert not window.has("applyToBoardsDialog")
+    window.trigger("to_boards")
+    window.wait(lambda: fleet.is_enabled("writeBoardsButton"))
     fleet.click("writeBoardsButton")
     window.wait(lambda: results()[2][1] == "written and verified")
     window.wait(lambda: rows(window)[2][1] == "selected")

@@ -142,6 +142,10 @@ def test_commands_carry_a_number_once_several_boards_are_known(make: Make) -> No
     stand = make("7", "9")
     stand.simulator.do("@9 power off")
     stand.connect(None)
+    # Until then nothing may be driven: a command would reach both.
+    stand.device.driving.set_reaching_several(True)
+    assert not stand.device.motors.can_arm
+    stand.device.driving.set_reaching_several(False)
     stand.simulator.do("@9 power on")
     stand.scan()
     assert stand.device.settings is not None

@@ -1,7 +1,6 @@
 """Dialog that writes one settings file to several boards on a line."""
 
 from PySide6.QtCore import Qt, Slot
-from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QHeaderView, QTableWidget, QTableWidgetItem, QWidget
 
 from trex_gui.devices.trex.model.apply_to_boards import ApplyToBoards, BoardPlan, BoardStep
@@ -49,6 +48,7 @@ class ApplyToBoardsDialog(ReusedDialog):
         self._table.currentCellChanged.connect(self._on_current_changed)
         self.work.changed.connect(self._update)
         self.work.finished.connect(self._on_finished)
+        self.rejected.connect(self.work.cancel)
         device.link_changed.connect(self._update)
         device.motors.arming_changed.connect(self._update)
 
@@ -109,10 +109,6 @@ class ApplyToBoardsDialog(ReusedDialog):
             self.work.review(document.settings, [one.number for one in self._boards.boards])
         self._update()
         self.show_in_front()
-
-    def closeEvent(self, event: QCloseEvent) -> None:
-        self.work.cancel()
-        super().closeEvent(event)
 
     # --- Boards -------------------------------------------------------------------------
 
