@@ -12,6 +12,8 @@ from tests.support.virtual_command import RunCommand, StartCommand
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.cli import main
+from trex_gui.core.transport.transcript import read_transcript
+from trex_gui.devices.aracna.session.traffic_decoder import AracnaDecoder
 
 FILE = """Aracna:8:1024:1024:1024:1024:1024:1024:1024:1024
 Pose=low:400, 300, 400, 300, 400, 300, 400, 300
@@ -45,6 +47,15 @@ def test_query_prints_firmware_and_motor_count(trexcmd: RunCommand, robot: Simul
     assert trexcmd("aracna", "query").stdout == "Aracna, firmware 1, 8 motors\n"
     row = json.loads(trexcmd("aracna", "query", "--json").stdout)
     assert row == {"port": robot.url, "product": "Aracna", "firmware": 1, "motors": 8}
+
+
+def test_traffic_is_written_to_a_file(trexcmd: RunCommand, tmp_path: Path) -> None:
+    traffic = tmp_path / "traffic.txt"
+    assert trexcmd("aracna", "query", "--traffic", str(traffic)).exit_code == 0
+    text = traffic.read_text(encoding="utf-8")
+    *_, row = read_transcript(text, "it", AracnaDecoder())
+    assert (row.sent, row.received) == (b".q\n", b".q1,8\r\n")
+    assert row.meaning == "query version and motors → firmware 1, 8 motors"
 
 
 def test_missing_port_is_a_usage_error() -> None:

@@ -92,3 +92,9 @@ def test_command_ended_only_by_next_query_is_a_fault() -> None:
     ((text, is_fault),) = reports(AracnaDecoder(), pieces)
     assert is_fault
     assert text.endswith("firmware 1, 2 motors; no reply to the command itself")
+
+
+@given(st.binary(max_size=40))
+def test_shown_bytes_read_back(data: bytes) -> None:
+    decoder = AracnaDecoder()
+    assert decoder.bytes_of(decoder.shown(data)) == data
