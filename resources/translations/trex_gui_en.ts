@@ -12,6 +12,47 @@
     </message>
 </context>
 <context>
+    <name>ApplyToBoardsDialog</name>
+    <message numerus="yes">
+        <source>%n setting(s)</source>
+        <translation>
+            <numerusform>%n setting</numerusform>
+            <numerusform>%n settings</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Write to %n board(s)</source>
+        <translation>
+            <numerusform>&amp;Write to %n board</numerusform>
+            <numerusform>&amp;Write to %n boards</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Written to %n board(s).</source>
+        <translation>
+            <numerusform>Written to %n board.</numerusform>
+            <numerusform>Written to %n boards.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n board(s) left out; the reason is beside each.</source>
+        <translation>
+            <numerusform>%n board left out; the reason is beside each.</numerusform>
+            <numerusform>%n boards left out; the reason is beside each.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>BoardList</name>
+    <message numerus="yes">
+        <source>%n board(s) on this line.</source>
+        <translation>
+            <numerusform>%n board on this line.</numerusform>
+            <numerusform>%n boards on this line.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>CalibrationPage</name>
     <message numerus="yes">
         <source>%n count(s)</source>
@@ -79,6 +120,13 @@
         <translation>
             <numerusform>%n earlier change still pending. Click Apply to write to this board.</numerusform>
             <numerusform>%n earlier changes still pending. Click Apply to write to this board.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edit(s) of the former board kept: they return when it is selected again.</source>
+        <translation>
+            <numerusform>%n edit of the former board kept: it returns when that board is selected again.</numerusform>
+            <numerusform>%n edits of the former board kept: they return when that board is selected again.</numerusform>
         </translation>
     </message>
 </context>
@@ -217,27 +265,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Safe-start keeps the motors off: no signal on required channel(s) {0}.</source>
-        <translation>
-            <numerusform>Safe-start keeps the motors off: channel {0} is required but has no signal.</numerusform>
-            <numerusform>Safe-start keeps the motors off: channels {0} are required but have no signal.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Driver(s) of motor(s) {0} shut down: too hot, a short circuit, or low voltage.</source>
-        <translation>
-            <numerusform>Motor {0} has no drive: its driver shut down (too hot, a short circuit, or low voltage).</numerusform>
-            <numerusform>Both motors have no drive: their drivers shut down (too hot, a short circuit, or low voltage).</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Motor(s) {0} slowed down: current over the limit.</source>
-        <translation>
-            <numerusform>Motor {0} is slowed down: its current passed the limit.</numerusform>
-            <numerusform>Both motors are slowed down: their currents passed the limit.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>And %n more problem(s).</source>
         <translation>
             <numerusform>And %n more problem.</numerusform>
@@ -262,6 +289,20 @@
         <translation>
             <numerusform>&amp;Write %n setting</numerusform>
             <numerusform>&amp;Write %n settings</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n finding(s). Accept a proposal, or leave the setting as it is.</source>
+        <translation>
+            <numerusform>%n finding. Accept a proposal, or leave the setting as it is.</numerusform>
+            <numerusform>%n findings. Accept a proposal, or leave the setting as it is.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n finding(s) left.</source>
+        <translation>
+            <numerusform>%n finding left.</numerusform>
+            <numerusform>%n findings left.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -396,12 +437,32 @@
     </message>
 </context>
 <context>
+    <name>TrafficComparison</name>
+    <message numerus="yes">
+        <source>%n transaction(s): the simulated board replies the same.</source>
+        <translation>
+            <numerusform>%n transaction: the simulated board replies the same.</numerusform>
+            <numerusform>%n transactions: the simulated board replies the same.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>TrafficPage</name>
     <message numerus="yes">
         <source>{0} row(s) written to {1}.</source>
         <translation>
             <numerusform>{0} row written to {1}.</numerusform>
             <numerusform>{0} rows written to {1}.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>TrexPacketSender</name>
+    <message numerus="yes">
+        <source>and %n more packet(s)</source>
+        <translation>
+            <numerusform>and %n more packet</numerusform>
+            <numerusform>and %n more packets</numerusform>
         </translation>
     </message>
 </context>
@@ -419,6 +480,13 @@
         <translation>
             <numerusform>Edited earlier but not applied: %n setting of this {0} ({1}). Restore as pending edits?</numerusform>
             <numerusform>Edited earlier but not applied: %n settings of this {0} ({1}). Restore as pending edits?</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n setting(s) of this {0} differ from what was applied last ({1}): lost, changed by something else, or this is another board.</source>
+        <translation>
+            <numerusform>%n setting of this {0} differs from what was applied last ({1}): lost, changed by something else, or this is another board.</numerusform>
+            <numerusform>%n settings of this {0} differ from what was applied last ({1}): lost, changed by something else, or this is another board.</numerusform>
         </translation>
     </message>
 </context>
