@@ -50,6 +50,7 @@ def test_pose_is_captured_renamed_and_moved_to(window: RobotWindow, tmp_path: Pa
     save_now(library, library.content, tmp_path / "mine.ppr")
     assert "Pose=wave:" in (tmp_path / "mine.ppr").read_text(encoding="utf-8")
 
+    library.set_positions("stand", (512, 680) * 4)
     window.choose_row("aracnaPoses", "stand")
     window.click("aracnaGoTo")
     window.wait(lambda: robot.state.goals == (512, 550) * 4)
