@@ -20,6 +20,7 @@ from trex_gui.devices.trex import (
     Calibration,
     MotorsStoppedError,
     NoReply,
+    PortUnavailable,
     StudioError,
     Trex,
 )
@@ -213,6 +214,49 @@ def test_drive_ends_with_what_happened(
         Program(virtual_time, run).end()
 
 
+def test_errors_from_before_the_block_do_not_end_a_drive(
+    virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
+) -> None:
+    board = Trex(quick_simulator.url)
+
+    def run() -> None:
+        with board:
+            board.set_parameters(serial_timeout="0.5 s")
+        virtual_time.sleep(2)
+        with board:  # once more: the board was silent for longer than its timeout
+            assert board.parameter("serial_timeout") == 5
+            board.drive(60)
+            board.wait(1)
+            assert motor(quick_simulator) == ("forward", 60)
+            board.stop()
+            assert "Serial timeout" in board.status().errors
+
+    Program(virtual_time, run).end()
+
+
+def test_nothing_is_done_outside_of_the_block(
+    virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
+) -> None:
+    def run() -> None:
+        board = Trex(quick_simulator.url)
+        attempts = (
+            lambda: board.drive(60),
+            lambda: board.wait(1),
+            board.stop,
+            board.status,
+            lambda: list(board.measurements(1)),
+            lambda: board.set_parameters(serial_timeout=5),
+        )
+        for _ in range(2):
+            for attempt in attempts:
+                with pytest.raises(PortUnavailable, match="`with` block"):
+                    attempt()
+            with board:
+                pass
+
+    Program(virtual_time, run).end()
+
+
 def test_invalid_values_send_nothing(
     virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
 ) -> None:
@@ -227,10 +271,13 @@ def test_invalid_values_send_nothing(
                 lambda: trex.drive(auxiliary=-1),
                 lambda: trex.parameter("nosuch"),
                 lambda: trex.set_parameters(serial_timeout="13 s"),
+                lambda: trex.calibration(9),
                 lambda: trex.set_calibration(1, Calibration(9, 5, 1, 0)),
             ):
                 with pytest.raises(BadRequest):
                     attempt()
+            with pytest.raises(TypeError):
+                trex.drive(2.5)  # type: ignore[arg-type]
             with pytest.raises(StudioError, match="not in serial mode"):
                 trex.set_parameters(serial_timeout=5)
 
@@ -251,6 +298,8 @@ def test_missing_board_is_explained(
         Program(virtual_time, run).end()
     with pytest.raises(BadRequest):
         Trex("port", baud=1)
+    with pytest.raises(BadRequest, match="detection"):
+        Trex("port", detection="crc8")  # type: ignore[arg-type]
 
 
 # --- The package ----------------------------------------------------------------------------

@@ -7,10 +7,11 @@ and has a guardian process that stops the motors if the program is killed.
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import count
+from operator import index
 from types import TracebackType
 from typing import Literal, Self
 
-from trex_gui.core.errors import BadRequest, NoReply, StudioError
+from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable, StudioError
 from trex_gui.core.errors import describe as error_text
 from trex_gui.core.host import host
 from trex_gui.core.session import Close, Closed, Outcome, RequestQueue
@@ -57,6 +58,7 @@ from trex_gui.devices.trex.settings.document import settings_of
 from trex_gui.devices.trex.settings.history import SettingsHistory
 
 _LATE = "The program did not call the board for more than half a second while motors were driven."
+_NOT_OPEN = "The line is not open: use a Trex inside of its `with` block."
 _FAULTS = Status.MOTOR1_FAULT | Status.MOTOR2_FAULT
 _STATUS_TIMEOUT = 5.0  # seconds for one sample of everything: 1200 baud takes two
 _WRITING = 60.0  # seconds for every setting at 1200 baud
@@ -136,8 +138,11 @@ class Trex:
             polynomial: of the CRC-7, 0x80 to 0xFF.
             timeout: seconds added to the deadline of each reply.
         """
+        if detection.upper() not in Detection.__members__:
+            raise BadRequest(f"detection is none, even, odd or crc7, not {detection}")
         line = LineSettings(baud, Detection[detection.upper()], stop_bits)
         line.to_wire()
+        self._clock = host().clock
         self._settings = ConnectionSettings(
             url, line, device_number, polynomial, timeouts=Timeouts(extra=timeout)
         )
@@ -146,7 +151,7 @@ class Trex:
         self._newest: dict[type[Sample], Sample] = {}
         self._errors: dict[str, None] = {}
         self._outcomes: dict[int, Outcome] = {}
-        self._closed: Closed | None = None
+        self._closed: Closed | None = Closed(None, may_move=False)
         self._state: DeviceState | None = None
         self._is_armed = False
         self._listener: Callable[[Sample], object] | None = None
@@ -154,7 +159,8 @@ class Trex:
     def __enter__(self) -> Self:
         """Open the port and read everything that the board stores; this moves nothing."""
         computer = host()
-        self._clock = computer.clock
+        self._newest, self._errors, self._outcomes = {}, {}, {}
+        self._closed = self._state = None
         self._inbox = RequestQueue(computer.condition())
         self._reports = _Reports(RequestQueue(computer.condition()))
         session = TrexSession(
@@ -187,11 +193,13 @@ class Trex:
     @property
     def state(self) -> DeviceState:
         """What the board stores, as it was last read; the session keeps it up to date."""
-        assert self._state is not None, "used outside of its `with` block"  # noqa: S101
+        self._require_open()
+        assert self._state is not None  # noqa: S101 - for the type checker
         return self._state
 
     def status(self) -> BoardStatus:
         """Return what the board measures now, and the errors since the last call."""
+        self._require_open()
         self._newest.clear()
         wanted = {Raw, Remapped, Currents, Control}
         self._wait_for(lambda: wanted <= self._newest.keys(), _STATUS_TIMEOUT)
@@ -273,6 +281,8 @@ class Trex:
 
     def calibration(self, channel: int) -> Calibration:
         """Return the calibration of a channel for the inputs in use, in counts."""
+        if channel not in self.state.calibrations:
+            raise BadRequest(f"No calibration of channel {channel} was read.")
         return self.state.calibrations[channel]
 
     def set_calibration(self, channel: int, calibration: Calibration) -> None:
@@ -321,12 +331,13 @@ class Trex:
         """
         speeds = {1: motor_1, 2: motor_2}
         motors = [
-            SetMotor(motor, Drive.at(speed), accelerate)
+            SetMotor(motor, Drive.at(index(speed)), accelerate)
             for motor, speed in speeds.items()
             if speed is not None
         ]
-        if auxiliary is not None and not 0 <= auxiliary <= 127:
+        if auxiliary is not None and not 0 <= index(auxiliary) <= 127:
             raise BadRequest(f"the auxiliary motor's speed is 0 to 127, not {auxiliary}")
+        self._require_open()
         self._pump(self._clock())  # what was reported meanwhile may forbid it
         control = self._newest.get(Control)
         by_serial = control.by_serial if isinstance(control, Control) else None
@@ -355,13 +366,19 @@ class Trex:
 
     def wait(self, seconds: float) -> None:
         """Let time pass while motors run."""
+        self._require_open()
         end = self._clock() + seconds
         while self._clock() < end:
             self._pump(end)
 
     # --- The session --------------------------------------------------------------------
 
+    def _require_open(self) -> None:
+        if self._closed is not None:
+            raise self._closed.error or PortUnavailable(_NOT_OPEN)
+
     def _result(self, number: int, request: object, seconds: float) -> object:
+        self._require_open()
         self._inbox.put(request)
         self._wait_for(lambda: number in self._outcomes, seconds)
         outcome = self._outcomes.pop(number)
@@ -403,9 +420,9 @@ class Trex:
             case MotorsStopped(reason=code) if code is not None:
                 cause = _LATE if code is ErrorCode.NO_HEARTBEAT else error_text(code)
                 self._fail(f"{cause} The motors were stopped.")
-            case Closed(error=error):
+            case Closed():
                 self._closed, self._is_armed = report, False
-                raise error or NoReply("The line was closed.")
+                self._require_open()
             case _:
                 pass
 
@@ -419,7 +436,8 @@ class Trex:
         self._errors |= dict.fromkeys(names)
         shuts_down = self.state.parameters.get(ParameterKey.UART_ERROR_SHUTDOWN)
         has_stopped = sample.uart & UartError.TIMEOUT or (sample.uart and shuts_down)
-        if self._is_armed and (sample.status & _FAULTS or has_stopped):
+        is_new = self._is_armed and not sample.is_earlier
+        if is_new and (sample.status & _FAULTS or has_stopped):
             self.stop()
             self._fail(f"The board reports: {', '.join(names)}. The motors were stopped.")
 
