@@ -68,13 +68,16 @@ class Stage:
             self.transport, settings or ConnectionSettings("virtual"), echo=self.line.echo
         )
 
-    def run(self, settings: ConnectionSettings | None = None) -> list[Report]:
+    def run(
+        self, settings: ConnectionSettings | None = None, *, may_move: bool = False
+    ) -> list[Report]:
         """Run the script from opening the line to closing it; return what was reported."""
         session = TrexSession(
             settings or ConnectionSettings("virtual"),
             self.script,
             self.reports.append,
             lambda _settings: self.transport,
+            may_move=may_move,
         )
         session.run()
         return self.reports

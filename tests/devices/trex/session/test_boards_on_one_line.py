@@ -138,14 +138,17 @@ def test_stop_after_switch_reaches_selected_board_only(line: Line) -> None:
 
 
 def test_closing_and_guardian_stop_selected_board(line: Line) -> None:
-    line.script.at(1.0, SelectBoard(1, 9))
+    line.script.at(0.7, Arm()).at(0.7, _FORWARD).at(1.0, SelectBoard(1, 9))
+    before = seen_at(line, 2.4, lambda: list(line.transport.guardian.watched))
     line.script.at(2.5, Arm(1)).at(2.5, _FORWARD)
     line.script.at(2.8, Close())
     reports = line.run(SEVENTH)
     assert not runs(line.ninth)
     assert reports[-1] == Closed(None, may_move=False)
-    sequence = line.client(line.connections[-1].settings).stop_sequence()
-    assert sequence.packets.startswith(bytes((0x80, 9)))
+    watched = line.transport.guardian.watched
+    numbers = [one.packets[1] if one else None for one in watched]
+    first, later = numbers[: len(before[0])], numbers[len(before[0]) :]
+    assert (set(first), first[-1], set(later)) == ({7, None}, None, {9})
 
 
 def test_stop_that_comes_during_switch_is_served(line: Line) -> None:
@@ -153,6 +156,21 @@ def test_stop_that_comes_during_switch_is_served(line: Line) -> None:
     reports = run_for(line, 4.0, SEVENTH)
     assert outcomes(reports)[2].error is None
     assert outcomes(reports)[1].error is None
+
+
+def stopped_numbers(line: Line) -> set[int | None]:
+    events = among(PacketParser().feed(bytes(line.transport.sent)), Packet)
+    return {one.device_number for one in events if one.command in STOP}
+
+
+def test_commands_of_an_earlier_session_are_followed_by_a_stop_of_each_board() -> None:
+    line = Line()
+    line.ninth.power_off()
+    line.script.at(1.0, line.ninth.power_on).at(2.0, SelectBoard(2, 9, sharing=(7, 9)))
+    line.script.at(5.0, Close())
+    reports = line.run(COMPACT, may_move=True)
+    assert outcomes(reports)[2].error is None
+    assert stopped_numbers(line) == {None, 7, 9}
 
 
 def test_commands_without_number_are_followed_by_a_stop_of_each_board() -> None:
@@ -165,9 +183,7 @@ def test_commands_without_number_are_followed_by_a_stop_of_each_board() -> None:
     reports = run_for(line, 5.0, COMPACT)
     assert both == [(True, True)]
     assert outcomes(reports)[2].error is None
-    events = among(PacketParser().feed(bytes(line.transport.sent)), Packet)
-    stopped = {one.device_number for one in events if one.command in STOP}
-    assert stopped == {None, 7, 9}
+    assert stopped_numbers(line) == {None, 7, 9}
 
 
 # --- Selecting --------------------------------------------------------------------------
@@ -258,3 +274,12 @@ def test_number_of_another_board_is_not_written(settings: ConnectionSettings) ->
     assert line.seventh.eeprom["serial_timeout"] == 0
     assert outcomes(reports)[2].error is None
     assert line.seventh.eeprom["device_number"] == 12
+
+
+def test_driven_board_keeps_its_number(line: Line) -> None:
+    line.script.at(1.0, Arm()).at(1.0, _FORWARD)
+    line.script.at(1.2, Write(1, (("device_number", 12),)))
+    reports = run_for(line, 3.0, SEVENTH)
+    assert code_of(reports, 1) is ErrorCode.OTHERS_WHILE_DRIVING
+    assert line.seventh.eeprom["device_number"] == 7
+    assert not runs(line.seventh)

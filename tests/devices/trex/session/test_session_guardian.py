@@ -135,7 +135,9 @@ def test_stop_follows_a_changed_device_number() -> None:
     stage.board.eeprom.write("device_number", 7)
     stage.board.power_cycle()
     settings = replace(settings, device_number=7)
-    stage.script.at(0.5, SETPOINT).at(1.0, Write(1, (("device_number", 9),)))
+    stage.script.at(0.5, SETPOINT).at(0.7, Stop(1))
+    stage.script.at(1.0, Write(2, (("device_number", 9),)))
+    stage.script.at(2.5, Arm()).at(2.5, SETPOINT)
     run_for(stage, 3.0, settings)
     numbers = {one.packets[1] for one in stage.transport.guardian.watched if one is not None}
     assert numbers == {7, 9}

@@ -43,7 +43,8 @@ class Write:
     """Store parameters (key, wire value) and calibrations (key, values).
 
     The value of the `Outcome` is a `Written`; see `writing.write_all`. `before` is what the sender
-    knows as stored, `None` for what was read last.
+    knows as stored, `None` for what was read last. Another device number is rejected while motors
+    are armed or may be moving: if its reply were lost, no stop would reach the board.
     """
 
     id: int

@@ -142,7 +142,7 @@ class TrexSession:
         self._is_guarded = False
         self._port_rates: frozenset[int] | None = None
         self._signature: Signature | None = None  # of the board that was read last
-        self._has_driven = False  # since the line was opened
+        self._has_driven = may_move  # since no stop was sent to each board on the line
         self._stopped_another = False  # at the end another board than the one driven answered
 
     def run(self) -> None:
@@ -382,12 +382,15 @@ class TrexSession:
                 self._read_everything(returned)
                 return None
             case ProbeNumber(number=number, attempts=attempts):
-                if self._motors.is_armed or self._motors.may_move:
-                    raise TrexRequestError(ErrorCode.OTHERS_WHILE_DRIVING)
+                self._require_stopped()
                 return board_at(self._line, number, attempts=attempts)
             case SelectBoard():
                 self._select(job)
                 return None
+
+    def _require_stopped(self) -> None:
+        if self._motors.is_armed or self._motors.may_move:
+            raise TrexRequestError(ErrorCode.OTHERS_WHILE_DRIVING)
 
     def _select(self, job: SelectBoard) -> None:
         """Address another board once the motors of the present one are known to be stopped.
@@ -501,6 +504,7 @@ class TrexSession:
         state, stop_is_due = self._state, True
         number = dict(job.parameters).get(ParameterKey.DEVICE_NUMBER)
         if number is not None and number != state.parameters.get(ParameterKey.DEVICE_NUMBER):
+            self._require_stopped()
             require_free_number(self._line, number, self._serve_motors)
 
         def request(command: Command[ReplyT_co]) -> ReplyT_co:
