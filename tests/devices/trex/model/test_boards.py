@@ -157,6 +157,51 @@ def test_commands_carry_a_number_once_several_boards_are_known(make: Make) -> No
     assert not stand.show(9)["motors"][0]["target_speed"]
 
 
+def test_nothing_reaches_several_boards_that_a_scan_has_found(make: Make) -> None:
+    stand = make("3", "7", "9")
+    device = stand.device
+    stand.simulator.do("@3 power off")
+    stand.simulator.do("@9 power off")
+    stand.connect(None)
+    stand.simulator.do("@3 power on")
+    stand.simulator.do("@9 power on")
+    stand.boards.scan()
+    stand.wait(lambda: stand.boards.has_several)
+    assert not device.motors.can_arm
+    stand.boards.cancel_scan()
+    stand.wait(lambda: stand.boards.can_scan)
+    assert not device.motors.can_arm
+    device.set_serial_timeout(2)
+    device.parameters.edit("motor1_acceleration", 9)
+    device.apply()
+    device.reset_to_factory()
+    assert not device.applying
+    stand.wait(lambda: len(stand.errors) == 3)
+    assert all("it would reach several boards" in one for one in stand.errors)
+    # The same file for all is written to one after the other, each with its number.
+    work = Work(stand)
+    work.reviewed(wanted(serial_timeout=5), 7)
+    assert device.settings is not None
+    assert device.settings.device_number == 7
+    stand.wait(lambda: device.motors.can_arm)
+
+
+def test_scan_asks_for_every_number_whatever_was_asked_before(make: Make) -> None:
+    stand = make("0", "7", "9")
+    stand.connect(7)
+    stand.boards.scan()
+    stand.wait(lambda: stand.boards.scanned == 1)
+    stand.boards.cancel_scan()
+    stand.boards.boards = ()
+    stand.scan()
+    assert set(stand.presences) == {0, 7, 9}
+    # Also while a board is asked whether it still responds.
+    stand.simulator.do("@9 power off")
+    stand.wait(lambda: stand.boards.is_asking)
+    stand.scan()
+    assert set(stand.presences) == {0, 7}
+
+
 def test_arming_ends_scan_and_forbids_another(make: Make) -> None:
     stand = make("7", "9")
     stand.connect(7)

@@ -139,10 +139,11 @@ class ApplyToBoards(QObject):
         self._select(number)
 
     def _select(self, number: int) -> None:
-        if number == self._boards.selected and self._device.is_connected:
+        boards = self._boards
+        if number == boards.selected and boards.is_addressed and self._device.is_connected:
             self._on_selected(number, None)
-        elif self._boards.can_select:
-            self._boards.select(number, lambda error: self._on_selected(number, error))
+        elif boards.can_select:
+            boards.select(number, lambda error: self._on_selected(number, error))
         else:
             self._on_selected(number, TrexError(ErrorCode.CLOSED))
 

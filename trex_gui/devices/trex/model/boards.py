@@ -63,6 +63,7 @@ class BoardList(QObject):
         boards: by number; of the last line that was open, or of an earlier scan of it.
         scanned: how many numbers were asked; `None` while no scan runs.
         is_selecting: whether another board is being selected.
+        is_asking: whether the reply to a question is awaited.
     """
 
     changed = Signal()  # any attribute, or what the properties return
@@ -74,7 +75,7 @@ class BoardList(QObject):
         self.scanned: int | None = None
         self.is_selecting = False
         self._url = ""
-        self._is_asking = False
+        self.is_asking = False
         self._next = 0  # which board is asked next whether it responds
         self._presence = new_timer(self, _PRESENCE_MS, self._on_presence_due)
         device.link_changed.connect(self._on_link_changed)
@@ -108,6 +109,11 @@ class BoardList(QObject):
         )
 
     @property
+    def can_change_number(self) -> bool:
+        """Whether the selected board can get another number: that asks for it, and is a write."""
+        return self._may_ask and not self._device.rejects_settings
+
+    @property
     def _may_ask(self) -> bool:
         """Whether other boards may be asked: not while motors are driven."""
         device = self._device
@@ -131,7 +137,7 @@ class BoardList(QObject):
 
     def _ask_next(self) -> None:
         number = self.scanned
-        if number is None or self._is_asking:
+        if number is None or self.is_asking:
             return
         if not self._may_ask:
             self.cancel_scan()
@@ -143,15 +149,16 @@ class BoardList(QObject):
         settings = self._device.settings
         if settings is not None and number == settings.device_number:
             self._note(number, self._signature, Presence.SELECTED)
-            self._go_on()
+            self._go_on_after(number)
         else:
-            self._ask(number, self._go_on)
+            self._ask(number)
 
-    def _go_on(self) -> None:
-        if self.scanned is not None:
+    def _go_on_after(self, number: int) -> None:
+        """Continue the scan; before it, or before it began again, another number was asked."""
+        if number == self.scanned:
             self.scanned += 1
             self.changed.emit()
-            self._ask_next()
+        self._ask_next()
 
     def _finish_scan(self) -> None:
         """Keep and report what was found; from now on address one board if there are several."""
@@ -176,11 +183,11 @@ class BoardList(QObject):
             selected = self.selected
             self._select(selected if selected in readable else readable[0])
 
-    def _ask(self, number: int, then: Callable[[], object]) -> None:
+    def _ask(self, number: int) -> None:
         """Ask who has a number, and note the reply."""
 
         def take(outcome: Outcome) -> None:
-            self._is_asking = False
+            self.is_asking = False
             match outcome.value, outcome.error:
                 case Signature() as signature, _:
                     self._note(number, signature, Presence.RESPONDING)
@@ -188,9 +195,9 @@ class BoardList(QObject):
                     self._note(number, None, Presence.UNREADABLE)
                 case None, None if self._board(number) is not None:
                     self._note(number, None, Presence.SILENT)
-            then()
+            self._go_on_after(number)
 
-        self._is_asking = self._device.connection.request(
+        self.is_asking = self._device.connection.request(
             lambda request: ProbeNumber(request, number), take
         )
 
@@ -199,7 +206,7 @@ class BoardList(QObject):
 
     def _note(self, number: int, signature: Signature | None, presence: Presence) -> None:
         before = self._board(number)
-        if number == self.selected and self._is_addressed:
+        if number == self.selected and self.is_addressed:
             presence = Presence.SELECTED
         if signature is None and before is not None:
             signature = before.signature
@@ -207,7 +214,12 @@ class BoardList(QObject):
         if board != before:
             others = [one for one in self.boards if one.number != number]
             self.boards = tuple(sorted([*others, board], key=lambda one: one.number))
+            self._follow_addressing()
             self.changed.emit()
+
+    def _follow_addressing(self) -> None:
+        reaches_several = self.has_several and not self.is_addressed
+        self._device.driving.set_reaching_several(reaches_several)
 
     @property
     def _signature(self) -> Signature | None:
@@ -215,7 +227,8 @@ class BoardList(QObject):
         return None if state is None else state.signature
 
     @property
-    def _is_addressed(self) -> bool:
+    def is_addressed(self) -> bool:
+        """Whether commands carry a device number, and so reach one board."""
         settings = self._device.settings
         return settings is not None and settings.device_number is not None
 
@@ -227,7 +240,7 @@ class BoardList(QObject):
         Without the confirmation of its stop, or if the other one does not respond, the present
         board stays selected.
         """
-        if self.can_select and (number != self.selected or not self._is_addressed):
+        if self.can_select and (number != self.selected or not self.is_addressed):
             self.cancel_scan()
             self._select(number, then)
 
@@ -272,7 +285,7 @@ class BoardList(QObject):
     @Slot()
     def _on_line_closed(self) -> None:
         self.scanned = None
-        self.is_selecting = self._is_asking = False
+        self.is_selecting = self.is_asking = False
         self._presence.stop()
         self.boards = tuple(_as(one, Presence.UNKNOWN) for one in self.boards)
         self.changed.emit()
@@ -286,10 +299,10 @@ class BoardList(QObject):
         if device.settings.url != self._url:
             self._url = device.settings.url
             self.boards = self._known_boards()
-        if not self._is_addressed and all(_is_unknown(one) for one in self.boards):
+        if not self.is_addressed and all(_is_unknown(one) for one in self.boards):
             self.boards = ()  # a single board is expected
         selected, before = self.selected, self.boards
-        if before and selected is not None and self._is_addressed:
+        if before and selected is not None and self.is_addressed:
             kept = [one for one in before if one.number != selected]
             if self.is_selecting:
                 kept = [_as(one, Presence.RESPONDING) if _is_shown(one) else one for one in kept]
@@ -301,7 +314,7 @@ class BoardList(QObject):
                 self._remember()
         if self.has_several and not self._presence.isActive():
             self._presence.start()
-        device.driving.set_reaching_several(self.has_several and not self._is_addressed)
+        self._follow_addressing()
         self.changed.emit()
 
     @property
@@ -323,9 +336,9 @@ class BoardList(QObject):
     def _on_presence_due(self) -> None:
         """Ask the next board that is not selected whether it responds."""
         others = [one for one in self.boards if one.presence is not Presence.SELECTED]
-        if others and self._may_ask and self.scanned is None and not self._is_asking:
+        if others and self._may_ask and self.scanned is None and not self.is_asking:
             self._next = (self._next + 1) % len(others)
-            self._ask(others[self._next].number, lambda: None)
+            self._ask(others[self._next].number)
 
 
 def _as(board: LineBoard, presence: Presence) -> LineBoard:

@@ -288,8 +288,8 @@ class Device(QObject):
 
         `applied` or `request_failed` reports the result.
         """
-        if self.state is not None and self.connection.is_open:
-            self._apply.write(self.state, self.settings, reason, parameters, calibrations)
+        if (state := self._state_to_change()) is not None:
+            self._apply.write(state, self.settings, reason, parameters, calibrations)
 
     def reload(self) -> None:
         self._request(Reload, self._on_reloaded)
@@ -300,9 +300,9 @@ class Device(QObject):
         Before the first byte the session gets the settings at which the board may be afterwards,
         since its power may fail right behind the write.
         """
-        if self.state is not None and self.connection.is_open and not self.draft.reset_pending:
+        if not self.draft.reset_pending and (state := self._state_to_change()) is not None:
             self._expect_after(self.parameters.all_shown)
-            self._apply.start(self.state, self.settings, only)
+            self._apply.start(state, self.settings, only)
 
     def reset_to_factory(self) -> None:
         """Let the board reset every parameter at its next start; a snapshot is saved first.
@@ -310,13 +310,24 @@ class Device(QObject):
         Once the board has accepted that, pending edits are discarded: the values they change will
         be gone. `applied` reports the result.
         """
-        if self.state is None or not self.connection.is_open or self.applying:
+        if self.applying or (state := self._state_to_change()) is None:
             return
-        defaults = factory_settings(self.state.signature.model, self.state.signature.firmware)
+        defaults = factory_settings(state.signature.model, state.signature.firmware)
         self._expect_after(defaults.parameters)
-        spec = self.state.specs[ParameterKey.FACTORY_RESET]
+        spec = state.specs[ParameterKey.FACTORY_RESET]
         reason = self.name_of(spec.key)
-        self._apply.write(self.state, self.settings, reason, ((spec.key, spec.maximum),))
+        self._apply.write(state, self.settings, reason, ((spec.key, spec.maximum),))
+
+    def _state_to_change(self) -> DeviceState | None:
+        """Return what the board stores; `None` if a write would not reach it, or others, too."""
+        if self.driving.reaches_several and self.connection.is_open:
+            text = self.tr(
+                "Nothing was written: without a device number it would reach several boards. "
+                "Select one of the boards on this line."
+            )
+            self._on_request_failed(text)
+            return None
+        return self.state if self.connection.is_open else None
 
     def cancel_apply(self) -> None:
         """Write nothing, if nothing was sent yet; the edits stay pending."""

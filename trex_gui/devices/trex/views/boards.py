@@ -129,7 +129,8 @@ class BoardPanel(QWidget):
             widget.setVisible(is_scanning)
         self._scan.setVisible(not is_scanning)
         self._scan.setEnabled(boards.can_scan)
-        self._change.setEnabled(device.is_writable and not is_scanning and boards.has_several)
+        can_change = boards.can_change_number and boards.has_several
+        self._change.setEnabled(can_change and not is_scanning)
         self._file.setEnabled(device.is_writable and not is_scanning and boards.has_several)
         self._list.setEnabled(boards.can_select)
 
@@ -205,8 +206,8 @@ class NumberDialog(ReusedDialog):
             "",
             self.tr(
                 "Before it is written, the line is asked for the new number: if another board has "
-                "it, nothing is written. A board that is off cannot be noticed. The new number "
-                "takes effect at once, and a snapshot is saved first."
+                "it, nothing is written. A board that is off, or has other serial settings, cannot "
+                "be noticed. The new number takes effect at once, and a snapshot is saved first."
             ),
             wrap=True,
         )
@@ -231,6 +232,7 @@ class NumberDialog(ReusedDialog):
         self.resize(460, 260)
         boards.changed.connect(self._update)
         device.link_changed.connect(self._update)
+        device.motors.arming_changed.connect(self._update)
 
     def ask(self) -> None:
         """Propose the first number above the present one that no known board has."""
@@ -255,8 +257,7 @@ class NumberDialog(ReusedDialog):
         elif taken is not None:
             text = self.tr("Taken: {0}.").format(board_name(taken))
         self._known.setText(text)
-        can_write = device.is_writable and not device.rejects_settings and not boards.is_selecting
-        self._write.setEnabled(can_write and not text)
+        self._write.setEnabled(boards.can_change_number and not text)
 
     @Slot()
     def _on_accepted(self) -> None:

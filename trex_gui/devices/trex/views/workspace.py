@@ -459,7 +459,7 @@ class TrexWorkspace(Workspace):
             "run": device.motors.can_arm,
             "setup": device.is_connected,
             "boards": self._boards.can_scan,
-            "number": writable and not device.rejects_settings,
+            "number": self._boards.can_change_number,
             "to_boards": writable and self._boards.has_several,
             "apply": writable and not device.rejects_settings and draft.pending > 0,
             "power": device.is_connected and to_activate,
