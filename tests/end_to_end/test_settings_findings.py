@@ -1,5 +1,7 @@
 """The window warns about settings that do not fit together."""
 
+from PySide6.QtWidgets import QPushButton
+
 from tests.support.keyboard import check_keyboard
 from tests.support.pages.settings import ReviewDialog
 from tests.support.virtual_devices import VirtualSimulator
@@ -69,6 +71,9 @@ def test_review_offers_findings_and_writes_what_is_accepted(
         device.parameters.edit(key, wire)
     (only,) = findings(window, "calibration")
     assert only.startswith("Both required and ignored: channel 1.")
+    window.window.resize(1024, 600)
+    accept = window.find(QPushButton, "calibrationAccept0")
+    window.wait(lambda: accept.visibleRegion().boundingRect() == accept.rect())
 
     review = ReviewDialog(window)
     review.open()

@@ -78,11 +78,11 @@ class CalibrationPage(PlotPage):
         self._heading = ChannelHeading(device, body)
         self._other = OtherSource(device, body)
         self._legend = CurveLegend(body)
+        self._findings = FindingsList("calibration", self._heading, body, is_wide=True)
         self._fields = CalibrationFields(body)
         self._both = named(ElidedLabel("", body), "otherSetLabel")
         self._note = named(Note(2, body), "calibrationNote")
         self._options = ChannelOptions(device.parameters, body)
-        self._findings = FindingsList("calibration", self._options, body, is_wide=True)
         self._learn = button(
             body,
             "learnButton",
@@ -109,11 +109,10 @@ class CalibrationPage(PlotPage):
             on_click=self._on_discard_clicked,
         )
 
-        above = column(self._heading, self._other, self._legend)
+        # Findings are at the top: on a low screen what is below the plot may have to be scrolled.
+        above = column(self._heading, self._findings, self._other, self._legend)
         buttons = row(self._learn, self._learn_all, 1, self._change, self._discard)
-        self._right = column(
-            above, self._fields, self._both, self._note, self._options, self._findings, buttons
-        )
+        self._right = column(above, self._fields, self._both, self._note, self._options, buttons)
         row(self._channels, (self._right, 1), into=body, margins=0)
         layout = column(self._empty, (body, 1), into=self)
         layout.addStretch(0)
