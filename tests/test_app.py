@@ -39,6 +39,10 @@ def test_version_option_prints_version(capsys: pytest.CaptureFixture[str]) -> No
         ["--timeout", "soon"],
         ["--port", "foo://x"],
         ["--port", "socket://nohost"],
+        ["--port", ""],
+        ["--settings", ""],
+        ["--tour", ""],
+        ["--demo", "--port", "COM3"],
     ],
 )
 def test_invalid_option_exits_2(words: list[str]) -> None:

@@ -29,9 +29,17 @@ def _seconds(text: str) -> float:
 
 
 def _url(text: str) -> str:
+    if not text:
+        raise argparse.ArgumentTypeError("the port has no name")
     if problem := url_problem(text):
         raise argparse.ArgumentTypeError(problem)
     return text
+
+
+def _path(text: str) -> Path:
+    if not text:  # often an unset shell variable
+        raise argparse.ArgumentTypeError("the name is empty")
+    return Path(text)
 
 
 def _arguments(argv: list[str]) -> argparse.Namespace:
@@ -39,8 +47,9 @@ def _arguments(argv: list[str]) -> argparse.Namespace:
         prog="trex-gui",
         description="Set up, calibrate, drive and understand a Pololu TReX motor controller.",
     )
-    parser.add_argument("--port", metavar="URL", type=_url, help="connect to this port at once")
-    parser.add_argument("--demo", action="store_true", help="connect to the simulated board")
+    board = parser.add_mutually_exclusive_group()
+    board.add_argument("--port", metavar="URL", type=_url, help="connect to this port at once")
+    board.add_argument("--demo", action="store_true", help="connect to the simulated board")
     parser.add_argument(
         "--device",
         choices=[plugin.key for plugin in composition.PLUGINS],
@@ -50,7 +59,7 @@ def _arguments(argv: list[str]) -> argparse.Namespace:
     parser.add_argument(
         "--settings",
         metavar="FILE",
-        type=Path,
+        type=_path,
         help="show what this settings file would change once a board is connected; with neither "
         "--port nor --demo open the file itself; poses (.ppr) open in the workspace of the robot",
     )
@@ -64,7 +73,7 @@ def _arguments(argv: list[str]) -> argparse.Namespace:
     parser.add_argument(
         "--tour",
         metavar="FOLDER",
-        type=Path,
+        type=_path,
         help="write a picture of every page, light and dark, into this folder, then end",
     )
     parser.add_argument("--version", action="version", version=f"trex-gui {__version__}")

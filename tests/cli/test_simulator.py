@@ -158,6 +158,8 @@ class TestCommandLine:
             ["--tcp", "127.0.0.1:0", "--rfc2217", "127.0.0.1:0"],
             ["--tcp", "127.0.0.1:0", "--link", "somewhere"],
             ["--device", "7", "--device", "7", "--eeprom", "somewhere"],
+            ["--link", ""],
+            ["--eeprom", ""],
             ["--warp"],
         ],
     )

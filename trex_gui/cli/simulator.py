@@ -9,6 +9,7 @@ from click.core import ParameterSource
 from trex_gui import __version__
 from trex_gui.composition import PLUGINS
 from trex_gui.core.errors import StudioError
+from trex_gui.core.file_name import FileName
 from trex_gui.core.simulator.endpoint import Endpoint, TcpEndpoint
 from trex_gui.core.simulator.plugin import Simulation
 from trex_gui.core.simulator.server import Server
@@ -49,7 +50,7 @@ def _device_options() -> list[click.Parameter]:
 @click.option("--unpaced", is_flag=True, help="Let bytes take no time on the wire.")
 @click.option("--seed", type=int, default=0, show_default=True, help="Seed of all noise.")
 @click.option(
-    "--link", type=click.Path(path_type=Path), help="Symbolic link to make to the pseudo-terminal."
+    "--link", type=FileName(path_type=Path), help="Symbolic link to make to the pseudo-terminal."
 )
 @click.option(
     "--tcp",

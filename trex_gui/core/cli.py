@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, Self, TypeVar
 import click
 
 from trex_gui.core.errors import StudioError
+from trex_gui.core.file_name import FileName
 from trex_gui.core.host import host
 from trex_gui.core.plugin import Lazy
 from trex_gui.core.signals import ENDING, FROM_TERMINAL, SUSPENDING, handled_signals
@@ -191,7 +192,7 @@ def traffic_option(decoder: "Lazy[type[Decoder]]") -> Callable[[FunctionT], Func
     """Return the option that writes the traffic of a command to a file."""
 
     def begin(context: click.Context, _option: click.Parameter, file: str | None) -> None:
-        if not file or context.resilient_parsing:
+        if file is None or context.resilient_parsing:
             return
         present = host()
         epoch = time.time() - present.clock()
@@ -212,7 +213,7 @@ def traffic_option(decoder: "Lazy[type[Decoder]]") -> Callable[[FunctionT], Func
 
     return click.option(
         "--traffic",
-        type=click.Path(dir_okay=False),
+        type=FileName(dir_okay=False),
         metavar="FILE",
         expose_value=False,
         callback=begin,

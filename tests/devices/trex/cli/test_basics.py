@@ -1,6 +1,7 @@
 """trexcmd against a simulated board in a process of its own."""
 
 import json
+import shlex
 
 import pytest
 from click.testing import CliRunner
@@ -142,12 +143,16 @@ def test_set_reports_when_a_power_cycle_is_needed(trexcmd: RunCommand) -> None:
         ("decode 8", "hexadecimal"),
         ("diff - -", "standard input"),
         ("history path -- -1", "is not a number"),
+        ("check-settings ''", "name of the file is empty"),
+        ("stop --traffic ''", "name of the file is empty"),
+        ("history show ''", "name of the file is empty"),
+        ("aracna play ''", "name of the file is empty"),
         ("get", "Missing argument"),
         ("fly", "No such command"),
     ],
 )
 def test_wrong_usage_exits_with_2_before_a_port_is_opened(words: str, sentence: str) -> None:
-    result = CliRunner().invoke(main, words.split(), env={"TREX_PORT": "/dev/none"})
+    result = CliRunner().invoke(main, shlex.split(words), env={"TREX_PORT": "/dev/none"})
     assert sentence in result.stderr
     assert result.exit_code == 2
     assert "Traceback" not in result.stderr

@@ -16,6 +16,7 @@ from trex_gui.core.cli import (
     timeout_option,
     traffic_option,
 )
+from trex_gui.core.file_name import FileName
 from trex_gui.core.plugin import Lazy
 from trex_gui.core.texts import counted
 from trex_gui.devices.aracna.cli.session import CommandSession, MotionSession, port_settings
@@ -102,7 +103,7 @@ def speeds(values: tuple[int, ...], port: str | None, extra_timeout: float) -> N
 @_traffic_option
 @click.argument("values", metavar="[POSITION...]", nargs=-1, type=_POSITION)
 @click.option("--pose", "name", metavar="NAME", help="A pose of --file, or a built-in one.")
-@click.option("--file", metavar="FILE", help="Pose file (.ppr) with the pose.")
+@click.option("--file", type=FileName(), metavar="FILE", help="Pose file (.ppr) with the pose.")
 @click.option(
     "--speed",
     type=_POSITION,
@@ -151,7 +152,7 @@ def pose(
 @port_option
 @timeout_option
 @_traffic_option
-@click.argument("file")
+@click.argument("file", type=FileName())
 @click.option("--sequence", "name", metavar="NAME", help="Which one, if the file has several.")
 @click.option("--rounds", type=click.IntRange(1), default=1, show_default=True)
 @click.option("--loop", is_flag=True, help="Play until Ctrl-C.")

@@ -20,6 +20,7 @@ from trex_gui.core.cli import (
     say,
 )
 from trex_gui.core.code import Language
+from trex_gui.core.file_name import FileName
 from trex_gui.core.files import LARGEST_FILE, Finding, SettingsError, load, save
 from trex_gui.core.texts import counted
 from trex_gui.devices.trex.cli.changes import (
@@ -74,7 +75,7 @@ from trex_gui.devices.trex.settings.repair import (
 from trex_gui.devices.trex.settings.rules import Context
 from trex_gui.devices.trex.settings.writer import write_settings
 
-FILE = click.Path(allow_dash=True)  # checked by `load` and `save`, with better messages
+FILE = FileName(allow_dash=True)  # checked by `load` and `save`, with better messages
 
 
 def name_of(file: str) -> str:

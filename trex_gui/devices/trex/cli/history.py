@@ -11,7 +11,7 @@ from trex_gui.core.cli import CommandFailed, json_option, print_json, refusals, 
 from trex_gui.core.files import load
 from trex_gui.core.texts import counted
 from trex_gui.devices.trex.cli.common import link_options
-from trex_gui.devices.trex.cli.files import read_file
+from trex_gui.devices.trex.cli.files import FILE, read_file
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.devices.trex.settings.history import SettingsHistory, Snapshot
 
@@ -72,7 +72,7 @@ def _list(as_json: bool) -> None:
 
 
 @history.command("show")
-@click.argument("which", metavar="N|FILE", shell_complete=_complete_number)
+@click.argument("which", metavar="N|FILE", type=FILE, shell_complete=_complete_number)
 @json_option
 def show(which: str, as_json: bool) -> None:
     """Print the settings of a snapshot: its number in the list, or its file."""
@@ -97,8 +97,14 @@ def show(which: str, as_json: bool) -> None:
 
 
 @history.command("diff")
-@click.argument("first", metavar="N|FILE", shell_complete=_complete_number)
-@click.argument("second", metavar="[N|FILE]", required=False, shell_complete=_complete_number)
+@click.argument("first", metavar="N|FILE", type=FILE, shell_complete=_complete_number)
+@click.argument(
+    "second",
+    metavar="[N|FILE]",
+    required=False,
+    type=FILE,
+    shell_complete=_complete_number,
+)
 @link_options
 @json_option
 @click.pass_context

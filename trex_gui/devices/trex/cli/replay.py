@@ -5,13 +5,14 @@ from pathlib import Path
 import click
 
 from trex_gui.core.cli import CommandFailed, refusals, say
+from trex_gui.core.file_name import FileName
 from trex_gui.core.texts import counted
 from trex_gui.core.transport.transcript import TranscriptRow
 from trex_gui.devices.trex.replay import RecordedTraffic
 
 
 @click.command()
-@click.argument("file", type=click.Path(dir_okay=False))
+@click.argument("file", type=FileName(dir_okay=False))
 @click.option("--all", "everything", is_flag=True, help="Print every difference, not the first.")
 def replay(file: str, everything: bool) -> None:
     """Send the packets of a traffic log to a simulated board and compare the replies.

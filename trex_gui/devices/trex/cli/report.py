@@ -11,6 +11,7 @@ import click
 
 from trex_gui.core.cli import refusals, say
 from trex_gui.core.errors import StudioError
+from trex_gui.core.file_name import FileName
 from trex_gui.core.host import host
 from trex_gui.core.report import make_report, save_report
 from trex_gui.core.texts import counted
@@ -27,7 +28,7 @@ from trex_gui.devices.trex.settings.writer import write_settings
 
 @click.command()
 @link_options
-@click.argument("file", metavar="FILE.zip|-", type=click.Path(dir_okay=False, allow_dash=True))
+@click.argument("file", metavar="FILE.zip|-", type=FileName(dir_okay=False, allow_dash=True))
 def report(file: str, **options: Any) -> None:
     """Save a report for support: versions, ports, status, settings and traffic in one zip.
 

@@ -14,6 +14,7 @@ from click.core import ParameterSource
 
 from trex_gui.core.cli import CommandFailed, FiniteRange, Interruption, say
 from trex_gui.core.errors import BadReply, NoReply
+from trex_gui.core.file_name import FileName
 from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import agreed
@@ -43,7 +44,7 @@ def _read_separator(_context: click.Context, _option: click.Parameter, text: str
 @click.option(
     "--csv",
     "file",
-    type=click.Path(dir_okay=False, allow_dash=True),
+    type=FileName(dir_okay=False, allow_dash=True),
     metavar="FILE|-",
     help="File for the CSV; - is standard output, the default.",
 )

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import click
 
+from trex_gui.core.file_name import FileName
 from trex_gui.core.simulator.plugin import Simulation, SimulatorPlugin
 from trex_gui.core.simulator.timeline import Timeline
 from trex_gui.devices.trex.protocol.device_table import device_table
@@ -158,7 +159,7 @@ SIMULATOR = SimulatorPlugin(
         ),
         click.Option(
             ["--eeprom"],
-            type=click.Path(path_type=Path, dir_okay=False),
+            type=FileName(path_type=Path, dir_okay=False),
             help="File for the board's EEPROM. With several devices each has its own, with its "
             "number before the suffix.",
         ),
