@@ -118,7 +118,7 @@ def test_take_over_is_not_taken_for_a_line_that_corrupts_bytes() -> None:
     stage.script.at(0.5, SETPOINT).at(1.0, hang_while_reading).at(1.5, Stop(1))
     stopped = seen_at(stage, 1.8, lambda: set(outcomes(stage.reports)))
     reports = run_for(stage, 3.0, settings)
-    assert among(reports, MotorsStopped)[0].reason is ErrorCode.PROGRAM_NOT_RESPONDING
+    assert among(reports, MotorsStopped)[0].reason is ErrorCode.NO_HEARTBEAT
     assert outcomes(reports)[1].error is None
     assert stopped == [{1}]
 

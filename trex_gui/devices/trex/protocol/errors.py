@@ -110,9 +110,6 @@ class ErrorCode(Enum):
         "until the line is quiet. If a motor still turns, cut its power.",
     )
     NO_HEARTBEAT = QT_TRANSLATE_NOOP(
-        "TrexErrors", "The window did not respond for more than half a second."
-    )
-    PROGRAM_NOT_RESPONDING = QT_TRANSLATE_NOOP(
         "TrexErrors", "The program did not respond for more than half a second."
     )
     LOCKED_OUT = QT_TRANSLATE_NOOP(

@@ -217,7 +217,7 @@ class TrexSession:
         """Drop the setpoints; the motors are stopped again before the line is used for more."""
         self._motors.quality.is_shared = True
         self._motors.handle(OutputEvent.LOCK_OUT, self._now())
-        self._emit(MotorsStopped(ErrorCode.PROGRAM_NOT_RESPONDING, confirmed))
+        self._emit(MotorsStopped(ErrorCode.NO_HEARTBEAT, confirmed))
 
     def _is_stop_due(self) -> bool:
         self._queue.collect()

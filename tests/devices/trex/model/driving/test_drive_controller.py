@@ -26,7 +26,7 @@ from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.program import Program
 from trex_gui.ui.runtime import now, runtime
 
-STOOD_STILL = "The window did not respond for more than half a second."
+STOOD_STILL = "The program did not respond for more than half a second."
 
 
 class RecordingConnection(Connection):
@@ -190,7 +190,7 @@ def test_session_that_did_not_respond_disarms_the_motors(
     driven.motors.set_speed(1, 90)
     qtbot.waitUntil(lambda: not driven.motors.armed)
     qtbot.waitUntil(lambda: not driven.may_move)
-    assert driven.motors.stop_reason == "The program did not respond for more than half a second."
+    assert driven.motors.stop_reason == STOOD_STILL
     assert len(said) == 1
     assert is_braked(simulator)
 
