@@ -27,12 +27,28 @@ _SHORTEST_NAME = 3  # characters of a user or computer name that is masked: shor
 _SHORTEST_SERIAL = 5  # characters; shorter ones, such as 0001, belong to many adapters
 _SHARED_NAMES = frozenset({"root", "admin", "administrator", "user", "pi", "localhost"})
 
-_FOLDERS = re.compile(r"((?:/home|/Users|[A-Za-z]:[\\/]Users)[\\/])[^\\/\s:\"'<>|]+")
-_SPACED_FOLDERS = re.compile(r"([A-Za-z]:\\Users\\)[^\\:\"<>|\n]+(?=\\)")
-_BY_ID = re.compile(r"(/dev/serial/by-id/\S*_)[^_\s]+?(-(?:if|port)\d+)")
-_MAC_PORT = re.compile(r"(/dev/(?:cu|tty)\.[A-Za-z]+-?)[^\s:,;.]+")
-_HOST = re.compile(r"\b((?:socket|rfc2217|hwgrep|spy)://)(?!127\.0\.0\.1\b|localhost\b)[^\s/:]+")
-_ADDRESS = re.compile(r"\b(?!127\.0\.0\.1\b)\d{1,3}(?:\.\d{1,3}){3}\b")
+_FOLDERS = re.compile(
+    r"((?:/home|/Users|/media|/run/media|[A-Za-z]:[\\/]+Users)[\\/]+)[^\\/\s:\"'<>|]+"
+)
+_SPACED_FOLDERS = re.compile(r"([A-Za-z]:\\+Users\\+)[^\\:\"<>|\n]+(?=\\)")
+_SHARES = re.compile(r"(?<![\w\\:])(\\\\)[^\\\s?.]+(?=\\)")
+_BY_ID = re.compile(r"((?:/dev/serial/by-id/|\busb-)\S*_)[^_\s]+?(-(?:if|port)\d+)")
+_MAC_PORT = re.compile(
+    r"(/dev/(?:cu|tty)\.)(?!(?:SLAB_USBtoUART|Bluetooth-Incoming-Port|debug-console)\b)"
+    r"(usbserial-?|usbmodem|wchusbserial|)[^\s:,;]*[^\s:,;.]"
+)
+_SERIAL = re.compile(rf"\b(SE?N?R=)[^\s<\]]{{{_SHORTEST_SERIAL},}}")
+_BLUETOOTH = re.compile(r"(BTHENUM\\\S*&)[0-9A-Fa-f]{12}(?=_)")
+_HOST = re.compile(
+    r"\b((?:socket|rfc2217|hwgrep|spy)://)"
+    r"(?!(?:127\.0\.0\.1|localhost|\[::1\])(?![\w-]|\.\w))"
+    r"(?:[^\s/@]*@)?(?:\[[^\]\s]*\]|[^\s/:]+)"
+)
+_ADDRESS = re.compile(
+    r"\b(?!127\.0\.0\.1\b)\d{1,3}(?:\.\d{1,3}){3}\b"
+    r"|(?<![\w:.\[])(?=[0-9A-Fa-f:]*::[0-9A-Fa-f]|(?:[0-9A-Fa-f]{1,4}:){5})"
+    r"[0-9A-Fa-f]{0,4}(?::[0-9A-Fa-f]{0,4}){2,7}(?![\w:])"
+)
 _MAIL = re.compile(r"\b[\w.+-]+@[\w-]+\.[\w.-]+\b")
 
 
@@ -63,6 +79,8 @@ class Mask:
         return cls(str(Path.home()), user, socket.gethostname(), numbers)
 
     def clean(self, text: str) -> str:
+        text = _BY_ID.sub(r"\1<serial>\2", text)
+        text = _MAC_PORT.sub(r"\1\2<serial>", text)
         for number, serial in enumerate(self.serial_numbers, 1):
             if len(serial) >= _SHORTEST_SERIAL:
                 text = re.sub(
@@ -70,13 +88,14 @@ class Mask:
                     f"<serial {number}>",
                     text,
                 )
-        text = _BY_ID.sub(r"\1<serial>\2", text)
-        text = _MAC_PORT.sub(r"\1<serial>", text)
+        text = _SERIAL.sub(r"\1<serial>", text)
+        text = _BLUETOOTH.sub(r"\1<address>", text)
         if len(self.home) > 1:
             for home in {self.home, self.home.replace("\\", "/")}:
                 text = re.sub(rf"{re.escape(home)}(?![\w.-])", "~", text)
         text = _SPACED_FOLDERS.sub(r"\1<user>", text)
         text = _FOLDERS.sub(r"\1<user>", text)
+        text = _SHARES.sub(r"\1<computer>", text)
         text = _HOST.sub(r"\1<address>", text)
         text = _MAIL.sub("<mail>", text)
         text = _ADDRESS.sub("<address>", text)
