@@ -10,7 +10,7 @@ from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_time import VirtualRuntime
 from tests.support.window import WindowDriver
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.ui.devices.connection import ConnectionState
 
 
@@ -63,10 +63,20 @@ def test_device_sending_unsolicited_data_is_reported(
 
 def test_port_without_a_board_is_reported(window: WindowDriver, simulator: SimulatedDevice) -> None:
     simulator.do("power off")
-    window.device.connect_to(ConnectionSettings(simulator.url))
+    port = window.program.ports.add_typed(simulator.url)
+    window.connect_port(port)
+    window.wait_for_text("statusLabel", "No reply yet. Trying other settings: 19200 baud, ")
     window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
     assert "No TReX responds" in window.text("bannerText")
     assert "power" in window.text("bannerText")
+
+    window.click("bannerDismiss")
+    crc = LineSettings(detection=Detection.CRC7)
+    window.program.device_manager.connect_with(port, ConnectionSettings("", crc))
+    window.wait_for_text("statusLabel", "Trying other settings: 19200 baud, CRC-7")
+    window.click("connectButton")
+    window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
+    assert not window.has("bannerText"), "the search was ended by the user"
 
 
 def test_program_that_may_take_the_replies_is_named(

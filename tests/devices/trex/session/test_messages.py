@@ -49,6 +49,7 @@ from trex_gui.devices.trex.session.messages import (
     Connected,
     GuardianChanged,
     NotResponding,
+    ProbeProgress,
     Reload,
     Report,
     Request,
@@ -101,6 +102,7 @@ SAMPLES = (
 
 REPORTS: list[Report] = [
     Progress(1, 2, "x"),
+    ProbeProgress(1, 2, "x"),
     NotResponding("x", Counters(requests=3)),
     MotorsStopped(ErrorCode.NO_HEARTBEAT, confirmed=False),
     Batch(SAMPLES, Counters(1, 2, 3, 4, 0.5)),

@@ -28,6 +28,7 @@ from trex_gui.devices.trex.session.messages import (
     Connected,
     GuardianChanged,
     NotResponding,
+    ProbeProgress,
     SelectBoard,
     SendPacket,
     SetWatched,
@@ -138,10 +139,15 @@ class Connection(DeviceConnection[ConnectionSettings]):
                 self.stop_sent.emit()
             case MotorsStopped():
                 self.motors_stopped.emit(report)
-            case Progress(done=done, total=total, what=what):
-                self.progressed.emit(done, total, what)
-            case Connected() | NotResponding() if self.link is ConnectionState.DISCONNECTING:
+            case Connected() | NotResponding() | Progress() if (
+                self.link is ConnectionState.DISCONNECTING
+            ):
                 pass  # it was queued when the line was closed
+            case Progress(done=done, total=total, what=what):
+                if isinstance(report, ProbeProgress):
+                    text = self.tr("No reply yet. Trying other settings: {0} …").format(what)
+                    self._set_state(ConnectionState.CONNECTING, text)
+                self.progressed.emit(done, total, what)
             case Connected():
                 self._take_state(report)
             case NotResponding(reason=reason, counters=counters):

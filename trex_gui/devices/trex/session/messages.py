@@ -171,6 +171,11 @@ class Written:
 
 
 @dataclass(frozen=True, slots=True)
+class ProbeProgress(Progress):
+    """Progress of the search for the reason why no board responds; `what` are line settings."""
+
+
+@dataclass(frozen=True, slots=True)
 class NotResponding:
     """The board has stopped responding; the session goes on trying."""
 

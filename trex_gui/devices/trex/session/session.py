@@ -69,6 +69,7 @@ from trex_gui.devices.trex.session.messages import (
     Job,
     NotResponding,
     ProbeNumber,
+    ProbeProgress,
     ReadReason,
     Reload,
     Report,
@@ -202,7 +203,7 @@ class TrexSession:
         return self._motors.may_move or bool(self._motors.stops)
 
     def _report_probe(self, step: ScanProgress) -> None:
-        self._report_progress(step.done, step.total, step.line.text())
+        self._emit(ProbeProgress(step.done, step.total, step.line.text()))
 
     def _begin(self, client: TrexClient) -> None:
         client.detect_echo(self._stop_early)
