@@ -113,8 +113,8 @@ def test_boards_on_one_line(
         cells = [[table.item(row, column) for column in (1, 2)] for row in range(3)]
         return [[cell.text() if cell else "" for cell in row] for row in cells]
 
-    assert results()[0] == ["1 setting(s)", "read"]
-    assert results()[2] == ["1 setting(s)", "read"]
+    assert results()[0] == ["1 setting", "read"]
+    assert results()[2] == ["1 setting", "read"]
     assert "are for a TReX, not a TReX Jr" in results()[1][1]
     assert boards.show("@3")["parameters"]["serial_timeout"] == 0
     # Closing the dialog ends the work after the board that is being read.

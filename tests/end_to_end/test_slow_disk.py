@@ -30,7 +30,8 @@ from trex_gui.ui.runtime import now
 def disk(monkeypatch: pytest.MonkeyPatch, window: WindowDriver) -> Iterator[SlowDisk]:
     disk = SlowDisk(monkeypatch)
     yield disk
-    window.wait(lambda: window.device.memory.files.is_idle)
+    device = window.device
+    window.wait(lambda: device.memory.files.is_idle and device.edit_backup.files.is_idle)
     assert disk.stalls == []
 
 

@@ -104,7 +104,7 @@ def test_scan_finds_each_board_by_number(make: Make) -> None:
         "TReX 1.2",
         "TReX Jr 1.2",
     ]
-    assert stand.infos == ["3 board(s) on this line."]
+    assert stand.infos == ["3 boards on this line."]
     assert not stand.device.quality.is_noisy
     # One that is switched off is noticed, and is noticed again.
     stand.simulator.do("@3 power off")
