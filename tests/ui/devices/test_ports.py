@@ -1,6 +1,7 @@
 """The list of ports."""
 
 from collections.abc import Callable, Iterator
+from pathlib import Path
 
 import pytest
 from pytestqt.qtbot import QtBot
@@ -112,6 +113,22 @@ def test_typed_serial_port_selects_the_listed_port(
     ports = make()
     assert ports.add_typed("/dev/ttyUSB0").kind is PortKind.SERIAL
     assert urls(make()) == ["/dev/ttyUSB0", ""]
+
+
+def test_typed_link_selects_the_port_of_its_adapter(
+    make: Make, computer: list[ListPortInfo], tmp_path: Path
+) -> None:
+    device, other = tmp_path / "ttyUSB0", tmp_path / "pts7"
+    for path in (device, other):
+        path.touch()
+    by_id, link = tmp_path / "usb-FTDI_FT232R_A500001", tmp_path / "trex"
+    by_id.symlink_to("ttyUSB0")
+    link.symlink_to("pts7")
+    computer.append(port(str(device)))
+    ports = make()
+    assert ports.add_typed(str(by_id)) == ports.find(str(device))
+    assert ports.add_typed(str(link)).kind is PortKind.TYPED, "it leads to no listed port"
+    assert len(ports.entries) == 3
 
 
 def test_typed_address_of_a_new_serial_port_is_listed_once(

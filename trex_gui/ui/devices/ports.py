@@ -1,8 +1,10 @@
 """Serial ports, typed addresses and simulated devices to connect to."""
 
+import os
 from collections.abc import Sequence
 from dataclasses import astuple, dataclass, field, replace
 from enum import Enum, auto
+from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
 from serial.tools import list_ports
@@ -130,8 +132,14 @@ class Ports(QObject):
             self.changed.emit()
 
     def add_typed(self, url: str) -> Port:
-        """Remember an address that the user typed; return its entry."""
+        """Remember an address that the user typed; return its entry.
+
+        A link to a listed port, as in `/dev/serial/by-id`, is that port: its adapter is known then.
+        """
         url = url.strip()
+        linked = self.find(os.path.realpath(url)) if Path(url).is_symlink() else None
+        if linked is not None and linked.kind is PortKind.SERIAL:
+            return linked
         if url not in self._typed and all(port.url != url for port in self.entries):
             self._typed = (*self._typed, url)[-_MOST_TYPED:]
             self._store.set(_REMEMBERED, "\n".join(self._typed))
