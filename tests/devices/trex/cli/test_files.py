@@ -139,10 +139,13 @@ def test_set_settings_writes_nothing_outside_serial_mode(
 ) -> None:
     quick_simulator.do("jumper mode rc")
     quick_simulator.do("power cycle")
-    result = trexcmd("set-settings", str(changed(saved, serial_timeout=15)))
+    file = changed(saved, serial_timeout=15)
+    file.write_text(file.read_text() + "# Note on serial_timeout: the radio drops out\n")
+    result = trexcmd("set-settings", str(file))
     assert result.exit_code == 1
     assert "not in serial mode" in result.stderr
     assert quick_simulator.show()["counters"]["eeprom_writes"] == 0
+    assert "Note on" not in trexcmd("get-settings", "-").stdout, "no notes of rejected settings"
 
 
 def test_calibrations_of_inactive_source_are_skipped_and_named(

@@ -252,11 +252,11 @@ def _review(
     if dry_run:
         _print(result)
         return state, []
-    remember_notes(stored, wanted.notes)
     if result.changed:
         require_consent(name_of(file), state, wanted.parameters, force=force)
         require_serial_mode(state, "These settings")
         say_changes(result)
+    remember_notes(stored, wanted.notes)
     return state, [row for row in result.rows if row.changed]
 
 
