@@ -555,7 +555,6 @@ class TrexWorkspace(Workspace):
 
     @Slot()
     def _on_memory_changed(self) -> None:
-        """Ask once for each set of differences from what was applied last."""
         """Ask about each difference from what was applied last, once for each connection."""
         memory = self._device.memory
         differing, record = memory.differing, memory.record
