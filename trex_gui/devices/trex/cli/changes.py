@@ -15,18 +15,14 @@ from trex_gui.devices.trex.client.reading import (
     require_free_number,
 )
 from trex_gui.devices.trex.client.writing import WriteResult, write_all
-from trex_gui.devices.trex.protocol.calibration import (
-    CALIBRATION_KEYS,
-    Calibration,
-    CalibrationKey,
-)
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.session.reconnecting import after_power_cycle
 from trex_gui.devices.trex.settings.accepted import AcceptedValues
 from trex_gui.devices.trex.settings.board_records import BoardRecord, BoardRecords, utc_now
-from trex_gui.devices.trex.settings.comparison import Comparison, compare
+from trex_gui.devices.trex.settings.comparison import Comparison, compare, settings_after
 from trex_gui.devices.trex.settings.document import Settings, open_values, settings_of
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 from trex_gui.devices.trex.settings.history import SettingsHistory
@@ -165,23 +161,14 @@ def write_kept(
         has_crc=client.has_crc,
         cancelled=cancelled,
     )
-    after = settings_after(before, results)
+    written = ((one.key, one.stored) for one in results if one.key != ParameterKey.FACTORY_RESET)
+    after = settings_after(before, written)
     uncertain = {result.key for result in results if result.error is not None}
     record = record.after_writing(after, state.source, uncertain, utc_now())
     if any(result.key == ParameterKey.FACTORY_RESET for result in results):
         record = record.after_reset()
     _remember(after, record, instead_of=before)
     return results
-
-
-def settings_after(before: Settings, results: Sequence[WriteResult]) -> Settings:
-    parameters, calibrations = dict(before.parameters), dict(before.calibrations)
-    for result in results:
-        if isinstance(result.stored, Calibration):
-            calibrations[CALIBRATION_KEYS[result.key]] = result.stored
-        elif result.stored is not None and result.key in parameters:
-            parameters[result.key] = result.stored
-    return replace(before, parameters=parameters, calibrations=calibrations)
 
 
 def board_settings(state: DeviceState) -> Settings:

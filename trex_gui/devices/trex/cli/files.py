@@ -241,7 +241,7 @@ def _review(
     wanted = _fitted(file, wanted, state)
     stored = board_settings(state)
     result = compare(stored, wanted)
-    after = settings_after(stored, result.rows)
+    after = settings_after(stored, ((row.key, row.after) for row in result.rows))
     context = Context(port_rates=rates, used_by_line=client.settings.line)
     if fix:
         after, accepted = accept_proposals(after, context, kept=kept)

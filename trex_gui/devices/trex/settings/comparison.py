@@ -133,14 +133,16 @@ def compare(before: Settings, after: Settings) -> Comparison:
     return Comparison((*rows, *_calibration_rows(before, after)), tuple(reasons.values()))
 
 
-def settings_after(before: Settings, rows: Iterable[ComparisonRow]) -> Settings:
-    """Return the settings once these rows are written; those without a right side stay."""
+def settings_after(
+    before: Settings, written: Iterable[tuple[str, int | Calibration | None]]
+) -> Settings:
+    """Return the settings once these values are stored; `None` leaves a setting as it is."""
     parameters, calibrations = dict(before.parameters), dict(before.calibrations)
-    for row in rows:
-        if isinstance(row.after, Calibration):
-            calibrations[CALIBRATION_KEYS[row.key]] = row.after
-        elif row.after is not None:
-            parameters[row.key] = row.after
+    for key, value in written:
+        if isinstance(value, Calibration):
+            calibrations[CALIBRATION_KEYS[key]] = value
+        elif value is not None:
+            parameters[key] = value
     return replace(before, parameters=parameters, calibrations=calibrations)
 
 

@@ -290,7 +290,8 @@ class ReviewDialog(ReusedDialog):
         """Check what the board will store; while and after writing, keep what was left."""
         reviewing, stored = self._phase is _Phase.REVIEW, self._device.draft.stored
         if reviewing and stored is not None:
-            after = settings_after(stored, self._rows.table.ticked)
+            ticked = ((row.key, row.after) for row in self._rows.table.ticked)
+            after = settings_after(stored, ticked)
             self._findings.show_findings(self._linter.check(after))
         self._findings.set_can_accept(reviewing and self._device.is_writable)
         count = self._findings.count
