@@ -128,7 +128,6 @@ def test_new_device_number_changes_no_ceiling(
     connect(device, slow, qtbot)
     if chosen != FIRST_CEILING:
         motors.set_ceiling(chosen)
-    motors.arm()
     device.parameters.edit("device_number", 9)
     device.apply()
     qtbot.waitUntil(lambda: not device.draft.pending and not device.applying)
