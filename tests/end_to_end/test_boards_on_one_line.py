@@ -8,11 +8,12 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QFileDialog, QListWidget, QSpinBox, QTableWidget
 
 from tests.support.keyboard import check_keyboard
-from tests.support.pages.motors import is_stopped
+from tests.support.pages.motors import Gesture, MotorsPage, is_stopped
 from tests.support.simulator import StartSimulator
 from tests.support.window import WidgetDriver, WindowDriver
 from trex_gui.core.files import save
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.ports import Port
 
 
@@ -140,3 +141,90 @@ def test_boards_on_one_line(
     # Closing hides the list, and the next connection is to the board that was shown last.
     window.disconnect()
     assert not window.has("boardPanel")
+
+
+def test_what_drives_one_board_drives_no_other(
+    window: WindowDriver, start_simulator: StartSimulator
+) -> None:
+    boards = start_simulator("--unpaced", "--device", "7", "--device", "9")
+    connect(window, boards.url, 7)
+    window.trigger("boards")
+    window.wait(lambda: window.has("boardsProgress"))
+    window.wait(lambda: not window.has("boardsProgress"))
+    page = MotorsPage(window, boards)
+    page.motors.accelerate = False
+
+    def moves(board: str) -> bool:
+        return bool(boards.show(board)["motors"][0]["direction"] == "forward")
+
+    def switch(row: int) -> None:
+        """Choose a board with the keyboard, while the mouse holds something."""
+        shown = window.find(QListWidget, "boardList")
+        shown.setCurrentRow(row)
+        QTest.keyClick(shown, Qt.Key.Key_Return)
+        window.wait(lambda: rows(window)[row][1] == "selected")
+
+    # Whatever is held stays held: the board that is armed next does not follow it.
+    gestures: tuple[tuple[Gesture, Gesture, Gesture], ...] = (
+        (lambda: page.hold_pad(0.8, 0), lambda: page.move_pad(0.9, 0), page.release_pad),
+        (
+            lambda: page.hold_slider("motor1Slider", 60),
+            lambda: page.move_slider("motor1Slider", 70),
+            lambda: page.release_slider("motor1Slider"),
+        ),
+    )
+    for hold, go_on, release in gestures:
+        page.arm()
+        hold()
+        page.wait(lambda: moves("@7"))
+        switch(1)
+        assert is_stopped(boards, "@7")
+        page.wait(lambda: page.motors.can_arm)
+        page.motors.arm()
+        go_on()
+        page.let_nothing_happen(0.5)
+        assert not moves("@9")
+        assert is_stopped(boards, "@7")
+        release()
+        window.press_escape()
+        page.let_nothing_happen(4)
+        switch(0)
+
+    # Esc during the switch, and a line that is closed during it.
+    page.arm()
+    page.motors.set_speed(1, 30)
+    page.wait(lambda: moves("@7"))
+    choose(window, 1)
+    window.press_escape()
+    window.wait(lambda: rows(window)[1][1] == "selected")
+    page.let_nothing_happen(4)
+    assert is_stopped(boards, "@7")
+    assert not moves("@9")
+
+    # After a lost line the board that was driven last is found and stopped.
+    page.arm()
+    page.motors.set_speed(1, 30)
+    page.wait(lambda: moves("@9"))
+    boards.do("line unplug")
+    page.wait(lambda: page.device.link is ConnectionState.DISCONNECTED)
+    assert page.device.may_move
+    boards.do("line plug")
+    window.click("bannerReconnect")
+    window.wait(lambda: not page.device.may_move)
+    assert is_stopped(boards, "@9")
+    assert not page.device.driving.lost_board
+
+    # With the other one the warning stays until the first is selected, and stopped.
+    page.arm()
+    page.motors.set_speed(1, 30)
+    page.wait(lambda: moves("@9"))
+    boards.do("line unplug")
+    page.wait(lambda: page.device.link is ConnectionState.DISCONNECTED)
+    boards.do("line plug")
+    connect(window, boards.url, 7)
+    assert not moves("@9")
+    assert "reached the TReX 1.2, device 9" in page.device.driving.lost_board
+    choose(window, 1)
+    window.wait(lambda: rows(window)[1][1] == "selected" and not page.device.may_move)
+    assert is_stopped(boards, "@9")
+    assert not page.device.driving.lost_board

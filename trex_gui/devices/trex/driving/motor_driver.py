@@ -7,6 +7,7 @@ confirmed if the board replies with its status and has latched no UART error sin
 import logging
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 
 from trex_gui.core.errors import BadReply, BadRequest, NoReply
 from trex_gui.devices.trex.client.client import TrexClient
@@ -165,12 +166,21 @@ class MotorDriver:
     def stop_early(self) -> None:
         """Send the requested stops on a line that is not tested yet; its echo is discarded.
 
-        They stay queued until they are confirmed.
+        They stay queued until they are confirmed. If motors may be moving since an earlier session
+        it may have driven another board on the line: each gets a stop without a number, too.
         """
-        if self.output.may_move or self.output.stops:
-            self._send_stop()
-            self.client.drain()
-            self.client.transport.wait(self.client.transport.latency)
+        if not (self.output.may_move or self.output.stops):
+            return
+        client, settings = self.client, self.client.settings
+        self._send_stop()
+        if self.output.may_move and settings.device_number is not None:
+            client.settings = replace(settings, device_number=None)
+            try:
+                self._send_stop()
+            finally:
+                client.settings = settings
+        client.drain()
+        client.transport.wait(client.transport.latency)
 
     def stop_without_reply(self) -> None:
         """Stop motors that may be moving on a board that does not respond: it may still receive."""

@@ -344,7 +344,11 @@ def _identity_of(board: Connected) -> BoardIdentity:
 
 
 def _name_of(board: Connected) -> str:
-    return str(board.state.signature)
+    """Return model and firmware, with the number that tells it from others on its line."""
+    name, number = str(board.state.signature), board.settings.device_number
+    if number is None:
+        return name
+    return QCoreApplication.translate("Device", "{0}, device {1}").format(name, number)
 
 
 def _port_of(board: Connected) -> str:
