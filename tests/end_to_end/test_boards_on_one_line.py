@@ -136,6 +136,16 @@ def test_boards_on_one_line(
         for shown in (boards.show(name)["parameters"],)
     ]
     assert stored == [(3, 7), (12, 7), (9, 0)]
+    # The dialog may cover the window: its red button stops the motors as well.
+    window.wait(lambda: window.motors.can_arm)
+    window.motors.arm()
+    window.motors.set_speed(1, 30)
+    window.wait(lambda: boards.show("@7")["motors"][0]["target_speed"] == 30)
+    assert not fleet.is_enabled("writeBoardsButton")
+    QTest.mousePress(fleet.button("boardsStopButton"), Qt.MouseButton.LeftButton)
+    window.wait(lambda: is_stopped(boards, "@7"))
+    assert not window.motors.armed
+    QTest.mouseRelease(fleet.button("boardsStopButton"), Qt.MouseButton.LeftButton)
     fleet.click("closeBoardsButton")
 
     # Closing hides the list, and the next connection is to the board that was shown last.
