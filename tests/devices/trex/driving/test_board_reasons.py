@@ -3,7 +3,7 @@
 import pytest
 
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
-from trex_gui.devices.trex.driving.blockers import DriveBlocker, Effect
+from trex_gui.devices.trex.driving.blockers import DriveBlocker, Effect, Reason
 from trex_gui.devices.trex.driving.board_reasons import (
     LED_TEXTS,
     BoardInputs,
@@ -137,6 +137,13 @@ def test_reasons_follow_from_what_the_board_reports(
     board: BoardInputs, blockers: list[DriveBlocker]
 ) -> None:
     assert [reason.blocker for reason in board_reasons(board)] == blockers
+
+
+def test_names_of_errors_in_a_reason_are_translated() -> None:
+    words = {"Format error": "Formatfehler", "CRC error": "CRC-Fehler"}
+    reason = Reason(DriveBlocker.LINE_ERROR, (tuple(words),))
+    assert "(formatfehler, crc-fehler)" in reason.text(lambda text: words.get(text, text))
+    assert "(format error, crc error)" in reason.text()
 
 
 def test_every_blocker_has_sentences() -> None:

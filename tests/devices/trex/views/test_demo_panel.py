@@ -15,7 +15,7 @@ from tests.support.program import trex
 from tests.support.virtual_time import VirtualRuntime
 from tests.support.window import WindowDriver
 from trex_gui.composition import build
-from trex_gui.devices.trex.driving.board_reasons import PACKETS
+from trex_gui.devices.trex.driving.board_reasons import LED_TEXTS, PACKETS
 from trex_gui.devices.trex.model.demo import (
     BootStep,
     DemoJumpers,
@@ -33,6 +33,7 @@ from trex_gui.devices.trex.views.demo_panel import (
     jumper_hint,
     led_meaning,
     led_patterns,
+    led_words,
     motor_text,
     state_text,
 )
@@ -68,6 +69,12 @@ RC = replace(
 def test_packet_led_is_shown_without_flicker(flicker: str) -> None:
     assert led_patterns(replace(SERIAL, leds=DemoLeds("on", flicker))) == ("on", PACKETS)
     assert led_patterns(replace(RC, leds=DemoLeds(flicker, "on"))) == (PACKETS, "on")
+
+
+def test_leds_have_the_words_of_the_status_page() -> None:
+    assert LED_TEXTS[PACKETS].startswith(led_words(PACKETS))
+    assert led_words("fast flash") == "flashes fast"
+    assert led_words("blink 1/s") == "blink 1/s"
 
 
 @pytest.mark.parametrize(

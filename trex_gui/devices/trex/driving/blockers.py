@@ -3,7 +3,7 @@
 The command line shows the sentences as they are, the window translates them.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from enum import Enum, IntEnum, unique
 
@@ -212,19 +212,26 @@ class DriveBlocker(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Reason:
-    """A blocker with the fields of its sentences."""
+    """A blocker with the fields of its sentences; a tuple is a list of names, translated too."""
 
     blocker: DriveBlocker
     fields: tuple[object, ...] = ()
 
     def text(self, translate: Callable[[str], str] = str) -> str:
         """Return what keeps the motors from running, as a sentence."""
-        return translate(self.blocker.text).format(*self.fields)
+        return translate(self.blocker.text).format(*self._words(translate))
 
     def remedy(self, translate: Callable[[str], str] = str) -> str:
         """Return what the user can do about it, as a sentence; empty if nothing."""
         remedy = self.blocker.remedy
-        return translate(remedy).format(*self.fields) if remedy else ""
+        return translate(remedy).format(*self._words(translate)) if remedy else ""
+
+    def _words(self, translate: Callable[[str], str]) -> Iterator[object]:
+        for field in self.fields:
+            if isinstance(field, tuple):
+                yield ", ".join(translate(str(name)) for name in field).lower()
+            else:
+                yield field
 
 
 def worst_first(reasons: Iterable[Reason]) -> tuple[Reason, ...]:

@@ -67,7 +67,7 @@ def board_reasons(now: BoardInputs) -> tuple[Reason, ...]:
     if now.uart & UartError.TIMEOUT:
         reasons.append(Reason(DriveBlocker.TIMEOUT, (now.timeout,)))
     if now.error_shutdown and (errors := now.uart & ~UartError.TIMEOUT):
-        reasons.append(Reason(DriveBlocker.LINE_ERROR, (", ".join(bit_names(errors)).lower(),)))
+        reasons.append(Reason(DriveBlocker.LINE_ERROR, (tuple(bit_names(errors)),)))
     if now.joint:
         reasons.append(Reason(DriveBlocker.JOINT))
     if now.by_serial:

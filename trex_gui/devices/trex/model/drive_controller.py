@@ -18,13 +18,14 @@ from trex_gui.devices.trex.driving.requests import (
     Stop,
 )
 from trex_gui.devices.trex.model.connection import Connection
+from trex_gui.devices.trex.model.errors import bit_text
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.model.telemetry import Telemetry
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
-from trex_gui.devices.trex.protocol.flags import UART_MEANING, UartError
+from trex_gui.devices.trex.protocol.flags import UartError, bit_names
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.protocol.raw_packets import RawPacket
 from trex_gui.devices.trex.session.messages import Connected, ReadReason, SendPacket
@@ -367,7 +368,7 @@ def why_the_board_stopped(latched: LatchedStatus, *, errors_stop: bool) -> str:
             "The board received nothing within its Serial Timeout and stopped its motors.",
         )
     if latched.uart and errors_stop:
-        names = ", ".join(name for bit, (name, _) in UART_MEANING.items() if latched.uart & bit)
+        names = ", ".join(map(bit_text, bit_names(latched.uart)))
         text = QCoreApplication.translate(
             "board_stop",
             "The board stopped its motors because of an error on the line ({0}): UART-Error "

@@ -9,13 +9,13 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 
-from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtCore import QCoreApplication, QObject, Signal, Slot
 
 from trex_gui.core.errors import QT_TRANSLATE_NOOP
 from trex_gui.core.session import Closed
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import WriteResult
-from trex_gui.devices.trex.driving.blockers import DriveBlocker
+from trex_gui.devices.trex.driving.blockers import TEXT_CONTEXT, DriveBlocker
 from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.flags import STATUS_MEANING, UART_MEANING, Status, UartError
@@ -105,6 +105,11 @@ def stops_motors(bit: Status | UartError, *, errors_stop: bool) -> bool:
 
 def is_latched(bit: Status | UartError, latched: LatchedStatus) -> bool:
     return bool(bit & (latched.status if isinstance(bit, Status) else latched.uart))
+
+
+def bit_text(text: str) -> str:
+    """Return a name, meaning or remedy of an error in the language of the program."""
+    return QCoreApplication.translate(TEXT_CONTEXT, text)
 
 
 class ErrorLog(QObject):
@@ -293,7 +298,9 @@ class BoardEvents(EventLog):
             bits = [entry for entry in _UNSEEN if is_latched(entry.bit, latched)]
             # The kinds of UART errors say more than that there was one.
             has_kinds = bool(latched.uart)
-            names = [e.name for e in bits if not (has_kinds and e.bit is Status.UART_ERROR)]
+            names = [
+                bit_text(e.name) for e in bits if not (has_kinds and e.bit is Status.UART_ERROR)
+            ]
             text = self.tr("Latched before connecting, perhaps by the search for the board: {0}")
             self.add(EventKind.LINK, text.format(", ".join(names)), latched.time)
             return
@@ -307,4 +314,4 @@ class BoardEvents(EventLog):
         before = self._seen.get(name)
         self._seen[name] = time
         if before is None or time - before > GOES_ON:
-            self.add(kind, name, time, is_problem=True)
+            self.add(kind, bit_text(name), time, is_problem=True)

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from enum import Enum, IntFlag
 from functools import cache
 
-from trex_gui.core.errors import BadRequest
+from trex_gui.core.errors import QT_TRANSLATE_NOOP, BadRequest
 
 CHANNELS = (1, 2, 3, 4, 5)
 ALL_CHANNELS = 0x1F
@@ -38,60 +38,93 @@ class UartError(IntFlag):
 
 STATUS_MEANING: dict[Status, tuple[str, str]] = {
     Status.MOTOR2_OVER_LIMIT: (
-        "Motor 2 over current limit",
-        "The current of motor 2 passed its limit and the limiter lowered its speed.",
+        QT_TRANSLATE_NOOP("DriveBlocker", "Motor 2 over current limit"),
+        QT_TRANSLATE_NOOP(
+            "DriveBlocker",
+            "The current of motor 2 passed its limit and the limiter lowered its speed.",
+        ),
     ),
     Status.MOTOR2_FAULT: (
-        "Motor 2 fault",
-        "The driver of motor 2 shut itself down: too hot, short circuit or low voltage.",
+        QT_TRANSLATE_NOOP("DriveBlocker", "Motor 2 fault"),
+        QT_TRANSLATE_NOOP(
+            "DriveBlocker",
+            "The driver of motor 2 shut itself down: too hot, short circuit or low voltage.",
+        ),
     ),
     Status.MOTOR1_OVER_LIMIT: (
-        "Motor 1 over current limit",
-        "The current of motor 1 passed its limit and the limiter lowered its speed.",
+        QT_TRANSLATE_NOOP("DriveBlocker", "Motor 1 over current limit"),
+        QT_TRANSLATE_NOOP(
+            "DriveBlocker",
+            "The current of motor 1 passed its limit and the limiter lowered its speed.",
+        ),
     ),
     Status.MOTOR1_FAULT: (
-        "Motor 1 fault",
-        "The driver of motor 1 shut itself down: too hot, short circuit or low voltage.",
+        QT_TRANSLATE_NOOP("DriveBlocker", "Motor 1 fault"),
+        QT_TRANSLATE_NOOP(
+            "DriveBlocker",
+            "The driver of motor 1 shut itself down: too hot, short circuit or low voltage.",
+        ),
     ),
     Status.UART_ERROR: (
-        "UART error",
-        "A serial error occurred; the UART error bits show which.",
+        QT_TRANSLATE_NOOP("DriveBlocker", "UART error"),
+        QT_TRANSLATE_NOOP(
+            "DriveBlocker", "A serial error occurred; the UART error bits show which."
+        ),
     ),
 }
 """Name and explanation of each status bit, highest bit first."""
 
 UART_MEANING: dict[UartError, tuple[str, str]] = {
     UartError.TIMEOUT: (
-        "Serial timeout",
-        "No byte arrived within the Serial Timeout, so the board stopped its motors.",
+        QT_TRANSLATE_NOOP("DriveBlocker", "Serial timeout"),
+        QT_TRANSLATE_NOOP(
+            "DriveBlocker",
+            "No byte arrived within the Serial Timeout, so the board stopped its motors.",
+        ),
     ),
     UartError.FORMAT: (
-        "Format error",
-        "A packet had an unknown command, a command byte inside it or an invalid data byte.",
+        QT_TRANSLATE_NOOP("DriveBlocker", "Format error"),
+        QT_TRANSLATE_NOOP(
+            "DriveBlocker",
+            "A packet had an unknown command, a command byte inside it or an invalid data byte.",
+        ),
     ),
     UartError.CRC: (
-        "CRC error",
-        "The CRC byte of a packet was wrong; the packet was discarded.",
+        QT_TRANSLATE_NOOP("DriveBlocker", "CRC error"),
+        QT_TRANSLATE_NOOP(
+            "DriveBlocker", "The CRC byte of a packet was wrong; the packet was discarded."
+        ),
     ),
     UartError.FRAMING: (
-        "Framing error",
-        "A stop bit was missing: the baud rates differ, or the line is noisy.",
+        QT_TRANSLATE_NOOP("DriveBlocker", "Framing error"),
+        QT_TRANSLATE_NOOP(
+            "DriveBlocker", "A stop bit was missing: the baud rates differ, or the line is noisy."
+        ),
     ),
     UartError.DATA_OVERRUN: (
-        "Data overrun",
-        "A byte arrived while the receive register was still full.",
+        QT_TRANSLATE_NOOP("DriveBlocker", "Data overrun"),
+        QT_TRANSLATE_NOOP(
+            "DriveBlocker", "A byte arrived while the receive register was still full."
+        ),
     ),
     UartError.PARITY: (
-        "Parity error",
-        "A byte had the wrong parity: the parity settings differ, or the line is noisy.",
+        QT_TRANSLATE_NOOP("DriveBlocker", "Parity error"),
+        QT_TRANSLATE_NOOP(
+            "DriveBlocker",
+            "A byte had the wrong parity: the parity settings differ, or the line is noisy.",
+        ),
     ),
     UartError.READ_OVERRUN: (
-        "Read buffer overrun",
-        "More bytes arrived than the board can buffer; something sends while the board replies.",
+        QT_TRANSLATE_NOOP("DriveBlocker", "Read buffer overrun"),
+        QT_TRANSLATE_NOOP(
+            "DriveBlocker",
+            "More bytes arrived than the board can buffer; something sends while the board "
+            "replies.",
+        ),
     ),
     UartError.SEND_OVERRUN: (
-        "Send buffer overrun",
-        "A reply was longer than the send buffer.",
+        QT_TRANSLATE_NOOP("DriveBlocker", "Send buffer overrun"),
+        QT_TRANSLATE_NOOP("DriveBlocker", "A reply was longer than the send buffer."),
     ),
 }
 """Name and explanation of each UART error bit, highest bit first."""

@@ -3,7 +3,8 @@
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtWidgets import QWidget
 
-from trex_gui.devices.trex.driving.board_reasons import PACKETS
+from trex_gui.devices.trex.driving.blockers import TEXT_CONTEXT
+from trex_gui.devices.trex.driving.board_reasons import LED_TEXTS, PACKETS
 from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.demo import (
     STICK_ENDS,
@@ -49,6 +50,13 @@ def led_patterns(snapshot: DemoSnapshot) -> tuple[str, str]:
         elif not snapshot.serial_controls and red in {"on", "off"}:
             red = PACKETS
     return red, green
+
+
+def led_words(pattern: str) -> str:
+    """Return the words of the Status page, of which only the first has room here."""
+    if pattern == PACKETS:
+        return tr("flickers")
+    return QCoreApplication.translate(TEXT_CONTEXT, LED_TEXTS.get(pattern, pattern))
 
 
 def led_meaning(snapshot: DemoSnapshot, pattern: str) -> str:
@@ -190,7 +198,7 @@ class DemoBoardView(DemoPanelBody[DemoSnapshot]):
         red, green = led_patterns(snapshot)
         self._leds.show_patterns(
             (snapshot.leds.red, snapshot.leds.green),
-            (red, green),
+            (led_words(red), led_words(green)),
             (led_meaning(snapshot, red), led_meaning(snapshot, green)),
         )
 

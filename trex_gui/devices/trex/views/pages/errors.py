@@ -3,7 +3,7 @@
 from datetime import timedelta
 from enum import IntEnum
 
-from PySide6.QtCore import QCoreApplication, Qt, Slot
+from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QFormLayout,
@@ -14,10 +14,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.devices.trex.driving.blockers import TEXT_CONTEXT
 from trex_gui.devices.trex.model.connection_quality import quality_text
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.errors import ErrorEntry, stops_motors
+from trex_gui.devices.trex.model.errors import ErrorEntry, bit_text, stops_motors
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.ui.runtime import now
 from trex_gui.ui.widgets import builders as ui
@@ -110,8 +109,11 @@ class ErrorsPage(QWidget):
             },
             {
                 "restarts": (
-                    self.tr("Restarts seen:"),
-                    self.tr("The board came back in another mode: its power was off meanwhile"),
+                    self.tr("Restarts in another mode:"),
+                    self.tr(
+                        "The board came back in another mode, so its power was off meanwhile; it "
+                        "does not report a restart in the same mode"
+                    ),
                 ),
                 "returns": (
                     self.tr("Returned after silence:"),
@@ -203,15 +205,15 @@ class ErrorsPage(QWidget):
         if entry.is_doubtful:
             last = self.tr("{0} (doubtful)").format(last)
             doubt = self.tr("The line is noisy and has no CRC: a corrupted reply looks alike.")
-        remedy = QCoreApplication.translate(TEXT_CONTEXT, entry.remedy) if entry.count else ""
+        remedy = bit_text(entry.remedy) if entry.count else ""
         yes, no = self.tr("⚠ Yes"), self.tr("No")
         texts = {
-            _Column.ERROR: entry.name,
+            _Column.ERROR: bit_text(entry.name),
             _Column.ACTIVE: yes if is_active else no,
             _Column.STOPS: yes if is_stopping else no,
             _Column.COUNT: str(entry.count),
             _Column.LAST: last,
-            _Column.REMEDY: f"{entry.meaning} {remedy}".rstrip(),
+            _Column.REMEDY: f"{bit_text(entry.meaning)} {remedy}".rstrip(),
         }
         for column, text in texts.items():
             item = items[column]
