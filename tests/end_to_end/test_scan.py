@@ -58,7 +58,7 @@ def test_board_at_unknown_line_settings_is_found_and_connected(
     )
     traffic = window.device.connection.traffic
     dialog.search(window, url)
-    assert dialog.is_enabled("findCancelButton")
+    assert dialog.root.focusWidget() is dialog.find(QPushButton, "findCancelButton")
     assert not dialog.is_enabled("findStartButton")
     dialog.wait(lambda: dialog.has("connectFound0"), 60_000)
     at_115200 = [most for text, most in progress if text.startswith("Looking for TReX at 115200")]
@@ -67,6 +67,7 @@ def test_board_at_unknown_line_settings_is_found_and_connected(
     assert dialog.text("findText0").startswith(f"TReX 1.2 on {url} at 57600 baud, device 7.")
     dialog.wait_for_end()
     assert dialog.text("findProgressText") == "1 board found."
+    assert dialog.root.focusWidget() is dialog.find(QPushButton, "connectFound0")
     meanings = [traffic.decoder.decoded(row).text for row in traffic.without_polling.rows]
     assert "search: get signature → TReX 1.2" in meanings
     assert "search: get signature → no reply" in meanings

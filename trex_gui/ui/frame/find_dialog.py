@@ -223,6 +223,8 @@ class FindDialog(ReusedDialog):
         self._list.setEnabled(not running)
         self._full.setEnabled(not running)
         self._start.setEnabled(not running and bool(self._chosen))
+        if not running and self.focusWidget() is self._cancel:  # it goes to the first board
+            next(iter(self._connects), self._start).setFocus()
         self._cancel.setEnabled(running)
         self._check.setVisible(self._manager.current.has_line_settings)
         for connect, its_port in self._connects.items():
