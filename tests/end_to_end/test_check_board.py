@@ -3,7 +3,7 @@
 from functools import partial
 
 import pytest
-from PySide6.QtWidgets import QTabWidget
+from PySide6.QtWidgets import QComboBox, QTabWidget
 
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
@@ -26,10 +26,17 @@ def shows(board: SimulatedDevice, leds: tuple[str, str]) -> bool:
     return tuple(board.show()["leds"].values()) == leds
 
 
+@pytest.mark.qt_log_ignore("This plugin does not support", extend=True)  # popups offscreen
 def test_jumpers_bring_back_lost_serial_settings(
     window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
     board = quick_simulator
+    window.trigger("check_board")
+    driver_of(window).click("checkConnectButton")
+    ports = window.find(QComboBox, "portCombo")
+    assert ports.view().isVisible(), "no port is chosen yet"
+    ports.hidePopup()
+
     board.do("eeprom uart_settings 0x25")  # CRC-7
     board.do("eeprom crc7_polynomial 0x1D")
     board.do("power cycle")

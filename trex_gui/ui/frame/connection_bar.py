@@ -160,8 +160,12 @@ class ConnectionBar(QWidget):
         if isinstance(shown, Port):
             self.connect_to(shown)
         else:
-            self._combo.setFocus()
-            self._combo.showPopup()
+            self._offer_ports()
+
+    def _offer_ports(self) -> None:
+        self.window().activateWindow()
+        self._combo.setFocus()
+        self._combo.showPopup()
 
     def reconnect(self) -> None:
         """Connect to the port that was connected, or tried, last."""
@@ -169,9 +173,10 @@ class ConnectionBar(QWidget):
             self.connect_to(self._ports.now(self._last) or self._last)
 
     def connect_with(self, remedy: ConnectWith) -> None:
-        """Connect with other settings to the port that is shown."""
+        """Connect with other settings to the port that is shown; without one, open the list."""
         port = self._port_to_show() or self._last
         if port is None:
+            self._offer_ports()
             return
 
         def connect() -> None:
