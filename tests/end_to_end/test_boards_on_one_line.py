@@ -118,6 +118,7 @@ def test_boards_on_one_line(
     assert results()[2] == ["1 setting", "read"]
     assert "are for a TReX, not a TReX Jr" in results()[1][1]
     assert boards.show("@3")["parameters"]["serial_timeout"] == 0
+    assert not fleet.has("boardsFindings")
     # Closing the dialog ends the work after the board that is being read.
     once = Qt.ConnectionType.SingleShotConnection
     window.device.draft.loaded.connect(fleet.root.close, once)

@@ -446,3 +446,16 @@ def test_work_is_cancelled_between_boards(make: Make) -> None:
     }
     assert [board.eeprom["serial_timeout"] for board in stand.line.boards] == [5, 0, 0]
     assert stand.boards.selected == 7
+
+
+def test_rules_are_applied_to_each_board_with_its_changes(make: Make) -> None:
+    stand = make("3", "7")
+    stand.connect(7)
+    stand.scan()
+    stand.line.boards[0].eeprom.write("ignored_channels", 2)
+    work = Work(stand)
+    work.reviewed(wanted(required_channels=3), 3, 7)
+    assert [[one.keys for one in plan.findings] for plan in work.plans] == [
+        [("required_channels", "ignored_channels")],
+        [],
+    ]

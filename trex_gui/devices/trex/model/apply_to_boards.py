@@ -14,8 +14,9 @@ from trex_gui.devices.trex.model.settings.draft import diff_against_draft
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibration
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
 from trex_gui.devices.trex.session.reconnecting import REACH
-from trex_gui.devices.trex.settings.comparison import Comparison
+from trex_gui.devices.trex.settings.comparison import Comparison, settings_after
 from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.rules import Context, LintFinding, lint
 from trex_gui.ui.translations import error_text
 
 
@@ -41,12 +42,14 @@ class BoardPlan:
         number: its device number, which it keeps.
         changes: what differs from what it stores; `None` before it was read.
         problem: why it was not read or written, for the user.
+        findings: what the rules say about its settings with these changes.
     """
 
     number: int
     step: BoardStep = BoardStep.WAITING
     changes: Comparison | None = None
     problem: str = ""
+    findings: tuple[LintFinding, ...] = ()
 
     @property
     def to_write(self) -> int:
@@ -172,8 +175,18 @@ class ApplyToBoards(QObject):
         if self._is_writing:
             self._write(number, changes)
         else:
-            self._replace(BoardPlan(number, BoardStep.REVIEWED, changes))
+            findings = self._findings(changes)
+            self._replace(BoardPlan(number, BoardStep.REVIEWED, changes, findings=findings))
             self._go_on()
+
+    def _findings(self, changes: Comparison) -> tuple[LintFinding, ...]:
+        """Return what the rules say about the selected board once these changes are written."""
+        stored, settings = self._device.draft.stored, self._device.settings
+        if stored is None or settings is None:
+            return ()
+        after = settings_after(stored, ((row.key, row.after) for row in changes.rows))
+        rates = self._device.connection.port_rates
+        return lint(after, Context(port_rates=rates, used_by_line=settings.line))
 
     def _write(self, number: int, changes: Comparison) -> None:
         if changes != self._plan(number).changes:

@@ -1,5 +1,7 @@
 """Dialog that writes one settings file to several boards on a line."""
 
+from dataclasses import replace
+
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtWidgets import QHeaderView, QTableWidget, QTableWidgetItem, QWidget
 
@@ -11,9 +13,11 @@ from trex_gui.devices.trex.settings.comparison import Comparison
 from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.devices.trex.views.boards import board_name
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
+from trex_gui.devices.trex.views.findings_list import FindingsList
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 _CHECKED, _CLEARED = Qt.CheckState.Checked, Qt.CheckState.Unchecked
 
@@ -40,6 +44,7 @@ class ApplyToBoardsDialog(ReusedDialog):
             (self._table, 2),
             self._heading,
             (self._changes, 3),
+            (self._findings_area, 1),
             self._note,
             ui.row(self._stop, 1, self._write, self._end, self._close),
             into=self,
@@ -76,6 +81,8 @@ class ApplyToBoardsDialog(ReusedDialog):
         self._table.setWordWrap(True)
         self._heading = ui.label(self, "boardChangesTitle", bold=True, plain=True)
         self._changes = ComparisonView(self)
+        self._findings = FindingsList("boards", self._changes, self, is_wide=True)
+        self._findings_area = ScrollBox(self._findings, self)
         self._note = ui.named(Note(0, self), "applyToBoardsNote")
         self._stop = StopButton(self._device, "boardsStopButton", self)
         self._write = ui.button(
@@ -194,6 +201,10 @@ class ApplyToBoardsDialog(ReusedDialog):
         if not 0 <= row < len(plans):
             row = next((i for i, plan in enumerate(plans) if plan.to_write), -1)
         plan = plans[row] if row >= 0 else None
+        findings = () if plan is None else plan.findings
+        # Without buttons: what is written is the file, which the user can edit.
+        self._findings.show_findings(replace(one, change={}) for one in findings)
+        self._findings_area.setVisible(bool(findings))
         if plan is None or plan.changes is None:
             self._heading.setText("")
             self._changes.show_nothing()
