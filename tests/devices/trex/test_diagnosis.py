@@ -10,12 +10,14 @@ from tests.support.virtual import Stage, VirtualTransport
 from trex_gui.core.errors import BadReply, NoReply, PortUnavailable, StudioError
 from trex_gui.devices.trex.diagnosis import _plans, diagnose, explain
 from trex_gui.devices.trex.discovery import attempts
+from trex_gui.devices.trex.model.connection import remedies_for
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import BoardElsewhere
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
 from trex_gui.devices.trex.simulator.memory import Eeprom
+from trex_gui.ui.notifier import Remedy
 
 SETTINGS = ConnectionSettings("/dev/ttyUSB0")
 
@@ -123,7 +125,9 @@ def test_other_polynomials_are_not_tried_in_a_hurry() -> None:
 
 
 def test_board_that_responds_now_has_an_unsteady_line() -> None:
-    assert "only some of the time" in str(diagnosed(stage_of(NONE.line), NONE))
+    cause = diagnosed(stage_of(NONE.line), NONE)
+    assert "only some of the time" in str(cause)
+    assert remedies_for(cause) == (Remedy.RECONNECT,)
 
 
 def start_in_boot_mode(board: Board, mode: str) -> None:
@@ -147,10 +151,11 @@ def test_boot_loader_is_recognised(used: ConnectionSettings) -> None:
     assert "SO–G jumpers are off, then switch the board off and on" in str(cause)
 
 
-def test_learning_mode_is_silent_and_named_among_the_checks() -> None:
+@pytest.mark.parametrize("used", [NONE, replace(NONE, device_number=7)])
+def test_learning_mode_is_silent_and_named_among_the_checks(used: ConnectionSettings) -> None:
     stage = stage_of(NONE.line)
     start_in_boot_mode(stage.board, "rc")
-    cause = diagnosed(stage, NONE)
+    cause = diagnosed(stage, used)
     assert isinstance(cause, NoReply)
     assert "both LEDs blink together" in str(cause)
 

@@ -180,5 +180,7 @@ def remedies_for(error: StudioError) -> Remedies:
         return (ConnectWith(error.settings),)
     if isinstance(error, TrexError) and error.code is ErrorCode.BOOT_LOADER:
         return Remedy.RECONNECT, Remedy.CHECK_BOARD
+    if isinstance(error, TrexError) and error.code is ErrorCode.REPLIES_LOST:
+        return (Remedy.RECONNECT,)
     remedies = remedies_of(error, may_be_found=suggests_scan(error))
     return (*remedies, Remedy.CHECK_BOARD) if needs_a_look(error) else remedies

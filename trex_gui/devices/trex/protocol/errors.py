@@ -33,7 +33,8 @@ class ErrorCode(Enum):
         "No TReX responds on {0}. Check that the board has power (an LED is lit), that the "
         "adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that "
         "ground is connected, and that the board's serial settings are these, its device number "
-        "is {1}.",
+        "is {1}. If both LEDs blink together, the board is in learning mode: remove the SO–G "
+        "jumper, then switch it off and on.",
     )
     ECHO_ONLY = QT_TRANSLATE_NOOP(
         "TrexErrors",
