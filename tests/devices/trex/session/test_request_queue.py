@@ -30,7 +30,7 @@ from trex_gui.devices.trex.session.messages import (
     Write,
 )
 from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
-from trex_gui.devices.trex.session.session import TrexRequestQueue
+from trex_gui.devices.trex.session.request_queue import TrexRequestQueue
 
 modest = examples(40)
 

@@ -1,0 +1,95 @@
+"""Sorts the requests to a line session: those for the motors go first."""
+
+from collections import deque
+from collections.abc import Callable
+
+from trex_gui.core.session import Close, Inbox, Outcome
+from trex_gui.devices.trex.driving.motor_output import MotorOutput
+from trex_gui.devices.trex.driving.requests import Arm, Heartbeat, Stop
+from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexRequestError
+from trex_gui.devices.trex.session.messages import (
+    Job,
+    ProbeNumber,
+    Reload,
+    Request,
+    RunCommand,
+    SelectBoard,
+    SendPacket,
+    SetReconnectCandidates,
+    SetWatched,
+    Write,
+)
+from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
+
+
+class TrexRequestQueue:
+    """Sorts requests: those for the motors go to the motor output, the others wait in order.
+
+    Attributes:
+        is_closing: whether a `Close` came.
+        is_watched: whether anything shows or records samples.
+        selection: id of the `SelectBoard` that chose the present board; 0 before the first.
+    """
+
+    def __init__(
+        self,
+        inbox: Inbox[Request],
+        output: MotorOutput,
+        liveness: LivenessMonitor,
+        report: Callable[[Outcome], None],
+        clock: Callable[[], float],
+    ) -> None:
+        self.jobs: deque[Job] = deque()
+        self.is_closing = False
+        self.is_watched = True
+        self.selection = 0
+        self._inbox = inbox
+        self._output = output
+        self._liveness = liveness
+        self._report = report
+        self._clock = clock
+
+    def collect(self, seconds: float = 0.0) -> None:
+        """Sort every request that has come, waiting up to `seconds` for the first.
+
+        A stop drops setpoints that came before it, and those that come until an `Arm`: they may
+        have been sent before their sender knew of it. `Close` drops all setpoints.
+        """
+        request = self._inbox.get(max(seconds, 0.0))
+        while request is not None:
+            match request:
+                case Close():
+                    self.is_closing = True
+                    self._output.setpoints.clear()
+                case Stop():
+                    self._output.take(request, self._clock())
+                    self._reject_motor_commands()
+                case SetReconnectCandidates(settings=settings):
+                    self._liveness.expect(settings)
+                case SetWatched(watched=watched):
+                    self.is_watched = watched
+                case (
+                    RunCommand() | SendPacket() | Write() | Reload() | ProbeNumber() | SelectBoard()
+                ):
+                    self.jobs.append(request)
+                case Arm(selection=selection) if selection != self.selection:
+                    pass  # meant for another board
+                case _ if isinstance(request, Heartbeat) or not self.is_closing:
+                    self._output.take(request, self._clock())
+            request = self._inbox.get(0.0)
+
+    def _reject_motor_commands(self) -> None:
+        for job in list(self.jobs):
+            if (isinstance(job, RunCommand) and job.command.moves) or (
+                isinstance(job, SendPacket) and job.packet.moves
+            ):
+                self.jobs.remove(job)
+                error = TrexRequestError(ErrorCode.OVERTAKEN_BY_STOP)
+                self._report(Outcome(job.id, error=error))
+
+    def abandon(self) -> list[int]:
+        """Drop everything, and return the ids that have no outcome yet."""
+        ids = [request.id for request in (*self._output.take_stops(), *self.jobs)]
+        self._output.setpoints.clear()
+        self.jobs.clear()
+        return ids
