@@ -154,7 +154,7 @@ class EventRecorder(Recorder):
     def put(self, *records: Record) -> None:
         super().put(*records)
         self._recent.extend(records)
-        oldest = now() - _BEFORE
+        oldest = self._recent[-1].time - _BEFORE if self._recent else 0.0
         while self._recent and self._recent[0].time < oldest:
             record = self._recent.popleft()
             if self._before is not None:
