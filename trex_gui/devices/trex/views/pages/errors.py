@@ -81,19 +81,20 @@ class ErrorsPage(QWidget):
             _Column.REMEDY: self.tr("What it means, and what to do"),
         }
         table.setHorizontalHeaderLabels([titles[column] for column in _Column])
-        table.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        header = table.horizontalHeader()
-        header.sectionResized.connect(table.resizeRowsToContents)
-        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        header.setSectionResizeMode(_Column.REMEDY, QHeaderView.ResizeMode.Stretch)
-        for row in range(table.rowCount()):
+        for row, entry in enumerate(self._device.errors.entries):
             items = {column: QTableWidgetItem() for column in _Column}
+            self._show_entry(items, entry)  # before the sizes follow every change of a text
             for column, item in items.items():
                 table.setItem(row, column, item)
             items[_Column.COUNT].setTextAlignment(
                 Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
             )
             self._items.append(items)
+        table.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header = table.horizontalHeader()
+        header.sectionResized.connect(table.resizeRowsToContents)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setSectionResizeMode(_Column.REMEDY, QHeaderView.ResizeMode.Stretch)
         return table
 
     def _make_line_box(self) -> ui.GroupBox:
