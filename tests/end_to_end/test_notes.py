@@ -7,7 +7,7 @@ from PySide6.QtTest import QTest
 from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.window import WindowDriver
-from trex_gui.core.files import load
+from trex_gui.core.files import data_folder, load
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
@@ -65,9 +65,13 @@ def test_note_is_typed_and_kept_wherever_the_value_goes(
     assert shown is not None
     assert "Note: The radio drops out<br>behind the barn." in PrintedSettings(shown, "x").html()
 
+    number_12 = data_folder() / "boards" / "trex-1.2-12.txt"
+    number_12.write_text("of another board", encoding="utf-8")
     window.device.parameters.edit("device_number", 12)
-    with window.qtbot.waitSignal(window.device.applied):
+    with window.qtbot.waitSignal(window.device.memory.replaced):
         window.device.apply()
+    (aside,) = number_12.parent.glob("*.replaced-1.txt")
+    assert aside.read_text(encoding="utf-8") == "of another board"
     window.disconnect()
     window.connect(other.url)
     settle(window)

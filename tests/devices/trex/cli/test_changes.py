@@ -9,6 +9,7 @@ import pytest
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_command import RunCommand
 from tests.support.virtual_devices import VirtualSimulator, VirtualTransport
+from trex_gui.core.files import data_folder
 from trex_gui.devices.trex.settings.history import SettingsHistory
 
 SET_PARAMETER = 0xAF
@@ -403,7 +404,13 @@ def test_what_was_applied_last_is_compared_with_the_board(trexcmd: RunCommand) -
     assert trexcmd("diff").exit_code == trexcmd("diff", "--last", "x.txt").exit_code == 2
 
     assert trexcmd("set", "serial_timeout", "1.5 s").exit_code == 0
-    assert trexcmd("set", "device_number", "9").exit_code == 0, "the record follows the number"
+    other = data_folder() / "boards" / "trex-1.2-9.txt"
+    other.write_text("notes of another board", encoding="utf-8")
+    renumbered = trexcmd("set", "device_number", "9")
+    assert renumbered.exit_code == 0, "the record follows the number"
+    aside = other.with_name("trex-1.2-9.replaced-1.txt")
+    assert f"another board with this device number is in {aside} now" in renumbered.stderr
+    assert aside.read_text(encoding="utf-8") == "notes of another board"
     same = trexcmd("diff", "--last", "--device", "9")
     assert (same.exit_code, same.stdout) == (0, "")
     assert trexcmd("raw", "AF 07 00 55 2A").exit_code == 0  # by another program

@@ -24,7 +24,7 @@ from trex_gui.devices.trex.settings.accepted import AcceptedValues
 from trex_gui.devices.trex.settings.board_records import BoardRecord, BoardRecords, utc_now
 from trex_gui.devices.trex.settings.comparison import Comparison, compare, settings_after
 from trex_gui.devices.trex.settings.document import Settings, open_values, settings_of
-from trex_gui.devices.trex.settings.edit_files import BoardIdentity
+from trex_gui.devices.trex.settings.edit_files import BoardIdentity, put_aside
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.devices.trex.settings.rules import Context, lint
 
@@ -200,8 +200,11 @@ def _remember(stored: Settings, record: BoardRecord, instead_of: Settings | None
     """Save a record; the board may have got another number."""
     records, board = BoardRecords(), BoardIdentity.of(stored)
     try:
+        old = board if instead_of is None else BoardIdentity.of(instead_of)
+        if old != board and (aside := put_aside(records.path(board))) is not None:
+            say(f"What was kept for another board with this device number is in {aside} now.")
         records.save(board, record)
-        if instead_of is not None and (old := BoardIdentity.of(instead_of)) != board:
+        if old != board:
             records.save(old, None)
     except SettingsError as error:
         say(f"Warning: what was applied cannot be remembered. {error}")

@@ -126,6 +126,7 @@ class Device(QObject):
         self.driving.confirmed.connect(self.link_changed)
         self.edit_backup.failed.connect(self.notifier.error)
         self.memory.failed.connect(self.notifier.error)
+        self.memory.replaced.connect(self.notifier.info)
         self._apply.written.connect(self._on_written)
         self._apply.changed.connect(self.link_changed)
         self._apply.finished.connect(self._on_applied)

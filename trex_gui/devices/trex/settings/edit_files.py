@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from datetime import UTC, datetime
+from itertools import count
 from pathlib import Path
 
 from trex_gui.core.files import SettingsError, data_folder, load, save
@@ -91,6 +92,25 @@ def replace_file(path: Path, text: str | None) -> None:
         why = error.strerror or str(error)
         raise SettingsError.of(path, f"it cannot be changed: {why}") from error
     save(path, text)
+
+
+def put_aside(path: Path) -> Path | None:
+    """Rename a file that is about to be replaced by that of another board.
+
+    Return its new name, which no file has yet; `None`: there is no such file.
+
+    Raises:
+        SettingsError: it cannot be renamed.
+    """
+    names = (path.with_name(f"{path.stem}.replaced-{number}.txt") for number in count(1))
+    aside = next(name for name in names if not name.exists())
+    try:
+        path.replace(aside)
+    except FileNotFoundError:
+        return None
+    except OSError as error:
+        raise SettingsError.of(path, f"it cannot be renamed: {error.strerror or error}") from error
+    return aside
 
 
 def settings_of_board(data: bytes, path: Path, board: BoardIdentity) -> Settings:

@@ -246,11 +246,15 @@ def test_edits_follow_a_board_that_gets_another_number(
 ) -> None:
     first = run(quick_simulator.url)
     first.edit(device_number=9, serial_timeout=15)
+    first.settle()
+    (path,) = files()
+    path.with_name("trex-1.2-9.txt").write_text("edits of another board", encoding="utf-8")
     first.device.apply({"device_number"})
     first.wait(lambda: not first.device.applying)
     first.settle()
-    (path,) = files()
-    assert path.name == "trex-1.2-9.txt"
+    moved, aside = sorted(files(), key=lambda each: len(each.name))
+    assert moved.name == "trex-1.2-9.txt"
+    assert aside.read_text(encoding="utf-8") == "edits of another board"
     assert run(quick_simulator.url).offered == {"serial_timeout": 15}
 
 

@@ -4,12 +4,13 @@ import logging
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
+from pathlib import Path
 from typing import Generic, Protocol, TypeVar
 
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.files import SettingsError
-from trex_gui.devices.trex.settings.edit_files import BoardIdentity
+from trex_gui.devices.trex.settings.edit_files import BoardIdentity, put_aside
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.workers.file_worker import Done, FileTask, ProgressCallback
 
@@ -29,6 +30,8 @@ FoundT = TypeVar("FoundT")
 class Folder(Protocol[WrittenT_contra, ReadT_co]):
     """Files of boards; both may raise a `SettingsError`."""
 
+    def path(self, board: BoardIdentity, /) -> Path: ...
+
     def save(self, board: BoardIdentity, content: WrittenT_contra | None, /) -> None: ...
 
     def load(self, board: BoardIdentity, /) -> ReadT_co | None: ...
@@ -40,6 +43,8 @@ class _Result(Generic[SavedT, FoundT]):
     found: FoundT | None
     failure: SettingsError | None
     unsaved: Mapping[BoardIdentity, SavedT | None]
+    moved: frozenset[BoardIdentity] = frozenset()  # whose file may still be that of another board
+    aside: tuple[Path, ...] = ()  # to which files of other boards were renamed
 
 
 class BoardFiles(QObject, Generic[SavedT, FoundT]):
@@ -48,15 +53,18 @@ class BoardFiles(QObject, Generic[SavedT, FoundT]):
     Signals:
         found: the board that was asked for with `read`, and its content; `None`: no sound file.
         failed: the `SettingsError` that keeps files from being saved; once, until it works again.
+        replaced: the `Path` to which the file of another board was renamed; see `move`.
     """
 
     found = Signal(object, object)
     failed = Signal(object)
+    replaced = Signal(object)
 
     def __init__(self, files: Folder[SavedT, FoundT], parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._files = files
         self._due: dict[BoardIdentity, SavedT | None] = {}
+        self._moved: set[BoardIdentity] = set()  # whose file may be that of another board
         self._wanted: BoardIdentity | None = None  # whose file is to be read
         self._is_failing = False
         self._task = FileTask(self)
@@ -74,6 +82,13 @@ class BoardFiles(QObject, Generic[SavedT, FoundT]):
         self._due[board] = content
         if not self._timer.isActive():
             self._timer.start()
+
+    def move(self, old: BoardIdentity, new: BoardIdentity, content: SavedT | None) -> None:
+        """Save under another identity; the file of a board that had it is renamed, not lost."""
+        self._moved.discard(old)
+        self._moved.add(new)
+        self.save(old, None)
+        self.save(new, content)
 
     def read(self, board: BoardIdentity) -> None:
         self._wanted = board
@@ -93,7 +108,9 @@ class BoardFiles(QObject, Generic[SavedT, FoundT]):
         if self._task.is_running:
             return  # continues when it has ended
         due, self._due = self._due, {}
-        self._task.start(partial(_work, self._files, due, self._wanted))
+        moved = self._moved & due.keys()
+        self._moved -= moved
+        self._task.start(partial(_work, self._files, due, moved, self._wanted))
 
     @Slot(object)
     def _on_done(self, done: Done) -> None:
@@ -104,6 +121,9 @@ class BoardFiles(QObject, Generic[SavedT, FoundT]):
             self.failed.emit(result.failure)
         self._is_failing = result.failure is not None
         self._due = {**result.unsaved, **self._due}  # newer contents replace them
+        self._moved |= result.moved
+        for path in result.aside:
+            self.replaced.emit(path)
         if result.board is not None and result.board == self._wanted:
             self._wanted = None
             self.found.emit(result.board, result.found)
@@ -115,14 +135,19 @@ class BoardFiles(QObject, Generic[SavedT, FoundT]):
 def _work(
     files: Folder[SavedT, FoundT],
     due: Mapping[BoardIdentity, SavedT | None],
+    moved: set[BoardIdentity],
     board: BoardIdentity | None,
     _progress: ProgressCallback,
 ) -> _Result[SavedT, FoundT]:
     """Save what is due, then read what is saved for a board."""
     failure = found = None
     unsaved: dict[BoardIdentity, SavedT | None] = {}
+    aside: list[Path] = []
     for each, content in due.items():
         try:
+            if each in moved and (other := put_aside(files.path(each))) is not None:
+                aside.append(other)
+            moved.discard(each)
             files.save(each, content)
         except SettingsError as error:
             failure = error
@@ -131,4 +156,4 @@ def _work(
         found = None if board is None else files.load(board)
     except SettingsError as error:
         log.warning("a file of a board is left out: %s", error)
-    return _Result(board, found, failure, unsaved)
+    return _Result(board, found, failure, unsaved, frozenset(moved), tuple(aside))

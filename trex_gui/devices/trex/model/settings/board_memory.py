@@ -1,6 +1,7 @@
 """What this computer keeps of the board that is connected: see `BoardRecord`."""
 
 from collections.abc import Callable, Collection
+from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
 
@@ -34,10 +35,12 @@ class BoardMemory(QObject):
     Signals:
         changed: `record` or `differing`.
         failed: why nothing can be kept, for the user; once, until it works again.
+        replaced: where the record of another board is now, which had this number, for the user.
     """
 
     changed = Signal()
     failed = Signal(str)
+    replaced = Signal(str)
 
     def __init__(
         self,
@@ -57,6 +60,7 @@ class BoardMemory(QObject):
         self._later: list[Change] = []  # what happened before the record was read
         self.files.found.connect(self._on_found)
         self.files.failed.connect(self._on_failed)
+        self.files.replaced.connect(self._on_replaced)
         self._notes.edited.connect(self._on_note_edited)
 
     # --- What is known ------------------------------------------------------------------
@@ -128,8 +132,7 @@ class BoardMemory(QObject):
     def _rename(self, board: BoardIdentity) -> None:
         """Follow another device number of the same board."""
         if self._board is not None and board != self._board and self.record is not None:
-            self.files.save(self._board, None)
-            self.files.save(board, self.record)
+            self.files.move(self._board, board, self.record)
             self._board = board
             self._notes.load(self._notes.all, board)
 
@@ -178,3 +181,11 @@ class BoardMemory(QObject):
     def _on_failed(self, failure: SettingsError) -> None:
         text = self.tr("What was applied to this board cannot be remembered. {0}")
         self.failed.emit(text.format(error_sentence(failure)))
+
+    @Slot(object)
+    def _on_replaced(self, path: Path) -> None:
+        text = self.tr(
+            "Notes and settings were kept here for another board with this device number. They "
+            "are in {0} now."
+        )
+        self.replaced.emit(text.format(path))

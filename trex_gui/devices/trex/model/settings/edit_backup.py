@@ -147,12 +147,14 @@ class EditBackup(QObject):
         is_simulated = self._board.is_simulated
         board = BoardIdentity.of(stored, is_simulated=is_simulated)
         edits = self._edits(stored)
-        if board != self._board:  # its number was written
-            self.files.save(self._board, None)
-            self._board = board
-        if edits is not None or self._has_file:
-            self._has_file = edits is not None
+        before, self._board = self._board, board
+        if board != before and edits is not None:  # its number was written
+            self.files.move(before, board, edits)
+        elif board != before:
+            self.files.save(before, None)
+        elif edits is not None or self._has_file:
             self.files.save(board, edits)
+        self._has_file = edits is not None
 
     def _edits(self, stored: Settings) -> Settings | None:
         parameters = dict(self._draft.parameters.pending)
