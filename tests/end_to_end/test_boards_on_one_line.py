@@ -4,8 +4,9 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QFileDialog, QListWidget, QSpinBox, QTableWidget
+from PySide6.QtWidgets import QApplication, QFileDialog, QListWidget, QSpinBox, QTableWidget
 
 from tests.support.keyboard import check_keyboard
 from tests.support.pages.motors import Gesture, MotorsPage, is_stopped
@@ -175,6 +176,15 @@ def test_what_drives_one_board_drives_no_other(
         QTest.keyClick(shown, Qt.Key.Key_Return)
         window.wait(lambda: rows(window)[row][1] == "selected")
 
+    def hold_key() -> None:
+        page.pad.setFocus()
+        page.press_key(Qt.Key.Key_Up)
+
+    def repeat_key() -> None:
+        no_modifier = Qt.KeyboardModifier.NoModifier
+        again = QKeyEvent(QKeyEvent.Type.KeyPress, Qt.Key.Key_Up, no_modifier, "", True)
+        QApplication.sendEvent(page.pad, again)
+
     # Whatever is held stays held: the board that is armed next does not follow it.
     gestures: tuple[tuple[Gesture, Gesture, Gesture], ...] = (
         (lambda: page.hold_pad(0.8, 0), lambda: page.move_pad(0.9, 0), page.release_pad),
@@ -183,6 +193,7 @@ def test_what_drives_one_board_drives_no_other(
             lambda: page.move_slider("motor1Slider", 70),
             lambda: page.release_slider("motor1Slider"),
         ),
+        (hold_key, repeat_key, lambda: page.release_key(Qt.Key.Key_Up)),
     )
     for hold, go_on, release in gestures:
         page.arm()

@@ -1,17 +1,26 @@
 """Several boards on one line, as the window sees them."""
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from typing import Any
 
 import pytest
 from pytestqt.qtbot import QtBot
 
+from tests.support.pads import PAD, HeldPads
 from tests.support.pages.motors import is_stopped
 from tests.support.simulator import StartSimulator
 from tests.support.virtual_devices import VirtualSimulator
+from tests.support.virtual_time import VirtualQtBot
+from trex_gui.devices.trex.bench.run import Plan, Profile
 from trex_gui.devices.trex.model.apply_to_boards import ApplyToBoards, BoardStep
+from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.devices.trex.model.boards import BoardList, Presence
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.gamepad import Gamepad
+from trex_gui.devices.trex.model.learning.learning import Learning
+from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup
+from trex_gui.devices.trex.model.setup.wiring import Movement
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import UartError
@@ -45,6 +54,10 @@ class Stand:
 
     def wait(self, condition: Callable[[], object]) -> None:
         self.qtbot.waitUntil(lambda: bool(condition()), timeout=60_000)
+
+    def pass_time(self, seconds: float) -> None:
+        assert isinstance(self.qtbot, VirtualQtBot)
+        self.qtbot.runtime.advance(seconds)
 
     def scan(self) -> None:
         self.boards.scan()
@@ -238,6 +251,54 @@ def test_selecting_stops_driven_board_first(make: Make) -> None:
     stand.device.motors.press_stop()
     stand.wait(lambda: not stand.device.may_move)
     assert stand.is_stopped(9)
+
+
+def test_held_controls_and_answers_are_not_handed_to_the_next_board(make: Make) -> None:
+    """A motor test, a pulse of the assistant and a gamepad, all held throughout the switch."""
+    stand = make("7", "9")
+    stand.connect(7)
+    device, motors, pads = stand.device, stand.device.motors, HeldPads(PAD)
+    motors.lockout = 0
+    bench, gamepad = Bench(device), Gamepad(device, pads)
+    bench.set_plan(Plan(profile=Profile(speed=40, duration=60.0)))
+    setup = RobotSetup(device, Learning(device))
+    pulses = setup.pulses
+    gamepad.switch_on()
+
+    def runs(number: int) -> bool:
+        return any(motor["direction"] != "brake" for motor in stand.show(number)["motors"])
+
+    def hold_gamepad() -> None:
+        stand.wait(lambda: gamepad.text.startswith("Hold"))
+        pads.press(4)
+        stand.wait(lambda: gamepad.request.drives)
+        pads.move(1, -1.0)
+
+    holds: tuple[tuple[str, Callable[[], object]], ...] = (
+        ("bench", bench.start),
+        ("setup", lambda: pulses.start(1)),
+        ("gamepad", hold_gamepad),
+    )
+    for (holder, hold), (first, second) in zip(holds, [(7, 9), (9, 7), (7, 9)], strict=True):
+        stand.wait(lambda: device.telemetry.motor_currents is not None and motors.can_arm)
+        pulses.confirm_wheels(True)
+        setup.note_movement(1, Movement.LEFT_FORWARD)
+        motors.arm()
+        hold()
+        stand.wait(partial(runs, first))
+        assert motors.holder == holder
+        stand.select(second)
+        assert stand.is_stopped(first), holder
+        stand.wait(lambda: motors.can_arm)
+        motors.arm()
+        stand.pass_time(2)
+        assert not runs(second), holder
+        assert not motors.holder
+        assert not pulses.wheels_are_free, "of another robot"
+        assert not setup.movements, "of another robot"
+        motors.stop()
+    assert bench.runs[-1].reason == "Another board was selected."
+    gamepad.switch_off()
 
 
 def test_silent_driven_board_stays_selected(make: Make) -> None:

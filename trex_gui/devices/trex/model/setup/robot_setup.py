@@ -63,7 +63,7 @@ class RobotSetup(QObject):
         self._device = device
         self._learning = learning
         self._model = device.parameters.model_key
-        self._silent: DeviceState | None = None  # the board that does not respond
+        self._former: DeviceState | None = None  # the board that is silent, or being left
         self._completed: set[SetupStep] = set()  # left with `next`
 
         learning.edited.connect(self._take_learned)
@@ -287,12 +287,12 @@ class RobotSetup(QObject):
         state = self._device.state
         match self._device.link:
             case ConnectionState.DISCONNECTED:
-                self._silent = None
+                self._former = None
                 self._forget()
-            case ConnectionState.NOT_RESPONDING:
-                self._silent = state
+            case ConnectionState.NOT_RESPONDING | ConnectionState.CONNECTING:
+                self._former = self._former or state
             case ConnectionState.CONNECTED:
-                before, self._silent = self._silent, None
+                before, self._former = self._former, None
                 if before and state and not may_be_same_board(before, state):
                     self._forget()
         self.changed.emit()
