@@ -13,7 +13,8 @@ from dataclasses import replace
 from trex_gui.core.discovery.prober import ScanProgress, flush, ignore_step, never_cancelled
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, StudioError
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.discovery import Attempt, FoundBoard, TrexProber, attempts
+from trex_gui.devices.trex.discovery import FoundBoard, TrexProber, attempts
+from trex_gui.devices.trex.probe import Attempt
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import (
     BoardElsewhere,

@@ -1,21 +1,8 @@
-"""Finding a TReX whose line settings are unknown, without moving a motor.
-
-A board at another rate receives other bytes than those that were sent, and takes some of them for
-the start of a packet: two probes, each harmless by itself, could form a motor command. Two rules
-prevent that.
-
-- The only probe is 81, alone or with its checksum: the signature, which changes nothing.
-- Before each probe `core.discovery.flush` ends every packet that may have begun, so the effect
-  of a probe depends neither on what was sent before nor on the order of the rates.
-
-The tests send every probe to every board: none receives a motor command, at any rate, with any
-polynomial and any device number.
-"""
+"""Finding a TReX whose line settings are unknown: which probes are sent, and what replied."""
 
 import contextlib
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from enum import Enum, auto
 from itertools import product
 
 from trex_gui.core.discovery.prober import Diagnosis, Evidence, ProberInfo, ScanProgress, flush
@@ -24,118 +11,13 @@ from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import agreed, board_at, read_signature
-from trex_gui.devices.trex.protocol.commands import GetParameter, GetSignature, Signature
+from trex_gui.devices.trex.probe import Attempt, ReplyKind, checksum, send_probe
+from trex_gui.devices.trex.protocol.commands import GetParameter, Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexBadReplyError
-from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL, crc7
+from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameter_number
-
-# --- One probe --------------------------------------------------------------------------
-
-QUIET = 0.13
-"""Seconds after a probe in which nothing is sent: a misread probe may be answered, and a board that
-answers is deaf. Eleven bytes of eleven bits take 0.1 s at 1200 baud."""
-
-UNSAFE = frozenset(product((14400, 28800), (0x2E, 0x4E)))
-"""Rates and checksums that are not probed where the board may be anywhere: at 8/3 of the rate
-(38400, 76800 baud) with odd parity it may receive 81 2E as F0 0E, which starts the auxiliary
-motor; 81 4E likewise."""
-
-_PROBE = GetSignature().opcode.to_bytes()
-_NAME = b"TReX"
-
-_LOADER = b"?"
-"""What a board that waits for new firmware sends behind the echo of each byte."""
-
-_QIK = frozenset({b"1", b"2"})
-"""Replies of a Pololu qik, for which 81 asks for its firmware version.
-
-Ref: qik 2s9v1 User's Guide 5.a, qik 2s12v10 User's Guide 5.b.
-"""
-
-
-def checksum(polynomial: int) -> int:
-    return crc7(_PROBE, polynomial)
-
-
-@dataclass(frozen=True, slots=True)
-class Attempt:
-    """One probe: its line settings, and the polynomials that give its checksum."""
-
-    line: LineSettings
-    polynomials: tuple[int, ...] = ()
-
-    @classmethod
-    def at(cls, settings: ConnectionSettings) -> "Attempt":
-        crc = settings.line.detection is Detection.CRC7
-        return cls(settings.line, (settings.polynomial,) if crc else ())
-
-    @property
-    def data(self) -> bytes:
-        if not self.polynomials:
-            return _PROBE
-        return _PROBE + bytes([checksum(self.polynomials[0])])
-
-    @property
-    def is_unsafe(self) -> bool:
-        """Whether a board at other settings may take the probe for a motor command."""
-        return bool(self.polynomials) and (self.line.baud, self.data[-1]) in UNSAFE
-
-
-class ReplyKind(Enum):
-    NOTHING = auto()
-    STRANGE = auto()
-    BOOT_LOADER = auto()
-    SEVERAL = auto()
-    BOARD = auto()
-    BOARD_WITHOUT_CRC = auto()  # it ignores the checksum of the probe
-
-
-@dataclass(frozen=True, slots=True)
-class ProbeReply:
-    """What was received after a probe, and whether its echo was."""
-
-    kind: ReplyKind
-    data: bytes = b""
-    echo: bool = False
-
-
-def send_probe(wire: Transport, attempt: Attempt, extra: float = 0.0) -> ProbeReply:
-    """Send a probe on a line that was flushed and set, and classify the reply.
-
-    Raises:
-        PortUnavailable: the line is gone.
-    """
-    with contextlib.suppress(BadReply):
-        wire.discard()
-    wire.write(attempt.data)
-    seconds = attempt.line.seconds(len(attempt.data)) + wire.latency + extra + QUIET
-    received = wire.read(64, seconds)
-    if received == b"".join(bytes((byte,)) + _LOADER for byte in attempt.data):
-        return ProbeReply(ReplyKind.BOOT_LOADER, received)
-    echo = received.startswith(attempt.data)
-    reply = received.removeprefix(attempt.data)
-    if not reply:
-        return ProbeReply(ReplyKind.NOTHING, echo=echo)
-    if _is_signature(reply):
-        kind = ReplyKind.BOARD_WITHOUT_CRC if attempt.polynomials else ReplyKind.BOARD
-    elif attempt.polynomials and _is_signature(reply[:-1]):
-        kind = ReplyKind.BOARD
-    else:
-        kind = ReplyKind.SEVERAL if reply.startswith(_NAME) else ReplyKind.STRANGE
-    return ProbeReply(kind, reply, echo)
-
-
-def _is_signature(data: bytes) -> bool:
-    try:
-        GetSignature().parse(data)
-    except BadReply:
-        return False
-    return True
-
-
-# --- The scan of a line -----------------------------------------------------------------
 
 _LIKELY = (19200, 115200, 9600, 38400, 57600)
 
@@ -145,6 +27,12 @@ line may have swallowed a reply, or several. On a silent line that takes two sec
 
 NUMBERS = 128
 """Device numbers that a board can have, from 0 on."""
+
+_QIK = frozenset({b"1", b"2"})
+"""Replies of a Pololu qik, for which 81 asks for its firmware version.
+
+Ref: qik 2s9v1 User's Guide 5.a, qik 2s12v10 User's Guide 5.b.
+"""
 
 _SHOWN = 12
 """Longest excerpt, in bytes, of an unknown reply."""

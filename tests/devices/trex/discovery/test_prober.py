@@ -21,7 +21,8 @@ from trex_gui.core.errors import BadRequest, PortUnavailable
 from trex_gui.core.simulator import sampling
 from trex_gui.core.simulator.sampling import _SAMPLE_AT, Receiver
 from trex_gui.core.transport.settings import SerialFormat
-from trex_gui.devices.trex.discovery import TREX_PROBER, Attempt, FoundBoard, attempts
+from trex_gui.devices.trex.discovery import TREX_PROBER, FoundBoard, attempts
+from trex_gui.devices.trex.probe import Attempt
 from trex_gui.devices.trex.protocol.commands import COMMANDS
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates

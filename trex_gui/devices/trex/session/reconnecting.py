@@ -11,7 +11,7 @@ from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import query
-from trex_gui.devices.trex.discovery import Attempt, ReplyKind, send_probe
+from trex_gui.devices.trex.probe import Attempt, ReplyKind, send_probe
 from trex_gui.devices.trex.protocol.commands import GetSignature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.framing import check_polynomial
