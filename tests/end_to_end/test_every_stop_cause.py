@@ -23,7 +23,7 @@ from tests.support.driven_window import AUXILIARY, SPEEDS
 from tests.support.logind import Logind, message_bus
 from tests.support.matrix import sampled
 from tests.support.pages.motors import is_stopped
-from tests.support.simulator import SimulatedDevice
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.core.signals import ENDING
 from trex_gui.supervisor import INTERNAL_ERROR
 
@@ -45,9 +45,9 @@ POLLS = 20
 """Packets that a board gets from a line that goes on; a setpoint goes before them."""
 
 
-def is_driven(simulator: SimulatedDevice) -> bool:
-    """Whether every motor runs as it was told."""
-    shown = simulator.show()
+def is_driven(simulator: SimulatedDevice, board: str = "") -> bool:
+    """Whether every motor runs as it was told; `board` is one of several, as in `@9`."""
+    shown = simulator.show(board)
     speeds = [
         motor["speed"] * {"forward": 1, "reverse": -1, "brake": 0}[motor["direction"]]
         for motor in shown["motors"]
@@ -76,13 +76,15 @@ class DrivingProcess:
         folder: Path,
         extra_time: str = "long",
         baud: str = "19200",
+        number: str = "",
         **environment: str,
     ) -> None:
         self.simulator = simulator
+        self.board = f"@{number}" if number else ""
         self.guardian_log = folder / "guardian.log"
         program = [sys.executable, "-m", "tests.support.driven_window"]
         self.process = subprocess.Popen(
-            [*program, simulator.url, extra_time, baud],
+            [*program, simulator.url, extra_time, baud, number],
             cwd=ROOT,
             env={
                 **os.environ,
@@ -101,13 +103,18 @@ class DrivingProcess:
         """Let every motor run."""
         self.provoke("drive")
         self._hear("driving")
-        wait_until(lambda: is_driven(self.simulator))
+        wait_until(lambda: is_driven(self.simulator, self.board))
         self.wait_for_reply()
 
     def wait_for_reply(self) -> None:
         """Wait until the event loop of the window has gone on."""
         self.provoke("only_watch")
         self._hear("watching")
+
+    def select_board_9(self) -> None:
+        self.provoke("select_board_9")
+        self._hear("selected")
+        self.board = "@9"
 
     def _hear(self, word: str) -> None:
         assert self.process.stdout is not None
@@ -318,8 +325,26 @@ def test_exit_in_event_handler_stops_motors_and_exits_with_1(
     assert "guardian" not in window.errors()
 
 
+def test_guardian_of_a_killed_window_stops_the_board_selected_last(
+    start_simulator: StartSimulator, tmp_path: Path
+) -> None:
+    boards = start_simulator("--unpaced", "--device", "7", "--device", "9")
+    window = DrivingProcess(boards, tmp_path, number="7")
+    try:
+        window.drive()
+        window.select_board_9()
+        assert is_stopped(boards, "@7")
+        window.drive()
+        window.process.send_signal(signal.SIGKILL)
+        wait_until(lambda: is_stopped(boards, "@9"), "SIGKILL")
+        assert is_stopped(boards, "@7")
+        assert_guardian_confirms(window, "The program ended")
+    finally:
+        window.end()
+
+
 _DEATHS = [
-    signal.SIGKILL,
+    pytest.param(signal.SIGKILL, marks=pytest.mark.slow),
     signal.SIGSEGV,
     *(pytest.param(one, marks=pytest.mark.slow) for one in (signal.SIGABRT, signal.SIGBUS)),
 ]
