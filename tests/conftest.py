@@ -193,17 +193,16 @@ def _own_settings(_settings_root: Path, monkeypatch: pytest.MonkeyPatch) -> None
 
 
 @pytest.fixture(autouse=True, scope="session")
-def _collects_in_the_gui_thread_only() -> Iterator[None]:
-    """Keep Python's collector out of the threads that tests start, as the program does.
+def _collects_in_the_gui_thread_only() -> None:
+    """Keep Python's collector out of all threads but the GUI thread, as the program does.
 
-    What is loaded by now stays: looking through it each time would take a fifth of the run.
+    What is loaded by now stays: looking through it each time would take a fifth of the run. The
+    collector stays off to the end of the process: switched on, it would run next in whichever
+    thread allocates, and windows that it frees there take the process with them.
     """
     gc.disable()
     gc.collect()
     gc.freeze()
-    yield
-    gc.unfreeze()
-    gc.enable()
 
 
 _MOUSE_BUTTONS = (
