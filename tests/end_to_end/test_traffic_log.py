@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QCheckBox, QFileDialog, QLineEdit, QPlainTextEdit
+from PySide6.QtWidgets import QCheckBox, QFileDialog, QLabel, QLineEdit, QPlainTextEdit
 
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
@@ -236,7 +236,7 @@ def test_typed_bytes_are_explained_and_sent(
         return page.text("transcriptMeaning")
 
     page.type_into("transcriptBytes", "9F 0", enter=False)
-    assert "not hexadecimal bytes" in meaning()
+    assert "“9F 0” is not a row of hexadecimal bytes" in meaning()
     page.type_into("transcriptBytes", "9F 07", enter=False)
     assert meaning() == "get Serial Timeout\nConnect a board to send this."
     window.connect(simulator.url)
@@ -250,6 +250,10 @@ def test_typed_bytes_are_explained_and_sent(
     page.click("transcriptSendButton")
     page.wait(lambda: window.device.parameters.stored_of("serial_timeout") == 5)
 
+    page.type_into("transcriptBytes", "81 9F 07 9F 08 82 C2 50", enter=False)
+    assert "set motor 1 to forward 80 (may move a motor)\nand 2 more packets" in meaning()
+    assert "get mode" not in meaning()
+    assert "get mode" in page.find(QLabel, "transcriptMeaning").toolTip()
     page.type_into("transcriptBytes", "C2 50")
     assert meaning().endswith("(may move a motor)\nChoose Run motor first.")
     assert not page.is_enabled("transcriptSendButton")

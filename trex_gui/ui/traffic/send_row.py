@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Protocol
 
-from PySide6.QtCore import SignalInstance, Slot
+from PySide6.QtCore import Qt, SignalInstance, Slot
 from PySide6.QtWidgets import QLineEdit, QWidget
 
 from trex_gui.ui.widgets import builders as ui
@@ -15,7 +15,8 @@ class SendPreview:
     """What typed bytes mean.
 
     Attributes:
-        text: for the user; empty if nothing was typed.
+        text: for the user; empty if nothing was typed, or no bytes.
+        details: the same, for a tool tip, where `text` is shortened.
         blocker: why they cannot be sent now, for the user; empty if they can.
         is_risky: whether they move something or change what is stored.
     """
@@ -23,6 +24,7 @@ class SendPreview:
     text: str = ""
     blocker: str = ""
     is_risky: bool = False
+    details: str = ""
 
 
 class PacketSender(Protocol):
@@ -54,7 +56,8 @@ class SendRow(QWidget):
         self._field.setClearButtonEnabled(True)
         label = ui.label(self, text=self.tr("Bytes t&o send:"), buddy=self._field)
         self._sign = Sign(self)
-        self._meaning = ui.named(Note(1, self), f"{key}Meaning")
+        self._meaning = ui.named(Note(2, self), f"{key}Meaning")
+        self._meaning.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         self._button = ui.button(
             self,
             f"{key}SendButton",
@@ -73,8 +76,14 @@ class SendRow(QWidget):
     @Slot()
     def _refresh(self) -> None:
         preview = self._sender.preview(self._field.text())
-        self._sign.show_sign("warning" if preview.is_risky else "", "warning")
+        if preview.is_risky:
+            self._sign.show_sign("warning", "warning")
+        elif preview.blocker and not preview.text:
+            self._sign.show_sign("error", "danger")
+        else:
+            self._sign.show_sign("")
         self._meaning.show_note("\n".join(filter(None, (preview.text, preview.blocker))))
+        self._meaning.setToolTip(preview.details)
         self._button.setEnabled(bool(preview.text) and not preview.blocker)
 
     @Slot()

@@ -36,16 +36,19 @@ class TrexPacketSender(QObject):
             packets = self._packets(text)
         except BadRequest as error:
             return SendPreview(blocker=str(error))
-        lines = [self._line(packet) for packet in packets[:_MOST_LINES]]
-        if left := len(packets) - len(lines):
-            lines.append(self.tr("and %n more packet(s)", "", left))
-        is_risky = any(packet.moves or packet.writes for packet in packets)
-        return SendPreview("\n".join(lines), self._blocker(packets), is_risky)
+        lines, risky = [self._line(packet) for packet in packets], list(map(_is_risky, packets))
+        # Where there is no room for all, what moves or stores something is in sight.
+        by_risk = sorted(range(len(lines)), key=lambda index: not risky[index])
+        shown = [lines[index] for index in sorted(by_risk[:_MOST_LINES])]
+        if left := len(lines) - len(shown):
+            shown.append(self.tr("and %n more packet(s)", "", left))
+        text, details = "\n".join(shown), "\n".join(lines) if left else ""
+        return SendPreview(text, self._blocker(packets), any(risky), details)
 
     def send(self, text: str) -> None:
         packets = self._packets(text)
         for packet in packets:
-            if packet.moves or packet.writes:
+            if _is_risky(packet):
                 said = self.tr("Sent by hand: {0}").format(packet.words(self._board))
                 self._device.events.add(EventKind.NOTE, said)
             self._device.driving.send_packet(packet, partial(self._on_replied, packet))
@@ -93,3 +96,7 @@ class TrexPacketSender(QObject):
         else:
             text = self.tr("Sent {0}; there was no reply.")
             notifier.info.emit(text.format(packet.hexadecimal))
+
+
+def _is_risky(packet: RawPacket) -> bool:
+    return packet.moves or packet.writes

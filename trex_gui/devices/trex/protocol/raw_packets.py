@@ -75,9 +75,9 @@ def parse_hexadecimal(text: str) -> bytes:
     try:
         data = bytes.fromhex(re.sub(r"0[xX]|[,;:]", " ", text))
     except ValueError:
-        raise BadRequest(f'"{text}" is not hexadecimal bytes such as "86 1F".') from None
+        raise BadRequest(f"“{text}” is not a row of hexadecimal bytes such as 86 1F.") from None
     if not data:
-        raise BadRequest('Which bytes? Give them in hexadecimal, such as "86 1F".')
+        raise BadRequest("Which bytes? Give them in hexadecimal, such as 86 1F.")
     if len(data) > MOST_BYTES:
         raise BadRequest(f"{len(data)} bytes are too many: at most {MOST_BYTES} are sent at once.")
     return data
