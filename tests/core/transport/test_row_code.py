@@ -63,7 +63,9 @@ def test_c_compiles_and_reads_long_replies_completely(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("language", Language)
-def test_rows_without_requests_are_comments(language: Language) -> None:
+def test_rows_become_comments_and_a_warning_of_motor_commands(language: Language) -> None:
     code = rows_as_code(ROWS[:1], TrexDecoder(), language)
     assert "Opened" in code
+    assert "WARNING" not in code
+    assert "WARNING: the motors may move" in rows_as_code(ROWS, TrexDecoder(), language)
     assert code.count("write(") == rows_as_code((), TrexDecoder(), language).count("write(")

@@ -10,7 +10,8 @@ from trex_gui.core.transport.traffic import Decoder, Transaction
 def rows_as_code(rows: Sequence[Transaction], decoder: Decoder, language: Language) -> str:
     """Return a function that sends the requests of these rows and waits for each reply.
 
-    What happened to the line, and bytes that nobody requested, become comments.
+    What happened to the line, and bytes that nobody requested, become comments. A warning says
+    whether motors may move.
     """
     line = next((row.settings.line.text() for row in rows if row.settings is not None), "")
     return render(
@@ -18,6 +19,7 @@ def rows_as_code(rows: Sequence[Transaction], decoder: Decoder, language: Langua
         version=__version__,
         line=plain(line or "the line settings are not known"),
         rows=[_row(row, decoder) for row in rows],
+        moves=any(decoder.may_move(row.sent) for row in rows),
     )
 
 

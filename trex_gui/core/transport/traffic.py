@@ -209,6 +209,10 @@ class Decoder(ABC):
         """Return whether these bytes are a poll that the program repeats all the time."""
 
     @abstractmethod
+    def may_move(self, sent: bytes) -> bool:
+        """Return whether these bytes may set a motor in motion."""
+
+    @abstractmethod
     def is_whole(self, transaction: Transaction) -> bool:
         """Return whether the reply is complete; bytes behind it are unsolicited."""
 

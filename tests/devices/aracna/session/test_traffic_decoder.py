@@ -57,6 +57,12 @@ def test_chunk_size_does_not_change_decoded_rows(
     assert reports(AracnaDecoder(), pieces_of(said, cut)) == whole
 
 
+def test_only_positions_may_move() -> None:
+    decoder = AracnaDecoder()
+    assert decoder.may_move(b".v1,2\n.c1,2\n")
+    assert not decoder.may_move(b".q\n.v1,2\n")
+
+
 def test_only_version_query_is_routine() -> None:
     decoder = AracnaDecoder()
     assert decoder.is_routine(b".q\n")

@@ -40,6 +40,10 @@ class AracnaDecoder(Decoder):
         """Whether it is the keep-alive query."""
         return sent == b".q\n"
 
+    def may_move(self, sent: bytes) -> bool:
+        """Whether a line has the second character of a command for positions: the first is free."""
+        return any(line[1:2] == b"c" for line in sent.split(b"\n"))
+
     def is_whole(self, transaction: Transaction) -> bool:
         """Whether a reply to the last command, or a restart, has arrived."""
         lines = transaction.received.split(b"\n")[:-1]

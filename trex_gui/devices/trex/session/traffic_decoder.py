@@ -18,7 +18,7 @@ from trex_gui.devices.trex.protocol.framing import (
     ReplyParser,
 )
 from trex_gui.devices.trex.protocol.parameters import parameter_number
-from trex_gui.devices.trex.protocol.raw_packets import RawPacket
+from trex_gui.devices.trex.protocol.raw_packets import RawPacket, may_move
 from trex_gui.devices.trex.session.polling import SAFETY_PARAMETERS
 
 _POLLED = frozenset(range(0x82, 0x90)) | {0xFF}
@@ -58,6 +58,9 @@ class TrexDecoder(Decoder):
         if command in GetParameter.opcodes and data:
             return data[0] in _READ_AGAIN
         return command in _POLLED
+
+    def may_move(self, sent: bytes) -> bool:
+        return may_move(sent)
 
     def is_whole(self, transaction: Transaction) -> bool:
         """Whether the reply has its size, behind its echo if there is one."""
