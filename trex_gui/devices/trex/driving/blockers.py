@@ -115,7 +115,10 @@ class DriveBlocker(Enum):
         QT_TRANSLATE_NOOP("DriveBlocker", "No board is connected."),
         QT_TRANSLATE_NOOP("DriveBlocker", "Choose a port above and press Connect."),
     )
-    OPENING = (Effect.BLOCKS, QT_TRANSLATE_NOOP("DriveBlocker", "The board is being read."))
+    OPENING = (
+        Effect.BLOCKS,
+        QT_TRANSLATE_NOOP("DriveBlocker", "The program is connecting to the board."),
+    )
     CLOSING = (Effect.BLOCKS, QT_TRANSLATE_NOOP("DriveBlocker", "The connection is being closed."))
     UNKNOWN = (
         Effect.BLOCKS,

@@ -49,7 +49,7 @@ RC = BoardInputs(mode=Mode.RC, by_serial=False)
             [DriveBlocker.SILENT],
             "stops them 0.5 s after the last byte",
         ),
-        (DriveInputs(link=ConnectionState.CONNECTING), [DriveBlocker.OPENING], "being read"),
+        (DriveInputs(link=ConnectionState.CONNECTING), [DriveBlocker.OPENING], "is connecting"),
         (DriveInputs(link=ConnectionState.DISCONNECTING), [DriveBlocker.CLOSING], "closed"),
         (
             DriveInputs(link=ConnectionState.NOT_RESPONDING, board=SERIAL),
