@@ -18,6 +18,7 @@ from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
 from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
+from trex_gui.ui.theme.theme import theme
 
 SPECS = parameters_of("trexjr", "1.2")
 OLDER = parameters_of("trexjr", "1.0")
@@ -420,6 +421,12 @@ def test_help_follows_the_parameter_and_its_edits(parameters: ParametersDriver) 
     assert "switched off and on" in help_text(parameters)
     parameters.model.edit("motor_mode", 1)
     assert "Stored: 0 (independent)" in help_text(parameters)
+
+    light = theme().color("link").name()
+    assert f"color:{light}" in help_text(parameters)
+    theme().set_scheme("dark")
+    assert f"color:{theme().color('link').name()}" in help_text(parameters)
+    assert light not in help_text(parameters)
 
 
 def test_rows_of_every_kind_are_painted(parameters: ParametersDriver) -> None:

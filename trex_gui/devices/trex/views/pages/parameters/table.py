@@ -1,5 +1,6 @@
 """The parameters of a draft: filters, table, findings and help; of a board or of a file."""
 
+from functools import partial
 from html import escape
 
 from PySide6.QtCore import QModelIndex, Qt, Slot
@@ -14,7 +15,7 @@ from trex_gui.devices.trex.views.findings_list import FindingsList
 from trex_gui.devices.trex.views.note_field import NoteField
 from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter, ParameterFilters
 from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
-from trex_gui.ui.theme.theme import follow_theme
+from trex_gui.ui.theme.theme import follow_theme, theme
 from trex_gui.ui.units import units
 from trex_gui.ui.widgets.builders import button, column, label, named, row
 from trex_gui.ui.widgets.scroll_box import ScrollBox
@@ -164,21 +165,25 @@ class ParameterHelp(QLabel):
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Minimum)
 
     def show_help_of(self, key: str) -> None:
+        follow_theme(self, "link", partial(self._show, key))
+        self.setAccessibleName("" if key else self.tr("No parameter is selected"))
+
+    def _show(self, key: str) -> None:
         lines = self._lines(key) if key else []
         self.setText("".join(f"<p>{line}</p>" for line in lines))
-        self.setAccessibleName("" if lines else self.tr("No parameter is selected"))
 
     def _lines(self, key: str) -> list[str]:
         text = self._model.text
         specs = [self._model.spec_of(each) for each in text.together(key)]
         names = "<br>".join(f"{spec.number:#04x}, <code>{spec.key}</code>" for spec in specs)
+        address, title = map(escape, text.guide(key))
         notes = escape(" ".join(text.notes(key)))
         return [
             f"<b>{escape(text.title(key))}</b><br>{names}",
             *([f"<b>{notes}</b>"] if notes else []),
             escape(text.description(key)),
             "<br>".join(map(escape, text.about(key))),
-            '<a href="{}">{}</a>'.format(*map(escape, text.guide(key))),
+            f'<a href="{address}" style="color:{theme().color("link").name()}">{title}</a>',
         ]
 
 
