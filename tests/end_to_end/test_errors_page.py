@@ -29,11 +29,14 @@ def is_bold(page: WidgetDriver, error: str) -> bool:
 def test_errors_are_shown_until_they_are_cleared_and_reset(
     window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
+    page = window.open_page("errorsPage")
+    assert row(page, "Motor 2 fault")["Active now"] == "N/A"
+    assert row(page, "Motor 2 fault")["Stopping the motors"] == "N/A"
     quick_simulator.do("fault 2 on")
     quick_simulator.do("fault 2 off")
     window.connect(quick_simulator.url)
+    assert page.text("rateValue") == "–", "short, so that it is in one line"
     tabs = window.window.pages
-    page = window.open_page("errorsPage")
     index = tabs.currentIndex()
     page.wait(lambda: row(page, "Motor 2 fault")["Last seen"] == "before connecting")
     assert row(page, "Motor 2 fault")["Count"] == "0"

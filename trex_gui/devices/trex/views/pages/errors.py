@@ -173,7 +173,7 @@ class ErrorsPage(QWidget):
         texts = {
             "quality": quality_text(quality),
             "requests": requests,
-            "rate": f"{quality.rate:.0f}" if quality.rate else self.tr("being measured …"),
+            "rate": f"{quality.rate:.0f}" if quality.rate else "–",
             "connected": str(timedelta(seconds=int(now() - opened))),
             "restarts": str(events.restarts),
             "returns": str(events.returns),
@@ -204,10 +204,10 @@ class ErrorsPage(QWidget):
         if entry.last is not None:
             last, doubt = entry.last.strftime("%H:%M:%S"), ""
         if entry.is_doubtful:
-            last = self.tr("{0} (doubtful)").format(last)
+            last = self.tr("{0}\n(doubtful)").format(last)
             doubt = self.tr("The line is noisy and has no CRC: a corrupted reply looks alike.")
         remedy = bit_text(entry.remedy) if entry.count else ""
-        yes, no = self.tr("⚠ Yes"), self.tr("No")
+        yes, no = self.tr("⚠ Yes"), self.tr("No") if device.is_connected else self.tr("N/A")
         texts = {
             _Column.ERROR: bit_text(entry.name),
             _Column.ACTIVE: yes if is_active else no,
