@@ -27,7 +27,9 @@ TREX = DevicePlugin(
         "get": _command("status:get_command", "Show one parameter."),
         "set": _command("parameters:set_command", "Store one parameter and read it back."),
         "get-settings": _command("files:get_settings", "Save the board's settings to a file."),
-        "set-settings": _command("files:set_settings", "Write a settings file to the board."),
+        "set-settings": _command(
+            "set_settings:set_settings", "Write a settings file to the board."
+        ),
         "check-settings": _command(
             "check:check_settings", "Check a settings file without a board."
         ),

@@ -1,0 +1,243 @@
+"""set-settings: write a settings file to a board, or to several on one line."""
+
+from collections.abc import Collection
+from dataclasses import replace
+from functools import partial
+from typing import Any
+
+import click
+
+from trex_gui.core.cli import CommandFailed, Interruption, ProgressLine, say
+from trex_gui.core.files import Finding, SettingsError
+from trex_gui.core.texts import counted
+from trex_gui.devices.trex.cli.changes import (
+    board_settings,
+    read_board,
+    remember_accepted,
+    remember_notes,
+    require_consent,
+    require_serial_mode,
+    say_changes,
+    say_what_follows,
+    warn,
+    write_kept,
+)
+from trex_gui.devices.trex.cli.common import (
+    identify,
+    link_options,
+    link_settings,
+    open_line,
+    open_line_to_change,
+)
+from trex_gui.devices.trex.cli.files import (
+    FILE,
+    name_of,
+    print_comparison,
+    read_file,
+    say_repairs,
+    visible,
+)
+from trex_gui.devices.trex.client.client import TrexClient
+from trex_gui.devices.trex.client.reading import DeviceState
+from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.discovery import NUMBERS
+from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibration
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.errors import Skipped
+from trex_gui.devices.trex.session.reconnecting import REACH
+from trex_gui.devices.trex.settings.comparison import ComparisonRow, compare, settings_after
+from trex_gui.devices.trex.settings.conversion import conversion_lines
+from trex_gui.devices.trex.settings.conversion import convert as convert_settings
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.repair import accept_proposals, repair_text
+from trex_gui.devices.trex.settings.rules import Context
+
+
+def _read_numbers(text: str) -> tuple[int, ...]:
+    numbers = []
+    for part in text.split(","):
+        if not (part.isascii() and part.isdigit() and int(part) < NUMBERS):
+            raise click.BadParameter(f"a device number is 0 to {NUMBERS - 1}, not {part!r}")
+        numbers.append(int(part))
+    if len(set(numbers)) < len(numbers):
+        raise click.BadParameter("each device number only once")
+    return tuple(numbers)
+
+
+@click.command("set-settings")
+@link_options
+@click.argument("file", type=FILE)
+@click.option("--dry-run", is_flag=True, help="Show what would change, and write nothing.")
+@click.option("--fix", is_flag=True, help="Repair the settings first, as check-settings does.")
+@click.option(
+    "--convert", is_flag=True, help="Take a file of the other model, or of newer firmware."
+)
+@click.option(
+    "--devices",
+    type=_read_numbers,
+    metavar="N,N,...",
+    help="Write to each of these boards on the line; each keeps its number and serial settings.",
+)
+@click.option(
+    "--force", is_flag=True, help="Let the board decide about values beyond inferred limits."
+)
+def set_settings(
+    file: str,
+    *,
+    dry_run: bool,
+    fix: bool,
+    convert: bool,
+    force: bool,
+    devices: tuple[int, ...] | None,
+    **options: Any,
+) -> None:
+    """Write the settings of FILE to the board; - is standard input.
+
+    Checks the file, saves a snapshot of what the board stores, writes only what differs, the
+    serial settings last, and reads each value back. Ctrl-C ends it after the setting that is
+    being written. Notes of the file are kept on this computer.
+
+    With --convert, values that mean something else to this board are converted, what it does not
+    have is left out, and both are listed.
+
+    With --devices every board is read and checked before the first is written. The first error
+    ends it: boards that come later are unchanged.
+    """
+    wanted = read_file(file, fix=fix)
+    chosen = link_settings(options)
+    command = f"trexcmd set-settings {name_of(file)}"
+    kept = () if devices is None else REACH
+    review = partial(
+        _review, file, dry_run=dry_run, fix=fix, convert=convert, force=force, kept=kept
+    )
+    if devices is None:
+        with open_line_to_change(chosen) as (client, rates):
+            state, rows = review(wanted, client, rates)
+            if rows:
+                _write(client, chosen, state, command, rows)
+        return
+    others = {key: wire for key, wire in wanted.parameters.items() if key not in kept}
+    wanted = replace(wanted, parameters=others)
+    work = []
+    for number in devices:
+        say(f"Device {number}:")
+        link = replace(chosen, device_number=number)
+        with open_line_to_change(link) as (client, rates):
+            work.append((link, *review(wanted, client, rates)))
+    for link, state, rows in work:
+        if rows:
+            say(f"Device {link.device_number}:")
+            with open_line(link) as client:
+                _write(client, link, state, command, rows)
+
+
+def _review(
+    file: str,
+    wanted: Settings,
+    client: TrexClient,
+    rates: frozenset[int] | None,
+    *,
+    dry_run: bool,
+    fix: bool,
+    convert: bool,
+    force: bool,
+    kept: Collection[str],
+) -> tuple[DeviceState, list[ComparisonRow]]:
+    """Report what the settings change of the board; return what it stores, and what to write."""
+    identify(client)
+    state = read_board(client)
+    if convert:
+        conversion = convert_settings(wanted, state.signature.model, state.signature.firmware)
+        for line in conversion_lines(conversion):
+            say(f"{name_of(file)}: {line}")
+        wanted = conversion.settings
+    wanted = _fitted(file, wanted, state)
+    stored = board_settings(state)
+    result = compare(stored, wanted)
+    after = settings_after(stored, ((row.key, row.after) for row in result.rows))
+    context = Context(port_rates=rates, used_by_line=client.settings.line)
+    if fix:
+        after, accepted = accept_proposals(after, context, kept=kept)
+        say_repairs(file, map(repair_text, accepted))
+        result = compare(stored, after)
+    say(f"{result.summary()}.")
+    warn(after, context)
+    if dry_run:
+        print_comparison(result)
+        return state, []
+    if result.changed:
+        require_consent(name_of(file), state, wanted.parameters, force=force)
+        require_serial_mode(state, "These settings")
+        say_changes(result)
+    remember_notes(stored, wanted.notes)
+    return state, [row for row in result.rows if row.changed]
+
+
+def _fitted(file: str, wanted: Settings, state: DeviceState) -> Settings:
+    """Return the settings of a file that fit this board; SettingsError if none can."""
+    board = state.signature
+    if wanted.product != board.model:
+        message = (
+            f"these are settings of a {wanted.product.name}, the board is a {board}; --convert "
+            "carries over what fits"
+        )
+        raise SettingsError(name_of(file), [Finding(1, "product", message)])
+    known = {spec.key for spec in state.specs.readable}
+    if strangers := [key for key in wanted.parameters if key not in known]:
+        message = f"{board} does not have it; --convert leaves it out"
+        raise SettingsError(name_of(file), [Finding(None, key, message) for key in strangers])
+    if wanted.firmware not in {None, board.firmware}:
+        say(f"Warning: these settings are for firmware {wanted.firmware}, the board is a {board}.")
+    return replace(visible(wanted, state), firmware=board.firmware)
+
+
+def _write(
+    client: TrexClient,
+    chosen: ConnectionSettings,
+    state: DeviceState,
+    command: str,
+    rows: list[ComparisonRow],
+) -> None:
+    names = {row.key: row.name for row in rows}
+    parameters = [(row.key, row.after) for row in rows if isinstance(row.after, int)]
+    calibrations = [
+        (CALIBRATION_KEYS[row.key], row.after) for row in rows if isinstance(row.after, Calibration)
+    ]
+    with ProgressLine("Writing") as line, Interruption() as interrupted:
+        results = write_kept(
+            client,
+            state,
+            command,
+            parameters,
+            calibrations,
+            progress=line,
+            cancelled=interrupted.__bool__,
+        )
+    failed = [result for result in results if result.error is not None]
+    stored = {result.key: result.stored for result in results if result.error is None}
+    _say_failures(failed, names)
+    if failed and stored:
+        say(f"Stored: {', '.join(names[key] for key in stored)}.")
+    say(f"{len(stored)} of {counted(len(results), 'change')} stored and verified.")
+    after = {key: wire for key, wire in stored.items() if isinstance(wire, int)}
+    remember_accepted(state, after)
+    say_what_follows(client, chosen, state, after)
+    if failed:
+        begun = "Interrupted: not" if interrupted else "Not"
+        raise CommandFailed(f"{begun} all settings were stored; the others are unchanged.")
+
+
+def _say_failures(failed: list[WriteResult], names: dict[str, str]) -> None:
+    """Name failed writes; settings not tried after a fatal error are only listed."""
+    said: set[int] = set()
+    untried: list[str] = []
+    for result in failed:
+        name, text = names[result.key], str(result.error)
+        if id(result.error) in said or isinstance(result.error, Skipped):
+            untried.append(name)
+            continue
+        said.add(id(result.error))
+        say(text if text.startswith(name) else f"{name}: {text}")
+    if untried:
+        after = " after that" if said else ""
+        say(f"Not tried{after}: {', '.join(untried)}.")
