@@ -225,8 +225,9 @@ def test_status_names_the_options_that_reach_the_board(
     assert "is in its boot loader" in trexcmd("status", "--parity", "odd").stderr
 
 
-def test_wrong_baud_rate_fails_and_is_named(trexcmd: RunCommand) -> None:
-    result = trexcmd("get", "device_number", "--baud", "9600", "--timeout=0")
+@pytest.mark.parametrize("words", [("get", "device_number"), ("get-settings", "-")])
+def test_wrong_baud_rate_fails_and_is_named(trexcmd: RunCommand, words: tuple[str, str]) -> None:
+    result = trexcmd(*words, "--baud", "9600", "--timeout=0")
     assert result.exit_code == 1
     assert "9600 baud" in result.stderr
 

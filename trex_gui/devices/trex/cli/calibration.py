@@ -11,7 +11,6 @@ from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.cli.changes import change_one, read_board
 from trex_gui.devices.trex.cli.common import (
     PHYSICAL_KEYS,
-    identify,
     link_options,
     link_settings,
     open_line,
@@ -53,7 +52,6 @@ def get_command(as_json: bool, **options: Any) -> None:
     With --json, the fields of a channel are counts; pulse_us or voltage_V has them in that unit.
     """
     with open_line(link_settings(options)) as client:
-        identify(client)
         state = read_board(client)
     source, rows, learned = state.source, state.calibrations, channels_in(state.calibrated)
     if as_json:
@@ -101,7 +99,6 @@ def set_command(channel: int, **options: Any) -> None:
     except BadRequest as error:
         raise click.UsageError(f"{error}.") from error
     with open_line_to_change(link) as (client, rates):
-        identify(client)
         state = read_board(client)
         source = state.source
         if meant - {source}:

@@ -6,7 +6,7 @@ from dataclasses import replace
 from trex_gui.core.cli import Interruption, ProgressLine, say
 from trex_gui.core.files import Finding, SettingsError
 from trex_gui.core.texts import counted
-from trex_gui.devices.trex.cli.common import as_options
+from trex_gui.devices.trex.cli.common import as_options, identify
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import (
     DeviceState,
@@ -30,7 +30,8 @@ from trex_gui.devices.trex.settings.rules import Context, lint
 
 
 def read_board(client: TrexClient) -> DeviceState:
-    """Read everything, with a progress line."""
+    """Read everything, with a progress line; see `identify` for errors."""
+    identify(client)
     with ProgressLine("Reading") as line:
         return read_everything(client.request, line, has_crc=client.has_crc)
 

@@ -15,7 +15,7 @@ from trex_gui.core.file_name import FileName
 from trex_gui.core.files import LARGEST_FILE, load, save
 from trex_gui.core.texts import counted
 from trex_gui.devices.trex.cli.changes import board_settings, read_board, remembered
-from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
+from trex_gui.devices.trex.cli.common import link_options, link_settings, open_line
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.devices.trex.settings.code_export import export_code
@@ -121,7 +121,6 @@ def diff(first: str | None, second: str | None, last: bool, as_json: bool, **opt
         raise click.UsageError("Give a FILE, or --last without one.")
     if first is None:
         with open_line(link_settings(options)) as client:
-            identify(client)
             state = read_board(client)
         before = board_settings(state)
         record = remembered(before)
@@ -136,7 +135,6 @@ def diff(first: str | None, second: str | None, last: bool, as_json: bool, **opt
     else:
         wanted = read_file(first)
         with open_line(link_settings(options)) as client:
-            identify(client)
             state = read_board(client)
         before, after = board_settings(state), visible(wanted, state)
         names = ("the board", name_of(first))
@@ -172,7 +170,6 @@ def export(file: str, language: str, **options: Any) -> None:
     """
     link = link_settings(options)
     with open_line(link) as client:
-        identify(client)
         state = read_board(client)
         text = export_code(board_settings(state), link, Language(language))
     save_file(file, text)

@@ -19,7 +19,6 @@ from trex_gui.devices.trex.cli.changes import (
 )
 from trex_gui.devices.trex.cli.common import (
     complete_parameter,
-    identify,
     link_options,
     link_settings,
     open_line,
@@ -111,12 +110,12 @@ def restore_defaults(yes: bool, **options: Any) -> None:
     """
     link = link_settings(options)
     with open_line(link) as client:
-        signature = identify(client)
         state = read_board(client)
         require_serial_mode(state, "Restoring the defaults")
         specs = state.specs
         spec = specs[ParameterKey.FACTORY_RESET]
         stored = settings_of(state)
+        signature = state.signature
         factory = factory_settings(signature.model, signature.firmware)
         _announce(compare(stored, factory), specs)
         if not yes:

@@ -23,7 +23,6 @@ from trex_gui.devices.trex.cli.changes import (
     write_kept,
 )
 from trex_gui.devices.trex.cli.common import (
-    identify,
     link_options,
     link_settings,
     open_line,
@@ -144,7 +143,6 @@ def _review(
     kept: Collection[str],
 ) -> tuple[DeviceState, list[ComparisonRow]]:
     """Report what the settings change of the board; return what it stores, and what to write."""
-    identify(client)
     state = read_board(client)
     if convert:
         conversion = convert_settings(wanted, state.signature.model, state.signature.firmware)
