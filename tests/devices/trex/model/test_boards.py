@@ -509,6 +509,32 @@ def test_work_is_cancelled_between_boards(make: Make) -> None:
     assert stand.boards.selected == 7
 
 
+def test_stop_ends_the_work_and_leaves_no_board_half_written(make: Make) -> None:
+    stand = make("3", "7", "9")
+    stand.connect(7)
+    stand.scan()
+    work, third = Work(stand), stand.line.boards[0]
+    settings = wanted(serial_timeout=5, motor1_acceleration=9, motor2_acceleration=9)
+
+    def write_and_stop(is_due: Callable[[], object]) -> None:
+        work.reviewed(settings, 3, 7, 9)
+        work.write((3, 7, 9))
+        stand.wait(is_due)
+        stand.device.motors.press_stop()
+        stand.wait(lambda: not work.is_running and not stand.device.applying)
+
+    write_and_stop(lambda: stand.boards.is_selecting and work.steps[3] is BoardStep.READING)
+    assert set(work.steps.values()) == {BoardStep.SKIPPED}
+    assert not any(board.eeprom["serial_timeout"] for board in stand.line.boards)
+    write_and_stop(lambda: third.eeprom["motor1_acceleration"] == 9)
+    assert stand.is_stopped(3)
+    assert work.steps == {3: BoardStep.WRITTEN, 7: BoardStep.SKIPPED, 9: BoardStep.SKIPPED}
+    assert work.was_stopped
+    assert third.eeprom["serial_timeout"] == 5
+    assert stand.line.boards[1].eeprom["motor1_acceleration"] != 9
+    assert stand.boards.selected == 7
+
+
 def test_rules_are_applied_to_each_board_with_its_changes(make: Make) -> None:
     stand = make("3", "7")
     stand.connect(7)

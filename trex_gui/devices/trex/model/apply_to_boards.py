@@ -34,6 +34,9 @@ class BoardStep(Enum):
     """It was not its turn any more when an error or the user ended the work."""
 
 
+_UNFINISHED = {BoardStep.WAITING, BoardStep.READING, BoardStep.WRITING}
+
+
 @dataclass(frozen=True, slots=True)
 class BoardPlan:
     """What is done with one board.
@@ -62,9 +65,17 @@ class ApplyToBoards(QObject):
 
     Each keeps its device number and its serial settings: they are how it is reached on the line.
     A board that does not respond, or is of another model, is left out. The first error while
-    writing ends the work: a line that damages one write would damage the next. Before each board
-    is written a snapshot is saved, and it is compared with what was reviewed. In the end the board
-    that was selected at first is selected again.
+    writing ends the work: a line that damages one write would damage the next. So does *Stop*,
+    which is served between two values: whoever presses it wants nothing more to happen, and a
+    board that is being written is written to its end. Before each board is written a snapshot is
+    saved, and it is compared with what was reviewed. In the end the board that was selected at
+    first is selected again.
+
+    Attributes:
+        plans: one for each board.
+        is_running: whether boards are being read or written.
+        is_writing: whether boards are, or were, written rather than only read.
+        was_stopped: whether *Stop* has ended the work.
     """
 
     changed = Signal()  # `plans` or `is_running`
@@ -75,15 +86,15 @@ class ApplyToBoards(QObject):
         self._boards = boards
         self._device = device
         self.plans: tuple[BoardPlan, ...] = ()
-        self.is_running = False
+        self.is_running = self.is_writing = self.was_stopped = False
         self._wanted: Settings | None = None
         self._home: int | None = None  # the board that was selected at first
-        self._is_writing = False
         self._is_cancelled = False
         self._current: int | None = None  # the board that is being written
         device.applied.connect(self._on_applied)
         device.request_failed.connect(self._on_request_failed)
         device.connection.line_closed.connect(self._on_line_closed)
+        device.motors.stop_requested.connect(self._on_stop_requested)
 
     def review(self, settings: Settings, numbers: Collection[int]) -> None:
         """Read these boards, and find out what the settings change of each."""
@@ -105,7 +116,7 @@ class ApplyToBoards(QObject):
             self._begin(plans, is_writing=True)
 
     def cancel(self) -> None:
-        """End the work after the board that is being read or written."""
+        """End the work after the board that is being read or written; no other one is written."""
         self._is_cancelled = True
         if self._device.is_saving_snapshot and self._current is not None:
             self._device.cancel_apply()
@@ -115,8 +126,8 @@ class ApplyToBoards(QObject):
 
     def _begin(self, plans: list[BoardPlan], *, is_writing: bool) -> None:
         self.plans = tuple(plans)
-        self.is_running = True
-        self._is_writing, self._is_cancelled = is_writing, False
+        self.is_running, self.was_stopped = True, False
+        self.is_writing, self._is_cancelled = is_writing, False
         self._home = self._boards.selected
         self._go_on()
 
@@ -162,6 +173,10 @@ class ApplyToBoards(QObject):
             self._set(number, BoardStep.FAILED, problem)
             self._go_on()
             return
+        if self.is_writing and self._is_cancelled:
+            self._set(number, BoardStep.SKIPPED)
+            self._go_on()
+            return
         if (blocker := self._device.settings_blocker) or self._wanted is None:
             self._set(number, BoardStep.FAILED, blocker)
             self._go_on()
@@ -172,7 +187,7 @@ class ApplyToBoards(QObject):
             self._set(number, BoardStep.FAILED, error_text(unfit))
             self._go_on()
             return
-        if self._is_writing:
+        if self.is_writing:
             self._write(number, changes)
         else:
             findings = self._findings(changes)
@@ -218,7 +233,7 @@ class ApplyToBoards(QObject):
         if failed:
             names = ", ".join(self._device.name_of(result.key) for result in failed)
             reasons = dict.fromkeys(error_text(one.error) for one in failed if one.error)
-            text = self.tr("Not stored: {0}. {1}").format(names, " ".join(reasons))
+            text = self.tr("Not verified: {0}. {1}").format(names, " ".join(reasons))
             self._set(number, BoardStep.FAILED, text)
             self._is_cancelled = True
         else:
@@ -232,6 +247,14 @@ class ApplyToBoards(QObject):
             self._set(number, BoardStep.FAILED, reason)
             self._is_cancelled = True
             self._go_on()
+
+    @Slot()
+    def _on_stop_requested(self) -> None:
+        """End the work, if it was the user who stopped the motors."""
+        is_over = not any(plan.step in _UNFINISHED for plan in self.plans)
+        if self.is_running and not is_over and not self._device.motors.stop_reason:
+            self.was_stopped = True
+            self.cancel()
 
     @Slot()
     def _on_line_closed(self) -> None:

@@ -19,13 +19,15 @@ from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
+_LEFT_OUT = {BoardStep.FAILED, BoardStep.SKIPPED}
 _CHECKED, _CLEARED = Qt.CheckState.Checked, Qt.CheckState.Unchecked
 
 
 class ApplyToBoardsDialog(ReusedDialog):
     """Shows what a file changes of each board, then writes it to those that are checked.
 
-    Not modal; closing it ends the work after the board that is being written.
+    Not modal; closing it ends the work after the board that is being written, and the outcome is
+    said in the window.
     """
 
     def __init__(self, boards: BoardList, device: Device, parent: QWidget | None = None) -> None:
@@ -229,13 +231,24 @@ class ApplyToBoardsDialog(ReusedDialog):
         self._update()
         steps = [plan.step for plan in self.work.plans]
         written = steps.count(BoardStep.WRITTEN)
-        if not written and BoardStep.FAILED not in steps:
+        if not written and BoardStep.FAILED not in steps and not self.work.was_stopped:
             return
-        not_done = steps.count(BoardStep.FAILED) + steps.count(BoardStep.SKIPPED)
-        text = ""
+        left_out = [plan for plan in self.work.plans if plan.step in _LEFT_OUT]
+        texts = []
+        if self.work.was_stopped:
+            texts.append(self.tr("Stop was pressed, which has ended the work."))
         if written:
-            text = self.tr("Written to %n board(s).", "", written)
-        if not_done:
-            more = self.tr("%n board(s) left out; the reason is beside each.", "", not_done)
-            text = f"{text} {more}".strip()
-        self._note.show_note(text, alarming=not_done > 0)
+            texts.append(self.tr("Written to %n board(s).", "", written))
+        if not self.isVisible() and self.work.is_writing:
+            texts += [self._outcome(plan) for plan in left_out]
+            notifier = self._device.notifier
+            say = notifier.error if BoardStep.FAILED in steps else notifier.info
+            say.emit(" ".join(texts))
+        elif left_out:
+            count = len(left_out)
+            texts.append(self.tr("%n board(s) left out; the reason is beside each.", "", count))
+        self._note.show_note(" ".join(texts), alarming=bool(left_out))
+
+    def _outcome(self, plan: BoardPlan) -> str:
+        text = self.tr("Board {0}: {1}").format(plan.number, self._texts(plan)[1])
+        return text if text.endswith(".") else f"{text}."

@@ -512,7 +512,7 @@ class TrexWorkspace(Workspace):
             return
         names = ", ".join(self._device.name_of(result.key) for result in failed)
         reasons = " ".join(dict.fromkeys(error_sentence(result.error) for result in failed))
-        self.notifier.error.emit(self.tr("Not stored: {0}. {1}").format(names, reasons))
+        self.notifier.error.emit(self.tr("Not verified: {0}. {1}").format(names, reasons))
 
     @Slot()
     def _on_reload_requested(self) -> None:
