@@ -431,6 +431,11 @@ def set_up(run: Runner = run_captured) -> bool:
     stamp = current_stamp()
     if is_set_up(stamp):
         return False
+    if VENV.is_symlink():
+        raise BootstrapError(
+            f"{VENV} is a symbolic link, and setting up would empty the folder that it leads to: "
+            f"{VENV.resolve()}. Please remove the link first."
+        )
     debian = find_debian()
     if debian:
         needed = [] if can_make_venv(run) else [venv_package()]

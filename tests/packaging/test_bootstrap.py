@@ -326,6 +326,16 @@ def test_interrupted_setup_resumes_in_same_environment(
     assert (project.venvs_made, project.installations) == (1, 1)
 
 
+def test_environment_behind_a_link_is_not_emptied(project: Project, tmp_path: Path) -> None:
+    other = tmp_path / "other"
+    other.mkdir()
+    project.venv.symlink_to(other, target_is_directory=True)
+    with pytest.raises(bootstrap.BootstrapError, match=f"empty the folder .* {other}"):
+        project.set_up()
+    assert not project.script.commands
+    assert not list(other.iterdir())
+
+
 def test_missing_venv_package_is_named(project: Project) -> None:
     project.script.outcomes["-c"] = bootstrap.Outcome(1, errors="No module named 'ensurepip'")
     version = f"python{sys.version_info[0]}.{sys.version_info[1]}-venv"
