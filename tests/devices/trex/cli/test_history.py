@@ -87,7 +87,7 @@ def test_unknown_snapshot_number_fails_without_traceback(
 
 def test_snapshot_number_in_empty_history_fails(trexcmd: RunCommand) -> None:
     result = trexcmd("history", "path", "1")
-    assert result.exit_code == 1
+    assert result.exit_code == trexcmd("history", "show", "99").exit_code == 2
     assert "no snapshots" in result.stderr
 
 

@@ -173,7 +173,7 @@ def _path_of(word: str) -> Path:
     if 1 <= int(word) <= len(snapshots):
         return snapshots[int(word) - 1].path
     if not snapshots:
-        raise CommandFailed(f"There are no snapshots in {history.folder} yet.")
+        raise click.UsageError(f"There are no snapshots in {history.folder} yet.")
     raise click.UsageError(
         f"There is no snapshot {word}; snapshots are numbered 1 to {len(snapshots)}."
     )
