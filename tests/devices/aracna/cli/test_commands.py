@@ -250,9 +250,10 @@ def test_play_clamps_positions_to_limits(
         (("--sequence", "x"), 2, "The file has: nod, reach, ghost."),
         (("--sequence", "ghost"), 1, "nowhere"),
         (("--sequence", "nod", "--scale", "0"), 2, "--scale"),
+        (("--sequence", "nod", "--loop", "--rounds", "3"), 2, "not both"),
     ],
 )
-def test_play_rejects_invalid_sequence_or_scale(
+def test_play_rejects_what_it_cannot_play(
     trexcmd: RunCommand, file: str, words: tuple[str, ...], code: int, says: str
 ) -> None:
     result = trexcmd("aracna", "play", file, *words)

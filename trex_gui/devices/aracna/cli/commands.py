@@ -154,7 +154,7 @@ def pose(
 @_traffic_option
 @click.argument("file", type=FileName())
 @click.option("--sequence", "name", metavar="NAME", help="Which one, if the file has several.")
-@click.option("--rounds", type=click.IntRange(1), default=1, show_default=True)
+@click.option("--rounds", type=click.IntRange(1), show_default="1")
 @click.option("--loop", is_flag=True, help="Play until Ctrl-C.")
 @click.option(
     "--scale",
@@ -168,7 +168,7 @@ def play(
     file: str,
     name: str | None,
     *,
-    rounds: int,
+    rounds: int | None,
     loop: bool,
     scale: float,
     port: str | None,
@@ -180,6 +180,8 @@ def play(
     Positions outside the joints' limits are cropped and reported. Ctrl-C sends nothing more; the
     running step continues to its end.
     """
+    if loop and rounds is not None:
+        raise click.UsageError("Give either --rounds or --loop, not both.")
     project = _read_project(file)
     sequence = _sequence_named(project, name)
     settings = port_settings(port, extra_timeout)
@@ -194,7 +196,7 @@ def play(
         for used in project.poses:
             if used.name in {step.pose_name for step in sequence.steps}:
                 _report_crops(used, limits)
-        session.play(Play(0, steps, 0 if loop else rounds, first, time_scale=scale))
+        session.play(Play(0, steps, 0 if loop else rounds or 1, first, time_scale=scale))
     say("Stopped." if session.halted else "Played.")
     if session.moved is not None:
         click.echo(_joined(session.moved.present))
