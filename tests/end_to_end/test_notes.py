@@ -68,7 +68,7 @@ def test_note_is_typed_and_kept_wherever_the_value_goes(
     number_12 = data_folder() / "boards" / "trex-1.2-12.txt"
     number_12.write_text("of another board", encoding="utf-8")
     window.device.parameters.edit("device_number", 12)
-    with window.qtbot.waitSignal(window.device.memory.replaced):
+    with window.qtbot.waitSignal(window.device.memory.files.replaced):
         window.device.apply()
     (aside,) = number_12.parent.glob("*.replaced-1.txt")
     assert aside.read_text(encoding="utf-8") == "of another board"

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable, Collection, Mapping
 from functools import partial
+from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
 
@@ -106,6 +107,7 @@ class Device(QObject):
         self.events = BoardEvents(self.motors, self.connection, self)
         self.state: DeviceState | None = None
         self.quality = ConnectionQuality()
+        self._replaced: list[Path] = []  # files of other boards, renamed since the last reading
         self._failures = 0  # transactions that failed, as last reported
         self._failed_at = -math.inf
 
@@ -126,7 +128,8 @@ class Device(QObject):
         self.driving.confirmed.connect(self.link_changed)
         self.edit_backup.failed.connect(self.notifier.error)
         self.memory.failed.connect(self.notifier.error)
-        self.memory.replaced.connect(self.notifier.info)
+        for files in (self.edit_backup.files, self.memory.files):
+            files.replaced.connect(self._on_replaced)
         self._apply.written.connect(self._on_written)
         self._apply.changed.connect(self.link_changed)
         self._apply.finished.connect(self._on_applied)
@@ -388,6 +391,7 @@ class Device(QObject):
 
     @Slot(object)
     def _on_read(self, report: Connected) -> None:
+        self._replaced.clear()
         state, occasion = report.state, report.occasion
         if occasion is ReadReason.SELECTED:
             self._on_selected(report)
@@ -474,6 +478,16 @@ class Device(QObject):
         text = self.tr("What the board accepted was not remembered. {0}")
         self.notifier.error.emit(text.format(error_text(error)))
 
+    @Slot(object)
+    def _on_replaced(self, path: Path) -> None:
+        """Name each file so far: a message takes the place of the one before."""
+        self._replaced.append(path)
+        text = self.tr(
+            "Edits, notes or settings were kept here for another board with this device number. "
+            "They are in {0} now."
+        )
+        self.notifier.info.emit(text.format(", ".join(map(str, self._replaced))))
+
     @Slot()
     def _on_not_responding(self) -> None:
         self._give_up_apply(self.tr("Nothing was written: the board does not respond."))
@@ -486,6 +500,7 @@ class Device(QObject):
 
     @Slot(object)
     def _on_written(self, written: Written) -> None:
+        self._replaced.clear()
         self.state = written.state
         self.connection.settings = written.settings
         self.draft.note_stored(written.state)

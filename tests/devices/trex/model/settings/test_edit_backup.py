@@ -10,7 +10,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_devices import VirtualSimulator
-from trex_gui.core.files import SettingsError
+from trex_gui.core.files import SettingsError, data_folder
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.edit_backup import EditBackup
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
@@ -249,12 +249,18 @@ def test_edits_follow_a_board_that_gets_another_number(
     first.settle()
     (path,) = files()
     path.with_name("trex-1.2-9.txt").write_text("edits of another board", encoding="utf-8")
+    record = data_folder() / "boards" / "trex-1.2-9.txt"
+    record.write_text("its notes", encoding="utf-8")
+    messages = list[str]()
+    first.device.notifier.info.connect(messages.append)
     first.device.apply({"device_number"})
-    first.wait(lambda: not first.device.applying)
+    first.wait(lambda: len(messages) == 2)
     first.settle()
     moved, aside = sorted(files(), key=lambda each: len(each.name))
     assert moved.name == "trex-1.2-9.txt"
     assert aside.read_text(encoding="utf-8") == "edits of another board"
+    renamed = record.with_name("trex-1.2-9.replaced-1.txt")
+    assert all(str(each) in messages[-1] for each in (aside, renamed))
     assert run(quick_simulator.url).offered == {"serial_timeout": 15}
 
 

@@ -1,7 +1,6 @@
 """What this computer keeps of the board that is connected: see `BoardRecord`."""
 
 from collections.abc import Callable, Collection
-from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
 
@@ -35,12 +34,10 @@ class BoardMemory(QObject):
     Signals:
         changed: `record` or `differing`.
         failed: why nothing can be kept, for the user; once, until it works again.
-        replaced: where the record of another board is now, which had this number, for the user.
     """
 
     changed = Signal()
     failed = Signal(str)
-    replaced = Signal(str)
 
     def __init__(
         self,
@@ -60,7 +57,6 @@ class BoardMemory(QObject):
         self._later: list[Change] = []  # what happened before the record was read
         self.files.found.connect(self._on_found)
         self.files.failed.connect(self._on_failed)
-        self.files.replaced.connect(self._on_replaced)
         self._notes.edited.connect(self._on_note_edited)
 
     # --- What is known ------------------------------------------------------------------
@@ -181,11 +177,3 @@ class BoardMemory(QObject):
     def _on_failed(self, failure: SettingsError) -> None:
         text = self.tr("What was applied to this board cannot be remembered. {0}")
         self.failed.emit(text.format(error_sentence(failure)))
-
-    @Slot(object)
-    def _on_replaced(self, path: Path) -> None:
-        text = self.tr(
-            "Notes and settings were kept here for another board with this device number. They "
-            "are in {0} now."
-        )
-        self.replaced.emit(text.format(path))
