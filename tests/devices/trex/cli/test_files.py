@@ -313,7 +313,7 @@ def test_set_settings_checks_what_the_board_will_store_and_repairs_it(
     result = trexcmd("set-settings", str(path), "--fix")
     assert result.exit_code == 0, result.stderr
     assert "repaired: line 6: serial_timeout: 1.5 s becomes 15" in result.stderr
-    assert "repaired: Set Motor 1 Acceleration to 10 per 100 ms" in result.stderr
+    assert "repaired: Set Motor 1 Acceleration to 1.3 s to full speed" in result.stderr
     assert stored(quick_simulator, "serial_timeout") == 15
     assert stored(quick_simulator, "motor1_acceleration") == 10
     assert path.read_text(encoding="utf-8") == FAULTY

@@ -193,6 +193,7 @@ def test_rejected_wire_value_names_parameter_value_and_limits(model: str) -> Non
             ParameterKind.UART: ["0 to 10"],
             ParameterKind.CHOICE: [f"{wire} ({word})" for wire, word in spec.choices.items()],
             ParameterKind.RESET: ["127"],
+            ParameterKind.ACCELERATION: ["0.1 to 12.7 s to full speed, or no ramp", "0 to 127"],
         }.get(spec.kind, [f"{spec.minimum} to {spec.maximum}", spec.text(spec.maximum)])
         for limit in limits:
             assert limit in sentence
@@ -229,7 +230,7 @@ def test_values_of_a_parameter_have_distinct_texts(model: str) -> None:
 @every_model
 def test_number_can_be_typed_without_unit_and_with_comma(model: str) -> None:
     for spec in parameters_of(model, "1.3"):
-        if spec.kind in {ParameterKind.NUMBER, ParameterKind.ACCELERATION}:
+        if spec.kind is ParameterKind.NUMBER:
             for wire in sorted(spec.valid - {0})[::7]:
                 number = spec.text(wire).removesuffix(spec.unit).strip()
                 assert spec.wire(number) == wire
@@ -315,6 +316,9 @@ def test_value_text_matches_reference(key: str, model: str, wire: int, text: str
         ("motor1_deadband_brake_pwm", "coast", 0),
         ("motor1_acceleration", "5 per 100 ms", 5),
         ("motor1_acceleration", "5", 5),
+        ("motor1_acceleration", "0,5 s", 25),
+        ("motor1_acceleration", "500 ms to full speed", 25),
+        ("motor1_acceleration", "0 s", 0),
         ("motor1_acceleration", "no ramp", 0),
         ("required_channels", "1, 2, 5", 0x13),
         ("required_channels", "channels 1, 2, 5", 0x13),
@@ -388,7 +392,8 @@ def test_current_limit_uses_current_unit_of_its_model(model: str, text: str, wir
         ("uart_error_shutdown", "2", "off or on"),
         ("uart_error_shutdown", "maybe", "off or on"),
         ("motor1_pwm_maximum", "300", "1 to 255"),
-        ("motor1_acceleration", "5 m", "127"),
+        ("motor1_acceleration", "5 m", "0.1 to 12.7 s"),
+        ("motor1_acceleration", "20 s", "0.1 to 12.7 s"),
         ("crc7_polynomial", "0x100", "0x80 to 0xFF"),
         ("crc7_polynomial", "0xZZ", "0x80 to 0xFF"),
         ("factory_reset", "0", "127"),

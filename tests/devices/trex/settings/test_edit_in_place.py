@@ -64,7 +64,7 @@ def test_edit_changes_only_values_and_generated_comments() -> None:
         "serial_timeout: 127             # 12.7 s\n"
         "\n"
         "# slippery floor\n"
-        "'motor1_acceleration' : 12  # 12 per 100 ms, 1.1 s to full speed\n"
+        "'motor1_acceleration' : 12  # 1.1 s to full speed\n"
         "# end\n"
     )
 

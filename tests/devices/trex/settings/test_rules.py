@@ -107,7 +107,7 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
                 "its full target speed, so it may run in jerks.",
                 ("motor1_current_limit", "motor1_acceleration"),
                 {"motor1_acceleration": 10},
-                "Set Motor 1 Acceleration to 10 per 100 ms",
+                "Set Motor 1 Acceleration to 1.3 s to full speed",
             ),
         ),
         (

@@ -100,6 +100,8 @@ def ramp_seconds(wire: int) -> str:
     return next(text for text in texts if acceleration_wire(float(text)) == wire)
 
 
+_TIME = re.compile(r"(\d+(?:[.,]\d*)?|[.,]\d+)\s*(m?)s(?:\s+to full speed)?", re.IGNORECASE)
+_TIME_TOLERANCE = 1.01  # by which a time may be beyond the shortest and the longest
 _NUMBER = re.compile(r"\s*([-+]?\d+(?:[.,]\d*)?|[-+]?[.,]\d+)\s*(.*?)\s*")
 _ROUNDING = 0.01  # part of a step by which a number may be outside the limits
 _PREFIXES = {"m": 1e-3, "k": 1e3, "": 1.0}
@@ -202,6 +204,9 @@ class ParameterSpec:
                 return "any of 1 to 5"
             case ParameterKind.UART:
                 return "baud, error detection, stop bits"
+            case ParameterKind.ACCELERATION:
+                fast, slow = ramp_seconds(self.maximum), ramp_seconds(1)
+                return f"{fast} to {slow} s to full speed, or {self.zero}"
             case _ if self.minimum == self.maximum:
                 return self.text(self.minimum)
         return f"{self.text(self.minimum)} to {self.text(self.maximum)}"
@@ -214,6 +219,8 @@ class ParameterSpec:
                 return f"channels 1 to 5 (wire value 0 to {self.maximum})"
             case ParameterKind.UART:
                 return "a baud rate, error detection and stop bits (low four bits 0 to 10)"
+            case ParameterKind.ACCELERATION:
+                return f"{self.short_range()} (wire value {self.minimum} to {self.maximum})"
             case _ if self.minimum == self.maximum:
                 return str(self.minimum)
         low, high = self.text(self.minimum), self.text(self.maximum)
@@ -234,6 +241,8 @@ class ParameterSpec:
                 return str(device_table().pwm.maximum(wire))
             case ParameterKind.UART:
                 return line.text() if (line := _line_settings(wire)) else f"wire {wire}"
+            case ParameterKind.ACCELERATION if wire:
+                return f"{ramp_seconds(wire)} s to full speed"
         if wire == 0 and self.zero:
             return self.zero
         number = f"{wire * self.scale:.{self.decimals}f}"
@@ -244,14 +253,20 @@ class ParameterSpec:
     def wire(self, text: str) -> int:
         """Return the wire value for `text` ("1.5 s", "1.5", "off"); BadRequest names the limits.
 
-        A number between two steps goes to the nearer one, but never to a 0 that means off.
+        A number between two steps goes to the nearer one, but never to a 0 that means off. A ramp
+        is a time to full speed, or speed steps: "1.3 s", "10 per 100 ms".
         """
         wanted = text.strip()
         for wire in sorted(self.valid):
             if wanted.casefold() == self.text(wire).casefold():
                 return wire
-        is_list = self.kind is ParameterKind.CHANNELS
-        meant = self._wire_of_channels(wanted) if is_list else self._wire_of_number(wanted)
+        if self.kind is ParameterKind.CHANNELS:
+            meant = self._wire_of_channels(wanted)
+        elif self.kind is ParameterKind.ACCELERATION and (time := _TIME.fullmatch(wanted)):
+            number = float(time[1].replace(",", "."))
+            meant = self._wire_of_time(number / 1000 if time[2] else number)
+        else:
+            meant = self._wire_of_number(wanted)
         if meant is None or meant not in self.valid:
             given = wanted if len(wanted) <= 40 else f"{wanted[:40]}…"
             raise BadRequest(f"{self.name} is {self._spoken_range()}, not {given or 'empty'}")
@@ -270,6 +285,12 @@ class ParameterSpec:
     def decimals(self) -> int:
         """Decimals that tell neighbouring values apart in the physical unit."""
         return max(0, math.ceil(-math.log10(self.scale)))
+
+    def _wire_of_time(self, seconds: float) -> int | None:
+        shortest = FULL_SPEED_S / self.maximum / _TIME_TOLERANCE
+        if seconds and not shortest <= seconds <= FULL_SPEED_S * _TIME_TOLERANCE:
+            return None
+        return acceleration_wire(seconds)
 
     def _wire_of_number(self, text: str) -> int | None:
         steps = self._steps(text)

@@ -15,6 +15,7 @@ from ruamel.yaml.nodes import MappingNode, Node
 
 from trex_gui.core.files import SettingsError
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS
+from trex_gui.devices.trex.protocol.parameters import ParameterKind
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.notes import note_line_key, note_lines
 from trex_gui.devices.trex.settings.reader import read_settings
@@ -254,6 +255,9 @@ def _change_entries(document: _Document, old: Settings, new: Settings) -> None:
             old_wire = old.parameters[key]
             spec = old.specs[key]
             texts = {parameter_text(spec, old_wire, old), plain_text(spec, old_wire)}
+            if spec.kind is ParameterKind.ACCELERATION:  # as it was written before
+                texts.add(f"{old_wire} {spec.unit}")
+                texts.add(f"{old_wire} {spec.unit}, {spec.text(old_wire)}")
             document.update_comment(key, texts, parameter_text(new.specs[key], wire, new))
         elif calibration_key is not None and calibration_key in new.calibrations:
             calibrations = [both.calibrations[calibration_key] for both in (old, new)]

@@ -11,12 +11,7 @@ from trex_gui.devices.trex.protocol.calibration import (
 )
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.protocol.parameters import (
-    ParameterKind,
-    ParameterSpec,
-    pwm_keys,
-    ramp_seconds,
-)
+from trex_gui.devices.trex.protocol.parameters import ParameterSpec, pwm_keys
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.notes import note_lines
 
@@ -79,11 +74,11 @@ def parameter_line(spec: ParameterSpec, wire: int, settings: Settings) -> str:
 
 
 def parameter_text(spec: ParameterSpec, wire: int, settings: Settings) -> str:
-    """Return the comment beside a value, `25 per 100 ms, 0.5 s to full speed` for a ramp.
+    """Return the comment beside a value, such as `0.5 s to full speed` for a ramp.
 
     Prescaler and maximum of a PWM get its frequency, which depends on both.
     """
-    texts = (plain_text(spec, wire), _meaning(spec, wire, settings))
+    texts = (plain_text(spec, wire), _pwm_text(spec, settings))
     return ", ".join(filter(None, texts))
 
 
@@ -95,10 +90,8 @@ def plain_text(spec: ParameterSpec, wire: int) -> str:
     return "" if text == str(wire) else text
 
 
-def _meaning(spec: ParameterSpec, wire: int, settings: Settings) -> str:
-    """Return what a value does that its own unit does not show; mostly empty."""
-    if spec.kind is ParameterKind.ACCELERATION and wire:
-        return f"{ramp_seconds(wire)} s to full speed"
+def _pwm_text(spec: ParameterSpec, settings: Settings) -> str:
+    """Return the frequency of the PWM that a value belongs to; mostly empty."""
     pair = pwm_keys(spec.key)
     wires = [settings.parameters[key] for key in pair if key in settings.parameters]
     if len(wires) < 2:

@@ -20,17 +20,11 @@ from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import ALL_CHANNELS, CHANNELS, channel_mask, channels_in
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
-from trex_gui.devices.trex.protocol.parameters import (
-    FULL_SPEED_S,
-    ParameterKind,
-    ParameterSpec,
-    acceleration_wire,
-)
+from trex_gui.devices.trex.protocol.parameters import ParameterKind, ParameterSpec
 from trex_gui.devices.trex.views.count_editor import UnitSpinBox
 from trex_gui.ui.widgets.builders import NoWheelComboBox, check_box, combo_box, row
 
 _BARE = re.compile(r"[-+]?[\d.,]+")
-_TIME = re.compile(r"(\d+(?:[.,]\d*)?|[.,]\d+)\s*(?:(ms|s)\b.*)?", re.IGNORECASE)
 _FREQUENCY = re.compile(r"(\d+(?:[.,]\d*)?|[.,]\d+)\s*(k?)(?:hz)?", re.IGNORECASE)
 _TOLERANCE = 1.01
 _BOTH_WAYS = (
@@ -79,24 +73,12 @@ class AccelerationEditor(NumberEditor):
         super().__init__(spec, parent)
         self.setToolTip(
             self.tr("{0}, or the nearest the board can store; or speed steps, such as {1}").format(
-                acceleration_range(spec), spec.text(25)
+                acceleration_range(spec), f"25 {spec.unit}"
             )
         )
 
     def _physical_wire(self, text: str) -> int:
-        found = _TIME.fullmatch(text)
-        if found is None:
-            return super()._physical_wire(text)
-        is_ms = (found[2] or "").lower() == "ms"
-        seconds = float(found[1].replace(",", ".")) / (1000 if is_ms else 1)
-        shortest = FULL_SPEED_S / self._spec.maximum / _TOLERANCE
-        if seconds and not shortest <= seconds <= FULL_SPEED_S * _TOLERANCE:
-            raise BadRequest(
-                self.tr("{0} is {1}, not {2}").format(
-                    self._spec.name, acceleration_range(self._spec), text
-                )
-            )
-        return acceleration_wire(seconds)
+        return super()._physical_wire(f"{text} s" if _BARE.fullmatch(text) else text)
 
     def stepBy(self, steps: int) -> None:
         """Step through the times: up is a longer one, and no ramp is the shortest.
