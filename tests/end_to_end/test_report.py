@@ -22,10 +22,13 @@ def test_report_is_shown_before_it_is_saved(
     window.connect(simulator.url)
     window.device.parameters.edit("serial_timeout", 15)
     window.device.notifier.error.emit("Something about marybell.")
+    simulator.do("fault 1 on")
+    window.wait(lambda: window.device.errors.uncleared)
     window.trigger("report")
     dialog = window.dialog("reportDialog")
     files = dialog.find(QListWidget, "reportFiles")
     dialog.wait(lambda: files.count() > 0)
+    assert files.sizeHintForColumn(0) <= files.viewport().width(), "no name is cut"
     names = [files.item(row).text().split()[0] for row in range(files.count())]
     expected = ["versions.txt", "ports.txt", "status.txt", "settings.txt", "settings_edited.txt"]
     assert [name for name in names if name != "guardian.txt"] == [
@@ -41,6 +44,8 @@ def test_report_is_shown_before_it_is_saved(
     assert "Something about <user>." in contents["log.txt"]
     assert "marybell" not in "".join(contents.values())
     assert "Board: TReX 1.2, device 7" in contents["status.txt"]
+    assert "\nPackets: compact\nRequests: " in contents["status.txt"]
+    assert "\nMotor 1 fault: " in contents["status.txt"]
     assert "serial_timeout: 0" in contents["settings.txt"]
     assert "serial_timeout: 15" in contents["settings_edited.txt"]
     assert "get signature → TReX 1.2" in contents["traffic.txt"]

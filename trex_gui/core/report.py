@@ -59,6 +59,10 @@ class ReportFile:
     name: str
     text: str
 
+    @property
+    def data(self) -> bytes:
+        return self.text.encode("utf-8", "backslashreplace")
+
 
 @dataclass(frozen=True, slots=True)
 class Mask:
@@ -126,7 +130,7 @@ def save_report(path: Path, files: Iterable[ReportFile]) -> None:
     data = io.BytesIO()
     with zipfile.ZipFile(data, "w", zipfile.ZIP_DEFLATED) as archive:
         for file in files:
-            archive.writestr(file.name, file.text.encode("utf-8", "backslashreplace"))
+            archive.writestr(file.name, file.data)
     save(path, data.getvalue())
 
 

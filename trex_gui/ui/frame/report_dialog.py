@@ -85,11 +85,13 @@ class ReportDialog(ReusedDialog):
     def _show(self, files: tuple[ReportFile, ...]) -> None:
         self._list.clear()
         for file in files:
-            item = QListWidgetItem(self.tr("{0} ({1:,} bytes)").format(file.name, len(file.text)))
+            item = QListWidgetItem(self.tr("{0} ({1:,} bytes)").format(file.name, len(file.data)))
             item.setData(_FILE, file)
             item.setFlags(item.flags() | Qt.ItemFlag.ItemIsUserCheckable)
             item.setCheckState(Qt.CheckState.Checked)
             self._list.addItem(item)
+        room = 2 * (self._list.frameWidth() + self._list.spacing())
+        self._list.setMinimumWidth(self._list.sizeHintForColumn(0) + room)
         self._list.setCurrentRow(0)
         self._list.setFocus()
         self._enable()

@@ -1,8 +1,8 @@
 """What a report for support says of the board."""
 
 from collections.abc import Callable
-from dataclasses import asdict
 
+from trex_gui.core.texts import counted
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT
 from trex_gui.devices.trex.protocol.flags import CHANNELS
@@ -14,10 +14,20 @@ def status_text(device: Device) -> str:
     """Return connection, counters and newest measurements, a line each."""
     lines = [f"State: {device.status}"]
     if (settings := device.settings) is not None:
-        number = "compact" if settings.device_number is None else settings.device_number
-        lines += [f"Line: {settings.text()}", f"Device number used: {number}"]
-    counters = asdict(device.connection.counters)
-    lines += [f"Transactions, {name}: {count}" for name, count in counters.items()]
+        number = settings.device_number
+        packets = "compact" if number is None else f"expanded, to device {number}"
+        lines += [f"Line: {settings.text()}", f"Packets: {packets}"]
+    counters = device.connection.counters
+    lines.append(
+        f"Requests: {counters.requests}, replies: {counters.replies}, timeouts: "
+        f"{counters.missing}, corrupted replies: {counters.corrupted}, unsolicited bytes: "
+        f"{counters.unsolicited}, slowest reply: {1000 * counters.slowest:.0f} ms"
+    )
+    lines += [
+        f"{entry.name}: {counted(entry.count, 'time')}, last {entry.last:%Y-%m-%d %H:%M:%S}"
+        for entry in device.errors.entries
+        if entry.last is not None
+    ]
     state, telemetry = device.state, device.telemetry
     if state is None:
         return "\n".join([*lines, ""])
