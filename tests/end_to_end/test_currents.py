@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QApplication, QListView, QTableView
+from PySide6.QtWidgets import QApplication, QLabel, QListView, QTableView
 from shiboken6 import Shiboken
 
 from tests.support.keyboard import check_keyboard
@@ -78,9 +78,10 @@ def test_plot_in_its_own_window_is_drawn_beside_another_page(
     page.wait(lambda: model.index(0, TraceColumn.NOW).data() == "6.00 A")
     assert shown.panel.plot.points_drawn > 0
     assert page.panel.plot.span.length == 30, "each has choices of its own"
-    assert "One count of this board is 150 mA" in WidgetDriver(shown, page.qtbot).text(
-        "currentsNote"
-    )
+    note = WidgetDriver(shown, page.qtbot).find(QLabel, "currentsNote")
+    assert "One count of this board is 150 mA" in note.text()
+    shown.resize(shown.minimumSizeHint())
+    page.wait(lambda: note.height() < 2 * note.fontMetrics().lineSpacing())
     check_keyboard(shown)
     page.trigger("plot")
     assert shown.isVisible(), "there is one"

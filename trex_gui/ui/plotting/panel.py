@@ -87,10 +87,10 @@ class TracePanel(QWidget):
         vertical = Qt.Orientation.Vertical
         parts = splitter(self, "tracesSplitter", vertical, (self.plot, 1), (below, 0))
         bar = row(
-            *((self._note, 1), window_label, self._window, top_label, self._top),
-            *(self._pause, self._hold, self.layout_button, self.export),
+            *(window_label, self._window, top_label, self._top, self._pause, self._hold),
+            *(self.layout_button, self.export, 1),
         )
-        column(bar, (parts, 1), into=self, margins=0)
+        column(bar, self._note, (parts, 1), into=self, margins=0)
         tab_order(self._hold, self.layout_button, self.export, self.plot, self._view, self._list)
         self._restore_layout(parts, "plot_splitter")
         if self._restore_layout(below, "figures_splitter"):
