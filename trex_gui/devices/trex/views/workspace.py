@@ -23,10 +23,10 @@ from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.comparison import ComparisonRow
-from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.views.action_bar import ActionBar
 from trex_gui.devices.trex.views.bench.dialog import BenchDialog
 from trex_gui.devices.trex.views.boards import BoardPanel, NumberDialog
+from trex_gui.devices.trex.views.close_prompt import ClosePrompt
 from trex_gui.devices.trex.views.demo_panel import DemoPanel
 from trex_gui.devices.trex.views.history_dialog import HistoryDialog
 from trex_gui.devices.trex.views.jumper_sketch import JumperPlaces, JumperSketch
@@ -77,8 +77,6 @@ class TrexWorkspace(Workspace):
         self._controller = controller
         self._question = frame.question
         self._frame = frame
-        self._agreed: Settings | None = None  # settings shown that may be left as they are
-        self._keeps_edits = True
         self._linter = BoardLinter(device, self)
         self._wiring = Wiring(
             self.tr("TReX"),
@@ -122,6 +120,7 @@ class TrexWorkspace(Workspace):
         name, suffixes = self.tr("a settings file of a TReX"), {".txt", ".yaml", ".yml"}
         self.file_kinds = (FileKind(suffixes, name, files.open_file, files.edit_file),)
         self._review = ReviewDialog(device, self._linter, frame)
+        self._close_prompt = ClosePrompt(device, files, self._review, frame)
         self._defaults = DefaultsDialog(device, frame)
         self._power = PowerCycleDialog(device, frame)
         self._history = HistoryDialog(device, frame)
@@ -170,7 +169,6 @@ class TrexWorkspace(Workspace):
             boards.changed,
         ):
             changed.connect(self._on_actions_changed)
-        device.draft.pending_changed.connect(self._keep_edits)
         device.errors.changed.connect(self._on_errors_changed)
         self._undo_watch = device.draft.undo.indexChanged.connect(self._on_actions_changed)
 
@@ -586,62 +584,11 @@ class TrexWorkspace(Workspace):
     # --- The end ------------------------------------------------------------------------
 
     def may_close(self, leave: Callable[[], object]) -> bool:
-        shown = self._device.draft.shown
-        agreed, self._agreed = self._agreed, None
-        may_leave = agreed is not None and agreed == shown
-        if may_leave or not (self._device.applying or self._device.draft.pending):
-            leave_now = partial(self._leave, leave, shown if may_leave else None)
-            return self.files.may_close(leave_now)
-
-        def leave_with(agreed: Settings | None, *, keep_edits: bool) -> None:
-            self._keeps_edits = keep_edits
-            self._leave(leave, agreed)
-
-        def keep() -> None:
-            leave_with(self._device.draft.shown, keep_edits=True)
-
-        def discard() -> None:
-            leave_with(self._device.draft.shown, keep_edits=False)
-
-        def save_and_leave() -> None:
-            self.files.ask_and_save(partial(leave_with, self._device.draft.shown, keep_edits=False))
-
-        self._frame.activateWindow()
-        if self._device.applying:
-            self._question.ask(
-                self.tr(
-                    "Settings are still being written. Close anyway? Unwritten settings are "
-                    "offered when the board is connected again."
-                ),
-                PromptAnswer("closeYes", self.tr("Close anyway"), keep),
-                still=lambda: self._device.applying,
-            )
-        else:
-            apply = PromptAnswer("applyFirst", self.tr("Review and apply…"), self._review.review)
-            can_apply = self._device.is_writable and not self._device.rejects_settings
-            self._question.ask(
-                self.tr("There are unapplied changes."),
-                *([apply] if can_apply else []),
-                PromptAnswer("saveAndClose", self.tr("Save as a settings file…"), save_and_leave),
-                PromptAnswer("keepAndClose", self.tr("Keep and close"), keep),
-                PromptAnswer("closeYes", self.tr("Discard and close"), discard),
-                still=lambda: self._device.draft.pending > 0 and not self._device.applying,
-            )
-        return False
-
-    @Slot()
-    def _keep_edits(self) -> None:
-        """Keep edits that are made after a question was answered and the window stayed open."""
-        self._keeps_edits = True
-
-    def _leave(self, leave: Callable[[], object], agreed: Settings | None) -> None:
-        """Leave without a question about the edits, unless others are shown by now."""
-        self._agreed = agreed
-        leave()
+        return self._close_prompt.may_close(leave)
 
     def prepare_to_close(self) -> None:
         QObject.disconnect(self._undo_watch)  # the stack emits at its own end, too
-        if not self._keeps_edits:
+        if not self._close_prompt.keeps_edits:
             self._device.edit_backup.discard()
         self._history.close()
         self._learn.close()
