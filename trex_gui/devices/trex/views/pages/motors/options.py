@@ -209,7 +209,7 @@ class Options(ui.GroupBox):
         for column, widget in enumerate(self._brake.widgets):
             right.addWidget(widget, 0, column)
         right.addWidget(lock_label, 1, 0)
-        right.addLayout(ui.row(self._lock, (self._leave, 1), spacing=3 * _SPACING), 1, 1, 1, 2)
+        right.addLayout(ui.row(self._lock, (self._leave, 1), spacing=10), 1, 1, 1, 2)
         checks = ui.row(self._return, self._link, 1, spacing=3 * _SPACING)
         right.addLayout(checks, 2, 0, 1, 3)
         ui.row(left, (right, 1), into=self, spacing=4 * _SPACING)
