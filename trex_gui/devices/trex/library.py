@@ -40,7 +40,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT, who_controls
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode
-from trex_gui.devices.trex.protocol.flags import CHANNELS, Status, UartError, bit_names
+from trex_gui.devices.trex.protocol.flags import CHANNELS, bit_names, stops_motors
 from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
@@ -59,7 +59,6 @@ from trex_gui.devices.trex.settings.history import SettingsHistory
 
 _LATE = "The program did not call the board for more than half a second while motors were driven."
 _NOT_OPEN = "The line is not open: use a Trex inside of its `with` block."
-_FAULTS = Status.MOTOR1_FAULT | Status.MOTOR2_FAULT
 _STATUS_TIMEOUT = 5.0  # seconds for one sample of everything: 1200 baud takes two
 _WRITING = 60.0  # seconds for every setting at 1200 baud
 _STOPPING = 10.0  # seconds until a stop is confirmed or not
@@ -434,10 +433,10 @@ class Trex:
             return
         names = (*bit_names(sample.status), *bit_names(sample.uart))
         self._errors |= dict.fromkeys(names)
-        shuts_down = self.state.parameters.get(ParameterKey.UART_ERROR_SHUTDOWN)
-        has_stopped = sample.uart & UartError.TIMEOUT or (sample.uart and shuts_down)
-        is_new = self._is_armed and not sample.is_earlier
-        if is_new and (sample.status & _FAULTS or has_stopped):
+        errors_stop = bool(self.state.parameters.get(ParameterKey.UART_ERROR_SHUTDOWN))
+        bits = (sample.status, sample.uart)
+        has_stopped = any(stops_motors(one, errors_stop=errors_stop) for one in bits)
+        if has_stopped and self._is_armed and not sample.is_earlier:
             self.stop()
             self._fail(f"The board reports: {', '.join(names)}. The motors were stopped.")
 

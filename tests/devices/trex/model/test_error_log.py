@@ -8,8 +8,8 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
-from trex_gui.devices.trex.model.errors import ErrorLog, stops_motors
-from trex_gui.devices.trex.protocol.flags import UART_MEANING, Status, UartError
+from trex_gui.devices.trex.model.errors import ErrorLog
+from trex_gui.devices.trex.protocol.flags import UART_MEANING, Status, UartError, stops_motors
 
 BITS: list[Status | UartError] = [
     *(Status.MOTOR1_FAULT, Status.MOTOR1_OVER_LIMIT),

@@ -41,7 +41,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP, who_controls
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode
-from trex_gui.devices.trex.protocol.flags import Status, UartError, bit_names
+from trex_gui.devices.trex.protocol.flags import bit_names, stops_motors
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.session.messages import (
     Batch,
@@ -56,7 +56,6 @@ from trex_gui.devices.trex.session.messages import (
 from trex_gui.devices.trex.session.session import TrexSession
 
 _SLICE = 0.02  # longest wait in seconds without a look at signals
-_FAULTS = Status.MOTOR1_FAULT | Status.MOTOR2_FAULT
 
 
 @click.command(context_settings={"ignore_unknown_options": True})
@@ -281,7 +280,7 @@ class _Run:
         names = ", ".join((*bit_names(latched.status), *bit_names(latched.uart)))
         if not self._is_running:
             say(f"Errors latched before this run: {names}.")
-        elif latched.status & _FAULTS or latched.uart & UartError.TIMEOUT:
+        elif stops_motors(latched.status) or stops_motors(latched.uart):
             self._finish(f"The board reports: {names}.")
         elif not self._is_ending:
             say(f"The board reports: {names}.")

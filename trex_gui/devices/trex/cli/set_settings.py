@@ -40,11 +40,15 @@ from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.discovery import NUMBERS
-from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibration
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import Skipped
 from trex_gui.devices.trex.session.reconnecting import REACH
-from trex_gui.devices.trex.settings.comparison import ComparisonRow, compare, settings_after
+from trex_gui.devices.trex.settings.comparison import (
+    ComparisonRow,
+    compare,
+    settings_after,
+    values_to_write,
+)
 from trex_gui.devices.trex.settings.conversion import conversion_lines
 from trex_gui.devices.trex.settings.conversion import convert as convert_settings
 from trex_gui.devices.trex.settings.document import Settings
@@ -197,17 +201,12 @@ def _write(
     rows: list[ComparisonRow],
 ) -> None:
     names = {row.key: row.name for row in rows}
-    parameters = [(row.key, row.after) for row in rows if isinstance(row.after, int)]
-    calibrations = [
-        (CALIBRATION_KEYS[row.key], row.after) for row in rows if isinstance(row.after, Calibration)
-    ]
     with ProgressLine("Writing") as line, Interruption() as interrupted:
         results = write_kept(
             client,
             state,
             command,
-            parameters,
-            calibrations,
+            *values_to_write(rows),
             progress=line,
             cancelled=interrupted.__bool__,
         )

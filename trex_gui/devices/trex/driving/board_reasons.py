@@ -11,6 +11,8 @@ from trex_gui.devices.trex.driving.blockers import DriveBlocker, Reason, worst_f
 from trex_gui.devices.trex.protocol.calibration import NEARLY_NEUTRAL
 from trex_gui.devices.trex.protocol.flags import (
     CHANNELS,
+    MOTOR_FAULTS,
+    OVER_LIMITS,
     InputSource,
     Mode,
     Status,
@@ -175,8 +177,6 @@ def board_inputs(
     }
     required = stored(ParameterKey.REQUIRED_CHANNELS) or 0
     timeout = stored(ParameterKey.SERIAL_TIMEOUT) or 0
-    faults = {1: Status.MOTOR1_FAULT, 2: Status.MOTOR2_FAULT}
-    limits = {1: Status.MOTOR1_OVER_LIMIT, 2: Status.MOTOR2_OVER_LIMIT}
     return BoardInputs(
         mode=state.mode,
         by_serial=by_serial,
@@ -185,8 +185,8 @@ def board_inputs(
         if raw is None
         else safe_start_reasons(curves, raw, required, source=state.source, joint=joint),
         is_held=is_held,
-        faults=tuple(motor for motor, bit in faults.items() if bit & status),
-        over_limit=tuple(motor for motor, bit in limits.items() if bit & status),
+        faults=tuple(motor for motor, bit in MOTOR_FAULTS.items() if bit & status),
+        over_limit=tuple(motor for motor, bit in OVER_LIMITS.items() if bit & status),
         uart=uart,
         error_shutdown=bool(stored(ParameterKey.UART_ERROR_SHUTDOWN)),
         timeout=state.specs[ParameterKey.SERIAL_TIMEOUT].text(timeout),

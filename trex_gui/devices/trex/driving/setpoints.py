@@ -16,7 +16,7 @@ from trex_gui.devices.trex.driving.requests import (
 )
 from trex_gui.devices.trex.protocol.commands import Command, DriveMotor
 from trex_gui.devices.trex.protocol.driving import Drive
-from trex_gui.devices.trex.protocol.flags import Status, UartError
+from trex_gui.devices.trex.protocol.flags import Status, UartError, stops_motors
 
 REPEATS = (0.15, 0.3, 0.6, 1.2)
 """Seconds after which an unconfirmed setpoint is sent again, one after the other.
@@ -34,7 +34,6 @@ _CLEAN_STATUSES = 2
 One where a repeat could do harm: setting a speed at once bypasses the current limiter.
 """
 
-_MOTOR_FAULT = Status.MOTOR1_FAULT | Status.MOTOR2_FAULT
 
 IDLE_INTERVAL = 0.1
 """Seconds between idle packets while the line is not quiet; after damage they follow at once.
@@ -133,7 +132,7 @@ class SetpointRetry:
         status = Status(0) if latched is None else latched.status
         uart = UartError(0) if latched is None else latched.uart
         is_clean = is_whole and (latched is None or not latched.has_line_error)
-        has_stopped = bool(status & _MOTOR_FAULT or uart & UartError.TIMEOUT)
+        has_stopped = stops_motors(status) or stops_motors(uart)
         if has_stopped or (stops_on_error and not is_clean):
             self._unconfirmed = [one for one in self._unconfirmed if is_idle(one)]
         if is_clean and self._sent_since_status:

@@ -11,10 +11,9 @@ from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.boards import BoardList
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.draft import diff_against_draft
-from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibration
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
 from trex_gui.devices.trex.session.reconnecting import REACH
-from trex_gui.devices.trex.settings.comparison import Comparison, settings_after
+from trex_gui.devices.trex.settings.comparison import Comparison, settings_after, values_to_write
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.rules import Context, LintFinding, lint
 from trex_gui.ui.translations import error_text
@@ -211,18 +210,10 @@ class ApplyToBoards(QObject):
             self._set(number, BoardStep.FAILED, problem)
             self._go_on()
             return
-        rows = [row for row in changes.rows if row.changed]
-        parameters = tuple((row.key, row.after) for row in rows if isinstance(row.after, int))
-        calibrations = tuple(
-            (CALIBRATION_KEYS[row.key], row.after)
-            for row in rows
-            if isinstance(row.after, Calibration)
-        )
+        values = values_to_write(row for row in changes.rows if row.changed)
         self._current = number
         self._set(number, BoardStep.WRITING)
-        self._device.write(
-            self.tr("The same settings for several boards"), parameters, calibrations
-        )
+        self._device.write(self.tr("The same settings for several boards"), *values)
 
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:

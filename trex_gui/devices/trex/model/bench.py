@@ -10,7 +10,7 @@ from trex_gui.devices.trex.bench.run import End, Plan, Run
 from trex_gui.devices.trex.client.telemetry import Currents, LatchedStatus
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.held_drive import held_drive_blocker
-from trex_gui.devices.trex.protocol.flags import Status, UartError
+from trex_gui.devices.trex.protocol.flags import MOTOR_FAULTS, OVER_LIMITS, UartError
 from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.event_log import EventKind
@@ -31,8 +31,6 @@ a higher one, which the user has to choose.
 
 _STEP_MS = 20  # the board renews its outputs every 10 ms
 _TAIL = 0.6  # seconds for which currents are recorded after the motor began to brake
-_FAULTS = {1: Status.MOTOR1_FAULT, 2: Status.MOTOR2_FAULT}
-_LIMITS = {1: Status.MOTOR1_OVER_LIMIT, 2: Status.MOTOR2_OVER_LIMIT}
 
 
 class Phase(Enum):
@@ -234,11 +232,11 @@ class Bench(QObject):
                 self._check_status(run.motor, sample)
 
     def _check_status(self, motor: int, sample: LatchedStatus) -> None:
-        if sample.status & _FAULTS[motor]:
+        if sample.status & MOTOR_FAULTS[motor]:
             self.abort(self.tr("The driver of motor {0} reported a fault.").format(motor))
         elif sample.uart & UartError.TIMEOUT:
             self.abort(self.tr("The board's serial timeout stopped the motors."))
-        elif self._ends_at_limit and sample.status & _LIMITS[motor]:
+        elif self._ends_at_limit and sample.status & OVER_LIMITS[motor]:
             self.abort(self.tr("Motor {0} exceeded its current limit.").format(motor))
 
     @Slot()

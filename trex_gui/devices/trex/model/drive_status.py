@@ -18,13 +18,12 @@ from trex_gui.devices.trex.driving.board_reasons import (
 )
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.calibration import NEARLY_NEUTRAL
-from trex_gui.devices.trex.protocol.flags import Status, UartError
+from trex_gui.devices.trex.protocol.flags import MOTOR_FAULTS, Status, UartError
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.ui.devices.connection import ConnectionState
 
 _CLOSED = ConnectionState.DISCONNECTED
 _TIMEOUT = ParameterKey.SERIAL_TIMEOUT
-_FAULTS = {1: Status.MOTOR1_FAULT, 2: Status.MOTOR2_FAULT}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -181,7 +180,7 @@ def recent_fault_text(device: Device) -> str:
     """Return which motor drivers have shut down recently, as sentences; empty if none has."""
     recent = {
         motor: entry
-        for motor, bit in _FAULTS.items()
+        for motor, bit in MOTOR_FAULTS.items()
         for entry in device.errors.recent(motor)
         if entry.bit is bit
     }

@@ -91,18 +91,6 @@ ACTIVE_FOR = 1.0
 second, and again and again says what lasts."""
 
 
-def stops_motors(bit: Status | UartError, *, errors_stop: bool) -> bool:
-    """Whether the board stops motors while this is reported.
-
-    `errors_stop`: whether its UART-Error Shutdown (0x08) is set.
-    """
-    if isinstance(bit, UartError):
-        return bit is UartError.TIMEOUT or errors_stop
-    return bool(bit & (Status.MOTOR1_FAULT | Status.MOTOR2_FAULT)) or (
-        bit is Status.UART_ERROR and errors_stop
-    )
-
-
 def is_latched(bit: Status | UartError, latched: LatchedStatus) -> bool:
     return bool(bit & (latched.status if isinstance(bit, Status) else latched.uart))
 

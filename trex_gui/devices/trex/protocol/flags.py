@@ -36,6 +36,21 @@ class UartError(IntFlag):
     TIMEOUT = 1 << 7
 
 
+MOTOR_FAULTS = {1: Status.MOTOR1_FAULT, 2: Status.MOTOR2_FAULT}
+OVER_LIMITS = {1: Status.MOTOR1_OVER_LIMIT, 2: Status.MOTOR2_OVER_LIMIT}
+
+
+def stops_motors(bits: Status | UartError, *, errors_stop: bool = False) -> bool:
+    """Whether the board stops motors while one of these bits is reported.
+
+    `errors_stop`: whether its UART-Error Shutdown (0x08) is set.
+    """
+    if isinstance(bits, UartError):
+        return bool(bits & UartError.TIMEOUT or (bits and errors_stop))
+    fatal = Status.MOTOR1_FAULT | Status.MOTOR2_FAULT
+    return bool(bits & (fatal | Status.UART_ERROR if errors_stop else fatal))
+
+
 STATUS_MEANING: dict[Status, tuple[str, str]] = {
     Status.MOTOR2_OVER_LIMIT: (
         QT_TRANSLATE_NOOP("DriveBlocker", "Motor 2 over current limit"),

@@ -133,6 +133,17 @@ def compare(before: Settings, after: Settings) -> Comparison:
     return Comparison((*rows, *_calibration_rows(before, after)), tuple(reasons.values()))
 
 
+def values_to_write(
+    rows: Iterable[ComparisonRow],
+) -> tuple[tuple[tuple[str, int], ...], tuple[tuple[CalibrationKey, Calibration], ...]]:
+    """Return the parameters and the calibrations of the second side."""
+    after = [(row.key, row.after) for row in rows]
+    return (
+        tuple((key, value) for key, value in after if isinstance(value, int)),
+        tuple((CALIBRATION_KEYS[key], v) for key, v in after if isinstance(v, Calibration)),
+    )
+
+
 def settings_after(
     before: Settings, written: Iterable[tuple[str, int | Calibration | None]]
 ) -> Settings:

@@ -16,7 +16,8 @@ from PySide6.QtWidgets import (
 
 from trex_gui.devices.trex.model.connection_quality import quality_text
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.errors import ErrorEntry, bit_text, stops_motors
+from trex_gui.devices.trex.model.errors import ErrorEntry, bit_text
+from trex_gui.devices.trex.protocol.flags import stops_motors
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.ui.runtime import now
 from trex_gui.ui.widgets import builders as ui
