@@ -46,6 +46,7 @@ def test_boards_on_one_line(
 ) -> None:
     options = [word for board in ("3", "7", "9:trexjr") for word in ("--device", board)]
     boards = start_simulator("--unpaced", *options)
+    boards.do("@3 eeprom ignored_channels 2")
     assert not window.has("boardPanel")
     assert not window.action("boards").isEnabled()
     connect(window, boards.url, 7)
@@ -81,6 +82,14 @@ def test_boards_on_one_line(
     window.press_escape()
     window.wait(lambda: is_stopped(boards, "@9"))
 
+    # A reset would give it a number that is taken.
+    window.trigger("defaults")
+    defaults = window.dialog("defaultsDialog")
+    assert not defaults.has("boardResetNumberTaken")
+    defaults.click("boardResetButton")
+    assert "It gets device number 7, which another board" in defaults.text("boardResetNumberTaken")
+    defaults.click("defaultsCancelButton")
+
     # The keyboard does the same.
     shown = window.find(QListWidget, "boardList")
     shown.setCurrentRow(1)
@@ -102,7 +111,7 @@ def test_boards_on_one_line(
 
     # One file for all of them: each keeps its number, and what does not fit is left out.
     path = tmp_path / "fleet.txt"
-    save(path, "product: TReX\ndevice_number: 55\nserial_timeout: 7\n")
+    save(path, "product: TReX\ndevice_number: 55\nserial_timeout: 7\nrequired_channels: 3\n")
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_a, **_k: (str(path), ""))
     window.trigger("to_boards")
     window.wait(lambda: window.has("applyToBoardsDialog"))
@@ -115,11 +124,18 @@ def test_boards_on_one_line(
         cells = [[table.item(row, column) for column in (1, 2)] for row in range(3)]
         return [[cell.text() if cell else "" for cell in row] for row in cells]
 
-    assert results()[0] == ["1 setting", "read"]
-    assert results()[2] == ["1 setting", "read"]
+    assert results()[0] == ["2 settings", "read, with warnings"]
+    assert results()[2] == ["2 settings", "read"]
     assert "are for a TReX, not a TReX Jr" in results()[1][1]
     assert boards.show("@3")["parameters"]["serial_timeout"] == 0
+    assert fleet.has("boardsFindings")
+    table.setCurrentCell(2, 0)
     assert not fleet.has("boardsFindings")
+    assert fleet.button("writeBoardsButton").text() == "&Write to 2 boards"
+    for row in (0, 2):
+        if (item := table.item(row, 0)) is not None:
+            item.setCheckState(Qt.CheckState.Unchecked)
+    assert fleet.button("writeBoardsButton").text() == "&Write to boards"
     # Closing the dialog ends the work after the board that is being read.
     once = Qt.ConnectionType.SingleShotConnection
     window.device.draft.loaded.connect(fleet.root.close, once)

@@ -184,6 +184,7 @@ def test_nothing_reaches_several_boards_that_a_scan_has_found(make: Make) -> Non
     stand.boards.cancel_scan()
     stand.wait(lambda: stand.boards.can_scan)
     assert not device.motors.can_arm
+    assert not device.can_apply
     device.set_serial_timeout(2)
     device.parameters.edit("motor1_acceleration", 9)
     device.apply()
@@ -197,6 +198,7 @@ def test_nothing_reaches_several_boards_that_a_scan_has_found(make: Make) -> Non
     assert device.settings is not None
     assert device.settings.device_number == 7
     stand.wait(lambda: device.motors.can_arm)
+    assert device.can_apply
 
 
 def test_scan_asks_for_every_number_whatever_was_asked_before(make: Make) -> None:

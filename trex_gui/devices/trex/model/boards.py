@@ -96,6 +96,11 @@ class BoardList(QObject):
         return len(self.boards) > 1
 
     @property
+    def others(self) -> set[int]:
+        """The numbers of the boards that are not selected, whether they respond or not."""
+        return {one.number for one in self.boards} - {self.selected}
+
+    @property
     def can_scan(self) -> bool:
         return self._may_ask and self.scanned is None
 
@@ -219,7 +224,9 @@ class BoardList(QObject):
 
     def _follow_addressing(self) -> None:
         reaches_several = self.has_several and not self.is_addressed
-        self._device.driving.set_reaching_several(reaches_several)
+        if reaches_several != self._device.driving.reaches_several:
+            self._device.driving.set_reaching_several(reaches_several)
+            self._device.link_changed.emit()
 
     @property
     def _signature(self) -> Signature | None:

@@ -76,7 +76,7 @@ class Device(QObject):
         state: what was read from the board; `None` while none is connected.
     """
 
-    # `link`, `status`, `settings`, `may_move`, `applying` or `is_saving_snapshot`
+    # `link`, `status`, `settings`, `may_move`, `applying`, `is_saving_snapshot` or `can_apply`
     link_changed = Signal()
     state_changed = Signal()  # `state` was read again, or forgotten
     request_failed = Signal(str)  # why a request or a connection failed; the notifier has it, too
@@ -155,6 +155,12 @@ class Device(QObject):
     def rejects_settings(self) -> bool:
         """Whether the board is in a mode in which it rejects every write."""
         return self.is_connected and self.state is not None and not self.state.mode.is_serial
+
+    @property
+    def can_apply(self) -> bool:
+        """Whether edits can be written: to this board, and to no other one on the line."""
+        several = self.driving.reaches_several
+        return self.is_writable and not self.rejects_settings and not several
 
     @property
     def settings_blocker(self) -> str:

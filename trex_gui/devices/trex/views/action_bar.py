@@ -189,14 +189,14 @@ class ActionBar(QWidget):
             " ".join(filter(None, (fault, self._state_text()))), alarming=alarming
         )
         self._unapplied.setVisible(pending)
-        can_apply = self._device.is_writable and not self._device.rejects_settings
-        self._apply.setEnabled(pending and can_apply)
+        self._apply.setEnabled(pending and self._device.can_apply)
 
     @property
     def _is_beyond_reach(self) -> bool:
         """Whether the user pressed Stop while channels control the motors."""
         motors = self._device.motors
-        return self._device.is_connected and not motors.is_available and motors.locked_for > 0
+        is_locked_out = not motors.is_available and not self._device.driving.reaches_several
+        return self._device.is_connected and is_locked_out and motors.locked_for > 0
 
     def _state_text(self) -> str:
         motors, link = self._device.motors, self._device.link
@@ -222,6 +222,8 @@ class ActionBar(QWidget):
             return self.tr("No board is connected.")
         if motors.stop_reason:
             return self.tr("Stopped. {0}").format(motors.stop_reason)
+        if self._device.driving.reaches_several:
+            return self.tr("Several boards on this line: select the one to drive.")
         if motors.is_available:
             return self.tr("Not armed: no command is sent until you click Run motor.")
         return self.tr("Channels control the motors; Run motor needs serial control.")

@@ -33,7 +33,7 @@ class ApplyToBoardsDialog(ReusedDialog):
     def __init__(self, boards: BoardList, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("applyToBoardsDialog")
-        self.resize(880, 600)
+        self.resize(880, 520)
         self._boards = boards
         self._device = device
         self.work = ApplyToBoards(boards, device, self)
@@ -163,10 +163,13 @@ class ApplyToBoardsDialog(ReusedDialog):
             changes = (
                 self.tr("%n setting(s)", "", plan.to_write) if plan.to_write else self.tr("none")
             )
+        read = self.tr("nothing to write")
+        if plan.to_write:
+            read = self.tr("read, with warnings") if plan.findings else self.tr("read")
         state = {
             BoardStep.WAITING: self.tr("waiting"),
             BoardStep.READING: self.tr("being read …"),
-            BoardStep.REVIEWED: self.tr("read") if plan.to_write else self.tr("nothing to write"),
+            BoardStep.REVIEWED: read,
             BoardStep.WRITING: self.tr("being written …"),
             BoardStep.WRITTEN: self.tr("written and verified"),
             BoardStep.FAILED: plan.problem,
@@ -177,7 +180,8 @@ class ApplyToBoardsDialog(ReusedDialog):
     def _update_buttons(self) -> None:
         running, chosen = self.work.is_running, self._chosen()
         is_driven = self._device.motors.armed or self._device.may_move
-        self._write.setText(self.tr("&Write to %n board(s)", "", len(chosen)))
+        text = self.tr("&Write to %n board(s)", "", len(chosen))
+        self._write.setText(text if chosen else self.tr("&Write to boards"))
         can_write = self._device.is_writable and not is_driven
         self._write.setEnabled(bool(chosen) and not running and can_write)
         self._end.setEnabled(running)

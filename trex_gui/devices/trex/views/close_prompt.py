@@ -66,10 +66,9 @@ class ClosePrompt(QObject):
             )
         else:
             apply = PromptAnswer("applyFirst", self.tr("Review and apply…"), self._review.review)
-            can_apply = device.is_writable and not device.rejects_settings
             question.ask(
                 self.tr("There are unapplied changes."),
-                *([apply] if can_apply else []),
+                *([apply] if device.can_apply else []),
                 PromptAnswer("saveAndClose", self.tr("Save as a settings file…"), save_and_leave),
                 PromptAnswer("keepAndClose", self.tr("Keep and close"), keep),
                 PromptAnswer("closeYes", self.tr("Discard and close"), discard),

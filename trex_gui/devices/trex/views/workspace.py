@@ -121,7 +121,7 @@ class TrexWorkspace(Workspace):
         self.file_kinds = (FileKind(suffixes, name, files.open_file, files.edit_file),)
         self._review = ReviewDialog(device, self._linter, frame)
         self._close_prompt = ClosePrompt(device, files, self._review, frame)
-        self._defaults = DefaultsDialog(device, frame)
+        self._defaults = DefaultsDialog(device, boards, frame)
         self._power = PowerCycleDialog(device, frame)
         self._history = HistoryDialog(device, frame)
         learning = Learning(device, self)
@@ -459,7 +459,7 @@ class TrexWorkspace(Workspace):
             "boards": self._boards.can_scan,
             "number": self._boards.can_change_number,
             "to_boards": writable and self._boards.has_several,
-            "apply": writable and not device.rejects_settings and draft.pending > 0,
+            "apply": device.can_apply and draft.pending > 0,
             "power": device.is_connected and to_activate,
             "discard": shown and draft.pending > 0,
             "undo": shown and draft.undo.canUndo(),

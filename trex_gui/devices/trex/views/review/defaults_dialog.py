@@ -3,14 +3,17 @@
 from PySide6.QtCore import Signal, Slot
 from PySide6.QtWidgets import QWidget
 
+from trex_gui.devices.trex.model.boards import BoardList
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.draft import diff_against_draft
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.comparison import Comparison
 from trex_gui.devices.trex.settings.document import factory_settings, serial_defaults
 from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.ui.widgets.behaviour import ReusedDialog
-from trex_gui.ui.widgets.builders import button, column, label, row
+from trex_gui.ui.widgets.builders import button, column, label, named, row
+from trex_gui.ui.widgets.labels import Note
 
 
 class DefaultsDialog(ReusedDialog):
@@ -19,12 +22,13 @@ class DefaultsDialog(ReusedDialog):
     staged = Signal()  # the selected changes are edits now; show them for review
     reset_requested = Signal()  # the board is to reset every parameter by itself
 
-    def __init__(self, device: Device, parent: QWidget | None = None) -> None:
+    def __init__(self, device: Device, boards: BoardList, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("defaultsDialog")
         self.resize(880, 520)
         self._device = device
-        self._serial_only = False
+        self._boards = boards
+        self._serial_only = self._is_confirming = False
 
         self._intro = label(self, "defaultsIntro", wrap=True)
         self._rows = ComparisonView(self)
@@ -48,6 +52,7 @@ class DefaultsDialog(ReusedDialog):
             ),
             wrap=True,
         )
+        self._taken = named(Note(0, self), "boardResetNumberTaken")
         self._sure = button(
             self,
             "boardResetSureButton",
@@ -61,11 +66,20 @@ class DefaultsDialog(ReusedDialog):
         self._cancel = button(self, "defaultsCancelButton", self.tr("Cancel"), on_click=self.close)
 
         buttons = row(stop, self._reset, self._sure, 1, self._take, self._cancel)
-        column(self._intro, (self._rows, 1), self._inferred, self._question, buttons, into=self)
+        column(
+            self._intro,
+            (self._rows, 1),
+            self._inferred,
+            self._question,
+            self._taken,
+            buttons,
+            into=self,
+        )
 
         self._rows.ticked_changed.connect(self._describe)
         for changed in (device.draft.pending_changed, device.draft.loaded, device.link_changed):
             changed.connect(self._on_changed)
+        boards.changed.connect(self._show_taken)
 
     def preview(self, *, serial_only: bool) -> None:
         """Show what the defaults, or only the serial ones, would change."""
@@ -112,9 +126,25 @@ class DefaultsDialog(ReusedDialog):
         self._confirm_reset(True)
 
     def _confirm_reset(self, confirming: bool) -> None:
+        self._is_confirming = confirming
         self._question.setVisible(confirming)
         self._sure.setVisible(confirming)
         self._reset.setVisible(not confirming and not self._serial_only)
+        self._show_taken()
+
+    @Slot()
+    def _show_taken(self) -> None:
+        """Warn of a board that has the number which this one gets by the reset."""
+        if not self._is_confirming or self._device.state is None:
+            self._taken.show_note("")
+            return
+        number = self._device.parameters.spec_of(ParameterKey.DEVICE_NUMBER).default
+        text = self.tr(
+            "It gets device number {0}, which another board on this line has: both would reply at "
+            "once, and neither could be read. Give that board another number first."
+        )
+        is_taken = number in self._boards.others
+        self._taken.show_note(text.format(number) if is_taken else "", alarming=True)
 
     @Slot()
     def _on_sure_clicked(self) -> None:

@@ -603,8 +603,7 @@ class ReviewPage(QWidget):
         if not device.is_connected:
             text = self.tr("No board is connected.")
         self._pending.show_note(text)
-        can_apply = device.is_writable and not device.rejects_settings and pending > 0
-        self._apply.setEnabled(can_apply)
+        self._apply.setEnabled(device.can_apply and pending > 0)
         still_open = self._setup.open_steps
         self._open_title.setVisible(bool(still_open))
         for step, (go, reason) in self._open.items():
