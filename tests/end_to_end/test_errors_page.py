@@ -1,7 +1,7 @@
 """The page of errors: what is active, what stops the motors, counts, and the connection."""
 
 from PySide6.QtCore import QCoreApplication, Qt, QTranslator
-from PySide6.QtWidgets import QTableWidget
+from PySide6.QtWidgets import QLabel, QTableWidget
 
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
@@ -32,6 +32,9 @@ def test_errors_are_shown_until_they_are_cleared_and_reset(
     page = window.open_page("errorsPage")
     assert row(page, "Motor 2 fault")["Active now"] == "N/A"
     assert row(page, "Motor 2 fault")["Stopping the motors"] == "N/A"
+    window.window.resize(1024, 600)
+    value = page.find(QLabel, "restartsValue")
+    page.wait(lambda: value.isVisible() and value.height() < 2 * value.fontMetrics().lineSpacing())
     quick_simulator.do("fault 2 on")
     quick_simulator.do("fault 2 off")
     window.connect(quick_simulator.url)

@@ -126,13 +126,13 @@ class ErrorsPage(QWidget):
                 ),
             },
         ]
-        forms = []
+        forms = list[QFormLayout]()
         for part in parts:
             form = QFormLayout()
             form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
             for key, (title, tip) in part.items():
                 value = ui.label(
-                    box, f"{key}Value", tip=tip, wrap=True, expand=True, selectable=True
+                    box, f"{key}Value", tip=tip, wrap=not forms, expand=True, selectable=True
                 )
                 form.addRow(ui.label(box, "", title, tip=tip), value)
                 self._values[key] = value
