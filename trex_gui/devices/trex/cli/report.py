@@ -44,7 +44,7 @@ def report(file: str, **options: Any) -> None:
             return
         save_report(Path(file), files)
     for one in files:
-        say(f"{one.name}: {counted(len(one.text), 'character')}")
+        say(f"{one.name}: {counted(len(one.data), 'byte')}")
     click.echo(file)
 
 
