@@ -38,7 +38,7 @@ def read_board(client: TrexClient) -> DeviceState:
 
 def warn(settings: Settings, context: Context) -> None:
     for found in lint(settings, context):
-        say(f"Warning: {found.message}" + (f" {found.proposal}." if found.proposal else ""))
+        say(f"Warning: {found.text}")
 
 
 def say_changes(result: Comparison) -> None:

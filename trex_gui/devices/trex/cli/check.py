@@ -49,10 +49,7 @@ class _Checked:
         lines = [f"repaired: {line}" for line in self.repairs]
         lines += map(str, self.findings)
         lines += conversion_lines(self.conversion) if self.conversion else ()
-        for found in self.warnings:
-            proposal = f" {found.proposal}." if found.proposal else ""
-            lines.append(f"warning: {found.message}{proposal}")
-        return lines
+        return [*lines, *(f"warning: {found.text}" for found in self.warnings)]
 
     def report(self) -> dict[str, Any]:
         rows = self.conversion.rows if self.conversion else ()

@@ -42,6 +42,11 @@ class LintFinding:
     change: Mapping[str, int]  # wire values by key that resolve it; empty if the user must decide
     proposal: str  # the change as a request, such as `Set Serial Timeout to 0.5 s`; or empty
 
+    @property
+    def text(self) -> str:
+        """What is questionable, and the proposal."""
+        return f"{self.message} {self.proposal}." if self.proposal else self.message
+
 
 _NOTHING_MORE = Context()
 

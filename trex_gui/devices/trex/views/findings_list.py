@@ -83,10 +83,7 @@ class FindingsList(QWidget):
         line = QWidget(self)
         sign = Sign(line)
         sign.show_sign("warning")
-        message = finding.message
-        if finding.proposal:
-            message += f" {finding.proposal}."
-        text = label(line, f"{self._where}Finding{number}", message, wrap=True, expand=True)
+        text = label(line, f"{self._where}Finding{number}", finding.text, wrap=True, expand=True)
         accept = button(
             line,
             f"{self._where}Accept{number}",
