@@ -211,7 +211,7 @@ class Mode(Enum):
 
     @property
     def source(self) -> InputSource:
-        rc = self in {Mode.RC, Mode.SERIAL_RC}
+        rc = self is Mode.RC or self is Mode.SERIAL_RC
         return InputSource.RC if rc else InputSource.ANALOG
 
 

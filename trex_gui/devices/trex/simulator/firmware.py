@@ -30,6 +30,8 @@ TICK = 0.0025  # seconds of a simulation step; it divides every period below
 _UPDATE_TICKS = 4  # motors and safety, 100 times a second
 _CURRENT_TICKS = {InputSource.RC: 5, InputSource.ANALOG: 8}  # readings, 80 or 50 times a second
 
+_COASTING = DriverOutput()
+
 _FAULT = (Status.MOTOR1_FAULT, Status.MOTOR2_FAULT)
 _OVER_LIMIT = (Status.MOTOR1_OVER_LIMIT, Status.MOTOR2_OVER_LIMIT)
 _COUNTERS = (
@@ -281,6 +283,8 @@ class Board:
 
 def _drive(motor: Motor) -> DriverOutput:
     """Return the drive of a motor; inferred: duty is speed / 127."""
+    if not motor.speed:
+        return _COASTING
     share = motor.speed / FULL_SPEED
     if motor.direction is MotorDirection.BRAKE:
         return DriverOutput(brake=share)

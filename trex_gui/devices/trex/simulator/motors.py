@@ -5,9 +5,9 @@ Ref: TReX 1.0 command documentation 0x84, 0x85, 0xC0-0xF1; User's Guide 5.b.
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from enum import Enum
 from functools import partial
+from typing import NamedTuple
 
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 
@@ -25,8 +25,7 @@ class MotorDirection(Enum):
         return (cls.BRAKE, cls.REVERSE, cls.FORWARD, cls.BRAKE)[bits & 3]
 
 
-@dataclass(frozen=True, slots=True)
-class MotorSettings:
+class MotorSettings(NamedTuple):
     """The parameters of one motor, in wire values: 0x0E-0x16; no current limit is 0."""
 
     acceleration: int = 0

@@ -111,6 +111,9 @@ class MotorPhysics:
 
     def advance(self, seconds: float, volts: float, brake: float) -> None:
         """Let time pass at a voltage, or at 0 V with a duty of braking (0-1)."""
+        self._time += seconds
+        if not volts and not self.speed:
+            return
         constants = self.constants
         if volts:
             current = self.current_at(volts)
@@ -119,7 +122,6 @@ class MotorPhysics:
             current = 0.0
         else:  # the low side shorts the motor; the sensor does not see that current
             current = -brake * constants.back_emf * self.speed / constants.resistance
-        self._time += seconds
         gain = constants.back_emf / constants.inertia * seconds
         friction = gain * max(self.load, constants.free)
         speed = self.speed + gain * current
@@ -197,7 +199,7 @@ class Machine:
             for motor, drive in zip(self.motors, drives, strict=True)
             if drive.share and not motor.fault
         ]
-        while True:
+        while taking:
             conductance = sum(share * share / motor.constants.resistance for motor, share in taking)
             opposing = sum(
                 share * motor.constants.back_emf * motor.speed / motor.constants.resistance
@@ -210,3 +212,4 @@ class Machine:
             if len(still) == len(taking):
                 return volts
             taking = still
+        return self.battery
