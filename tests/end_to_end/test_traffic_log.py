@@ -240,6 +240,9 @@ def test_typed_bytes_are_explained_and_sent(
     page.type_into("transcriptBytes", "9F 07", enter=False)
     assert meaning() == "get Serial Timeout\nConnect a board to send this."
     window.connect(simulator.url)
+    page.wait(lambda: page.view.verticalScrollBar().maximum() > 100 and page.view.is_at_bottom)
+    window.window.resize(1100, 640)
+    assert page.view.is_at_bottom, "a low window still follows"
     assert meaning() == "get Serial Timeout"
     with window.qtbot.waitSignal(window.device.notifier.info) as info:
         page.type_into("transcriptBytes", "9F 07")

@@ -252,8 +252,11 @@ class TrafficView(QTableView):
         self.setMinimumHeight(self.fontMetrics().height() * 6)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
+        follows = self.is_at_bottom
         super().resizeEvent(event)
         self._take_room()
+        if follows:  # else a banner above would end it
+            self.scrollToBottom()
 
     @property
     def is_at_bottom(self) -> bool:
