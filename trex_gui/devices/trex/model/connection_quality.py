@@ -1,5 +1,6 @@
 """How good the line to a board is, from its latest transactions."""
 
+import math
 from collections import deque
 from dataclasses import dataclass
 
@@ -25,6 +26,10 @@ four bytes in 25, and one bit can make that another command.
 _STRAY_BYTES = 10  # bytes that belong to no reply and count as one failure: the longest reply
 
 
+_NOISE_LASTS = 5.0
+"""Seconds after a failed transaction in which a status without CRC may be corrupted as well."""
+
+
 @dataclass(frozen=True, slots=True)
 class _Mark:
     time: float
@@ -47,6 +52,8 @@ class ConnectionQuality:
         self.is_noisy: bool | None = None
         self.lost = self.seconds = self.rate = 0.0
         self._marks = deque[_Mark]()
+        self._failures = 0  # transactions that failed, as last reported
+        self._failed_at = -math.inf
 
     def reset(self) -> bool:
         """Begin to measure again; return whether that changed the judgement."""
@@ -79,6 +86,14 @@ class ConnectionQuality:
         damaged = max(self.lost, disturbed)
         self.is_noisy = damaged >= (_GOOD if self.is_noisy else _NOISY)
         return (self.is_noisy, round(self.lost, 3)) != before
+
+    def has_failed_lately(self, time: float, counters: Counters) -> bool:
+        """Return whether what was read may be corrupted; `time` in seconds, on any one clock."""
+        failures = counters.missing + counters.corrupted
+        if failures > self._failures:
+            self._failed_at = time
+        self._failures = failures
+        return time - self._failed_at < _NOISE_LASTS
 
     @staticmethod
     def _is_enough(oldest: _Mark, newest: _Mark) -> bool:

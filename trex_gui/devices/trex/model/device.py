@@ -1,8 +1,6 @@
 """The board as the window sees it: the connection to it, and the models that mirror it."""
 
-import math
 from collections.abc import Callable, Collection, Mapping
-from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
@@ -19,6 +17,7 @@ from trex_gui.devices.trex.model.drive_controller import DriveController, why_th
 from trex_gui.devices.trex.model.errors import BoardEvents, ErrorLog
 from trex_gui.devices.trex.model.mix_jumper import MixJumper
 from trex_gui.devices.trex.model.motors import Motors
+from trex_gui.devices.trex.model.settings.accepted_memory import AcceptedMemory
 from trex_gui.devices.trex.model.settings.apply import Apply
 from trex_gui.devices.trex.model.settings.board_memory import BoardMemory
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
@@ -29,7 +28,6 @@ from trex_gui.devices.trex.protocol.calibration import (
     Calibration,
     CalibrationKey,
 )
-from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import who_controls
 from trex_gui.devices.trex.protocol.parameters import (
@@ -47,21 +45,16 @@ from trex_gui.devices.trex.session.messages import (
     Written,
 )
 from trex_gui.devices.trex.session.reconnecting import REACH, reconnect_candidates
-from trex_gui.devices.trex.settings.accepted import AcceptedValues
-from trex_gui.devices.trex.settings.document import factory_settings, open_values, settings_of
+from trex_gui.devices.trex.settings.document import factory_settings, settings_of
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.event_log import EventKind
-from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import now
 from trex_gui.ui.translations import error_text
 
 _TIMEOUT = ParameterKey.SERIAL_TIMEOUT
-
-_NOISE_LASTS = 5.0
-"""Seconds after a failed transaction in which a status without CRC may be corrupted as well."""
 
 
 class Device(QObject):
@@ -97,8 +90,7 @@ class Device(QObject):
         self.history = SettingsHistory()
         self.edit_backup = EditBackup(self.draft, parent=self)
         self.memory = BoardMemory(self.draft.notes, parent=self)
-        self._accepted = AcceptedValues()
-        self._accepted_by: Signature | None = None
+        self._accepted = AcceptedMemory(self.parameters, self)
         self._apply = Apply(self.draft, self.history, self.memory, self._request, self)
         self.connection = Connection(self)
         self.driving = DriveController(
@@ -108,8 +100,6 @@ class Device(QObject):
         self.state: DeviceState | None = None
         self.quality = ConnectionQuality()
         self._replaced: list[Path] = []  # files of other boards, renamed since the last reading
-        self._failures = 0  # transactions that failed, as last reported
-        self._failed_at = -math.inf
 
         self.connection.changed.connect(self.link_changed)
         self.connection.device_read.connect(self._on_read)
@@ -126,8 +116,8 @@ class Device(QObject):
         self.connection.failed.connect(self._on_connection_failed)
         self.connection.interfered.connect(self.notifier.report)
         self.driving.confirmed.connect(self.link_changed)
-        self.edit_backup.failed.connect(self.notifier.error)
-        self.memory.failed.connect(self.notifier.error)
+        for kept in (self.edit_backup, self.memory, self._accepted):
+            kept.failed.connect(self.notifier.error)
         for files in (self.edit_backup.files, self.memory.files):
             files.replaced.connect(self._on_replaced)
         self._apply.written.connect(self._on_written)
@@ -444,8 +434,7 @@ class Device(QObject):
         """Follow in its files what the board stores; `opened`: it may be another board."""
         state, is_simulated = report.state, bool(report.settings.name)
         self.edit_backup.take_board(ask=opened, is_simulated=is_simulated)
-        if opened or self._accepted_by != state.signature:
-            self._take_accepted(state.signature, is_simulated)
+        self._accepted.take_board(state.signature, opened=opened, is_simulated=is_simulated)
         stored = settings_of(state)
         self.memory.take_board(stored, state.source, opened=opened, is_simulated=is_simulated)
 
@@ -471,18 +460,6 @@ class Device(QObject):
         self.edit_backup.leave_board(is_deselected=True)
         self.draft.select_state(state, report.settings)
         self._take_files(report, opened=True)
-
-    def _take_accepted(self, board: Signature, is_simulated: bool) -> None:
-        """Take what boards of this kind have stored before; the demo says nothing about them."""
-        self._accepted_by = board
-        self.parameters.set_accepted({})
-        if not is_simulated:
-            read, then = partial(self._accepted.of, board), self.parameters.set_accepted
-            in_background(self, read, then, self._on_not_remembered)
-
-    def _on_not_remembered(self, error: StudioError) -> None:
-        text = self.tr("What the board accepted was not remembered. {0}")
-        self.notifier.error.emit(text.format(error_text(error)))
 
     @Slot(object)
     def _on_replaced(self, path: Path) -> None:
@@ -518,21 +495,8 @@ class Device(QObject):
         if self.draft.reset_pending or ParameterKey.FACTORY_RESET in keys:
             uncertain |= written.state.parameters.keys()
         self.driving.note_stored(written.state, uncertain)
-        self._remember_accepted(written)
+        self._accepted.note_written(written)
         self.state_changed.emit()
-
-    def _remember_accepted(self, written: Written) -> None:
-        """Remember values beyond inferred limits that the board has stored."""
-        verified = {
-            result.key: result.stored
-            for result in written.results
-            if result.error is None and isinstance(result.stored, int)
-        }
-        board = written.state.signature
-        is_simulated = self.settings is not None and bool(self.settings.name)
-        if (values := open_values(written.state.specs, verified)) and not is_simulated:
-            add = partial(self._accepted.add, board, values)
-            in_background(self, add, self.parameters.set_accepted, self._on_not_remembered)
 
     @Slot()
     def _on_ready(self) -> None:
@@ -541,16 +505,12 @@ class Device(QObject):
 
     @Slot(object)
     def _note_statuses(self, batch: Batch) -> None:
-        failures = batch.counters.missing + batch.counters.corrupted
-        if failures > self._failures:
-            self._failed_at = now()
-        self._failures = failures
-        is_noisy = now() - self._failed_at < _NOISE_LASTS
+        has_failed = self.quality.has_failed_lately(now(), batch.counters)
         has_crc = self.settings is not None and self.settings.line.has_crc
         for sample in batch.samples:
             if isinstance(sample, LatchedStatus):
                 self.events.note_status(sample)
-                self.errors.take(sample, is_doubtful=is_noisy and not has_crc)
+                self.errors.take(sample, is_doubtful=has_failed and not has_crc)
                 self._follow_board_stop(sample)
 
     @Slot(object)
