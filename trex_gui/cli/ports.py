@@ -83,7 +83,7 @@ def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
     "something replies. All boards on the line must run at the same rate.",
 )
 @timeout_option
-@traffic_option(Lazy("trex_gui.devices.trex.session.traffic_decoder:TrexDecoder"))
+@traffic_option(Lazy("trex_gui.devices.trex.session.traffic_decoder:TrexDecoder"), is_search=True)
 @json_option
 def find_command(port: str | None, full: bool, extra_timeout: float, as_json: bool) -> None:
     """Find a board whose serial settings are unknown.

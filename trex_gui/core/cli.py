@@ -188,15 +188,20 @@ timeout_option = click.option(
 json_option = click.option("--json", "as_json", is_flag=True, help="JSON instead of text.")
 
 
-def traffic_option(decoder: "Lazy[type[Decoder]]") -> Callable[[FunctionT], FunctionT]:
-    """Return the option that writes the traffic of a command to a file."""
+def traffic_option(
+    decoder: "Lazy[type[Decoder]]", *, is_search: bool = False
+) -> Callable[[FunctionT], FunctionT]:
+    """Return the option that writes the traffic of a command to a file.
+
+    `is_search`: the command searches for devices.
+    """
 
     def begin(context: click.Context, _option: click.Parameter, file: str | None) -> None:
         if file is None or context.resilient_parsing:
             return
         present = host()
         epoch = time.time() - present.clock()
-        writer = TranscriptWriter(Path(file), decoder.load()(), epoch)
+        writer = TranscriptWriter(Path(file), decoder.load()(), epoch, is_search=is_search)
         open_logged = logged(writer, present.open_transport, present.clock)
 
         def open_transport(settings: PortSettings) -> Transport:

@@ -14,6 +14,9 @@ from trex_gui.core.errors import StudioError, sentence
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
+SEARCH = "search: "
+"""Begins the meaning of what a search for devices sent."""
+
 _MOST_EVENTS = 50_000  # kept for a late reader: at 1,000 a second, nearly a minute
 
 
@@ -238,7 +241,7 @@ class Decoder(ABC):
             return known
         words = Decoded(transaction.note) if transaction.note else self.read(transaction)
         if transaction.is_search:
-            words = Decoded(f"search: {words.text}")
+            words = Decoded(f"{SEARCH}{words.text}")
         if transaction.is_over:
             transaction.words = words
         return words

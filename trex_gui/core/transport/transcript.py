@@ -13,6 +13,7 @@ from trex_gui import __version__
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import SettingsError
 from trex_gui.core.transport.traffic import (
+    SEARCH,
     Decoder,
     TrafficEvent,
     Transaction,
@@ -52,12 +53,14 @@ class TranscriptWriter:
     the line; `error` says why the file is not complete.
     """
 
-    def __init__(self, path: Path | None, decoder: Decoder, epoch: float) -> None:
+    def __init__(
+        self, path: Path | None, decoder: Decoder, epoch: float, *, is_search: bool = False
+    ) -> None:
         self.error: OSError | None = None
         self._path = path
         self._decoder = decoder
         self._epoch = epoch
-        self._assembler = TransactionAssembler(decoder)
+        self._assembler = TransactionAssembler(decoder, is_search=is_search)
         self._pending: Transaction | None = None
         self._file: TextIO | None = None
 
@@ -120,6 +123,11 @@ class TranscriptRow:
     sent: bytes
     received: bytes
     meaning: str
+
+    @property
+    def is_search(self) -> bool:
+        """Whether a search for devices sent it, perhaps at other settings than theirs."""
+        return self.meaning.startswith(SEARCH)
 
 
 def read_transcript(text: str, name: str, decoder: Decoder) -> Iterator[TranscriptRow]:

@@ -74,9 +74,10 @@ class RecordedTraffic:
 
     @classmethod
     def load(cls, path: Path) -> "RecordedTraffic":
-        """Read a file; SettingsError if it is no traffic log."""
+        """Read a file without the probes of searches; SettingsError if it is no traffic log."""
         text = load(path, "traffic logs", LARGEST).decode("utf-8", "replace")
-        return cls.of(list(read_transcript(text, str(path), TrexDecoder())))
+        rows = read_transcript(text, str(path), TrexDecoder())
+        return cls.of([row for row in rows if not row.is_search])
 
     @classmethod
     def of(cls, rows: Sequence[TranscriptRow]) -> "RecordedTraffic":

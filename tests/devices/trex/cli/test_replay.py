@@ -64,6 +64,18 @@ def test_crc_is_seen_in_the_packets(
     assert trexcmd("replay", str(transcript)).exit_code == 0
 
 
+def test_probes_of_a_search_are_left_out(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice, transcript: Path
+) -> None:
+    trexcmd("set", "uart_settings", "9600 baud, no error detection, 1 stop bit")
+    quick_simulator.do("power cycle")
+    assert trexcmd("find", "--traffic", str(transcript)).exit_code == 0
+    assert "\tsearch: get signature → no reply" in transcript.read_text(encoding="utf-8")
+    result = trexcmd("replay", str(transcript))
+    assert result.exit_code == 0, result.stdout
+    assert "0 transactions" in result.stdout
+
+
 def test_first_difference_is_shown_with_its_line(trexcmd: RunCommand, transcript: Path) -> None:
     trexcmd("set", "serial_timeout", "1.5 s", "--traffic", str(transcript))
     replace_cell(transcript, "AF 07 0F 55 2A", "00", "03")

@@ -19,8 +19,8 @@ def replay(file: str, everything: bool) -> None:
 
     FILE is what the traffic page saves and --traffic writes. The simulated board begins with the
     model, mode and stored values that the replies in FILE show; no port is opened and nothing real
-    moves. Of measurements and error bits only the size is compared. The exit code is 1 if a reply
-    differs.
+    moves. Probes of a search are left out, and of measurements and error bits only the size is
+    compared. The exit code is 1 if a reply differs.
     """
     with refusals():
         recorded = RecordedTraffic.load(Path(file))
