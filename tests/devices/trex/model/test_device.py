@@ -17,6 +17,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.session.messages import Batch
+from trex_gui.devices.trex.settings.board_records import BoardRecords
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.event_log import EventKind
 from trex_gui.ui.runtime import now
@@ -322,6 +323,33 @@ def test_edits_that_another_board_may_get_are_mentioned(
     may_be_other = maximum != 0x3F
     assert [text for text in texts if "still pending" in text] == texts
     assert bool(texts) is may_be_other
+
+
+def test_record_of_a_board_at_another_adapter_is_doubted(
+    recorder: DeviceRecorder, quick_simulator: SimulatedDevice, start_simulator: StartSimulator
+) -> None:
+    """Two boards as they come from the factory share what is kept of them."""
+    device, second, said = recorder.device, start_simulator("--unpaced"), list[str]()
+    device.memory.doubted.connect(said.append)
+    connections = (
+        (quick_simulator, "0403:6001-A500001", 0),
+        (quick_simulator, "0403:6001-A500001", 0),
+        (second, "0403:6001-B700002", 1),
+        (second, "0403:6001-B700002", 1),
+        (quick_simulator, "", 1),
+        (quick_simulator, "0403:6001-A500001", 2),
+    )
+    for simulator, adapter, count in connections:
+        device.motors.adapter = adapter
+        recorder.connect(simulator.url, again=device.is_connected)
+        recorder.until(lambda: device.memory.files.is_idle)
+        assert len(said) == count, adapter
+    assert "this TReX (notes, calibrations, applied settings) is of 20" in said[0]
+    # Whichever board gets a number of its own, nothing is taken from the other one.
+    device.set_device_number(8)
+    recorder.until(lambda: bool(recorder.results) and device.memory.files.is_idle)
+    names = sorted(path.name for path in BoardRecords().folder.iterdir())
+    assert names == ["trex-1.2-7.txt", "trex-1.2-8.txt"]
 
 
 def test_mode_change_is_detected(

@@ -79,8 +79,10 @@ def test_calibrations_of_both_sources_are_kept_with_their_age() -> None:
 def test_records_are_settings_files(tmp_path: Path) -> None:
     records = BoardRecords(tmp_path / "boards")
     assert records.load(BOARD) is None
-    record = EMPTY.after_writing(stored(serial_timeout=5), RC, (), NOW)
+    record = replace(EMPTY, adapter="0403:6001-A500001")
+    record = record.after_writing(stored(serial_timeout=5), RC, (), NOW)
     record = record.after_reading(stored(ANALOG), ANALOG, LATER)
+    assert (EMPTY.time, record.time) == (None, LATER)
     records.save(BOARD, record)
     assert records.load(BOARD) == record
     text = records.path(BOARD).read_text()

@@ -118,6 +118,7 @@ class Device(QObject):
         self.driving.confirmed.connect(self.link_changed)
         for kept in (self.edit_backup, self.memory, self._accepted):
             kept.failed.connect(self.notifier.error)
+        self.memory.doubted.connect(self.notifier.info)
         for files in (self.edit_backup.files, self.memory.files):
             files.replaced.connect(self._on_replaced)
         self._apply.written.connect(self._on_written)
@@ -436,7 +437,13 @@ class Device(QObject):
         self.edit_backup.take_board(ask=opened, is_simulated=is_simulated)
         self._accepted.take_board(state.signature, opened=opened, is_simulated=is_simulated)
         stored = settings_of(state)
-        self.memory.take_board(stored, state.source, opened=opened, is_simulated=is_simulated)
+        self.memory.take_board(
+            stored,
+            state.source,
+            opened=opened,
+            is_simulated=is_simulated,
+            adapter=self.motors.adapter,
+        )
 
     def _on_selected(self, report: Connected) -> None:
         """Show another board on the line, with its edits and counts; those of the last are kept."""

@@ -2,7 +2,8 @@
 
 A record is a settings file. Its parameters are those that were applied last, none if nothing ever
 was; its calibrations are those of both input sources, although a board shows one set only. Comments
-at its head say when the parameters were applied, and since when each set is known.
+at its head say when the parameters were applied, since when each set is known, and at which adapter
+the board was. Two boards may share a record; another adapter is the only sign of that there is.
 """
 
 import re
@@ -28,6 +29,7 @@ _TITLE = "What this computer keeps of a board: the settings that were applied la
 _HEAD = re.compile(
     r"^# (parameters|rc calibrations|analog calibrations): (applied|read) (\S+)$", re.MULTILINE
 )
+_ADAPTER = re.compile(r"^# adapter: (\S+)$", re.MULTILINE)
 _PARAMETERS = "parameters"
 
 
@@ -46,6 +48,13 @@ class BoardRecord:
     settings: Settings
     applied: datetime | None = None  # when parameters were written last; `None`: never
     known: Mapping[InputSource, Known] = field(default_factory=dict)  # the calibrations
+    adapter: str = ""  # the key of the last one that the board was at; empty if not known
+
+    @property
+    def time(self) -> datetime | None:
+        """When any of it was applied or read last; `None`: never."""
+        times = [each.time for each in self.known.values()]
+        return max([*times, self.applied] if self.applied else times, default=None)
 
     def calibrations(self, source: InputSource) -> dict[CalibrationKey, Calibration]:
         given = self.settings.calibrations
@@ -109,6 +118,7 @@ class BoardRecord:
             ),
             now,
             {**self.known, source: Known(now, True)},
+            self.adapter,
         )
         return record.before_writing(uncertain)
 
@@ -183,6 +193,8 @@ def _text(record: BoardRecord) -> str:
     if record.applied is not None:
         lines.append(_line(_PARAMETERS, Known(record.applied, True)))
     lines += [_line(_name(source), known) for source, known in record.known.items()]
+    if record.adapter:
+        lines.append(f"adapter: {'-'.join(record.adapter.split())}")
     return write_settings(record.settings, title_lines=lines)
 
 
@@ -200,12 +212,13 @@ def _record(settings: Settings, text: str) -> BoardRecord:
                 found[name] = Known(time, verb == "applied")
     known = {source: found[_name(source)] for source in InputSource if _name(source) in found}
     given = {key: c for key, c in settings.calibrations.items() if key.source in known}
-    applied = found.get(_PARAMETERS)
+    applied, adapter = found.get(_PARAMETERS), _ADAPTER.search(text)
     parameters = {} if applied is None else settings.parameters
     return BoardRecord(
         replace(settings, parameters=parameters, calibrations=given),
         None if applied is None else applied.time,
         known,
+        "" if adapter is None else adapter[1],
     )
 
 

@@ -83,11 +83,22 @@ class BoardFiles(QObject, Generic[SavedT, FoundT]):
         if not self._timer.isActive():
             self._timer.start()
 
-    def move(self, old: BoardIdentity, new: BoardIdentity, content: SavedT | None) -> None:
-        """Save under another identity; the file of a board that had it is renamed, not lost."""
+    def move(
+        self,
+        old: BoardIdentity,
+        new: BoardIdentity,
+        content: SavedT | None,
+        *,
+        keeps_old: bool = False,
+    ) -> None:
+        """Save under another identity; the file of a board that had it is renamed, not lost.
+
+        With `keeps_old` the old file stays as well: it may be of another board.
+        """
         self._moved.discard(old)
         self._moved.add(new)
-        self.save(old, None)
+        if not keeps_old:
+            self.save(old, None)
         self.save(new, content)
 
     def read(self, board: BoardIdentity) -> None:

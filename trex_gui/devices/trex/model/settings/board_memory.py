@@ -1,6 +1,7 @@
 """What this computer keeps of the board that is connected: see `BoardRecord`."""
 
 from collections.abc import Callable, Collection
+from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal, Slot
 
@@ -18,7 +19,7 @@ from trex_gui.devices.trex.settings.board_records import (
 from trex_gui.devices.trex.settings.comparison import Comparison
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
-from trex_gui.ui.translations import error_sentence
+from trex_gui.ui.translations import error_sentence, local_time
 
 Change = Callable[[BoardRecord], BoardRecord]
 
@@ -34,10 +35,12 @@ class BoardMemory(QObject):
     Signals:
         changed: `record` or `differing`.
         failed: why nothing can be kept, for the user; once, until it works again.
+        doubted: that the record may be of another board, for the user.
     """
 
     changed = Signal()
     failed = Signal(str)
+    doubted = Signal(str)
 
     def __init__(
         self,
@@ -53,6 +56,8 @@ class BoardMemory(QObject):
         self._board: BoardIdentity | None = None
         self._stored: Settings | None = None  # what the board stores, while it is connected
         self._source = InputSource.RC  # the active one
+        self._adapter = ""
+        self._is_doubted = False  # the record may be of another board
         self._is_renamed = False  # the next start of the board resets its number
         self._later: list[Change] = []  # what happened before the record was read
         self.files.found.connect(self._on_found)
@@ -86,10 +91,19 @@ class BoardMemory(QObject):
     # --- Reports of the device ----------------------------------------------------------
 
     def take_board(
-        self, stored: Settings, source: InputSource, *, opened: bool, is_simulated: bool = False
+        self,
+        stored: Settings,
+        source: InputSource,
+        *,
+        opened: bool,
+        is_simulated: bool = False,
+        adapter: str = "",
     ) -> None:
-        """Take what was read; the record is read from its file for another board, or `opened`."""
-        self._stored, self._source = stored, source
+        """Take what was read; the record is read from its file for another board, or `opened`.
+
+        `adapter` is the key of the one that the board is at; empty if that is not known.
+        """
+        self._stored, self._source, self._adapter = stored, source, adapter
         board = BoardIdentity.of(stored, is_simulated=is_simulated)
         is_same = self._board is not None and board.product == self._board.product
         if self._is_renamed and is_same and not opened and board != self._board:
@@ -128,7 +142,8 @@ class BoardMemory(QObject):
     def _rename(self, board: BoardIdentity) -> None:
         """Follow another device number of the same board."""
         if self._board is not None and board != self._board and self.record is not None:
-            self.files.move(self._board, board, self.record)
+            self.files.move(self._board, board, self.record, keeps_old=self._is_doubted)
+            self._is_doubted = False
             self._board = board
             self._notes.load(self._notes.all, board)
 
@@ -168,10 +183,26 @@ class BoardMemory(QObject):
         if board != self._board or self.record is not None:
             return
         self.record = found or BoardRecord(Settings(board.product, board.firmware))
+        self._note_adapter(self.record)
         later, self._later = self._later, []
         for change in later:
             self._change(change)
         self._notes.load(self.record.settings.notes, board)
+
+    def _note_adapter(self, found: BoardRecord) -> None:
+        """Say that a record may be of another board, if its board was at another adapter."""
+        adapter = self._adapter
+        self._is_doubted = bool(adapter and found.adapter) and adapter != found.adapter
+        if not adapter or adapter == found.adapter:
+            return
+        self._change(lambda record: replace(record, adapter=adapter))
+        if self._is_doubted and found.time is not None:
+            text = self.tr(
+                "What is kept here for this {0} (notes, calibrations, applied settings) is of {1}, "
+                "when it was at another USB adapter or socket. If this is another board, give it "
+                "a device number of its own: boards with the same number share what is kept."
+            )
+            self.doubted.emit(text.format(found.settings.product.name, local_time(found.time)))
 
     @Slot(object)
     def _on_failed(self, failure: SettingsError) -> None:
