@@ -5,6 +5,7 @@ import importlib.util
 import re
 import sys
 from collections.abc import Mapping, Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import ModuleType
@@ -403,6 +404,7 @@ def ended(monkeypatch: pytest.MonkeyPatch) -> Ended:
     ended = Ended()
     monkeypatch.setattr(bootstrap, "set_up", lambda: False)
     monkeypatch.setattr(bootstrap, "run_in_sight", ended.run)
+    monkeypatch.setattr(bootstrap, "compile_tests", nullcontext)
     return ended
 
 
