@@ -252,7 +252,7 @@ def test_board_ramp_lowers_the_measured_inrush_current(armed: BenchSetup) -> Non
     assert hard.peak is not None
     assert soft.peak is not None
     assert soft.peak < 0.7 * hard.peak
-    assert dict(soft_run.settings)["Motor 1 Acceleration"].startswith("20")
+    assert dict(soft_run.settings)["Motor 1 Acceleration"].startswith("0.64 s")
     assert len(armed.bench.runs) == len(armed.finished) == 2
 
 
