@@ -1,12 +1,12 @@
 """What a report for support says of the board."""
 
 from collections.abc import Callable
+from functools import partial
 
 from trex_gui.core.texts import counted
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT
 from trex_gui.devices.trex.protocol.flags import CHANNELS
-from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.writer import write_settings
 
 
@@ -52,11 +52,9 @@ def status_text(device: Device) -> str:
 def settings_parts(device: Device) -> dict[str, Callable[[], str]]:
     """Return the files of what the board stores, and of what is edited, if that differs."""
     stored, shown = device.draft.stored, device.draft.shown
-    parts = {} if stored is None else {"settings.txt": _writer(stored)}
+    parts: dict[str, Callable[[], str]] = {}
+    if stored is not None:
+        parts["settings.txt"] = partial(write_settings, stored)
     if shown is not None and device.draft.pending:
-        parts["settings_edited.txt"] = _writer(shown)
+        parts["settings_edited.txt"] = partial(write_settings, shown)
     return parts
-
-
-def _writer(settings: Settings) -> Callable[[], str]:
-    return lambda: write_settings(settings)

@@ -29,7 +29,6 @@ class BoardPanel(QWidget):
     Choosing one switches every page to it.
     """
 
-    number_requested = Signal()
     file_requested = Signal()
 
     def __init__(self, boards: BoardList, device: Device, parent: QWidget | None = None) -> None:
@@ -37,6 +36,7 @@ class BoardPanel(QWidget):
         self.setObjectName("boardPanel")
         self._boards = boards
         self._device = device
+        self._number: NumberDialog | None = None
         self._create_widgets()
         ui.column(
             ui.label(self, "boardsTitle", self.tr("Boards on this line"), bold=True, wrap=True),
@@ -93,7 +93,7 @@ class BoardPanel(QWidget):
             self.tr("Change number…"),
             icon="edited",
             tip=self.tr("Give the board that is selected another device number"),
-            on_click=self.number_requested,
+            on_click=self.change_number,
         )
         self._file = ui.button(
             self,
@@ -103,6 +103,13 @@ class BoardPanel(QWidget):
             tip=self.tr("Write a settings file to several boards; each keeps its number"),
             on_click=self.file_requested,
         )
+
+    @Slot()
+    def change_number(self) -> None:
+        """Let the user give the selected board another device number."""
+        if self._number is None:
+            self._number = NumberDialog(self._boards, self._device, self.window())
+        self._number.ask()
 
     def _take_width(self) -> None:
         texts = (_WIDEST, *(button.text() for button in (self._scan, self._change, self._file)))

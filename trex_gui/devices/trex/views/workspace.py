@@ -25,7 +25,7 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.comparison import ComparisonRow
 from trex_gui.devices.trex.views.action_bar import ActionBar
 from trex_gui.devices.trex.views.bench.dialog import BenchDialog
-from trex_gui.devices.trex.views.boards import BoardPanel, NumberDialog
+from trex_gui.devices.trex.views.boards import BoardPanel
 from trex_gui.devices.trex.views.close_prompt import ClosePrompt
 from trex_gui.devices.trex.views.demo_panel import DemoPanel
 from trex_gui.devices.trex.views.history_dialog import HistoryDialog
@@ -88,8 +88,7 @@ class TrexWorkspace(Workspace):
         self.log.follow(device.events)
 
         self._boards = boards = BoardList(device, self)
-        panel = BoardPanel(boards, device, self)
-        panel.number_requested.connect(self._change_number)
+        self._panel = panel = BoardPanel(boards, device, self)
         panel.file_requested.connect(self._apply_to_boards)
         tabs = self.pages
         ui.tab_order(panel, tabs.tabBar())
@@ -129,7 +128,6 @@ class TrexWorkspace(Workspace):
         self._learn = LearnDialog(learning, frame)
         # Made when they are first opened:
         self._setup: SetupDialog | None = None
-        self._number: NumberDialog | None = None
         self._to_boards: ApplyToBoardsDialog | None = None
         self._check: CheckBoardDialog | None = None
         self._plot: PlotWindow | None = None
@@ -286,12 +284,6 @@ class TrexWorkspace(Workspace):
         self._setup.open_setup()
 
     @Slot()
-    def _change_number(self) -> None:
-        if self._number is None:
-            self._number = NumberDialog(self._boards, self._device, self._frame)
-        self._number.ask()
-
-    @Slot()
     def _apply_to_boards(self) -> None:
         self.files.ask_for_document(self._show_changes_of_boards)
 
@@ -384,7 +376,7 @@ class TrexWorkspace(Workspace):
                 Entry("power", tr("Make stored settings acti&ve…"), self._power.guide, "", "power"),
                 SEPARATOR,
                 Entry("boards", tr("Find &other boards on this line"), self._boards.scan),
-                Entry("number", tr("Change device nu&mber…"), self._change_number),
+                Entry("number", tr("Change device nu&mber…"), self._panel.change_number),
                 Entry("to_boards", tr("A&pply a file to several boards…"), self._apply_to_boards),
                 SEPARATOR,
                 Entry("setup", tr("Set &up my robot…"), self._set_up, "", "settings"),
