@@ -50,8 +50,8 @@ class CurrentsPanel(TracePanel):
             note = empty = self.tr("Connect to a board to see its motor currents.")
             if self._device.link is ConnectionState.DISCONNECTED:
                 empty = self.tr(
-                    "No board is connected. Choose a port at the top and press Connect; without "
-                    "hardware, choose the demo board."
+                    "No board is connected. Choose a port at the top of the main window and press "
+                    "Connect; without hardware, choose the demo board."
                 )
         elif self._device.is_joint:
             note = empty = self.tr("Joint mode: the board does not sense currents.")
