@@ -244,7 +244,7 @@ def test_board_ramp_lowers_the_measured_inrush_current(armed: BenchSetup) -> Non
     armed.simulator.do("load 1 3")
     armed.plan(speed=120, duration=1.2, accelerate=True, abort_current=38.0)
     hard = figures(armed.run())
-    armed.device.parameters.edit("motor1_acceleration", 20)  # 120 takes 0.6 s
+    armed.device.parameters.edit("motor1_acceleration", 20)
     armed.device.apply()
     armed.until(lambda: not armed.device.applying and armed.device.draft.pending == 0)
     soft_run = armed.run()
