@@ -573,13 +573,27 @@ def count_tests(report: Path) -> int | None:
     return None if suite is None else int(suite.get("tests", "0"))
 
 
+def memory_folder() -> str | None:
+    """Return a folder in memory if there is one with room for what tests write, some 100 MB.
+
+    They flush thousands of files to the disk, which takes a tenth of their time.
+    """
+    folder = "/dev/shm"
+    try:
+        has_room = shutil.disk_usage(folder).free > 1e9 and os.access(folder, os.W_OK)
+    except OSError:
+        has_room = False
+    return folder if has_room else None
+
+
 def run_check(check: Check) -> CheckResult:
     """Run one check in sight."""
     say(f"\n--- {check.name}")
     started = time.monotonic()
-    with tempfile.TemporaryDirectory(prefix="trex-tests") as folder:
+    with tempfile.TemporaryDirectory(prefix="trex-tests", dir=memory_folder()) as folder:
         report = Path(folder) / "report.xml"
-        to_report = (f"--junitxml={report}",) if check.is_tests else ()
+        files = (f"--junitxml={report}", f"--basetemp={Path(folder) / 'tests'}")
+        to_report = files if check.is_tests else ()
         environment = {**OFFSCREEN, **COMPILE_ONCE, **check.environment}
         status = run_in_sight((*check.command, *to_report), environment)
         tests = count_tests(report) if check.is_tests else None
