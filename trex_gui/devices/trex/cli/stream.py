@@ -15,6 +15,7 @@ from click.core import ParameterSource
 from trex_gui.core.cli import CommandFailed, FiniteRange, Interruption, say
 from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.core.file_name import FileName
+from trex_gui.core.texts import counted
 from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import agreed
@@ -122,7 +123,7 @@ def stream(
         finally:
             target.flush()
             if count:
-                say(f"{count} row{'' if count == 1 else 's'}.")
+                say(f"{counted(count, 'row')}.")
         if reason:
             raise CommandFailed(reason)
 

@@ -278,10 +278,5 @@ def needs_a_look(error: BaseException) -> bool:
 
 def suggests_scan(error: BaseException) -> bool:
     """Whether the board may have other serial settings: a scan may find it."""
-    return isinstance(error, TrexError) and error.code in {
-        ErrorCode.NO_BOARD,
-        ErrorCode.NO_BOARD_AT_NUMBER,
-        ErrorCode.ECHO_ONLY,
-        ErrorCode.OTHER_DEVICE,
-        ErrorCode.SEVERAL_BOARDS,
-    }
+    is_shared = isinstance(error, TrexError) and error.code is ErrorCode.SEVERAL_BOARDS
+    return is_shared or needs_a_look(error)
