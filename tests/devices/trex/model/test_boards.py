@@ -18,7 +18,7 @@ from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.devices.trex.model.boards import BoardList, Presence
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.gamepad import Gamepad
-from trex_gui.devices.trex.model.learning.learning import Learning
+from trex_gui.devices.trex.model.learning.learning import Learning, LearningStep
 from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup
 from trex_gui.devices.trex.model.setup.wiring import Movement
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -263,7 +263,8 @@ def test_held_controls_and_answers_are_not_handed_to_the_next_board(make: Make) 
     motors.lockout = 0
     bench, gamepad = Bench(device), Gamepad(device, pads)
     bench.set_plan(Plan(profile=Profile(speed=40, duration=60.0)))
-    setup = RobotSetup(device, Learning(device))
+    learning = Learning(device)
+    setup = RobotSetup(device, learning)
     pulses = setup.pulses
     gamepad.switch_on()
 
@@ -301,6 +302,16 @@ def test_held_controls_and_answers_are_not_handed_to_the_next_board(make: Make) 
         motors.stop()
     assert bench.runs[-1].reason == "Another board was selected."
     gamepad.switch_off()
+    # Nor is what was seen of the sticks of the former one.
+    for _ in range(3):
+        device.mix_jumper.feed((60, 0), (60, -60))
+    stand.wait(lambda: device.mix_jumper.is_on)
+    learning.begin()
+    stand.wait(lambda: learning.step is LearningStep.NEUTRAL)
+    stand.select(7)
+    assert device.mix_jumper.is_on is None
+    assert learning.step is LearningStep.FAILED
+    assert learning.trouble == "Another board was selected. Nothing was changed."
 
 
 def test_silent_driven_board_stays_selected(make: Make) -> None:

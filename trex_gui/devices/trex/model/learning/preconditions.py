@@ -89,6 +89,8 @@ class CalibrationPreconditions(QObject):
         device, state = self._device, self._device.state
         if device.link is ConnectionState.NOT_RESPONDING:
             return self.tr("The board has stopped responding: its power or its cable was cut.")
+        if device.link is ConnectionState.CONNECTING:
+            return self.tr("Another board was selected.")
         if not device.is_connected or state is None:
             return self.tr("The connection to the board was lost.")
         if not state.mode.is_serial or state.source is not self._source:
