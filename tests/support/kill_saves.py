@@ -212,10 +212,10 @@ def _main() -> None:
         kind, folder, version = line.rstrip("\n").split("\t")
         process = os.fork()
         if process == 0:
+            os.write(1, b"%d\n" % os.getpid())  # before the versions, so not by the other process
             for number in itertools.count(int(version)):
                 KINDS[kind].save(Path(folder), number)
                 os.write(1, b"%d\n" % number)
-        os.write(1, b"%d\n" % process)
         os.waitpid(process, 0)
         os.write(1, b"ended\n")
 
