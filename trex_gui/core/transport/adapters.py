@@ -1,5 +1,6 @@
 """USB adapters, and how to know one again when its port has another name."""
 
+import re
 from dataclasses import dataclass
 
 from serial.tools.list_ports_common import ListPortInfo
@@ -34,9 +35,9 @@ class Adapter:
 
     @property
     def key(self) -> str:
-        """A name for what is remembered of the adapter; the same wherever `is_same` says so."""
+        """One word for what is remembered of the adapter; the same wherever `is_same` says so."""
         place = self.location if len(self.number) <= _SHARED else _interface(self)
-        return "-".join(filter(None, (self.product, self.number, place))).replace("/", "-")
+        return re.sub(r"[/\s]+", "-", "-".join(filter(None, (self.product, self.number, place))))
 
     def is_same(self, other: "Adapter") -> bool:
         """Whether this is the other adapter, perhaps in another socket."""

@@ -8,6 +8,7 @@ import pytest
 
 from tests.devices.trex.settings.samples import factory
 from trex_gui.core.files import SettingsError
+from trex_gui.core.transport.adapters import Adapter
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.settings.board_records import BoardRecord, BoardRecords, Known
@@ -79,7 +80,7 @@ def test_calibrations_of_both_sources_are_kept_with_their_age() -> None:
 def test_records_are_settings_files(tmp_path: Path) -> None:
     records = BoardRecords(tmp_path / "boards")
     assert records.load(BOARD) is None
-    record = replace(EMPTY, adapter="0403:6001-A500001")
+    record = replace(EMPTY, adapter=Adapter("0403:6001", "My adapter/1").key)
     record = record.after_writing(stored(serial_timeout=5), RC, (), NOW)
     record = record.after_reading(stored(ANALOG), ANALOG, LATER)
     assert (EMPTY.time, record.time) == (None, LATER)

@@ -224,9 +224,7 @@ class BoardList(QObject):
 
     def _follow_addressing(self) -> None:
         reaches_several = self.has_several and not self.is_addressed
-        if reaches_several != self._device.driving.reaches_several:
-            self._device.driving.set_reaching_several(reaches_several)
-            self._device.link_changed.emit()
+        self._device.driving.set_reaching_several(reaches_several)
 
     @property
     def _signature(self) -> Signature | None:

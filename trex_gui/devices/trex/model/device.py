@@ -115,7 +115,8 @@ class Device(QObject):
         self.connection.sampled.connect(self.sampled)
         self.connection.failed.connect(self._on_connection_failed)
         self.connection.interfered.connect(self.notifier.report)
-        self.driving.confirmed.connect(self.link_changed)
+        for changed in (self.driving.confirmed, self.driving.reach_changed):
+            changed.connect(self.link_changed)
         for kept in (self.edit_backup, self.memory, self._accepted):
             kept.failed.connect(self.notifier.error)
         self.memory.doubted.connect(self.notifier.info)

@@ -49,9 +49,11 @@ class DriveController(QObject):
 
     Signals:
         confirmed: a stop was; `may_move` is true if a setpoint was sent meanwhile.
+        reach_changed: `reaches_several`.
     """
 
     confirmed = Signal()
+    reach_changed = Signal()
 
     def __init__(
         self,
@@ -111,6 +113,7 @@ class DriveController(QObject):
         if several != self.reaches_several:
             self.reaches_several = several
             self.follow_control()
+            self.reach_changed.emit()
 
     def stop(self, then: AfterStop, reason: str = "") -> None:
         """Stop everything and disarm; `then` is called once with the confirmation or its error."""

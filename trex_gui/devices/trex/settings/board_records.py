@@ -194,7 +194,7 @@ def _text(record: BoardRecord) -> str:
         lines.append(_line(_PARAMETERS, Known(record.applied, True)))
     lines += [_line(_name(source), known) for source, known in record.known.items()]
     if record.adapter:
-        lines.append(f"adapter: {'-'.join(record.adapter.split())}")
+        lines.append(f"adapter: {record.adapter}")
     return write_settings(record.settings, title_lines=lines)
 
 
