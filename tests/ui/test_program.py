@@ -20,6 +20,7 @@ from trex_gui.composition import build
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.program import Program
+from trex_gui.ui.theme.style import theme_style
 from trex_gui.ui.theme.theme import theme
 
 _EMBEDDING = """
@@ -55,7 +56,7 @@ def test_close_leaves_no_qt_object(
 ) -> None:
     settings = tmp_path / "rover.txt"
     settings.write_text("product: TReX\n", encoding="utf-8")
-    before = {theme(), *_objects()}
+    before = {theme(), theme_style(), *_objects()}
     _use(qtbot, quick_simulator.url, settings)
     gc.collect()  # preferences are Qt objects that Python owns
     assert _objects() - before == set()

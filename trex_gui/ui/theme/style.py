@@ -67,14 +67,19 @@ class _ThemeStyle(QProxyStyle):
             super().drawControl(element, option, painter, widget)
 
 
-def use_theme_style(widget: QWidget) -> None:
-    """Let check and radio buttons grow with the font; show frames and the lines of menus.
-
-    Not for the whole application: each metric and each shape is asked of Python.
-    """
+def theme_style() -> QStyle:
+    """The one style of the application; it is made at the first call."""
     app = QApplication.instance()
     style = app.findChild(_ThemeStyle) if app is not None else None
     if style is None:
         style = _ThemeStyle("Fusion")
         style.setParent(app)
-    widget.setStyle(style)
+    return style
+
+
+def use_theme_style(widget: QWidget) -> None:
+    """Let check and radio buttons grow with the font; show frames and the lines of menus.
+
+    Not for the whole application: each metric and each shape is asked of Python.
+    """
+    widget.setStyle(theme_style())
