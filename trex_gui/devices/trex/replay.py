@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.files import load
+from trex_gui.core.files import SettingsError, load
 from trex_gui.core.simulator.line import SimulatedLine
 from trex_gui.core.texts import counted
 from trex_gui.core.transport.traffic import Transaction
@@ -74,10 +74,18 @@ class RecordedTraffic:
 
     @classmethod
     def load(cls, path: Path) -> "RecordedTraffic":
-        """Read a file without the probes of searches; SettingsError if it is no traffic log."""
+        """Read a file without the probes of searches.
+
+        Raises:
+            SettingsError: it is no traffic log, or nothing in it can be compared.
+        """
         text = load(path, "traffic logs", LARGEST).decode("utf-8", "replace")
-        rows = read_transcript(text, str(path), TrexDecoder())
-        return cls.of([row for row in rows if not row.is_search])
+        read = read_transcript(text, str(path), TrexDecoder())
+        rows = [row for row in read if not row.is_search]
+        if not any(row.sent for row in rows):
+            message = "there is nothing to compare: nothing was sent, except to search"
+            raise SettingsError.of(str(path), message)
+        return cls.of(rows)
 
     @classmethod
     def of(cls, rows: Sequence[TranscriptRow]) -> "RecordedTraffic":
@@ -94,7 +102,10 @@ class RecordedTraffic:
 
     def _learn(self, row: TranscriptRow, written: set[object]) -> None:
         """Take what a value was before anything in the file has changed it."""
-        match last_exchange(self._transaction(row)):
+        packet, reply = last_exchange(self._transaction(row))
+        if isinstance(packet, Packet) and isinstance(reply, Reply) and reply.raw:
+            self._learn_number(packet.device_number, written)
+        match packet, reply:
             case Packet(command=GetSignature()), Reply(value=Signature() as signature):
                 self.signature = self.signature or signature
             case Packet(command=GetMode()), Reply(value=Mode() as mode):
@@ -111,6 +122,12 @@ class RecordedTraffic:
                     self.calibrations.setdefault((self.mode.source, channel), one)
             case _:
                 pass
+
+    def _learn_number(self, device_number: int | None, written: set[object]) -> None:
+        """Take the number by which a board was addressed that has replied."""
+        parameter = parameter_number(ParameterKey.DEVICE_NUMBER)
+        if device_number is not None and parameter not in written:
+            self.parameters.setdefault(parameter, device_number)
 
     def _transaction(self, row: TranscriptRow) -> Transaction:
         return Transaction(
