@@ -247,6 +247,7 @@ def test_typed_bytes_are_explained_and_sent(
     with window.qtbot.waitSignal(window.device.notifier.info) as info:
         page.type_into("transcriptBytes", "9F 07")
     assert info.args == ["Sent 9F 07; the reply is 00."]
+    page.wait(lambda: page.column(SENT)[-1] == "9F 07")  # one of the polls, which are hidden
 
     page.type_into("transcriptBytes", "AF 07 05 55 2A", enter=False)
     assert "set Serial Timeout to 0.5 s (5) (stored at once" in meaning()

@@ -54,6 +54,14 @@ def test_polls_are_separated_from_commands(setup: TrafficSetup) -> None:
     assert setup.traffic.faults == 0
 
 
+def test_typed_poll_is_shown_once(setup: TrafficSetup) -> None:
+    setup.traffic.expect_typed(POLL)
+    for _ in range(3):
+        setup.log(POLL, ANSWER)
+    assert len(setup.texts) == 1
+    assert setup.traffic.everything.count == 3
+
+
 def test_polls_are_not_decoded_until_they_are_shown(setup: TrafficSetup) -> None:
     setup.log(POLL, ANSWER)
     setup.log(POLL)

@@ -77,6 +77,7 @@ class TrafficModel(QObject):
         self.search_log = TrafficLog()  # traffic of searches for devices, beside that of the line
         self._search = TransactionAssembler(decoder, numbers=numbers, is_search=True)
         self._is_searching = self._is_open = False
+        self._typed: list[bytes] = []  # requests of the user that were not seen yet
         self._newest = 0
         self._epoch = time.time() - now()
         self._is_seen = False
@@ -87,6 +88,10 @@ class TrafficModel(QObject):
     def note_settings(self, settings: PortSettings, *, echo: bool) -> None:
         self.pull()
         self._assembler.settings, self._assembler.echo = settings, echo
+
+    def expect_typed(self, data: bytes) -> None:
+        """Show the next request with these bytes: the user sends it, even if it is a poll, too."""
+        self._typed.append(data)
 
     def decode_again(self) -> None:
         """Decode every row again, after the decoder has learned more about the device."""
@@ -157,6 +162,9 @@ class TrafficModel(QObject):
         if is_new:
             self._newest = transaction.number
             self.everything.add(transaction)
+            if transaction.sent in self._typed:
+                self._typed.remove(transaction.sent)
+                transaction.is_routine = False
         is_fault = (
             transaction.is_over and not transaction.is_search and self.decoder.is_fault(transaction)
         )
@@ -169,6 +177,7 @@ class TrafficModel(QObject):
     def _on_started(self) -> None:
         self._epoch = time.time() - now()
         self._assembler.echo = None
+        self._typed.clear()
         self._is_open = True
         self._watch()
 
