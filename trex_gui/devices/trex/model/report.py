@@ -5,6 +5,7 @@ from functools import partial
 
 from trex_gui.core.texts import counted
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.drive_status import drive_inputs, drive_statuses
 from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.settings.writer import write_settings
@@ -28,6 +29,8 @@ def status_text(device: Device) -> str:
         for entry in device.errors.entries
         if entry.last is not None
     ]
+    reasons = drive_statuses(drive_inputs(device))
+    lines += [f"Motors: {reason.text} {reason.remedy}".rstrip() for reason in reasons]
     state, telemetry = device.state, device.telemetry
     if state is None:
         return "\n".join([*lines, ""])
@@ -35,9 +38,9 @@ def status_text(device: Device) -> str:
         f"Board: {device.board_name}",
         f"Mode: {MODE_TEXT[state.mode]}",
         f"In control: {device.control_text}",
-        f"Echo: {device.connection.echo}",
-        f"Guardian: {device.connection.is_guarded}",
-        f"Armed: {device.motors.armed}, may be moving: {device.may_move}",
+        f"Echo: {_yes(device.connection.echo)}",
+        f"Guardian: {_yes(device.connection.is_guarded)}",
+        f"Armed: {_yes(device.motors.armed)}, may be moving: {_yes(device.may_move)}",
         f"Currents (A): {telemetry.motor_currents}",
     ]
     lines += [
@@ -47,6 +50,10 @@ def status_text(device: Device) -> str:
     ]
     lines += [f"Not read: {key}: {why}" for key, why in state.unread.items()]
     return "\n".join([*lines, ""])
+
+
+def _yes(fact: bool) -> str:
+    return "yes" if fact else "no"
 
 
 def settings_parts(device: Device) -> dict[str, Callable[[], str]]:
