@@ -9,8 +9,9 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QCheckBox, QFileDialog, QLabel, QLineEdit, QPlainTextEdit
 
-from tests.support.simulator import SimulatedDevice
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.window import WidgetDriver, WindowDriver
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.ui.theme.theme import choose_font_size
 from trex_gui.ui.traffic.page import TrafficPage
 from trex_gui.ui.traffic.table import RECEIVED, SENT, WORDS, TrafficView
@@ -272,3 +273,34 @@ def test_typed_bytes_are_explained_and_sent(
     assert "Sent by hand: set motor 1 to forward 80" in {
         event.text for event in window.device.events.all
     }
+
+
+def test_typed_write_to_every_board_on_a_line_is_not_sent(
+    window: WindowDriver, page: TrafficDriver, start_simulator: StartSimulator
+) -> None:
+    boards = start_simulator("--unpaced", "--device", "7", "--device", "9")
+    port = window.program.ports.add_typed(boards.url)
+    settings = ConnectionSettings(boards.url, device_number=7)
+    window.program.device_manager.connect_with(port, settings)
+    window.wait(lambda: window.device.is_connected)
+
+    def numbers() -> list[int]:
+        return [boards.show(f"@{one}")["parameters"]["device_number"] for one in (7, 9)]
+
+    page.type_into("transcriptBytes", "AF 00 0C 55 2A")
+    assert page.text("transcriptMeaning").endswith("board on this line would store it: address 7.")
+    assert not page.is_enabled("transcriptSendButton")
+    assert numbers() == [7, 9]
+    page.type_into("transcriptBytes", "80 07 2F 00 0C 55 2A")
+    window.wait(lambda: numbers() == [12, 9])
+
+
+def test_typed_write_waits_until_one_of_several_boards_is_selected(
+    window: WindowDriver, page: TrafficDriver, simulator: SimulatedDevice
+) -> None:
+    window.connect(simulator.url)
+    page.type_into("transcriptBytes", "AF 07 05 55 2A", enter=False)
+    assert page.is_enabled("transcriptSendButton")
+    window.device.driving.set_reaching_several(True)
+    assert page.text("transcriptMeaning").endswith("store it: select one of them.")
+    assert not page.is_enabled("transcriptSendButton")

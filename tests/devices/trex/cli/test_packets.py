@@ -85,6 +85,8 @@ def test_raw_write_is_flagged(trexcmd: RunCommand, quick_simulator: SimulatedDev
     assert result.stdout == "00\n"
     assert "set Serial Timeout to 1.5 s (15). The board stores it at once" in result.stderr
     assert quick_simulator.show()["parameters"]["serial_timeout"] == 15
+    result = trexcmd("raw", "--protocol", "expanded", "AF 07 0F 55 2A")
+    assert "(15). Every board on the line stores it at once" in result.stderr
 
 
 @pytest.mark.parametrize("packet", ["C2 50", "80 07 42 50", "81 F0 20", "80 07", "05 D0"])

@@ -52,7 +52,9 @@ def raw(packet: tuple[str, ...], *, motors: bool, seconds: float | None, **optio
     link = link_settings(options)
     packets = packets_of(_bytes(packet), link.framing.polynomial)
     for one in packets:
-        say(f"{one.hexadecimal}: {one.words()}{_note(one)}")
+        is_shared = link.device_number is not None and one.writes_everywhere
+        board = "Every board on the line" if is_shared else "The board"
+        say(f"{one.hexadecimal}: {one.words()}{_note(one, board)}")
     moving = any(one.moves for one in packets)
     if moving and not motors:
         raise click.UsageError(
@@ -71,10 +73,10 @@ def raw(packet: tuple[str, ...], *, motors: bool, seconds: float | None, **optio
                 click.echo(received.hex(" ").upper())
 
 
-def _note(packet: RawPacket) -> str:
+def _note(packet: RawPacket, board: str) -> str:
     if packet.moves:
         return ". This may move a motor"
-    return ". The board stores it at once, without a snapshot" if packet.writes else ""
+    return f". {board} stores it at once, without a snapshot" if packet.writes else ""
 
 
 @click.command()

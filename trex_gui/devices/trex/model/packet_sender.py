@@ -27,6 +27,7 @@ class TrexPacketSender(QObject):
         self.hint = self.tr("Hexadecimal, such as 9F 07")
         device.link_changed.connect(self.changed)
         device.motors.arming_changed.connect(self.changed)
+        device.driving.reach_changed.connect(self.changed)
         device.state_changed.connect(self.changed)
 
     def preview(self, text: str) -> SendPreview:
@@ -83,6 +84,12 @@ class TrexPacketSender(QObject):
         if not all(packet.is_within_stop(settings.device_number) for packet in moving):
             text = self.tr("A stop would not reach that board: address device {0}.")
             return text.format(settings.device_number)
+        if any(packet.writes_everywhere for packet in packets):
+            if settings.device_number is not None:
+                text = self.tr("Every board on this line would store it: address {0}.")
+                return text.format(settings.device_number)
+            if self._device.driving.reaches_several:
+                return self.tr("Every board on this line would store it: select one of them.")
         return ""
 
     def _on_replied(self, packet: RawPacket, outcome: Outcome) -> None:

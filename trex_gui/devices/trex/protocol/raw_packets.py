@@ -50,6 +50,11 @@ class RawPacket:
             self.packet.command, SetParameter | SetCalibration
         )
 
+    @property
+    def writes_everywhere(self) -> bool:
+        """Whether every board on the line stores it."""
+        return self.writes and self.device_number is None
+
     def is_within_stop(self, device_number: int | None) -> bool:
         """Whether a stop to this number reaches every board that it may move; `None` is all."""
         return device_number is None or device_number == self.device_number
