@@ -56,6 +56,8 @@ _MEASURED = (
 _WAIT = 0.3  # virtual seconds for a reply: the longest write takes 32 ms
 _LONGEST_GAP = 2.0  # virtual seconds between two rows; a longer pause is cut
 
+_SAMPLE = 50  # rows that show which CRC is used
+
 _JUMPERS = {Mode.RC: "rc", Mode.ANALOG: "analog"}
 
 
@@ -90,8 +92,9 @@ class RecordedTraffic:
     @classmethod
     def of(cls, rows: Sequence[TranscriptRow]) -> "RecordedTraffic":
         found = cls(rows)
-        if _damaged(rows, DEFAULT_POLYNOMIAL) < _damaged(rows, None):
-            found.settings = ConnectionSettings("", LineSettings(detection=Detection.CRC7))
+        if (polynomial := _polynomial(rows)) is not None:
+            line = LineSettings(detection=Detection.CRC7)
+            found.settings = ConnectionSettings("", line, polynomial=polynomial)
         answered = [row for row in rows if row.received and row.sent]
         echoed = [row for row in answered if row.received.startswith(row.sent)]
         found.is_echoed = len(echoed) * 2 > len(answered)
@@ -186,6 +189,8 @@ class RecordedTraffic:
             stored.setdefault(
                 parameter_number(ParameterKey.UART_SETTINGS), self.settings.line.to_wire()
             )
+            bits = self.settings.polynomial & 0x7F
+            stored.setdefault(parameter_number(ParameterKey.CRC7_POLYNOMIAL), bits)
         for number, value in stored.items():
             spec = specs.number(number)
             if spec is not None and spec.readable:
@@ -197,6 +202,12 @@ class RecordedTraffic:
             eeprom.write_calibration(source, channel, calibration)
         board = Board(model, firmware, eeprom=eeprom, mode=_JUMPERS.get(self.mode, "serial"))
         return TrexLine([board], echo=self.is_echoed, paced=False)
+
+
+def _polynomial(rows: Sequence[TranscriptRow]) -> int | None:
+    """Return the CRC polynomial with which most packets can be read; `None` if none is needed."""
+    every: tuple[int | None, ...] = (None, DEFAULT_POLYNOMIAL, *range(0x80, 0x100))
+    return min(every, key=lambda polynomial: _damaged(rows[:_SAMPLE], polynomial))
 
 
 def _damaged(rows: Iterable[TranscriptRow], polynomial: int | None) -> int:

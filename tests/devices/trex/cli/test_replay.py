@@ -55,13 +55,17 @@ def test_board_begins_as_the_transcript_shows_it(
     assert result.exit_code == 0, result.stdout + result.stderr
 
 
+@pytest.mark.parametrize("polynomial", ["89", "95"])
 def test_crc_is_seen_in_the_packets(
-    trexcmd: RunCommand, quick_simulator: SimulatedDevice, transcript: Path
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice, transcript: Path, polynomial: str
 ) -> None:
+    trexcmd("set", "crc7_polynomial", f"0x{polynomial}")
     trexcmd("set", "uart_settings", "37")
     quick_simulator.do("power cycle")
-    assert trexcmd("get", "device_number", "--crc", "--traffic", str(transcript)).exit_code == 0
-    assert trexcmd("replay", str(transcript)).exit_code == 0
+    words = ("--crc", "--polynomial", polynomial, "--traffic", str(transcript))
+    assert trexcmd("get", "device_number", *words).exit_code == 0
+    result = trexcmd("replay", str(transcript))
+    assert result.exit_code == 0, result.stdout
 
 
 def test_device_number_is_that_of_packets_with_a_reply(
