@@ -105,6 +105,11 @@ class DriveBlocker(Enum):
             "Check cable and ground; UART-Error Shutdown can be turned off in Parameters.",
         ),
     )
+    STOPPING = (
+        Effect.STOPS,
+        QT_TRANSLATE_NOOP("DriveBlocker", "Stopping: the board has not confirmed it yet."),
+        QT_TRANSLATE_NOOP("DriveBlocker", "The stop is being repeated; motors may still turn."),
+    )
     LOCKED = (
         Effect.STOPS,
         QT_TRANSLATE_NOOP("DriveBlocker", "Stopped. The motors are locked for {0} s."),

@@ -102,10 +102,12 @@ def _own_reasons(now: DriveInputs, *, by_serial: bool) -> Iterator[Reason]:
     """Yield why this program sends nothing, or that it does; nothing where channels drive."""
     if now.armed:
         yield Reason(DriveBlocker.RUNNING)
-    elif now.locked_for:
-        yield Reason(DriveBlocker.LOCKED, (ceil(now.locked_for),))
+    elif now.may_move:
+        yield Reason(DriveBlocker.STOPPING)
     elif not by_serial:
         return
+    elif now.locked_for:
+        yield Reason(DriveBlocker.LOCKED, (ceil(now.locked_for),))
     elif now.reaches_several:
         yield Reason(DriveBlocker.SEVERAL_BOARDS)
     elif not now.is_available:

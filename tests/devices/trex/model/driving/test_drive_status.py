@@ -68,9 +68,15 @@ RC = BoardInputs(mode=Mode.RC, by_serial=False)
             "The RC channels",
         ),
         (
-            DriveInputs(board=RC, is_available=False, locked_for=2.2),
-            [DriveBlocker.LOCKED, DriveBlocker.RC_CHANNELS],
-            "locked for 3 s",
+            DriveInputs(board=RC, is_available=False, locked_for=2.2),  # sticks may drive on
+            [DriveBlocker.RC_CHANNELS],
+            "The RC channels",
+        ),
+        (DriveInputs(board=SERIAL, locked_for=2.2), [DriveBlocker.LOCKED], "locked for 3 s"),
+        (
+            DriveInputs(board=SERIAL, may_move=True, locked_for=2.2),
+            [DriveBlocker.STOPPING],
+            "motors may still turn",
         ),
         (
             DriveInputs(board=replace(SERIAL, faults=(1,)), locked_for=2.2),
