@@ -9,6 +9,7 @@ from click.testing import CliRunner
 from tests.devices.trex.cli.conftest import becomes
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_command import RunCommand
+from tests.support.virtual_time import VirtualRuntime
 from trex_gui.cli import main
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import InputSource
@@ -87,9 +88,19 @@ def test_status_gives_every_reason_why_the_motors_do_not_run(
     quick_simulator.do("fault 1 off")
     quick_simulator.do("channel 2 1500us")
     assert becomes(lambda: quick_simulator.show()["safe_start"], False)
-    trexcmd("status")  # clears the fault
-    reasons = json.loads(trexcmd("status", "--json").stdout)["motors"]
-    assert [row["name"] for row in reasons] == ["rc_channels"], "nothing is held"
+    report = json.loads(trexcmd("status", "--json").stdout)
+    assert [row["name"] for row in report["motors"]] == ["rc_channels"], "nothing is held"
+    assert [row["name"] for row in report["errors"]] == ["status_motor1_fault"], "it was there"
+
+
+def test_status_gives_no_error_that_is_over_as_a_reason(
+    trexcmd: RunCommand, virtual_time: VirtualRuntime
+) -> None:
+    trexcmd("set", "serial_timeout", "1")
+    virtual_time.sleep(0.2)
+    report = json.loads(trexcmd("status", "--json").stdout)
+    assert {row["name"] for row in report["errors"]} == {"status_uart_error", "uart_timeout"}
+    assert report["motors"] == [], "the board hears this program again"
 
 
 def test_get_shows_wire_value_and_meaning(trexcmd: RunCommand) -> None:

@@ -40,6 +40,12 @@ from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT, who_controls
 from trex_gui.devices.trex.protocol.flags import CHANNELS, Status, UartError, bit_names
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 
+_LATCHES_AGAIN = 0.05
+"""Seconds after which an error that lasts is latched again; shorter than any serial timeout.
+
+Inferred: faults and limits are checked with the ramps, at 100 Hz.
+"""
+
 _TITLES = {
     "product": "Product",
     "firmware": "Firmware",
@@ -54,7 +60,7 @@ _TITLES = {
 def status(as_json: bool, **options: Any) -> None:
     """Show the state of the board, its measurements and its parameters.
 
-    Reading the error bits clears them in the board.
+    Errors are those since they were last read, which clears them in the board.
 
     With --json, measurements are numbers with the unit in the key, as in stream and in
     recordings: motor_1_current_A, motor_2_current_A; for each channel raw (counts), pulse_us or
@@ -64,7 +70,7 @@ def status(as_json: bool, **options: Any) -> None:
 
     motors has each reason why they do not follow serial commands, with its effect: stops (or may
     stop) the motors, blocks serial commands, limits the speed, or note. leds has the pattern that
-    this state shows on the board.
+    this state shows on the board. Errors that are over are not among the reasons.
     """
     with open_line(link_settings(options)) as client:
         identify(client)
@@ -115,17 +121,19 @@ def get_command(name: str, as_json: bool, **options: Any) -> None:
 
 
 def board_report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
-    latched = StatusReader(client.transport.clock).read(client.request)
+    reader = StatusReader(client.transport.clock)
+    latched = _bits(reader.read(client.request))  # since they were last read, perhaps long ago
     raw = query(client.request, GetRawChannels())
     remapped = query(client.request, GetRemappedChannels())
     currents = query(client.request, GetCurrents())
     unit = state.signature.model.current_unit
     joint = state.parameters.get(ParameterKey.MOTOR_MODE) == 1
+    client.transport.wait(_LATCHES_AGAIN)
+    active = _bits(reader.read(client.request))
     inputs = board_inputs(
         state,
         [raw[channel] for channel in CHANNELS],
-        latched.status if latched else Status(0),
-        latched.uart if latched else UartError(0),
+        *active,
         by_serial=state.serial_controls,
         joint=joint,
         is_held=_may_be_held(remapped, currents, joint=joint),
@@ -159,7 +167,7 @@ def board_report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
             }
             for channel in CHANNELS
         ],
-        "errors": _errors(latched) if latched else [],
+        "errors": _errors(latched[0] | active[0], latched[1] | active[1]),
         "parameters": {
             key: {"value": wire, "text": state.specs[key].text(wire)}
             for key, wire in state.parameters.items()
@@ -174,6 +182,10 @@ def _may_be_held(remapped: Mapping[int, int], currents: Sequence[int], *, joint:
     return is_commanded and not joint and max(currents) <= NOISE_COUNTS
 
 
-def _errors(latched: LatchedStatus) -> list[dict[str, str]]:
-    rows = [("status", bit) for bit in latched.status] + [("uart", bit) for bit in latched.uart]
+def _bits(latched: LatchedStatus | None) -> tuple[Status, UartError]:
+    return (latched.status, latched.uart) if latched else (Status(0), UartError(0))
+
+
+def _errors(status: Status, uart: UartError) -> list[dict[str, str]]:
+    rows = [("status", bit) for bit in status] + [("uart", bit) for bit in uart]
     return [{"name": f"{byte}_{bit.name}".lower(), "text": bit_names(bit)[0]} for byte, bit in rows]
