@@ -1,5 +1,7 @@
 """Motors left running by a lost connection, and another board connected afterwards."""
 
+from PySide6.QtWidgets import QLabel
+
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.window import WindowDriver
 from trex_gui.ui.devices.connection import ConnectionState
@@ -32,7 +34,7 @@ def test_pages_warn_of_motors_behind_a_lost_line(
                 window.device.set_serial_timeout(timeout)
         page = window.open_page("motorsPage")
         lose(window, board)
-        assert f"{grave}</b> {remedy}" in page.text("motorsReason")
+        assert f"{grave} {remedy}" in page.find(QLabel, "motorsReason").accessibleName()
         assert f"{grave} {remedy}" in window.text("motorStateLabel")
         page = window.open_page("statusPage")
         assert page.has("statusLost")

@@ -676,7 +676,8 @@ def test_page_shows_channel_commands_in_rc_mode(page: MotorsPage) -> None:
     page.simulator.do("channel 2 1800us")
     page.simulator.do("power cycle")
     page.wait_for_text("motorsReason", "RC channels control the motors")
-    page.wait_for_text("motorsReason", "Channel 2 is 300 µs above neutral.")
+    page.wait_for_text("motorsReason", "<b>Channel 2 is 300 µs above neutral.</b>")
+    assert ':400">The RC channels control' in page.text("motorsReason"), "only the worst is bold"
     assert page.simulator.show()["safe_start"]
 
     status = page.open_page("statusPage")

@@ -274,8 +274,8 @@ class MotorsPage(QWidget):
             self._sign.show_sign("ok", "good")
         else:
             self._sign.show_sign("info", "info")
-        lines = [f"<b>{escape(first.text)}</b> {escape(first.remedy)}".rstrip()]
-        lines += [escape(other.text) for other in others]
+        lines = [f"<b>{escape(first.text)}</b> {_plain(first.remedy)}"]
+        lines += [_plain(other.text) for other in others]
         # While a control may be held, what is below must not move.
         text = (" " if self._motors.armed else "<br>").join(lines)
         self._reason.show_note(text, alarming=alarming)
@@ -338,6 +338,11 @@ class MotorsPage(QWidget):
             self._dragged = None
         if self._motors.holder != self._holder:
             self._holder = ""
+
+
+def _plain(text: str) -> str:
+    """Return a text that is not bold in an alarming note either."""
+    return f'<span style="font-weight:400">{escape(text)}</span>'
 
 
 def _name(number: int) -> str:
