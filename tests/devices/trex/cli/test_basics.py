@@ -77,6 +77,7 @@ def test_status_gives_every_reason_why_the_motors_do_not_run(
     text = trexcmd("status").stdout
     assert "  Channel 2 is 180 µs above neutral. Safe-start holds the motors until" in text
     assert "LEDs:                 red flickers with each packet, green flashes fast" in text
+    assert "If the green LED is steady instead, safe-start is over." in text
     report = json.loads(trexcmd("status", "--json").stdout)
     assert [(row["name"], row["effect"]) for row in report["motors"]] == [
         ("channel_above", "stops"),

@@ -25,6 +25,8 @@ from trex_gui.devices.trex.driving.blockers import Effect
 from trex_gui.devices.trex.driving.board_reasons import (
     LED_TEXTS,
     NOISE_COUNTS,
+    SAFE_START_FLASH,
+    SAFE_START_NOTE,
     board_inputs,
     board_reasons,
     led_patterns,
@@ -70,7 +72,9 @@ def status(as_json: bool, **options: Any) -> None:
 
     motors has each reason why they do not follow serial commands, with its effect: stops (or may
     stop) the motors, blocks serial commands, limits the speed, or note. leds has the pattern that
-    this state shows on the board. Errors that are over are not among the reasons.
+    this state shows on the board; that safe-start holds the motors is inferred where a channel
+    commands a speed and no current flows, and a motor without load looks the same. Errors that
+    are over are not among the reasons.
     """
     with open_line(link_settings(options)) as client:
         identify(client)
@@ -85,6 +89,8 @@ def status(as_json: bool, **options: Any) -> None:
         "LEDs:".ljust(22)
         + ", ".join(f"{led} {LED_TEXTS[pattern]}" for led, pattern in report["leds"].items())
     )
+    if SAFE_START_FLASH in report["leds"].values():
+        click.echo(" " * 22 + SAFE_START_NOTE)
     for motor in (1, 2):
         click.echo(f"Motor {motor} current:      {report[f'motor_{motor}_current_A']:.2f} A")
     click.echo("Motors:")

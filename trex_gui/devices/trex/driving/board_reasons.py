@@ -207,6 +207,12 @@ LED_TEXTS = {
 }
 
 
+SAFE_START_NOTE = QT_TRANSLATE_NOOP(
+    "DriveBlocker", "If the green LED is steady instead, safe-start is over."
+)
+"""For a pattern `SAFE_START_FLASH`: safe-start is inferred, since no command asks for it."""
+
+
 def led_patterns(now: BoardInputs) -> tuple[str, str]:
     """Return the patterns of the red and the green LED in this state.
 

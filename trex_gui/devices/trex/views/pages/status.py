@@ -15,6 +15,7 @@ from trex_gui.devices.trex.driving.blockers import TEXT_CONTEXT, DriveBlocker, E
 from trex_gui.devices.trex.driving.board_reasons import (
     LED_TEXTS,
     SAFE_START_FLASH,
+    SAFE_START_NOTE,
     BoardInputs,
     led_patterns,
 )
@@ -58,8 +59,8 @@ class MotorsBox(ui.GroupBox):
         )
         title = ui.label(self._leds_line, "", self.tr("LEDs on the board:"))
         ui.row(title, (self._leds, 1), into=self._leds_line, margins=0, spacing=10)
-        note = self.tr("If the green LED is steady instead, safe-start is over.")
-        self._steady = ui.named(Muted(note, self), "statusLedsNote")  # the board cannot be asked
+        note = QCoreApplication.translate(TEXT_CONTEXT, SAFE_START_NOTE)
+        self._steady = ui.named(Muted(note, self), "statusLedsNote")
         ui.column(self._reasons, self._leds_line, self._steady, into=self)
 
     def show_statuses(self, statuses: tuple[DriveStatus, ...], board: BoardInputs | None) -> None:
