@@ -37,9 +37,7 @@ class DriveBlocker(Enum):
     SILENT = (
         Effect.STOPS,
         QT_TRANSLATE_NOOP("DriveBlocker", "The board does not respond."),
-        QT_TRANSLATE_NOOP(
-            "DriveBlocker", "Check its power and the cable; the stop is being repeated."
-        ),
+        QT_TRANSLATE_NOOP("DriveBlocker", "Check its power and the cable."),
     )
     CHANNEL_SILENT = (
         Effect.STOPS,

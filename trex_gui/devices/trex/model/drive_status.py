@@ -67,6 +67,9 @@ _LOST_WITH_TIMEOUT = QT_TRANSLATE_NOOP(
 _SILENT_WHILE_DRIVEN = QT_TRANSLATE_NOOP(
     "DriveBlocker", "The board does not respond: motors may still turn."
 )
+_CHECK_WHILE_DRIVEN = QT_TRANSLATE_NOOP(
+    "DriveBlocker", "Check its power and the cable; the stop is being repeated."
+)
 _STOPS_BY_TIMEOUT = QT_TRANSLATE_NOOP(
     "DriveBlocker", "The board stops them {0} after the last byte it received."
 )
@@ -135,7 +138,7 @@ def _silent(now: DriveInputs) -> DriveStatus:
     silent = _status(Reason(DriveBlocker.SILENT))
     if not now.may_move:
         return silent
-    remedy = silent.remedy
+    remedy = _tr(_CHECK_WHILE_DRIVEN)
     if now.timeout:
         remedy = f"{_tr(_STOPS_BY_TIMEOUT).format(now.timeout)} {remedy}"
     return replace(silent, text=_tr(_SILENT_WHILE_DRIVEN), remedy=remedy)

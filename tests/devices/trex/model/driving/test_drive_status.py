@@ -52,9 +52,14 @@ RC = BoardInputs(mode=Mode.RC, by_serial=False)
         (DriveInputs(link=ConnectionState.CONNECTING), [DriveBlocker.OPENING], "is connecting"),
         (DriveInputs(link=ConnectionState.DISCONNECTING), [DriveBlocker.CLOSING], "closed"),
         (
+            DriveInputs(link=ConnectionState.NOT_RESPONDING, may_move=True),
+            [DriveBlocker.SILENT],
+            "the stop is being repeated",
+        ),
+        (
             DriveInputs(link=ConnectionState.NOT_RESPONDING, board=SERIAL),
             [DriveBlocker.SILENT],
-            "does not respond",
+            "does not respond. Check its power and the cable.",  # no stop is sent
         ),
         (DriveInputs(), [DriveBlocker.UNKNOWN], "not reported yet"),
         (
