@@ -9,6 +9,7 @@ from click.testing import CliRunner
 from tests.devices.trex.cli.conftest import becomes
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_command import RunCommand
+from tests.support.virtual_devices import VirtualSimulator
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.cli import main
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -59,9 +60,39 @@ def test_status_json_names_latched_errors_as_recordings_do(
     assert json.loads(trexcmd("status", "--json").stdout)["errors"] == []
     quick_simulator.do("fault 1 on")
     errors = json.loads(trexcmd("status", "--json").stdout)["errors"]
-    assert errors == [{"name": "status_motor1_fault", "text": "Motor 1 fault"}]
+    assert errors == [{"name": "status_motor1_fault", "text": "Motor 1 fault", "is_earlier": False}]
     columns = {name for kind in sample_kinds(InputSource.RC, 0.15) for name in kind.exported}
     assert {row["name"] for row in errors} < columns
+
+
+def test_line_errors_of_a_search_are_no_reason_for_still_motors(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
+    quick_simulator.do("eeprom uart_settings 8")  # 57600 baud
+    quick_simulator.do("power cycle")
+    assert trexcmd("find").exit_code == 0
+    result = trexcmd("status", "--baud", "57600")
+    assert "  Nothing keeps them from following serial commands.\n" in result.stdout
+    assert "Errors: none\n" in result.stdout
+    latched = "Latched before, perhaps by a search for the board: UART error, Framing error"
+    assert latched in result.stdout
+
+
+def test_line_errors_during_the_command_are_a_reason_for_still_motors(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
+    assert isinstance(quick_simulator, VirtualSimulator)
+
+    def damage_next_byte(sent: bytes) -> None:
+        if sent[:1] == b"\x8f":  # the currents
+            quick_simulator.on_write = lambda _sent: None
+            quick_simulator.do("line error framing")
+
+    quick_simulator.on_write = damage_next_byte
+    report = json.loads(trexcmd("status", "--json").stdout)
+    assert [row["name"] for row in report["motors"]] == ["line_error"]
+    assert {row["name"] for row in report["errors"]} >= {"status_uart_error", "uart_framing"}
+    assert not any(row["is_earlier"] for row in report["errors"])
 
 
 def test_status_gives_every_reason_why_the_motors_do_not_run(

@@ -55,6 +55,8 @@ _TITLES = {
     "in_control": "In control",
 }
 
+_ERROR_TITLES = {False: "Errors", True: "Latched before, perhaps by a search for the board"}
+
 
 @click.command()
 @link_options
@@ -68,7 +70,8 @@ def status(as_json: bool, **options: Any) -> None:
     recordings: motor_1_current_A, motor_2_current_A; for each channel raw (counts), pulse_us or
     voltage_V, null without a valid signal, and remapped (-127 to 127). mode is R or A for RC and
     analog mode, r or a for serial mode with these inputs. Errors have the name of their column in
-    recordings and a text. Each parameter has its wire value and a text.
+    recordings and a text; is_earlier marks line errors that a search for the board may have caused
+    before. Each parameter has its wire value and a text.
 
     motors has each reason why they do not follow serial commands, with its effect: stops (or may
     stop) the motors, blocks serial commands, limits the speed, or note. leds has the pattern that
@@ -103,7 +106,10 @@ def status(as_json: bool, **options: Any) -> None:
         raw = row["raw"]
         text = "no signal" if raw is None else f"{state.source.text(raw)} ({raw})"
         click.echo(f"  {row['channel']}  {text}, remapped {row['remapped']}")
-    click.echo("Errors: " + (", ".join(row["text"] for row in report["errors"]) or "none"))
+    for is_earlier, title in _ERROR_TITLES.items():
+        names = [row["text"] for row in report["errors"] if row["is_earlier"] is is_earlier]
+        if names or not is_earlier:
+            click.echo(f"{title}: {', '.join(names) or 'none'}")
     click.echo("Parameters:")
     for key, row in report["parameters"].items():
         click.echo(f"  {key:28}{row['value']:>4}  {row['text']}")
@@ -128,7 +134,7 @@ def get_command(name: str, as_json: bool, **options: Any) -> None:
 
 def board_report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
     reader = StatusReader(client.transport.clock)
-    latched = _bits(reader.read(client.request))  # since they were last read, perhaps long ago
+    before = _bits(reader.read(client.request))  # since they were last read, perhaps long ago
     raw = query(client.request, GetRawChannels())
     remapped = query(client.request, GetRemappedChannels())
     currents = query(client.request, GetCurrents())
@@ -173,7 +179,7 @@ def board_report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
             }
             for channel in CHANNELS
         ],
-        "errors": _errors(latched[0] | active[0], latched[1] | active[1]),
+        "errors": _errors(before, active),
         "parameters": {
             key: {"value": wire, "text": state.specs[key].text(wire)}
             for key, wire in state.parameters.items()
@@ -192,6 +198,18 @@ def _bits(latched: LatchedStatus | None) -> tuple[Status, UartError]:
     return (latched.status, latched.uart) if latched else (Status(0), UartError(0))
 
 
-def _errors(status: Status, uart: UartError) -> list[dict[str, str]]:
-    rows = [("status", bit) for bit in status] + [("uart", bit) for bit in uart]
-    return [{"name": f"{byte}_{bit.name}".lower(), "text": bit_names(bit)[0]} for byte, bit in rows]
+def _errors(
+    before: tuple[Status, UartError], active: tuple[Status, UartError]
+) -> list[dict[str, str | bool]]:
+    """Return a row for each bit; line errors that are over may be of a search for the board."""
+    status, uart = before[0] | active[0], before[1] | active[1]
+    earlier = before[1] & ~active[1] & ~UartError.TIMEOUT
+    is_announced = bool(earlier) and earlier == uart  # by the bit in the status
+    rows = [
+        *(("status", bit, bit is Status.UART_ERROR and is_announced) for bit in status),
+        *(("uart", bit, bool(bit & earlier)) for bit in uart),
+    ]
+    return [
+        {"name": f"{byte}_{bit.name}".lower(), "text": bit_names(bit)[0], "is_earlier": is_earlier}
+        for byte, bit, is_earlier in rows
+    ]
