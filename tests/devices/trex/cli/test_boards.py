@@ -68,6 +68,22 @@ def test_number_of_another_board_is_not_stored(run: RunCommand, line: VirtualSim
     assert stored(line, "device_number") == [3, 12, 9]
 
 
+def test_reset_to_the_number_of_another_board_is_refused(
+    run: RunCommand, line: VirtualSimulator
+) -> None:
+    line.do("@3 eeprom serial_timeout 9")
+    three = ("--protocol", "expanded", "--device", "3")
+    result = run("restore-defaults", "--yes", *three)
+    assert result.exit_code == 1
+    assert "Another board on this line has the device number 7" in result.stderr
+    line.do("@3 power cycle")
+    assert stored(line, "serial_timeout") == [9, 0, 0]
+    assert run("set", *EXPANDED, "device_number", "12").exit_code == 0
+    assert run("restore-defaults", "--yes", *three).exit_code == 0
+    line.do("@3 power cycle")
+    assert stored(line, "device_number") == [7, 12, 9]
+
+
 def test_file_is_written_to_several_boards(
     run: RunCommand, line: VirtualSimulator, tmp_path: Path
 ) -> None:

@@ -26,6 +26,7 @@ from trex_gui.devices.trex.cli.common import (
     spec_of,
     specs_of,
 )
+from trex_gui.devices.trex.client.reading import require_free_number
 from trex_gui.devices.trex.protocol.parameters import (
     ParameterKey,
     ParameterSet,
@@ -106,7 +107,8 @@ def restore_defaults(yes: bool, **options: Any) -> None:
     """Reset every parameter to its factory default.
 
     Shows what will change and asks. The board does it when it is switched off and on. Channel
-    calibrations do not change. Saves a snapshot of what the board stores first.
+    calibrations do not change. Saves a snapshot of what the board stores first. Does nothing if
+    another board on the line has the device number that this one would get.
     """
     link = link_settings(options)
     with open_line(link) as client:
@@ -117,15 +119,15 @@ def restore_defaults(yes: bool, **options: Any) -> None:
         stored = settings_of(state)
         signature = state.signature
         factory = factory_settings(signature.model, signature.firmware)
+        number = factory.parameters[ParameterKey.DEVICE_NUMBER]
+        if link.device_number not in {None, number}:
+            require_free_number(client, number)
         _announce(compare(stored, factory), specs)
         if not yes:
             question = "Reset every parameter of this board to its default?"
             click.confirm(question, abort=True, err=True)
         write_one(client, state, "trexcmd restore-defaults", [(spec.key, spec.maximum)])
-    line, number = (
-        specs[key].text(specs[key].default)
-        for key in (ParameterKey.UART_SETTINGS, ParameterKey.DEVICE_NUMBER)
-    )
+    line = specs[ParameterKey.UART_SETTINGS].text(factory.parameters[ParameterKey.UART_SETTINGS])
     say(
         "The board accepted the reset. Switch it off and on: then every parameter has its "
         f"default, the board runs at {line} and its device number is {number}. The channel "
