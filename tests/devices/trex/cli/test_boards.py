@@ -59,6 +59,16 @@ def test_boards_lists_each_number(run: RunCommand, line: VirtualSimulator) -> No
     assert "No board replies to a device number" in result.stderr
 
 
+def test_command_without_a_number_names_the_list_of_boards(
+    run: RunCommand, line: VirtualSimulator
+) -> None:
+    result = run("set", "serial_timeout", "7")
+    assert result.exit_code == 1
+    assert "Several boards reply at once" in result.stderr
+    assert "`trexcmd boards` prints the options that reach each." in result.stderr
+    assert stored(line, "serial_timeout") == [0, 0, 0]
+
+
 def test_number_of_another_board_is_not_stored(run: RunCommand, line: VirtualSimulator) -> None:
     result = run("set", *EXPANDED, "device_number", "9")
     assert result.exit_code == 1

@@ -31,7 +31,7 @@ from trex_gui.devices.trex.discovery import FoundBoard
 from trex_gui.devices.trex.protocol.commands import GetSignature, Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.device_table import device_table
-from trex_gui.devices.trex.protocol.errors import BoardElsewhere
+from trex_gui.devices.trex.protocol.errors import BoardElsewhere, ErrorCode, TrexError
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL, Framing
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
@@ -218,6 +218,9 @@ def identify(client: TrexClient, *, quick: bool = False) -> Signature:
         if isinstance(cause, BoardElsewhere):
             options = as_options(ConnectionSettings.on(cause.settings))
             raise NoReply(f"{cause} These options reach it:\n{options}") from cause
+        if isinstance(cause, TrexError) and cause.code is ErrorCode.SEVERAL_BOARDS:
+            text = f"{cause} `trexcmd boards` prints the options that reach each."
+            raise BadReply(text) from cause
         raise cause from error
 
 
