@@ -91,6 +91,16 @@ def complete(program: "Program", collector: "GuiThreadCollector") -> None:
     program.report_last_stop()
 
 
+def connect(program: "Program", arguments: argparse.Namespace) -> None:
+    """Connect to what the user named, or to a board that is known."""
+    is_named = arguments.demo or bool(arguments.port)
+    program.connect_automatically(at_once=not is_named)  # an adapter may be pulled out later
+    if arguments.demo:
+        program.connect_to_demo(arguments.device or program.plugins[0].key)
+    elif arguments.port:
+        program.connect_to_port(arguments.port, arguments.device)
+
+
 def main(argv: list[str] | None = None) -> int:
     """Run the window until it is closed; return the exit code."""
     words = sys.argv[1:] if argv is None else argv
@@ -138,13 +148,8 @@ def main(argv: list[str] | None = None) -> int:
         tour = Tour(program, arguments.tour)
         tour.finished.connect(lambda ok: program.end() if ok else app.exit(1))
         QTimer.singleShot(0, tour.start)
-    elif arguments.demo:
-        device = arguments.device or composition.PLUGINS[0].key
-        QTimer.singleShot(0, lambda: program.connect_to_demo(device))
-    elif arguments.port:
-        QTimer.singleShot(0, lambda: program.connect_to_port(arguments.port, arguments.device))
     else:
-        QTimer.singleShot(0, program.connect_automatically)
+        QTimer.singleShot(0, lambda: connect(program, arguments))
     if arguments.settings is not None:
         is_connecting = bool(arguments.demo or arguments.port) or arguments.tour is not None
         QTimer.singleShot(

@@ -1,11 +1,14 @@
 """An adapter that is pulled while its board is in use, and plugged in again."""
 
+import argparse
+
 import pytest
 from serial.tools.list_ports_common import ListPortInfo
 
 from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_time import VirtualRuntime
 from tests.support.window import WindowDriver
+from trex_gui.app import connect
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.ui.devices.auto_connect import set_automatic
 from trex_gui.ui.devices.connection import ConnectionState
@@ -76,3 +79,21 @@ def test_window_reconnects_to_the_same_adapter_only(
     listed.append(adapter("/dev/ttyUSB1", "A500001"))
     window.wait(lambda: not window.has("bannerText"))
     assert device.link is ConnectionState.DISCONNECTED, "only the message is over"
+
+
+def test_adapter_that_was_named_at_the_start_is_found_again(
+    window: WindowDriver, quick_simulator: SimulatedDevice, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    board, device = quick_simulator, window.device
+    listed = [adapter(board.url, "A500001")]
+    monkeypatch.setattr("trex_gui.ui.devices.ports.list_ports.comports", lambda: list(listed))
+    window.program.ports.refresh()
+    connect(window.program, argparse.Namespace(demo=False, port=board.url, device=None))
+    window.wait(lambda: device.link is ConnectionState.CONNECTED)
+    listed.clear()
+    board.do("line unplug")
+    window.wait_for_text("bannerText", f"The line to {board.url} is gone.")
+    board.do("line plug")
+    listed.append(adapter(board.url, "A500001"))
+    window.wait(lambda: device.link is ConnectionState.CONNECTED)
+    window.wait_for_text("bannerText", f"Connected again to {board.url}. No motor was started.")

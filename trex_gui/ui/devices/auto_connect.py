@@ -64,16 +64,18 @@ class AutoConnect(QObject):
         self._notice = ""  # for the next connection
         self._timer = new_timer(self, _SETTLE_MS, self._on_settled, single_shot=True)
 
-    def start(self) -> None:
-        """Count what is plugged in now as plugged in just now."""
+    def start(self, *, at_once: bool = True) -> None:
+        """Begin; `at_once` counts what is plugged in now as plugged in just now."""
         self._ports.changed.connect(self._on_ports_changed)
         self._manager.changed.connect(self._on_link_changed)
         self._scanner.finished.connect(self._on_scan_finished)
         self._notifier.remedies_offered.connect(self._on_remedies_offered)
+        self._present = self._ports.entries
+        if not at_once:
+            return
         last = self._ports.last_used
         # A typed address may lead elsewhere by now: a pseudo-terminal to somebody's shell.
         first = [last] if last is not None and last.kind is PortKind.SERIAL else []
-        self._present = self._ports.entries
         self._look_at(first, [port for port in self._adapters(self._present) if port != last])
 
     # --- The adapter that was unplugged -------------------------------------------------
