@@ -10,7 +10,12 @@ from trex_gui.core.errors import BadReply, BadRequest, NoReply
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.client.reading import agreed, board_at, read_signature
+from trex_gui.devices.trex.client.reading import (
+    CONNECTING_ATTEMPTS,
+    agreed,
+    board_at,
+    read_signature,
+)
 from trex_gui.devices.trex.probe import Attempt, ReplyKind, checksum, send_probe
 from trex_gui.devices.trex.protocol.commands import GetParameter, Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -126,7 +131,7 @@ class TrexProber:
     ) -> None:
         """Scan in the parts of `plans`, or else for a board that may have any settings.
 
-        `full` tries every polynomial and each device number.
+        `full` tries every polynomial, and each device number even where one board replies.
         """
         del known  # a probe moves nothing, whatever is connected
         self.found: list[FoundBoard] = []
@@ -137,6 +142,7 @@ class TrexProber:
         self._is_loader = False
         self._several: LineSettings | None = None  # where several boards replied at once
         self._skipped: list[LineSettings] = []  # not supported by the port
+        self._asks_numbers = not plans  # of boards that reply at once
         self._is_fixed = False  # the rate is set at the other end, so only one probe was possible
         plan = list(attempts(full=full))
         likely = plan[: len(_LIKELY)]
@@ -175,7 +181,8 @@ class TrexProber:
             progress(ScanProgress(done, len(plan), attempt.line))
             self._probe(wire, attempt)
             if self.is_over:
-                if self._full and not self._is_loader:
+                is_shared = self._several is not None and self._asks_numbers
+                if is_shared or (self._full and not self._is_loader):
                     self._probe_each_number(wire, attempt, progress, cancelled)
                 return
 
@@ -232,9 +239,23 @@ class TrexProber:
                 )
             except (NoReply, BadReply):
                 continue
+            if number is None and self._is_not_one(client, stored_number):
+                self._several = attempt.line
+                return None
             note = _note(attempt.line, signature, stored)
             return FoundBoard(settings, signature, stored_number, self.echo, note)
         return None
+
+    @staticmethod
+    def _is_not_one(client: TrexClient, stored_number: int) -> bool:
+        """Whether what replied is several boards.
+
+        Boards of one model reply alike, and may be read as one that has the bits which all of
+        their numbers have: no board responds to that number then.
+        """
+        with contextlib.suppress(BadReply):
+            return board_at(client, stored_number, attempts=CONNECTING_ATTEMPTS) is None
+        return False
 
     def _probe_each_number(
         self,

@@ -462,22 +462,23 @@ def test_other_polynomial_is_found_only_by_full_search() -> None:
         assert found.settings == ConnectionSettings("virtual", line, polynomial=polynomial)
 
 
-def test_full_search_distinguishes_boards_of_two_models() -> None:
-    boards = [a_board(9), a_board(12, model="trexjr")]
-    result = search(wire_of(*boards))
-    assert not result.found
-    assert "Several boards" in result.lines[0]
-    found = search(wire_of(*boards), full=True).found
-    assert [(each.name, each.device_number) for each in found] == [
-        ("TReX 1.2", 9),
-        ("TReX Jr 1.2", 12),
-    ]
+@pytest.mark.parametrize("model", ["trex", "trexjr"])
+def test_boards_on_one_line_are_found_by_number(model: str) -> None:
+    boards = [a_board(9), a_board(12, model=model)]
+    found = search(wire_of(*boards)).found
+    name = {"trex": "TReX 1.2", "trexjr": "TReX Jr 1.2"}[model]
+    assert [(each.name, each.device_number) for each in found] == [("TReX 1.2", 9), (name, 12)]
 
 
 def test_board_with_unique_number_is_found_among_duplicates() -> None:
     boards = [a_board(9), a_board(9, model="trexjr"), a_board(12)]
-    found = only(search(wire_of(*boards), full=True))
+    found = only(search(wire_of(*boards)))
     assert (str(found.signature), found.settings.device_number) == ("TReX 1.2", 12)
+
+
+def test_boards_that_share_a_number_are_recognised() -> None:
+    diagnosis = diagnosis_of(wire_of(a_board(9), a_board(9, model="trexjr")))
+    assert "Several boards reply at once" in diagnosis
 
 
 def test_echo_without_reply_is_reported() -> None:

@@ -59,7 +59,8 @@ class ErrorCode(Enum):
     )
     SEVERAL_BOARDS = QT_TRANSLATE_NOOP(
         "TrexErrors",
-        "Several boards reply at once on {0} at {1}. The full search tries each device number.",
+        "Several boards reply at once on {0} at {1}. Find asks for each device number; of boards "
+        "that share one, switch off all but one and give it a number of its own.",
     )
     OTHER_BAUD = QT_TRANSLATE_NOOP(
         "TrexErrors",
