@@ -10,12 +10,7 @@ from trex_gui.core.errors import BadReply, BadRequest, NoReply
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.client.reading import (
-    CONNECTING_ATTEMPTS,
-    agreed,
-    board_at,
-    read_signature,
-)
+from trex_gui.devices.trex.client.reading import agreed, board_at, is_several, read_signature
 from trex_gui.devices.trex.probe import Attempt, ReplyKind, checksum, send_probe
 from trex_gui.devices.trex.protocol.commands import GetParameter, Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -239,23 +234,12 @@ class TrexProber:
                 )
             except (NoReply, BadReply):
                 continue
-            if number is None and self._is_not_one(client, stored_number):
+            if is_several(client, stored_number):
                 self._several = attempt.line
                 return None
             note = _note(attempt.line, signature, stored)
             return FoundBoard(settings, signature, stored_number, self.echo, note)
         return None
-
-    @staticmethod
-    def _is_not_one(client: TrexClient, stored_number: int) -> bool:
-        """Whether what replied is several boards.
-
-        Boards of one model reply alike, and may be read as one that has the bits which all of
-        their numbers have: no board responds to that number then.
-        """
-        with contextlib.suppress(BadReply):
-            return board_at(client, stored_number, attempts=CONNECTING_ATTEMPTS) is None
-        return False
 
     def _probe_each_number(
         self,

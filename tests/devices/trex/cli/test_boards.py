@@ -69,6 +69,20 @@ def test_command_without_a_number_names_the_list_of_boards(
     assert stored(line, "serial_timeout") == [0, 0, 0]
 
 
+def test_boards_that_reply_as_one_are_not_driven(
+    start: StartCommand, start_simulator: StartSimulator
+) -> None:
+    boards = start_simulator("--unpaced", "--device", "9", "--device", "12")
+    for words in (("motor", "1", "20", "--seconds", "1"), ("set", "serial_timeout", "7")):
+        command = start(*words, url=boards.url)
+        command.wait()
+        assert command.result.exit_code == 1
+        assert "Several boards reply at once" in command.result.stderr
+    for name in ("@9", "@12"):
+        assert boards.show(name)["motors"][0]["direction"] == "brake"
+        assert boards.show(name)["parameters"]["serial_timeout"] == 0
+
+
 def test_number_of_another_board_is_not_stored(run: RunCommand, line: VirtualSimulator) -> None:
     result = run("set", *EXPANDED, "device_number", "9")
     assert result.exit_code == 1

@@ -251,6 +251,7 @@ def test_restore_defaults_lists_changes_before_prompt(
     quick_simulator.do("eeprom serial_timeout 15")
     quick_simulator.do("eeprom motor1_acceleration 9")
     quick_simulator.do("eeprom device_number 9")
+    quick_simulator.do("power cycle")
     before = memory(trexcmd)
     result = trexcmd("restore-defaults", stdin="n\n")
     assert result.exit_code == 1
@@ -272,6 +273,7 @@ def test_restore_defaults_names_inferred_defaults(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("eeprom device_number 9")
+    quick_simulator.do("power cycle")
     assert "Inferred" not in trexcmd("restore-defaults", stdin="n\n").stderr
     quick_simulator.do("eeprom motor1_acceleration 9")
     said = trexcmd("restore-defaults", stdin="n\n").stderr

@@ -80,6 +80,14 @@ def code_of(reports: list[Report], number: int) -> object:
 # --- Motors -----------------------------------------------------------------------------
 
 
+def test_boards_that_reply_as_one_are_not_connected(line: Line) -> None:
+    reports = run_for(line, 5, COMPACT)
+    assert not line.connections
+    (closed,) = among(reports, Closed)
+    assert isinstance(closed.error, TrexError)
+    assert closed.error.code is ErrorCode.SEVERAL_BOARDS
+
+
 def test_driven_board_is_stopped_before_another_is_selected(line: Line) -> None:
     line.script.at(1.0, Arm()).at(1.0, _FORWARD)
     ran = seen_at(line, 1.2, lambda: runs(line.seventh))

@@ -25,17 +25,27 @@ from trex_gui.core.plugin import Lazy, PortAnswer, PortReports
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.client.reading import agreed, read_signature
+from trex_gui.devices.trex.client.reading import agreed, is_several, read_signature
 from trex_gui.devices.trex.diagnosis import diagnose
 from trex_gui.devices.trex.discovery import FoundBoard
-from trex_gui.devices.trex.protocol.commands import GetSignature, Signature
+from trex_gui.devices.trex.protocol.commands import GetParameter, GetSignature, Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.device_table import device_table
-from trex_gui.devices.trex.protocol.errors import BoardElsewhere, ErrorCode, TrexError
+from trex_gui.devices.trex.protocol.errors import (
+    BoardElsewhere,
+    ErrorCode,
+    TrexBadReplyError,
+    TrexError,
+)
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL, Framing
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
-from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameters_of
+from trex_gui.devices.trex.protocol.parameters import (
+    ParameterKey,
+    ParameterSpec,
+    parameter_number,
+    parameters_of,
+)
 
 # --- Options ----------------------------------------------------------------------------
 
@@ -202,11 +212,11 @@ def identify(client: TrexClient, *, quick: bool = False) -> Signature:
     """
     try:
         try:
-            return read_signature(client.request, has_crc=client.has_crc)
+            return _only_board(client)
         except BadReply:
             # A line that was just opened may have swallowed the echo that was waited for.
             client.detect_echo()
-            return read_signature(client.request, has_crc=client.has_crc)
+            return _only_board(client)
     except (NoReply, BadReply) as error:
         with ProgressLine("Looking for the board") as line:
             cause = diagnose(
@@ -222,6 +232,16 @@ def identify(client: TrexClient, *, quick: bool = False) -> Signature:
             text = f"{cause} `trexcmd boards` prints the options that reach each."
             raise BadReply(text) from cause
         raise cause from error
+
+
+def _only_board(client: TrexClient) -> Signature:
+    signature = read_signature(client.request, has_crc=client.has_crc)
+    command = GetParameter(parameter_number(ParameterKey.DEVICE_NUMBER))
+    number = agreed(client.request, command, has_crc=client.has_crc)
+    if is_several(client, number):
+        where = client.settings.label, client.settings.line.text()
+        raise TrexBadReplyError(ErrorCode.SEVERAL_BOARDS, *where)
+    return signature
 
 
 # --- What list and find report ----------------------------------------------------------

@@ -3,6 +3,7 @@
 Plain functions over a `Requester`, so the command line, the session and tests share them.
 """
 
+import contextlib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, TypeVar
@@ -145,6 +146,22 @@ def board_at(client: TrexClient, number: int, *, attempts: int = 1) -> Signature
         if isinstance(error, TrexError) and error.code is ErrorCode.INCOMPLETE_REPLY:
             raise TrexBadReplyError(error.code, *error.fields) from error
         return None
+
+
+def is_several(client: TrexClient, stored_number: int) -> bool:
+    """Whether several boards respond to commands without a number, as if they were one.
+
+    Boards of one model reply alike, and are read as one that has the bits which all of their
+    numbers have. Unless that is the number of one of them, no board responds to it.
+
+    Raises:
+        PortUnavailable: the line is gone.
+    """
+    if client.settings.device_number is not None:
+        return False
+    with contextlib.suppress(BadReply):
+        return board_at(client, stored_number, attempts=ATTEMPTS) is None
+    return False
 
 
 def require_free_number(

@@ -31,6 +31,7 @@ from trex_gui.devices.trex.client.reading import (
     DeviceState,
     agreed,
     board_at,
+    is_several,
     other_board,
     read_everything,
     require_free_number,
@@ -53,6 +54,7 @@ from trex_gui.devices.trex.protocol.errors import (
     ErrorCode,
     OtherBoard,
     Rejected,
+    TrexBadReplyError,
     TrexError,
     TrexNoReplyError,
     TrexRequestError,
@@ -550,6 +552,10 @@ class TrexSession:
         self._state = read_everything(
             self._request, self._report_progress, has_crc=self._line.has_crc
         )
+        number = self._state.parameters.get(ParameterKey.DEVICE_NUMBER)
+        if occasion is ReadReason.OPENED and number is not None and is_several(self._line, number):
+            where = self._line.settings.label, self._line.settings.line.text()
+            raise TrexBadReplyError(ErrorCode.SEVERAL_BOARDS, *where)
         self._stale_reads = 0
         self._signature = self._state.signature
         if occasion is not ReadReason.RELOADED:
