@@ -17,7 +17,7 @@ def boards(as_json: bool, **options: Any) -> None:
 
     Asks for every device number which board has it, at the line settings of the options. Moves
     no motor and changes nothing. A board that is off, or has the number of another one, is not
-    listed; `trexcmd find --full` also looks at other line settings.
+    listed; `trexcmd find` also looks at other line settings.
     """
     link = link_settings(options)
     progress = ProgressLine("Asking")
