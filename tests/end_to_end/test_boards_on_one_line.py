@@ -185,6 +185,36 @@ def test_boards_on_one_line(
     assert not window.has("boardPanel")
 
 
+def test_boards_get_values_beyond_inferred_limits_after_a_question(
+    window: WindowDriver,
+    start_simulator: StartSimulator,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    boards = start_simulator("--unpaced", "--device", "7", "--device", "9")
+    boards.do("@9 accept ignored_channels 127")
+    connect(window, boards.url, 7)
+    window.trigger("boards")
+    window.wait(lambda: len(rows(window)) == 2 and not window.has("boardsProgress"))
+    path = tmp_path / "fleet.txt"
+    save(path, "product: TReX\nignored_channels: 63\n")
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_a, **_k: (str(path), ""))
+    window.trigger("to_boards")
+    window.wait(lambda: window.has("applyToBoardsDialog"))
+    fleet = window.dialog("applyToBoardsDialog")
+    window.wait(lambda: fleet.is_enabled("writeBoardsButton"))
+    table = fleet.find(QTableWidget, "boardsToWrite")
+    if (item := table.item(0, 0)) is not None:
+        item.setCheckState(Qt.CheckState.Unchecked)
+    fleet.click("writeBoardsButton")
+    assert fleet.text("questionText").startswith("Ignored Channels 63: beyond a limit")
+    assert not boards.show("@9")["parameters"]["ignored_channels"]
+    check_keyboard(fleet.root)
+    fleet.click("writeAnyway")
+    window.wait(lambda: boards.show("@9")["parameters"]["ignored_channels"] == 63)
+    window.wait(lambda: not window.device.applying and not fleet.is_enabled("endBoardsButton"))
+
+
 def test_what_drives_one_board_drives_no_other(
     window: WindowDriver, start_simulator: StartSimulator
 ) -> None:

@@ -465,6 +465,17 @@ def test_settings_are_written_to_several_boards(make: Make) -> None:
     assert numbers == {3, 7}
 
 
+def test_plan_names_values_beyond_inferred_limits(make: Make) -> None:
+    stand = make("3", "7")
+    stand.connect(7)
+    stand.scan()
+    stand.line.boards[0].eeprom.write("ignored_channels", 63)
+    stand.simulator.do("@3 power cycle")
+    work = Work(stand)
+    work.reviewed(wanted(ignored_channels=63, serial_timeout=5), 3, 7)
+    assert [plan.doubts for plan in work.plans] == [(), ("Ignored Channels 63",)]
+
+
 def test_first_error_while_writing_ends_the_work(make: Make) -> None:
     stand = make("3", "7", "9")
     stand.connect(9)

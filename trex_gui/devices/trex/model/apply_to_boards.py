@@ -45,6 +45,7 @@ class BoardPlan:
         changes: what differs from what it stores; `None` before it was read.
         problem: why it was not read or written, for the user.
         findings: what the rules say about its settings with these changes.
+        doubts: the changes beyond inferred limits, of which only the board can tell.
     """
 
     number: int
@@ -52,6 +53,7 @@ class BoardPlan:
     changes: Comparison | None = None
     problem: str = ""
     findings: tuple[LintFinding, ...] = ()
+    doubts: tuple[str, ...] = ()
 
     @property
     def to_write(self) -> int:
@@ -189,8 +191,16 @@ class ApplyToBoards(QObject):
         if self.is_writing:
             self._write(number, changes)
         else:
-            findings = self._findings(changes)
-            self._replace(BoardPlan(number, BoardStep.REVIEWED, changes, findings=findings))
+            doubts = self._device.parameters.doubtful(changes.rows)
+            self._replace(
+                BoardPlan(
+                    number,
+                    BoardStep.REVIEWED,
+                    changes,
+                    findings=self._findings(changes),
+                    doubts=tuple(doubts),
+                )
+            )
             self._go_on()
 
     def _findings(self, changes: Comparison) -> tuple[LintFinding, ...]:

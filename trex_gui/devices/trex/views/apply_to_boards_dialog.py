@@ -14,6 +14,7 @@ from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.devices.trex.views.boards import board_name
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.findings_list import FindingsList
+from trex_gui.devices.trex.views.limits_prompt import LimitsPrompt
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.labels import Note
@@ -48,6 +49,7 @@ class ApplyToBoardsDialog(ReusedDialog):
             (self._changes, 3),
             (self._findings_area, 1),
             self._note,
+            self._question,
             ui.row(self._stop, 1, self._write, self._end, self._close),
             into=self,
         )
@@ -86,6 +88,7 @@ class ApplyToBoardsDialog(ReusedDialog):
         self._findings = FindingsList("boards", self._changes, self, is_wide=True)
         self._findings_area = ScrollBox(self._findings, self)
         self._note = ui.named(Note(0, self), "applyToBoardsNote")
+        self._question = ui.named(LimitsPrompt(self), "boardsQuestion")
         self._stop = StopButton(self._device, "boardsStopButton", self)
         self._write = ui.button(
             self, "writeBoardsButton", icon="apply", default=True, on_click=self._on_write_clicked
@@ -185,6 +188,7 @@ class ApplyToBoardsDialog(ReusedDialog):
         can_write = self._device.is_writable and not is_driven
         self._write.setEnabled(bool(chosen) and not running and can_write)
         self._end.setEnabled(running)
+        self._question.reconsider()
 
     @Slot(QTableWidgetItem)
     def _on_item_changed(self, item: QTableWidgetItem) -> None:
@@ -228,7 +232,15 @@ class ApplyToBoardsDialog(ReusedDialog):
     @Slot()
     def _on_write_clicked(self) -> None:
         self._note.show_note("")
-        self.work.write(self._chosen())
+        self._question.ask_before(lambda: self.work.write(self._chosen()), self._doubts)
+
+    def _doubts(self) -> list[str]:
+        """Return the values of the chosen boards of which only the boards can tell."""
+        if not self._write.isEnabled():
+            return []
+        chosen = self._chosen()
+        plans = [plan for plan in self.work.plans if plan.number in chosen]
+        return list(dict.fromkeys(doubt for plan in plans for doubt in plan.doubts))
 
     @Slot()
     def _on_finished(self) -> None:

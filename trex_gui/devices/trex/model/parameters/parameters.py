@@ -31,6 +31,7 @@ from trex_gui.devices.trex.protocol.parameters import (
     other_motor_key,
 )
 from trex_gui.devices.trex.settings.accepted import Accepted
+from trex_gui.devices.trex.settings.comparison import ComparisonRow
 from trex_gui.ui.devices.undo import Edit
 from trex_gui.ui.translations import error_sentence
 
@@ -327,6 +328,14 @@ class ParameterModel(QAbstractTableModel):
         """Whether only a board can tell if it takes this value, and none has yet."""
         is_known = wire in self._accepted.get(key, ()) or wire == self.stored_of(key)
         return self._specs[key].is_open(wire) and not is_known
+
+    def doubtful(self, rows: Iterable[ComparisonRow]) -> list[str]:
+        """Return the values to be written that are doubtful, for the user."""
+        return [
+            self.tr("{0} {1}").format(row.name, row.after)
+            for row in rows
+            if isinstance(row.after, int) and self.is_doubtful(row.key, row.after)
+        ]
 
     def other_motor_of(self, key: str) -> str | None:
         """Return the same parameter of the other motor if both can be edited."""

@@ -18,13 +18,13 @@ from trex_gui.devices.trex.settings.rules import LintFinding
 from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.findings_list import FindingsList
+from trex_gui.devices.trex.views.limits_prompt import LimitsPrompt
 from trex_gui.devices.trex.views.review.power_cycle import PowerCyclePanel
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.builders import button, column, label, named, progress_bar, row
 from trex_gui.ui.widgets.labels import Note
-from trex_gui.ui.widgets.messages import InlinePrompt, PromptAnswer
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 
@@ -54,7 +54,7 @@ class ReviewDialog(ReusedDialog):
         self._findings_head = label(self, "reviewFindingsHead", wrap=True, bold=True)
         self._findings = FindingsList("review", self._rows, self, is_wide=True)
         self._findings_area = ScrollBox(self._findings, self)
-        self._question = named(InlinePrompt(self), "reviewQuestion")
+        self._question = named(LimitsPrompt(self), "reviewQuestion")
         self._foot = label(self, "reviewFoot", wrap=True)
         self._progress = progress_bar(self, "reviewProgress", self.tr("Progress of writing"))
         self._progress.setTextVisible(True)
@@ -144,30 +144,13 @@ class ReviewDialog(ReusedDialog):
         wanted = frozenset(row.key for row in self._rows.table.ticked)
         if not wanted or self._phase is not _Phase.REVIEW or not self._can_write:
             return
-        if not (doubts := self._doubts()):
-            self._write_rows(wanted)
-            return
-        text = self.tr(
-            "{0}: beyond a limit that is inferred. The board decides: it may reject the value, or "
-            "store another one."
-        )
-        write = PromptAnswer(
-            "writeAnyway", self.tr("Write an&yway"), partial(self._write_rows, wanted)
-        )
-        self._question.ask(
-            text.format(", ".join(doubts)), write, still=lambda: self._doubts() == doubts
-        )
+        self._question.ask_before(partial(self._write_rows, wanted), self._doubts)
 
     def _doubts(self) -> list[str]:
         """Return the checked values of which only the board can tell whether it takes them."""
         if self._phase is not _Phase.REVIEW or not self._can_write:
             return []
-        return [
-            self.tr("{0} {1}").format(row.name, row.after)
-            for row in self._rows.table.ticked
-            if isinstance(row.after, int)
-            and self._device.parameters.is_doubtful(row.key, row.after)
-        ]
+        return self._device.parameters.doubtful(self._rows.table.ticked)
 
     def _write_rows(self, wanted: frozenset[str]) -> None:
         self._problem = ""

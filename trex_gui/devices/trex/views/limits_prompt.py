@@ -1,0 +1,22 @@
+"""Question before values beyond limits that are only inferred are written."""
+
+from collections.abc import Callable, Sequence
+
+from trex_gui.ui.widgets.messages import InlinePrompt, PromptAnswer
+
+
+class LimitsPrompt(InlinePrompt):
+    """Asks about values of which only the board can tell whether it takes them."""
+
+    def ask_before(self, write: Callable[[], object], doubts: Callable[[], Sequence[str]]) -> None:
+        """Call `write`, after a question if there are doubts; `doubts` names the values."""
+        named = doubts()
+        if not named:
+            write()
+            return
+        text = self.tr(
+            "{0}: beyond a limit that is inferred. The board decides: it may reject the value, or "
+            "store another one."
+        )
+        answer = PromptAnswer("writeAnyway", self.tr("Write an&yway"), write)
+        self.ask(text.format(", ".join(named)), answer, still=lambda: doubts() == named)
