@@ -3,10 +3,11 @@
 from pathlib import Path
 
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QListWidget, QTabBar, QTableView
 
 from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice, StartSimulator
-from tests.support.window import WindowDriver
+from tests.support.window import WidgetDriver, WindowDriver
 from trex_gui.core.files import data_folder, load
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.devices.trex.settings.reader import read_settings
@@ -88,3 +89,40 @@ def test_note_is_typed_and_kept_wherever_the_value_goes(
     window.connect(quick_simulator.url)
     settle(window)
     assert field.toPlainText() == NOTE, "kept under the new number"
+
+
+def test_calibrations_have_notes_on_page_and_in_editor(
+    window: WindowDriver, quick_simulator: SimulatedDevice, tmp_path: Path
+) -> None:
+    window.connect(quick_simulator.url)
+    settle(window)
+    page = window.open_page("calibrationPage")
+    page.find(QListWidget, "calibrationChannels").setCurrentRow(1)
+    field = page.find(NoteField, "channelNoteEdit")
+    field.setFocus()
+    QTest.keyClicks(field, "Learned with the new stick.")
+    notes = window.device.draft.notes
+    assert notes.all == {"rc_channel_2": "Learned with the new stick."}
+    page.find(QTabBar, "sourceTabs").setCurrentIndex(1)
+    assert not field.toPlainText(), "each input source has its own"
+    page.find(QTabBar, "sourceTabs").setCurrentIndex(0)
+    assert field.toPlainText() == notes.of("rc_channel_2")
+
+    path = tmp_path / "board.txt"
+    path.write_text(
+        "product: TReX\n# Note on rc_channel_2: by hand\n"
+        "rc_channel_2: {minimum: 2500, neutral: 3750, maximum: 5000, deadband: 75}\n",
+        encoding="utf-8",
+    )
+    files = trex(window.program).workspace.files
+    files.edit_file(path)
+    window.wait(lambda: files.editors)
+    editor = WidgetDriver(files.editors[0], window.qtbot)
+    view = editor.find(QTableView, "calibrationsView")
+    view.setCurrentIndex(view.model().index(1, 1))
+    field = editor.find(NoteField, "calibrationNoteEdit")
+    assert field.toPlainText() == "by hand"
+    field.setPlainText("by hand, twice")
+    assert "# Note on rc_channel_2: by hand, twice\n" in files.editors[0].document.text
+    files.editors[0].document.draft.undo.undo()
+    assert field.toPlainText() == "by hand"

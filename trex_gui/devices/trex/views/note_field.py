@@ -9,19 +9,21 @@ from trex_gui.devices.trex.settings.notes import clean_note
 from trex_gui.ui.theme.theme import follow_theme
 from trex_gui.ui.widgets.builders import named
 
-_LINES = 3
-
 
 class NoteField(QPlainTextEdit):
     """Shows and edits the note on one setting; all that is typed at once is one step to undo."""
 
-    def __init__(self, notes: Notes, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, notes: Notes, name: str, parent: QWidget | None = None, *, lines: int = 3
+    ) -> None:
+        """Create a field with room for some lines; `name` is its object name."""
         super().__init__(parent)
         self._notes = notes
+        self._lines = lines
         self._key = ""
         self._name = ""
         self._run = object()
-        named(self, "noteEdit", accessible=self.tr("Note"))
+        named(self, name, accessible=self.tr("Note"))
         self.setTabChangesFocus(True)
         self.setPlaceholderText(self.tr("Why this value? Kept on this computer and in files."))
         follow_theme(self, "height", self._fit)
@@ -31,7 +33,7 @@ class NoteField(QPlainTextEdit):
 
     def _fit(self) -> None:
         frame = 2 * (self.frameWidth() + round(self.document().documentMargin()))
-        self.setFixedHeight(_LINES * self.fontMetrics().lineSpacing() + frame)
+        self.setFixedHeight(self._lines * self.fontMetrics().lineSpacing() + frame)
 
     def show_note_on(self, key: str, name: str) -> None:
         """Show the note on a setting; an empty key is none. `name` is for the user."""

@@ -32,6 +32,7 @@ from trex_gui.devices.trex.protocol.calibration import (
     CalibrationKey,
 )
 from trex_gui.devices.trex.views.count_editor import CountEditor, UnitDelegate
+from trex_gui.devices.trex.views.note_field import NoteField
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.widgets.builders import button, column, flat_table, label, named, row
 from trex_gui.ui.widgets.labels import Note
@@ -212,6 +213,8 @@ class CalibrationEditor(QWidget):
         header.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
         header.setSectionResizeMode(0, QHeaderView.ResizeMode.ResizeToContents)
         header.setMinimumSectionSize(17 * self.fontMetrics().averageCharWidth())
+        self._why = NoteField(draft.notes, "calibrationNoteEdit", self, lines=2)
+        why = label(self, text=self.tr("N&ote on the calibration:"), buddy=self._why)
         self._note = named(Note(2, self), "calibrationsNote")
         self._add = button(
             self,
@@ -229,11 +232,12 @@ class CalibrationEditor(QWidget):
             on_click=lambda: self._table.leave_out(self._selected()),
         )
         below = row((self._note, 1), self._add, self._leave_out)
-        column(about, (self._view, 1), below, into=self)
+        column(about, (self._view, 1), row(why, (self._why, 1)), below, into=self)
 
         self._table.rejected.connect(self.show_problem)
         self._table.dataChanged.connect(self._on_changed)
         self._view.selectionModel().selectionChanged.connect(self._update_buttons)
+        self._view.selectionModel().currentChanged.connect(self._on_current_changed)
         self._on_changed()
 
     @Slot(str)
@@ -243,6 +247,12 @@ class CalibrationEditor(QWidget):
     def _selected(self) -> tuple[CalibrationKey, ...]:
         rows = {index.row() for index in self._view.selectionModel().selectedIndexes()}
         return tuple(_KEYS[row] for row in sorted(rows))
+
+    @Slot(QModelIndex)
+    def _on_current_changed(self, current: QModelIndex) -> None:
+        if current.isValid():
+            key = _KEYS[current.row()]
+            self._why.show_note_on(key, self.tr("the calibration of {0}").format(key.label))
 
     @Slot()
     def _on_changed(self) -> None:

@@ -37,7 +37,7 @@ class CalibrationFields(QWidget):
         self._others: dict[str, QLabel] = {}  # with the values in the other unit
         self._run = object()
         titles = {
-            "minimum": self.tr("Mi&nimum"),
+            "minimum": self.tr("&Minimum"),
             "neutral": self.tr("Ne&utral"),
             "maximum": self.tr("Ma&ximum"),
             "deadband": self.tr("Dead&band ±"),

@@ -12,11 +12,12 @@ from trex_gui.devices.trex.model import channel_text
 from trex_gui.devices.trex.model.calibration_moves import Handle
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.linter import BoardLinter
-from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.settings.rules import LintFinding
 from trex_gui.devices.trex.settings.writer import calibration_text
 from trex_gui.devices.trex.views.findings_list import FindingsList
+from trex_gui.devices.trex.views.note_field import NoteField
 from trex_gui.devices.trex.views.pages.calibration.change_menu import ChangeMenu
 from trex_gui.devices.trex.views.pages.calibration.fields import (
     CHANNEL_OPTIONS,
@@ -82,6 +83,8 @@ class CalibrationPage(PlotPage):
         self._fields = CalibrationFields(body)
         self._both = named(ElidedLabel("", body), "otherSetLabel")
         self._note = named(Note(2, body), "calibrationNote")
+        self._why = NoteField(device.draft.notes, "channelNoteEdit", body, lines=2)
+        why = label(body, text=self.tr("&Note:"), buddy=self._why)
         self._options = ChannelOptions(device.parameters, body)
         self._learn = button(
             body,
@@ -112,7 +115,8 @@ class CalibrationPage(PlotPage):
         # Findings are at the top: on a low screen what is below the plot may have to be scrolled.
         above = column(self._heading, self._findings, self._other, self._legend)
         buttons = row(self._learn, self._learn_all, 1, self._change, self._discard)
-        self._right = column(above, self._fields, self._both, self._note, self._options, buttons)
+        notes = row((self._note, 2), why, (self._why, 1))
+        self._right = column(above, self._fields, self._both, notes, self._options, buttons)
         row(self._channels, (self._right, 1), into=body, margins=0)
         layout = column(self._empty, (body, 1), into=self)
         layout.addStretch(0)
@@ -181,6 +185,8 @@ class CalibrationPage(PlotPage):
         after = self._options.curve(channel, shown)
         before = self._device.draft.stored_curve(channel) if is_active else after
         self._fields.show_calibration(self.source, shown, editable=editable)
+        key = CalibrationKey.of(self.source, channel)
+        self._why.show_note_on(key, self.tr("the calibration of {0}").format(key.label))
         self._show_actions()
         self._menu.show_channel(channel, editable=editable)
         self._change.setEnabled(self._device.is_writable and is_active)

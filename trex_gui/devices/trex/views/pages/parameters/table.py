@@ -43,7 +43,7 @@ class ParameterTable(QWidget):
         beside.setObjectName("aboutParameters")
         tools = [action_button(each, beside) for each in self._view.tools]
         self._help = ParameterHelp(self._model, beside)
-        self._note = NoteField(draft.notes, beside)
+        self._note = NoteField(draft.notes, "noteEdit", beside)
         note = label(beside, text=self.tr("N&ote on the value:"), buddy=self._note)
         self._findings = FindingsList("parameter", self._note, beside)
         column(
