@@ -5,6 +5,7 @@ import pytest
 
 from trex_gui.core.simulator.control_lines import GOODBYE
 from trex_gui.core.simulator.sampling import ReceiveError
+from trex_gui.devices.trex.simulator.command import SIMULATOR
 from trex_gui.devices.trex.simulator.control import control, report
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
@@ -30,6 +31,12 @@ def two() -> TrexLine:
         eeprom.write("device_number", number)
         boards.append(Board(eeprom=eeprom))
     return TrexLine(boards)
+
+
+def test_help_lists_every_control_line() -> None:
+    listed = SIMULATOR.help.partition("Control lines: ")[2].partition(";")[0]
+    known = control(TrexLine([Board()]), "nosuch").partition("commands are ")[2]
+    assert set(listed.split(", ")) == set(known.split(", "))
 
 
 @pytest.mark.parametrize(

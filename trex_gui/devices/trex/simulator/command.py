@@ -144,8 +144,8 @@ def _choice(name: str, values: Sequence[str], default: str, help_text: str) -> c
 
 
 SIMULATOR = SimulatorPlugin(
-    help="Control lines: channel, jumper, power, load, current, fault, battery, eeprom, factory, "
-    "line, show, quit; with missing arguments each replies with its usage. With several "
+    help="Control lines: channel, jumper, power, load, current, fault, battery, eeprom, accept, "
+    "factory, line, show, quit; with missing arguments each replies with its usage. With several "
     'devices a control line begins with one of them, as in "@9 power cycle".',
     options=(
         _choice("--model", _MODELS, "trex", "Kind of board."),
