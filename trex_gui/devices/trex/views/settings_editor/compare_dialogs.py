@@ -170,7 +170,7 @@ class LoadDialog(QDialog):
         found = self._read_findings
         self._findings.show_findings(found)
         self._findings.setVisible(bool(found))
-        lines = min(len(found), _NAMED) + 4
+        lines = min(len(found), _NAMED) + 2  # the summary and the header
         height = lines * (self.fontMetrics().height() + 12)
         self._findings.setMaximumHeight(height if is_short else _NO_LIMIT)
 
