@@ -20,6 +20,7 @@ from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.devices.trex.settings.board_records import BoardRecords
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.event_log import EventKind
+from trex_gui.ui.files import background
 from trex_gui.ui.runtime import now
 
 LEARNED = Calibration(2400, 3700, 5100, 80)
@@ -350,6 +351,61 @@ def test_record_of_a_board_at_another_adapter_is_doubted(
     recorder.until(lambda: bool(recorder.results) and device.memory.files.is_idle)
     names = sorted(path.name for path in BoardRecords().folder.iterdir())
     assert names == ["trex-1.2-7.txt", "trex-1.2-8.txt"]
+
+
+def test_board_that_lost_its_number_differs_from_what_was_applied(
+    recorder: DeviceRecorder, quick_simulator: SimulatedDevice, start_simulator: StartSimulator
+) -> None:
+    device, memory, new = recorder.device, recorder.device.memory, start_simulator("--unpaced")
+
+    def connect(simulator: SimulatedDevice, adapter: str) -> set[str]:
+        device.motors.adapter = adapter
+        recorder.connect(simulator.url, again=device.is_connected)
+        recorder.until(lambda: memory.files.is_idle and not background)
+        return {row.key for row in memory.differing.rows}
+
+    def write(**values: int) -> None:
+        for key, value in values.items():
+            recorder.edit(key, value)
+        recorder.results.clear()
+        device.apply()
+        recorder.until(lambda: bool(recorder.results) and memory.files.is_idle)
+
+    assert not connect(quick_simulator, "0403:6001-A500001"), "nothing was applied before"
+    write(device_number=12, serial_timeout=15)
+    quick_simulator.do("factory")
+    assert not connect(new, "0403:6001-B700002"), "another adapter"
+    assert connect(quick_simulator, "0403:6001-A500001") == {"device_number", "serial_timeout"}
+    assert memory.applied is not None
+    assert memory.applied.parameters["device_number"] == 12
+    memory.accept()
+    assert not memory.differing.rows
+    assert not connect(quick_simulator, "0403:6001-A500001"), "the user said so"
+    quick_simulator.do("eeprom serial_timeout 3")
+    quick_simulator.do("power cycle")
+    assert connect(quick_simulator, "0403:6001-A500001") == {"serial_timeout"}
+
+
+def test_board_that_gets_its_number_back_gets_its_notes_back(
+    recorder: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    device, memory = recorder.device, recorder.device.memory
+    device.motors.adapter = "0403:6001-A500001"
+    recorder.connect(quick_simulator.url)
+    recorder.until(lambda: memory.files.is_idle)
+    device.draft.notes.edit("serial_timeout", "The radio drops out.")
+    device.set_device_number(12)
+    recorder.until(lambda: bool(recorder.results) and memory.files.is_idle)
+    quick_simulator.do("factory")
+    recorder.connect(quick_simulator.url, again=True)
+    recorder.until(lambda: memory.files.is_idle and not background)
+    assert {row.key for row in memory.differing.rows} == {"device_number"}
+    assert not device.draft.notes.all
+    recorder.results.clear()
+    device.set_device_number(12)
+    recorder.until(lambda: bool(recorder.results) and memory.files.is_idle)
+    assert device.draft.notes.all == {"serial_timeout": "The radio drops out."}
+    assert [path.name for path in BoardRecords().folder.iterdir()] == ["trex-1.2-12.txt"]
 
 
 def test_mode_change_is_detected(

@@ -15,7 +15,9 @@ from pathlib import Path
 
 from trex_gui.core.files import SettingsError, data_folder, load
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
+from trex_gui.devices.trex.protocol.device_table import HIGHEST_WIRE
 from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_files import (
@@ -31,6 +33,7 @@ _HEAD = re.compile(
 )
 _ADAPTER = re.compile(r"^# adapter: (\S+)$", re.MULTILINE)
 _PARAMETERS = "parameters"
+_NEVER = datetime.min.replace(tzinfo=UTC)
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,6 +137,16 @@ class BoardRecord:
     def with_notes(self, notes: Mapping[str, str]) -> "BoardRecord":
         return replace(self, settings=replace(self.settings, notes=notes))
 
+    def together_with(self, earlier: "BoardRecord") -> "BoardRecord":
+        """Add the notes and calibrations that were kept of the same board under another number."""
+        old, new = earlier.settings, self.settings
+        calibrations = {**old.calibrations, **new.calibrations}
+        return replace(
+            self,
+            settings=replace(new, calibrations=calibrations, notes={**old.notes, **new.notes}),
+            known={**earlier.known, **self.known},
+        )
+
     def with_hidden(self, stored: Settings, source: InputSource) -> tuple[Settings, list[str]]:
         """Return what a board stores with what it hides, and comments on the age of that.
 
@@ -181,6 +194,24 @@ class BoardRecords:
             with suppress(OSError):
                 path.replace(path.with_name(f"{path.name}.damaged"))
             raise
+
+    def of_other_number(self, board: BoardIdentity, adapter: str) -> BoardRecord | None:
+        """Return what was applied last at an adapter to a board like this with another number."""
+        others: list[BoardRecord] = []
+        for number in range(HIGHEST_WIRE + 1):
+            if number == board.device_number:
+                continue
+            with suppress(SettingsError):
+                found = self.load(replace(board, device_number=number))
+                if found is not None and found.applied is not None and found.adapter == adapter:
+                    others.append(found)
+        return max(others, key=lambda other: other.applied or _NEVER, default=None)
+
+
+def has_factory_line(stored: Settings) -> bool:
+    """Whether device number and UART settings are those of a board that lost its settings."""
+    keys = ParameterKey.DEVICE_NUMBER, ParameterKey.UART_SETTINGS
+    return all(stored.parameters.get(key) == stored.specs[key].default for key in keys)
 
 
 def _line(name: str, known: Known) -> str:

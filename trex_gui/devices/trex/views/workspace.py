@@ -547,7 +547,7 @@ class TrexWorkspace(Workspace):
     def _on_memory_changed(self) -> None:
         """Ask about each difference from what was applied last, once for each connection."""
         memory = self._device.memory
-        differing, record = memory.differing, memory.record
+        differing, record = memory.differing, memory.expected
         self._question.reconsider()
         news = set(differing.rows) - self._offered_losses
         if not differing.rows or record is None or record.applied is None:
@@ -569,7 +569,7 @@ class TrexWorkspace(Workspace):
             )
 
     def _show_differing(self) -> None:
-        applied, record = self._device.memory.applied, self._device.memory.record
+        applied, record = self._device.memory.applied, self._device.memory.expected
         if applied is not None and record is not None and record.applied is not None:
             self.files.offer_settings(applied, local_time(record.applied))
 

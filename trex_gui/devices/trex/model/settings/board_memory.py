@@ -2,10 +2,11 @@
 
 from collections.abc import Callable, Collection
 from dataclasses import replace
+from functools import partial
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.core.files import SettingsError
+from trex_gui.core.errors import StudioError
 from trex_gui.devices.trex.model.settings.board_files import BoardFiles
 from trex_gui.devices.trex.model.settings.notes import Notes
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
@@ -14,11 +15,13 @@ from trex_gui.devices.trex.settings.board_records import (
     BoardRecord,
     BoardRecords,
     Known,
+    has_factory_line,
     utc_now,
 )
 from trex_gui.devices.trex.settings.comparison import Comparison
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
+from trex_gui.ui.files import in_background
 from trex_gui.ui.translations import error_sentence, local_time
 
 Change = Callable[[BoardRecord], BoardRecord]
@@ -52,11 +55,13 @@ class BoardMemory(QObject):
         self._notes = notes or Notes(self)
         self.record: BoardRecord | None = None
         self.differing = Comparison(())
-        self.files = BoardFiles[BoardRecord, BoardRecord](folder or BoardRecords(), self)
+        self._records = folder or BoardRecords()
+        self.files = BoardFiles[BoardRecord, BoardRecord](self._records, self)
         self._board: BoardIdentity | None = None
         self._stored: Settings | None = None  # what the board stores, while it is connected
         self._source = InputSource.RC  # the active one
         self._adapter = ""
+        self._lost: BoardRecord | None = None  # of the board that this may be, without its number
         self._is_doubted = False  # the record may be of another board
         self._is_renamed = False  # the next start of the board resets its number
         self._later: list[Change] = []  # what happened before the record was read
@@ -76,11 +81,21 @@ class BoardMemory(QObject):
         return found, self.record.known.get(source) if found is not None else None
 
     @property
+    def expected(self) -> BoardRecord | None:
+        """The record with what the board should store; `None`: not known.
+
+        A board that lost its settings has lost its device number, too: one to which nothing was
+        applied may be the board that was at the same adapter before.
+        """
+        is_new = self.record is not None and self.record.applied is None
+        return self._lost if is_new and self._lost is not None else self.record
+
+    @property
     def applied(self) -> Settings | None:
         """What was applied last, as far as the board shows it now; `None`: not known."""
-        if self.record is None or self._stored is None:
+        if self.expected is None or self._stored is None:
             return None
-        return self.record.applied_to(self._stored)
+        return self.expected.applied_to(self._stored)
 
     def with_hidden(self, stored: Settings) -> tuple[Settings, list[str]]:
         """Return what the board stores with the calibrations that it hides, and their age."""
@@ -113,6 +128,7 @@ class BoardMemory(QObject):
             if board != self._board:
                 self._notes.forget()
             self._board, self.record, self._later = board, None, []
+            self._lost = None
             self.files.read(board)
             self._compare()
         self._change(lambda record: record.after_reading(stored, source, utc_now()))
@@ -137,15 +153,23 @@ class BoardMemory(QObject):
     def note_reset(self) -> None:
         """Expect the factory defaults after the next start of the board."""
         self._is_renamed = True
+        self._lost = None
         self._change(BoardRecord.after_reset)
 
     def _rename(self, board: BoardIdentity) -> None:
         """Follow another device number of the same board."""
-        if self._board is not None and board != self._board and self.record is not None:
+        if self._board is None or board == self._board or self.record is None:
+            return
+        lost, self._lost = self._lost, None
+        if lost is not None and board == BoardIdentity.of(lost.settings):
+            self.record = self.record.together_with(lost)
+            self.files.save(self._board, None)
+            self.files.save(board, self.record)
+        else:
             self.files.move(self._board, board, self.record, keeps_old=self._is_doubted)
-            self._is_doubted = False
-            self._board = board
-            self._notes.load(self._notes.all, board)
+        self._is_doubted = False
+        self._board = board
+        self._notes.load(self.record.settings.notes, board)
 
     # --- Decisions ----------------------------------------------------------------------
 
@@ -169,8 +193,8 @@ class BoardMemory(QObject):
     def _compare(self) -> None:
         self.differing = Comparison(())
         is_real = self._board is not None and not self._board.is_simulated
-        if is_real and self.record is not None and self._stored is not None:
-            self.differing = self.record.differences(self._stored)
+        if is_real and self.expected is not None and self._stored is not None:
+            self.differing = self.expected.differences(self._stored)
         self.changed.emit()
 
     @Slot()
@@ -188,6 +212,15 @@ class BoardMemory(QObject):
         for change in later:
             self._change(change)
         self._notes.load(self.record.settings.notes, board)
+        stored, is_new = self._stored, self.record.applied is None
+        if is_new and self._adapter and stored is not None and has_factory_line(stored):
+            find = partial(self._records.of_other_number, board, self._adapter)
+            in_background(self, find, partial(self._on_lost_found, board), self._on_failed)
+
+    def _on_lost_found(self, board: BoardIdentity, found: BoardRecord | None) -> None:
+        if board == self._board:
+            self._lost = found
+            self._compare()
 
     def _note_adapter(self, found: BoardRecord) -> None:
         """Say that a record may be of another board, if its board was at another adapter."""
@@ -205,6 +238,6 @@ class BoardMemory(QObject):
             self.doubted.emit(text.format(found.settings.product.name, local_time(found.time)))
 
     @Slot(object)
-    def _on_failed(self, failure: SettingsError) -> None:
+    def _on_failed(self, failure: StudioError) -> None:
         text = self.tr("What was applied to this board cannot be remembered. {0}")
         self.failed.emit(text.format(error_sentence(failure)))
