@@ -174,6 +174,13 @@ def test_calibration_row_shows_only_differing_fields(table: ComparisonTable) -> 
     assert wires == f"{old.deadband} → {new.deadband}"
 
 
+def test_equal_calibration_with_a_note_is_shown_whole(table: ComparisonTable) -> None:
+    key = CalibrationKey.RC_CHANNEL_2
+    table.show_comparison(compare(BEFORE, replace(BEFORE, notes={key: "by hand"})), "Now", "File")
+    texts = [index(table, key, column).data() for column in (1, 2)]
+    assert texts == ["1000 / 1500 / 2000 µs, deadband 30 µs"] * 2
+
+
 def test_missing_value_is_shown_as_not_given(table: ComparisonTable) -> None:
     little = replace(BEFORE, parameters={"serial_timeout": 5}, calibrations={})
     table.show_comparison(compare(BEFORE, little), "Now", "File")

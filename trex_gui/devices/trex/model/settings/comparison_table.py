@@ -221,6 +221,8 @@ class ComparisonTable(QAbstractTableModel):
         if isinstance(value, int):
             is_ramp = row.kind is ParameterKind.ACCELERATION and value
             return acceleration_text(value) if is_ramp else text
+        if row.before == row.after:
+            return text
         source = CALIBRATION_KEYS[row.key].source
         return "\n".join(f"{f} {source.text(getattr(value, f))}" for f in row.differing_fields)
 
