@@ -205,7 +205,7 @@ def _errors(
     status, uart = before[0] | active[0], before[1] | active[1]
     earlier = before[1] & ~active[1] & ~UartError.TIMEOUT
     is_announced = bool(earlier) and earlier == uart  # by the bit in the status
-    rows = [
+    rows: list[tuple[str, Status | UartError, bool]] = [
         *(("status", bit, bit is Status.UART_ERROR and is_announced) for bit in status),
         *(("uart", bit, bool(bit & earlier)) for bit in uart),
     ]
