@@ -38,10 +38,10 @@ ROOT = Path(__file__).resolve().parent.parent
 VENV = ROOT / ".venv"
 STAMP_FILE = VENV / "bootstrap.json"
 PROJECT_FILE = ROOT / "pyproject.toml"
-CONSTRAINTS = ROOT / "packaging" / "constraints.txt"
+PACKAGING = ROOT / "packaging"
+CONSTRAINTS = PACKAGING / "constraints.txt"
 BENCHMARKS = ROOT / "tests" / "benchmarks"
-MUTATE = ROOT / "packaging" / "mutate.py"
-TRANSLATIONS = ROOT / "resources" / "translations"
+MUTATE = PACKAGING / "mutate.py"
 
 CORES = max(2, min(4, os.cpu_count() or 1))
 VIRTUAL = ("-m", "not realtime", "-n", str(CORES), "--dist", "worksteal")
@@ -672,16 +672,7 @@ def command_mutate(arguments: Sequence[str]) -> int:
 def command_translations() -> int:
     """Bring the translation files up to date with the texts of the program, and compile them."""
     set_up()
-    sources = [str(path) for path in sorted((ROOT / "trex_gui").rglob("*.py"))]
-    for file in sorted(TRANSLATIONS.glob("*.ts")):
-        # English only needs what depends on a number.
-        which = ["-pluralonly"] if file.stem.endswith("_en") else []
-        update = [str(venv_program("pyside6-lupdate")), "-locations", "none", "-no-obsolete"]
-        compile_ = [str(venv_program("pyside6-lrelease")), str(file)]
-        for command in ([*update, *which, *sources, "-ts", str(file)], compile_):
-            if run_in_sight(command, {}) != 0:
-                raise BootstrapError(f"{file.name} could not be updated; see above.")
-    return 0
+    return run_in_sight([str(venv_python()), str(PACKAGING / "translations.py")], {})
 
 
 # --- The command line --------------------------------------------------------------------------

@@ -1,503 +1,109 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
-<TS version="2.1" language="en_US" sourcelanguage="en_US">
+<TS version="2.1" language="en" sourcelanguage="en">
 <context>
-    <name>Apply</name>
-    <message numerus="yes">
-        <source>Apply of %n setting(s)</source>
-        <translation>
-            <numerusform>Apply of %n setting</numerusform>
-            <numerusform>Apply of %n settings</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>ApplyToBoardsDialog</name>
-    <message numerus="yes">
-        <source>%n setting(s)</source>
-        <translation>
-            <numerusform>%n setting</numerusform>
-            <numerusform>%n settings</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>&amp;Write to %n board(s)</source>
-        <translation>
-            <numerusform>&amp;Write to %n board</numerusform>
-            <numerusform>&amp;Write to %n boards</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Written to %n board(s).</source>
-        <translation>
-            <numerusform>Written to %n board.</numerusform>
-            <numerusform>Written to %n boards.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n board(s) left out; the reason is beside each.</source>
-        <translation>
-            <numerusform>%n board left out; the reason is beside each.</numerusform>
-            <numerusform>%n boards left out; the reason is beside each.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>BoardList</name>
-    <message numerus="yes">
-        <source>%n board(s) on this line.</source>
-        <translation>
-            <numerusform>%n board on this line.</numerusform>
-            <numerusform>%n boards on this line.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>CalibrationPage</name>
-    <message numerus="yes">
-        <source>%n count(s)</source>
-        <translation>
-            <numerusform>%n count</numerusform>
-            <numerusform>%n counts</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>CompareDialog</name>
-    <message numerus="yes">
-        <source>%n setting(s) differ, {0} match.</source>
-        <translation>
-            <numerusform>%n setting differs, {0} match.</numerusform>
-            <numerusform>%n settings differ, {0} match.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>&amp;Copy %n value(s) to {0}</source>
-        <translation>
-            <numerusform>&amp;Copy %n value to {0}</numerusform>
-            <numerusform>&amp;Copy %n values to {0}</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n value(s) copied from {0}.</source>
-        <translation>
-            <numerusform>%n value copied from {0}.</numerusform>
-            <numerusform>%n values copied from {0}.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>CountEditor</name>
-    <message numerus="yes">
-        <source>%n count(s)</source>
-        <translation>
-            <numerusform>%n count</numerusform>
-            <numerusform>%n counts</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>DefaultsDialog</name>
-    <message numerus="yes">
-        <source>&amp;Review %n change(s)…</source>
-        <translation>
-            <numerusform>&amp;Review %n change…</numerusform>
-            <numerusform>&amp;Review %n changes…</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>Device</name>
-    <message numerus="yes">
-        <source>%n edit(s) not applied to the previous {0}: kept, and offered when it is connected again.</source>
-        <translation>
-            <numerusform>%n edit not applied to the previous {0}: kept, and offered when it is connected again.</numerusform>
-            <numerusform>%n edits not applied to the previous {0}: kept, and offered when it is connected again.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n earlier change(s) still pending. Click Apply to write to this board.</source>
-        <translation>
-            <numerusform>%n earlier change still pending. Click Apply to write to this board.</numerusform>
-            <numerusform>%n earlier changes still pending. Click Apply to write to this board.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n edit(s) of the former board kept: they return when it is selected again.</source>
-        <translation>
-            <numerusform>%n edit of the former board kept: it returns when that board is selected again.</numerusform>
-            <numerusform>%n edits of the former board kept: they return when that board is selected again.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>DeviceScanner</name>
-    <message numerus="yes">
-        <source>%n board(s) found.</source>
-        <translation>
-            <numerusform>%n board found.</numerusform>
-            <numerusform>%n boards found.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n port(s) could not be searched (internal error).</source>
-        <translation>
-            <numerusform>%n port could not be searched (internal error).</numerusform>
-            <numerusform>%n ports could not be searched (internal error).</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>ExportButton</name>
-    <message numerus="yes">
-        <source>{0} sample(s) written to {1}.</source>
-        <translation>
-            <numerusform>{0} sample written to {1}.</numerusform>
-            <numerusform>{0} samples written to {1}.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>FindingsPanel</name>
-    <message numerus="yes">
-        <source>%n error(s)</source>
-        <translation>
-            <numerusform>%n error</numerusform>
-            <numerusform>%n errors</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n warning(s)</source>
-        <translation>
-            <numerusform>%n warning</numerusform>
-            <numerusform>%n warnings</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n suggestion(s)</source>
-        <translation>
-            <numerusform>%n suggestion</numerusform>
-            <numerusform>%n suggestions</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>HistoryDialog</name>
-    <message numerus="yes">
-        <source>Permanently delete %n snapshot(s), the newest of {0}?</source>
-        <translation>
-            <numerusform>Permanently delete the snapshot of {0}?</numerusform>
-            <numerusform>Permanently delete %n snapshots, the newest of {0}?</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>LearnDialog</name>
-    <message numerus="yes">
-        <source>&amp;Learn channel(s) {0} again</source>
-        <translation>
-            <numerusform>&amp;Learn channel {0} again</numerusform>
-            <numerusform>&amp;Learn channels {0} again</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>LoadDialog</name>
-    <message numerus="yes">
-        <source>{0}: %n change(s) pending; Apply settings writes them.</source>
-        <translation>
-            <numerusform>{0}: %n change is pending; Apply settings writes it.</numerusform>
-            <numerusform>{0}: %n changes are pending; Apply settings writes them.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>&amp;Load %n change(s)</source>
-        <translation>
-            <numerusform>&amp;Load %n change</numerusform>
-            <numerusform>&amp;Load %n changes</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>LogPage</name>
-    <message numerus="yes">
-        <source>%n line(s) copied.</source>
-        <translation>
-            <numerusform>%n line copied.</numerusform>
-            <numerusform>%n lines copied.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>NameModel</name>
-    <message numerus="yes">
-        <source>%n step(s), {0:g} s</source>
-        <translation>
-            <numerusform>%n step, {0:g} s</numerusform>
-            <numerusform>%n steps, {0:g} s</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>ParametersPage</name>
-    <message numerus="yes">
-        <source>%n pending change(s): click Apply settings to write.</source>
-        <translation>
-            <numerusform>%n pending change: click Apply settings to write.</numerusform>
-            <numerusform>%n pending changes: click Apply settings to write.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n setting(s) written and verified.</source>
-        <translation>
-            <numerusform>%n setting written and verified.</numerusform>
-            <numerusform>%n settings written and verified.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>Plural</name>
-    <message numerus="yes">
-        <source>%n step(s)</source>
-        <translation>
-            <numerusform>%n step</numerusform>
-            <numerusform>%n steps</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>And %n more problem(s).</source>
-        <translation>
-            <numerusform>And %n more problem.</numerusform>
-            <numerusform>And %n more problems.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>RecordIndicator</name>
-    <message numerus="yes">
-        <source>%n sample(s) lost: the disk is too slow</source>
-        <translation>
-            <numerusform>%n sample lost: the disk is too slow</numerusform>
-            <numerusform>%n samples lost: the disk is too slow</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>ReviewDialog</name>
-    <message numerus="yes">
-        <source>&amp;Write %n setting(s)</source>
-        <translation>
-            <numerusform>&amp;Write %n setting</numerusform>
-            <numerusform>&amp;Write %n settings</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n finding(s). Accept a proposal, or leave the setting as it is.</source>
-        <translation>
-            <numerusform>%n finding. Accept a proposal, or leave the setting as it is.</numerusform>
-            <numerusform>%n findings. Accept a proposal, or leave the setting as it is.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n finding(s) left.</source>
-        <translation>
-            <numerusform>%n finding left.</numerusform>
-            <numerusform>%n findings left.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n setting(s) written and verified.</source>
-        <translation>
-            <numerusform>%n setting written and verified.</numerusform>
-            <numerusform>%n settings written and verified.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n setting(s) of the {0} will change.</source>
-        <translation>
-            <numerusform>%n setting of the {0} will change.</numerusform>
-            <numerusform>%n settings of the {0} will change.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>ReviewPage</name>
-    <message numerus="yes">
-        <source>%n earlier pending edit(s) will be written, too.</source>
-        <translation>
-            <numerusform>%n earlier pending edit will be written, too.</numerusform>
-            <numerusform>%n earlier pending edits will be written, too.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n change(s) not applied yet.</source>
-        <translation>
-            <numerusform>%n change not applied yet.</numerusform>
-            <numerusform>%n changes not applied yet.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>Robot</name>
-    <message numerus="yes">
-        <source>Connected to Aracna: firmware {0}, %n motor(s).</source>
-        <translation>
-            <numerusform>Connected to Aracna: firmware {0}, %n motor.</numerusform>
-            <numerusform>Connected to Aracna: firmware {0}, %n motors.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Cropped to the limits of the joints: %n step(s).</source>
-        <translation>
-            <numerusform>Cropped to the limits of the joints: %n step.</numerusform>
-            <numerusform>Cropped to the limits of the joints: %n steps.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n time(s)</source>
-        <translation>
-            <numerusform>once</numerusform>
-            <numerusform>%n times</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Playing %n step(s), {0}.</source>
-        <translation>
-            <numerusform>Playing %n step, {0}.</numerusform>
-            <numerusform>Playing %n steps, {0}.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>RobotPlaybackWindow</name>
-    <message numerus="yes">
-        <source>Aracna, firmware {0}, %n motor(s)</source>
-        <translation>
-            <numerusform>Aracna, firmware {0}, %n motor</numerusform>
-            <numerusform>Aracna, firmware {0}, %n motors</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>RowDetails</name>
-    <message numerus="yes">
-        <source>took      {0:.1f} ms; %n byte(s) need {1:.1f} ms on this wire</source>
-        <translation>
-            <numerusform>took      {0:.1f} ms; %n byte needs {1:.1f} ms on this wire</numerusform>
-            <numerusform>took      {0:.1f} ms; %n bytes need {1:.1f} ms on this wire</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>SetupDialog</name>
-    <message numerus="yes">
-        <source>Next adds %n change(s). Nothing is written before you apply them.</source>
-        <translation>
-            <numerusform>Next adds %n change. Nothing is written before you apply them.</numerusform>
-            <numerusform>Next adds %n changes. Nothing is written before you apply them.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>SnapshotPane</name>
-    <message numerus="yes">
-        <source>%n setting(s) would be restored, {0} match.</source>
-        <translation>
-            <numerusform>%n setting would be restored, {0} match.</numerusform>
-            <numerusform>%n settings would be restored, {0} match.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n setting(s) not in the snapshot would stay.</source>
-        <translation>
-            <numerusform>%n setting that is not in the snapshot would stay as it is.</numerusform>
-            <numerusform>%n settings that are not in the snapshot would stay as they are.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>There is no other snapshot of a {0} to compare with. This one has %n setting(s).</source>
-        <translation>
-            <numerusform>There is no other snapshot of a {0} to compare with. This one has %n setting.</numerusform>
-            <numerusform>There is no other snapshot of a {0} to compare with. This one has %n settings.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n setting(s) differ, {0} match.</source>
-        <translation>
-            <numerusform>%n setting differs, {0} match.</numerusform>
-            <numerusform>%n settings differ, {0} match.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n setting(s) would become edits; nothing is written until you click Apply.</source>
-        <translation>
-            <numerusform>%n setting would become edits; nothing is written until you click Apply.</numerusform>
-            <numerusform>%n settings would become edits; nothing is written until you click Apply.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>TrafficComparison</name>
-    <message numerus="yes">
-        <source>%n transaction(s): the simulated board replies the same.</source>
-        <translation>
-            <numerusform>%n transaction: the simulated board replies the same.</numerusform>
-            <numerusform>%n transactions: the simulated board replies the same.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>TrafficPage</name>
-    <message numerus="yes">
-        <source>{0} row(s) written to {1}.</source>
-        <translation>
-            <numerusform>{0} row written to {1}.</numerusform>
-            <numerusform>{0} rows written to {1}.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>TrexPacketSender</name>
-    <message numerus="yes">
-        <source>and %n more packet(s)</source>
-        <translation>
-            <numerusform>and %n more packet</numerusform>
-            <numerusform>and %n more packets</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>TrexWorkspace</name>
-    <message numerus="yes">
-        <source>%n setting(s) written and verified.</source>
-        <translation>
-            <numerusform>%n setting written and verified.</numerusform>
-            <numerusform>%n settings written and verified.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore as pending edits?</source>
-        <translation>
-            <numerusform>Edited earlier but not applied: %n setting of this {0} ({1}). Restore as pending edits?</numerusform>
-            <numerusform>Edited earlier but not applied: %n settings of this {0} ({1}). Restore as pending edits?</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n setting(s) of this {0} differ from what was applied last ({1}): lost, changed by something else, or this is another board.</source>
-        <translation>
-            <numerusform>%n setting of this {0} differs from what was applied last ({1}): lost, changed by something else, or this is another board.</numerusform>
-            <numerusform>%n settings of this {0} differ from what was applied last ({1}): lost, changed by something else, or this is another board.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>_BoundField</name>
-    <message numerus="yes">
-        <source>Permanently remove the oldest %n of {0} snapshots?</source>
-        <translation>
-            <numerusform>Permanently remove the oldest of {0} snapshots?</numerusform>
-            <numerusform>Permanently remove the oldest %n of {0} snapshots?</numerusform>
-        </translation>
-    </message>
+    <name>trex_gui</name>
+    <message numerus="yes"><source>%n step(s), {0:g} s</source>
+        <translation><numerusform>%n step, {0:g} s</numerusform><numerusform>%n steps, {0:g} s</numerusform></translation></message>
+    <message numerus="yes"><source>%n time(s)</source>
+        <translation><numerusform>once</numerusform><numerusform>%n times</numerusform></translation></message>
+    <message numerus="yes"><source>Connected to Aracna: firmware {0}, %n motor(s).</source>
+        <translation><numerusform>Connected to Aracna: firmware {0}, %n motor.</numerusform><numerusform>Connected to Aracna: firmware {0}, %n motors.</numerusform></translation></message>
+    <message numerus="yes"><source>Cropped to the limits of the joints: %n step(s).</source>
+        <translation><numerusform>Cropped to the limits of the joints: %n step.</numerusform><numerusform>Cropped to the limits of the joints: %n steps.</numerusform></translation></message>
+    <message numerus="yes"><source>Playing %n step(s), {0}.</source>
+        <translation><numerusform>Playing %n step, {0}.</numerusform><numerusform>Playing %n steps, {0}.</numerusform></translation></message>
+    <message numerus="yes"><source>Aracna, firmware {0}, %n motor(s)</source>
+        <translation><numerusform>Aracna, firmware {0}, %n motor</numerusform><numerusform>Aracna, firmware {0}, %n motors</numerusform></translation></message>
+    <message numerus="yes"><source>%n step(s)</source>
+        <translation><numerusform>%n step</numerusform><numerusform>%n steps</numerusform></translation></message>
+    <message numerus="yes"><source>%n board(s) on this line.</source>
+        <translation><numerusform>%n board on this line.</numerusform><numerusform>%n boards on this line.</numerusform></translation></message>
+    <message numerus="yes"><source>%n edit(s) not applied to the previous {0}: kept, and offered when it is connected again.</source>
+        <translation><numerusform>%n edit not applied to the previous {0}: kept, and offered when it is connected again.</numerusform><numerusform>%n edits not applied to the previous {0}: kept, and offered when it is connected again.</numerusform></translation></message>
+    <message numerus="yes"><source>%n earlier change(s) still pending. Click Apply to write to this board.</source>
+        <translation><numerusform>%n earlier change still pending. Click Apply to write to this board.</numerusform><numerusform>%n earlier changes still pending. Click Apply to write to this board.</numerusform></translation></message>
+    <message numerus="yes"><source>%n edit(s) of the former board kept: they return when it is selected again.</source>
+        <translation><numerusform>%n edit of the former board kept: it returns when that board is selected again.</numerusform><numerusform>%n edits of the former board kept: they return when that board is selected again.</numerusform></translation></message>
+    <message numerus="yes"><source>and %n more packet(s)</source>
+        <translation><numerusform>and %n more packet</numerusform><numerusform>and %n more packets</numerusform></translation></message>
+    <message numerus="yes"><source>Apply of %n setting(s)</source>
+        <translation><numerusform>Apply of %n setting</numerusform><numerusform>Apply of %n settings</numerusform></translation></message>
+    <message numerus="yes"><source>And %n more problem(s).</source>
+        <translation><numerusform>And %n more problem.</numerusform><numerusform>And %n more problems.</numerusform></translation></message>
+    <message numerus="yes"><source>&amp;Write to %n board(s)</source>
+        <translation><numerusform>&amp;Write to %n board</numerusform><numerusform>&amp;Write to %n boards</numerusform></translation></message>
+    <message numerus="yes"><source>%n setting(s)</source>
+        <translation><numerusform>%n setting</numerusform><numerusform>%n settings</numerusform></translation></message>
+    <message numerus="yes"><source>Written to %n board(s).</source>
+        <translation><numerusform>Written to %n board.</numerusform><numerusform>Written to %n boards.</numerusform></translation></message>
+    <message numerus="yes"><source>%n board(s) left out; the reason is beside each.</source>
+        <translation><numerusform>%n board left out; the reason is beside each.</numerusform><numerusform>%n boards left out; the reason is beside each.</numerusform></translation></message>
+    <message numerus="yes"><source>%n count(s)</source>
+        <translation><numerusform>%n count</numerusform><numerusform>%n counts</numerusform></translation></message>
+    <message numerus="yes"><source>Permanently delete %n snapshot(s), the newest of {0}?</source>
+        <translation><numerusform>Permanently delete the snapshot of {0}?</numerusform><numerusform>Permanently delete %n snapshots, the newest of {0}?</numerusform></translation></message>
+    <message numerus="yes"><source>Permanently remove the oldest %n of {0} snapshots?</source>
+        <translation><numerusform>Permanently remove the oldest of {0} snapshots?</numerusform><numerusform>Permanently remove the oldest %n of {0} snapshots?</numerusform></translation></message>
+    <message numerus="yes"><source>%n earlier pending edit(s) will be written, too.</source>
+        <translation><numerusform>%n earlier pending edit will be written, too.</numerusform><numerusform>%n earlier pending edits will be written, too.</numerusform></translation></message>
+    <message numerus="yes"><source>%n pending change(s): click Apply settings to write.</source>
+        <translation><numerusform>%n pending change: click Apply settings to write.</numerusform><numerusform>%n pending changes: click Apply settings to write.</numerusform></translation></message>
+    <message numerus="yes"><source>%n setting(s) written and verified.</source>
+        <translation><numerusform>%n setting written and verified.</numerusform><numerusform>%n settings written and verified.</numerusform></translation></message>
+    <message numerus="yes"><source>&amp;Review %n change(s)…</source>
+        <translation><numerusform>&amp;Review %n change…</numerusform><numerusform>&amp;Review %n changes…</numerusform></translation></message>
+    <message numerus="yes"><source>%n setting(s) of the {0} will change.</source>
+        <translation><numerusform>%n setting of the {0} will change.</numerusform><numerusform>%n settings of the {0} will change.</numerusform></translation></message>
+    <message numerus="yes"><source>&amp;Write %n setting(s)</source>
+        <translation><numerusform>&amp;Write %n setting</numerusform><numerusform>&amp;Write %n settings</numerusform></translation></message>
+    <message numerus="yes"><source>%n finding(s). Accept a proposal, or leave the setting as it is.</source>
+        <translation><numerusform>%n finding. Accept a proposal, or leave the setting as it is.</numerusform><numerusform>%n findings. Accept a proposal, or leave the setting as it is.</numerusform></translation></message>
+    <message numerus="yes"><source>%n finding(s) left.</source>
+        <translation><numerusform>%n finding left.</numerusform><numerusform>%n findings left.</numerusform></translation></message>
+    <message numerus="yes"><source>{0}: %n change(s) pending; Apply settings writes them.</source>
+        <translation><numerusform>{0}: %n change is pending; Apply settings writes it.</numerusform><numerusform>{0}: %n changes are pending; Apply settings writes them.</numerusform></translation></message>
+    <message numerus="yes"><source>%n setting(s) differ, {0} match.</source>
+        <translation><numerusform>%n setting differs, {0} match.</numerusform><numerusform>%n settings differ, {0} match.</numerusform></translation></message>
+    <message numerus="yes"><source>&amp;Copy %n value(s) to {0}</source>
+        <translation><numerusform>&amp;Copy %n value to {0}</numerusform><numerusform>&amp;Copy %n values to {0}</numerusform></translation></message>
+    <message numerus="yes"><source>%n value(s) copied from {0}.</source>
+        <translation><numerusform>%n value copied from {0}.</numerusform><numerusform>%n values copied from {0}.</numerusform></translation></message>
+    <message numerus="yes"><source>&amp;Load %n change(s)</source>
+        <translation><numerusform>&amp;Load %n change</numerusform><numerusform>&amp;Load %n changes</numerusform></translation></message>
+    <message numerus="yes"><source>%n error(s)</source>
+        <translation><numerusform>%n error</numerusform><numerusform>%n errors</numerusform></translation></message>
+    <message numerus="yes"><source>%n warning(s)</source>
+        <translation><numerusform>%n warning</numerusform><numerusform>%n warnings</numerusform></translation></message>
+    <message numerus="yes"><source>%n suggestion(s)</source>
+        <translation><numerusform>%n suggestion</numerusform><numerusform>%n suggestions</numerusform></translation></message>
+    <message numerus="yes"><source>Next adds %n change(s). Nothing is written before you apply them.</source>
+        <translation><numerusform>Next adds %n change. Nothing is written before you apply them.</numerusform><numerusform>Next adds %n changes. Nothing is written before you apply them.</numerusform></translation></message>
+    <message numerus="yes"><source>%n change(s) not applied yet.</source>
+        <translation><numerusform>%n change not applied yet.</numerusform><numerusform>%n changes not applied yet.</numerusform></translation></message>
+    <message numerus="yes"><source>%n setting(s) would become edits; nothing is written until you click Apply.</source>
+        <translation><numerusform>%n setting would become edits; nothing is written until you click Apply.</numerusform><numerusform>%n settings would become edits; nothing is written until you click Apply.</numerusform></translation></message>
+    <message numerus="yes"><source>%n setting(s) would be restored, {0} match.</source>
+        <translation><numerusform>%n setting would be restored, {0} match.</numerusform><numerusform>%n settings would be restored, {0} match.</numerusform></translation></message>
+    <message numerus="yes"><source>%n setting(s) not in the snapshot would stay.</source>
+        <translation><numerusform>%n setting that is not in the snapshot would stay as it is.</numerusform><numerusform>%n settings that are not in the snapshot would stay as they are.</numerusform></translation></message>
+    <message numerus="yes"><source>There is no other snapshot of a {0} to compare with. This one has %n setting(s).</source>
+        <translation><numerusform>There is no other snapshot of a {0} to compare with. This one has %n setting.</numerusform><numerusform>There is no other snapshot of a {0} to compare with. This one has %n settings.</numerusform></translation></message>
+    <message numerus="yes"><source>%n transaction(s): the simulated board replies the same.</source>
+        <translation><numerusform>%n transaction: the simulated board replies the same.</numerusform><numerusform>%n transactions: the simulated board replies the same.</numerusform></translation></message>
+    <message numerus="yes"><source>Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore as pending edits?</source>
+        <translation><numerusform>Edited earlier but not applied: %n setting of this {0} ({1}). Restore as pending edits?</numerusform><numerusform>Edited earlier but not applied: %n settings of this {0} ({1}). Restore as pending edits?</numerusform></translation></message>
+    <message numerus="yes"><source>%n setting(s) of this {0} differ from what was applied last ({1}): lost, changed by something else, or this is another board.</source>
+        <translation><numerusform>%n setting of this {0} differs from what was applied last ({1}): lost, changed by something else, or this is another board.</numerusform><numerusform>%n settings of this {0} differ from what was applied last ({1}): lost, changed by something else, or this is another board.</numerusform></translation></message>
+    <message numerus="yes"><source>%n board(s) found.</source>
+        <translation><numerusform>%n board found.</numerusform><numerusform>%n boards found.</numerusform></translation></message>
+    <message numerus="yes"><source>%n port(s) could not be searched (internal error).</source>
+        <translation><numerusform>%n port could not be searched (internal error).</numerusform><numerusform>%n ports could not be searched (internal error).</numerusform></translation></message>
+    <message numerus="yes"><source>%n line(s) copied.</source>
+        <translation><numerusform>%n line copied.</numerusform><numerusform>%n lines copied.</numerusform></translation></message>
+    <message numerus="yes"><source>%n sample(s) lost: the disk is too slow</source>
+        <translation><numerusform>%n sample lost: the disk is too slow</numerusform><numerusform>%n samples lost: the disk is too slow</numerusform></translation></message>
+    <message numerus="yes"><source>took      {0:.1f} ms; %n byte(s) need {1:.1f} ms on this wire</source>
+        <translation><numerusform>took      {0:.1f} ms; %n byte needs {1:.1f} ms on this wire</numerusform><numerusform>took      {0:.1f} ms; %n bytes need {1:.1f} ms on this wire</numerusform></translation></message>
 </context>
 </TS>

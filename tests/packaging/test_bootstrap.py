@@ -1,34 +1,22 @@
 """The set-up script: what it decides. What it runs is played by `Script`."""
 
 import ast
-import importlib.util
 import re
 import sys
 from collections.abc import Mapping, Sequence
 from contextlib import nullcontext
 from dataclasses import dataclass, field
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 import pytest
 
+from tests.support.scripts import load_script
+
 ROOT = Path(__file__).resolve().parents[2]
 SOURCE = ROOT / "packaging" / "bootstrap.py"
 
-
-def load_bootstrap() -> ModuleType:
-    """Import the script by its path: its folder is no package and shares a library's name."""
-    spec = importlib.util.spec_from_file_location("trex_bootstrap", SOURCE)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module  # dataclasses look their module up
-    spec.loader.exec_module(module)
-    return module
-
-
-bootstrap = load_bootstrap()
+bootstrap = load_script("bootstrap")
 
 
 class Script:

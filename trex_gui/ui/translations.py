@@ -3,24 +3,47 @@
 from datetime import datetime
 from functools import partial
 
-from PySide6.QtCore import QCoreApplication, QLocale, QTranslator
+from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
 from PySide6.QtWidgets import QApplication
 
 from trex_gui.core.errors import CodedError, describe
 from trex_gui.core.resource_files import resource
+from trex_gui.core.translation import use_translations
+
+CONTEXT = "trex_gui"
+"""The one context of the files: a text has the same translation wherever it is used."""
 
 ENGLISH = QLocale(QLocale.Language.English)
 
 
+class _Catalog(QTranslator):
+    """The texts of the program in one language, whatever context Qt asks with."""
+
+    def translate(
+        self, context: str, source: str, disambiguation: str | None = None, n: int = -1
+    ) -> str | None:
+        del context
+        # `None`, unlike an empty text, lets Qt look further.
+        return super().translate(CONTEXT, source, disambiguation, n) or None
+
+
 def install_translations(app: QApplication, locale: QLocale) -> list[QTranslator]:
-    """Use the plural forms of English and the language of `locale`, as far as they are there."""
-    installed = []
-    languages = {language.language(): language for language in (ENGLISH, locale)}
-    for language in languages.values():
-        translator = QTranslator(app)
-        if translator.load(language, "trex_gui", "_", str(resource("translations"))):
-            app.installTranslator(translator)
-            installed.append(translator)
+    """Use the plural forms of English and the language of `locale`, as far as they are there.
+
+    Numbers and dates follow. What was translated before stays as it is.
+    """
+    folder = str(resource("translations"))
+    wanted: list[tuple[QTranslator, QLocale, str, str]] = [
+        (_Catalog(app), ENGLISH, "trex_gui", folder)
+    ]
+    if locale.language() != ENGLISH.language():
+        qt_folder = QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)
+        wanted.append((QTranslator(app), locale, "qtbase", qt_folder))  # the buttons of dialogs
+        wanted.append((_Catalog(app), locale, "trex_gui", folder))
+    installed = [one for one, language, name, at in wanted if one.load(language, name, "_", at)]
+    for translator in installed:
+        app.installTranslator(translator)
+    use_translations(partial(QCoreApplication.translate, CONTEXT))
     return installed
 
 

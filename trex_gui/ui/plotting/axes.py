@@ -148,17 +148,17 @@ def time_step(length: float) -> float:
 
 def ago_labels(length: float) -> Labels:
     """Return labels for the last seconds, counted from the right edge: `30 s` ... `now`."""
-    tr = QCoreApplication.translate
+    translate = QCoreApplication.translate
     labels = []
     for x in ticks(-length, 0, time_step(length)):
         if abs(x) < 1e-9:
-            text = tr("axes", "now")
+            text = translate("axes", "now")
         elif length >= 3600 and round(-x, 6) % 3600 == 0:
-            text = tr("axes", "{n} h").format(n=f"{-x / 3600:g}")
+            text = translate("axes", "{n} h").format(n=f"{-x / 3600:g}")
         elif length >= 120 and round(-x, 6) % 60 == 0:
-            text = tr("axes", "{n} min").format(n=f"{-x / 60:g}")
+            text = translate("axes", "{n} min").format(n=f"{-x / 60:g}")
         else:
-            text = tr("axes", "{n} s").format(n=f"{-x:g}")
+            text = translate("axes", "{n} s").format(n=f"{-x:g}")
         labels.append((x, text))
     return labels
 

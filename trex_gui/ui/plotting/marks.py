@@ -62,15 +62,15 @@ class EventMarks(QWidget):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
-        tr = QCoreApplication.translate
+        translate = QCoreApplication.translate
         self._words = {
-            EventKind.APPLY: tr("marks", "Apply"),
-            EventKind.STOP: tr("marks", "Stop"),
-            EventKind.FAULT: tr("marks", "Fault"),
-            EventKind.OVER_LIMIT: tr("marks", "Limit"),
-            EventKind.TIMEOUT: tr("marks", "Timeout"),
-            EventKind.LINK: tr("marks", "Line"),
-            EventKind.NOTE: tr("marks", "Note"),
+            EventKind.APPLY: translate("marks", "Apply"),
+            EventKind.STOP: translate("marks", "Stop"),
+            EventKind.FAULT: translate("marks", "Fault"),
+            EventKind.OVER_LIMIT: translate("marks", "Limit"),
+            EventKind.TIMEOUT: translate("marks", "Timeout"),
+            EventKind.LINK: translate("marks", "Line"),
+            EventKind.NOTE: translate("marks", "Note"),
         }
         self.marks: list[tuple[float, Event]] = []
         self.setObjectName("eventMarks")

@@ -1,0 +1,155 @@
+"""Bring the Linguist files of `resources/translations` up to date, and compile them.
+
+The texts are those of each call of `tr`, `translate` and `QT_TRANSLATE_NOOP` in the program, and
+what users see of the parameter table. `lupdate` of PySide6 6.11 misses some calls in expressions,
+so the calls are found in the syntax tree. A text has one translation wherever it is used: all are
+in one context. `python3 packaging/bootstrap.py translations` runs this.
+"""
+
+import ast
+import subprocess
+import sys
+import tomllib
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from xml.etree import ElementTree
+from xml.sax.saxutils import escape
+
+ROOT = Path(__file__).resolve().parent.parent
+PROGRAM = ROOT / "trex_gui"
+PARAMETERS = ROOT / "resources" / "trex_parameters.toml"
+FOLDER = ROOT / "resources" / "translations"
+
+CONTEXT = "trex_gui"
+TEXT_PLACE = {"tr": 0, "_tr": 0, "translate": 1, "QT_TRANSLATE_NOOP": 1}
+"""Functions that take a text, and which of their arguments it is."""
+
+PARAMETER_TEXTS = ("name", "description", "zero", "doubt")
+ONLY_PLURALS = "en"
+PLURAL_FORMS = {"en": 2, "de": 2, "fr": 2}
+
+HEAD = """<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="{language}" sourcelanguage="en">
+<context>
+    <name>{context}</name>
+"""
+TAIL = "</context>\n</TS>\n"
+
+
+@dataclass(frozen=True)
+class Text:
+    """A text of the program; a comment tells uses apart that need other translations."""
+
+    source: str
+    comment: str = ""
+
+    @property
+    def is_plural(self) -> bool:
+        return "%n" in self.source
+
+
+Translations = dict[Text, tuple[str, ...]]
+"""One translation, or one for each plural form; none while it is missing."""
+
+
+def texts_of_module(source: str) -> Iterator[Text]:
+    """Yield the texts that a module marks, in their order."""
+    for node in ast.walk(ast.parse(source)):
+        if not isinstance(node, ast.Call):
+            continue
+        function = node.func
+        name = function.attr if isinstance(function, ast.Attribute) else None
+        name = function.id if isinstance(function, ast.Name) else name
+        place = TEXT_PLACE.get(name or "")
+        if place is None or len(node.args) <= place:
+            continue
+        words = [arg.value if isinstance(arg, ast.Constant) else None for arg in node.args[place:]]
+        if isinstance(words[0], str):
+            comment = words[1] if len(words) > 1 else None
+            yield Text(words[0], comment if isinstance(comment, str) else "")
+
+
+def texts_of_parameters(table: str) -> Iterator[Text]:
+    for parameter in tomllib.loads(table)["parameter"]:
+        for key in PARAMETER_TEXTS:
+            if parameter.get(key):
+                yield Text(parameter[key])
+        for word in parameter.get("choices", {}).values():
+            yield Text(word)
+
+
+def program_texts() -> list[Text]:
+    """Return every text of the program once, by file."""
+    found = dict.fromkeys(
+        text
+        for path in sorted(PROGRAM.rglob("*.py"))
+        for text in texts_of_module(path.read_text("utf-8"))
+    )
+    found |= dict.fromkeys(texts_of_parameters(PARAMETERS.read_text("utf-8")))
+    return list(found)
+
+
+def read(path: Path) -> Translations:
+    """Return what is translated in a Linguist file."""
+    found: Translations = {}
+    for message in ElementTree.parse(path).getroot().iter("message"):
+        text = Text(message.findtext("source") or "", message.findtext("comment") or "")
+        entry = message.find("translation")
+        if entry is None or entry.get("type") == "unfinished":
+            continue
+        forms = [form.text or "" for form in entry.iter("numerusform")] or [entry.text or ""]
+        if all(forms):
+            found[text] = tuple(forms)
+    return found
+
+
+def write(path: Path, texts: Iterable[Text], known: Translations) -> int:
+    """Write a Linguist file with these texts; return how many are not translated."""
+    language = path.stem.rpartition("_")[2]
+    missing = 0
+    lines = [HEAD.format(language=language, context=CONTEXT)]
+    for text in texts:
+        forms = known.get(text, ())
+        missing += not forms
+        state = "" if forms else ' type="unfinished"'
+        if text.is_plural:
+            forms = forms or ("",) * PLURAL_FORMS.get(language, 2)
+            inner = "".join(f"<numerusform>{escape(form)}</numerusform>" for form in forms)
+        else:
+            inner = escape(forms[0]) if forms else ""
+        plural = ' numerus="yes"' if text.is_plural else ""
+        comment = f"<comment>{escape(text.comment)}</comment>" if text.comment else ""
+        lines.append(
+            f"    <message{plural}><source>{escape(text.source)}</source>{comment}\n"
+            f"        <translation{state}>{inner}</translation></message>\n"
+        )
+    lines.append(TAIL)
+    path.write_text("".join(lines), encoding="utf-8", newline="\n")
+    return missing
+
+
+def update(path: Path, texts: Iterable[Text]) -> int:
+    """Give a file the present texts with the translations it has; return how many lack one."""
+    only_plurals = path.stem.endswith(f"_{ONLY_PLURALS}")
+    wanted = [text for text in texts if text.is_plural or not only_plurals]
+    return write(path, wanted, read(path))
+
+
+def compile_file(path: Path) -> None:
+    release = Path(sys.executable).with_name("pyside6-lrelease")
+    subprocess.run([release, "-silent", path], check=True)
+
+
+def main() -> int:
+    texts = program_texts()
+    for path in sorted(FOLDER.glob("*.ts")):
+        missing = update(path, texts)
+        compile_file(path)
+        print(f"{path.name}: {missing} of {len(texts)} texts are not translated")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

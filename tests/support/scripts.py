@@ -1,0 +1,18 @@
+"""The scripts of `packaging/`, imported by their paths: the folder shares a library's name."""
+
+import importlib.util
+import sys
+from pathlib import Path
+from types import ModuleType
+
+PACKAGING = Path(__file__).parents[2] / "packaging"
+
+
+def load_script(name: str) -> ModuleType:
+    spec = importlib.util.spec_from_file_location(f"trex_{name}", PACKAGING / f"{name}.py")
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module  # dataclasses look their module up
+    spec.loader.exec_module(module)
+    return module
