@@ -7,11 +7,12 @@ in one context. `python3 packaging/bootstrap.py translations` runs this.
 """
 
 import ast
+import re
 import subprocess
 import sys
 import tomllib
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from xml.etree import ElementTree
 from xml.sax.saxutils import escape
@@ -22,7 +23,7 @@ PARAMETERS = ROOT / "resources" / "trex_parameters.toml"
 FOLDER = ROOT / "resources" / "translations"
 
 CONTEXT = "trex_gui"
-TEXT_PLACE = {"tr": 0, "_tr": 0, "translate": 1, "QT_TRANSLATE_NOOP": 1}
+TEXT_PLACE = {"tr": 0, "_tr": 0, "tr_noop": 0, "translate": 1, "QT_TRANSLATE_NOOP": 1}
 """Functions that take a text, and which of their arguments it is."""
 
 PARAMETER_TEXTS = ("name", "description", "zero", "doubt")
@@ -44,10 +45,7 @@ class Text:
 
     source: str
     comment: str = ""
-
-    @property
-    def is_plural(self) -> bool:
-        return "%n" in self.source
+    is_plural: bool = field(default=False, compare=False)
 
 
 Translations = dict[Text, tuple[str, ...]]
@@ -68,7 +66,7 @@ def texts_of_module(source: str) -> Iterator[Text]:
         words = [arg.value if isinstance(arg, ast.Constant) else None for arg in node.args[place:]]
         if isinstance(words[0], str):
             comment = words[1] if len(words) > 1 else None
-            yield Text(words[0], comment if isinstance(comment, str) else "")
+            yield Text(words[0], comment if isinstance(comment, str) else "", len(words) > 2)
 
 
 def texts_of_parameters(table: str) -> Iterator[Text]:
@@ -76,7 +74,8 @@ def texts_of_parameters(table: str) -> Iterator[Text]:
         for key in PARAMETER_TEXTS:
             if parameter.get(key):
                 yield Text(parameter[key])
-        for word in parameter.get("choices", {}).values():
+        yield Text(re.sub("^Motor [12] ", "", parameter["name"]))
+        for word in parameter.get("values", {}).values():
             yield Text(word)
 
 

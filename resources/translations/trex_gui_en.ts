@@ -45,6 +45,8 @@
         <translation><numerusform>Permanently delete the snapshot of {0}?</numerusform><numerusform>Permanently delete %n snapshots, the newest of {0}?</numerusform></translation></message>
     <message numerus="yes"><source>Permanently remove the oldest %n of {0} snapshots?</source>
         <translation><numerusform>Permanently remove the oldest of {0} snapshots?</numerusform><numerusform>Permanently remove the oldest %n of {0} snapshots?</numerusform></translation></message>
+    <message numerus="yes"><source>&amp;Learn channel(s) {0} again</source>
+        <translation><numerusform>&amp;Learn channel {0} again</numerusform><numerusform>&amp;Learn channels {0} again</numerusform></translation></message>
     <message numerus="yes"><source>%n earlier pending edit(s) will be written, too.</source>
         <translation><numerusform>%n earlier pending edit will be written, too.</numerusform><numerusform>%n earlier pending edits will be written, too.</numerusform></translation></message>
     <message numerus="yes"><source>%n pending change(s): click Apply settings to write.</source>
@@ -103,6 +105,10 @@
         <translation><numerusform>%n line copied.</numerusform><numerusform>%n lines copied.</numerusform></translation></message>
     <message numerus="yes"><source>%n sample(s) lost: the disk is too slow</source>
         <translation><numerusform>%n sample lost: the disk is too slow</numerusform><numerusform>%n samples lost: the disk is too slow</numerusform></translation></message>
+    <message numerus="yes"><source>{0} sample(s) written to {1}.</source>
+        <translation><numerusform>{0} sample written to {1}.</numerusform><numerusform>{0} samples written to {1}.</numerusform></translation></message>
+    <message numerus="yes"><source>{0} row(s) written to {1}.</source>
+        <translation><numerusform>{0} row written to {1}.</numerusform><numerusform>{0} rows written to {1}.</numerusform></translation></message>
     <message numerus="yes"><source>took      {0:.1f} ms; %n byte(s) need {1:.1f} ms on this wire</source>
         <translation><numerusform>took      {0:.1f} ms; %n byte needs {1:.1f} ms on this wire</numerusform><numerusform>took      {0:.1f} ms; %n bytes need {1:.1f} ms on this wire</numerusform></translation></message>
 </context>

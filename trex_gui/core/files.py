@@ -20,6 +20,7 @@ from typing import BinaryIO
 import platformdirs
 
 from trex_gui.core.errors import StudioError
+from trex_gui.core.translation import tr
 
 
 def data_folder() -> Path:
@@ -53,7 +54,7 @@ class Finding:
 
     def __str__(self) -> str:
         parts = [
-            "" if self.line is None else f"line {self.line}",
+            "" if self.line is None else tr("line {0}").format(self.line),
             "warning" if self.severity is Severity.WARNING else "",
             self.key or "",
             self.message,
@@ -88,9 +89,9 @@ class NotOrdinaryFileError(OSError):
     """A folder, a pipe, a socket or a device in place of a file: using it may block for ever."""
 
     def __init__(self, path: Path, mode: int) -> None:
-        reason = "it is not an ordinary file"
+        reason = tr("it is not an ordinary file")
         if stat.S_ISDIR(mode):
-            reason = "it is a folder, not a file"
+            reason = tr("it is a folder, not a file")
         super().__init__(errno.EINVAL, reason, str(path))
         self.reason = reason
 
@@ -231,18 +232,20 @@ def check_size(
 ) -> None:
     if len(data) > largest:
         limit = largest // 1024
-        raise SettingsError.of(name, f"is larger than {limit} KiB; {content} are not that long")
+        raise SettingsError.of(
+            name, tr("is larger than {0} KiB; {1} are not that long").format(limit, content)
+        )
 
 
 def decode(data: bytes, name: str) -> str:
     """Return the text without its byte order mark; SettingsError if it is binary or not UTF-8."""
     check_size(data, name)
-    message, position = "this is a binary file; settings are text", data.find(b"\0")
+    message, position = tr("this is a binary file; settings are text"), data.find(b"\0")
     if position < 0:
         try:
             return data.decode("utf-8").removeprefix("\ufeff")
         except UnicodeDecodeError as error:
-            message, position = "this is not UTF-8 text", error.start
+            message, position = tr("this is not UTF-8 text"), error.start
     raise SettingsError.of(name, message, data.count(b"\n", 0, position) + 1)
 
 
@@ -251,9 +254,9 @@ def save(path: Path, content: str | bytes) -> None:
     with _sentences(path, "written"):
         target = path.resolve()
         if target.is_file() and not os.access(target, os.W_OK):
-            raise SettingsError.of(path, "it cannot be written: permission denied")
+            raise SettingsError.of(path, tr("it cannot be written: permission denied"))
         if not target.parent.is_dir():
-            raise SettingsError.of(path, f"there is no folder {target.parent}")
+            raise SettingsError.of(path, tr("there is no folder {0}").format(target.parent))
         data = content.encode("utf-8") if isinstance(content, str) else content
         with atomic_file(target) as file:
             file.write(data)
@@ -293,12 +296,16 @@ def _sentences(path: Path, verb: str) -> Iterator[None]:
     try:
         yield
     except FileNotFoundError:
-        raise SettingsError.of(path, "there is no such file") from None
+        raise SettingsError.of(path, tr("there is no such file")) from None
     except NotOrdinaryFileError as error:
         raise SettingsError.of(path, error.reason) from None
     except PermissionError:
-        raise SettingsError.of(path, f"it cannot be {verb}: permission denied") from None
+        raise SettingsError.of(
+            path, tr("it cannot be {0}: permission denied").format(verb)
+        ) from None
     except OSError as error:
-        raise SettingsError.of(path, f"it cannot be {verb}: {error.strerror or error}") from None
+        raise SettingsError.of(
+            path, tr("it cannot be {0}: {1}").format(verb, error.strerror or error)
+        ) from None
     except ValueError as error:  # a name with a NUL in it; text that is not Unicode
-        raise SettingsError.of(path, f"it cannot be {verb}: {error}") from None
+        raise SettingsError.of(path, tr("it cannot be {0}: {1}").format(verb, error)) from None

@@ -1,8 +1,14 @@
 """Texts in the language of the window; where there is none, as on the command line, in English."""
 
 from collections.abc import Callable
+from functools import cache
+from typing import ParamSpec, TypeVar, cast
+
+P = ParamSpec("P")
+T = TypeVar("T")
 
 _translate: Callable[[str], str] = str
+_clear_caches: list[Callable[[], None]] = []
 
 
 def tr(text: str) -> str:
@@ -10,7 +16,21 @@ def tr(text: str) -> str:
     return _translate(text)
 
 
+def tr_noop(text: str) -> str:
+    """Mark a text of a table, which `tr` translates where it is shown."""
+    return text
+
+
+def cached_text(function: Callable[P, T]) -> Callable[P, T]:
+    """Cache what a function returns with texts in it, until the language changes."""
+    cached = cache(function)
+    _clear_caches.append(cached.cache_clear)
+    return cast("Callable[P, T]", cached)
+
+
 def use_translations(translate: Callable[[str], str]) -> None:
     """Translate with this function from now on."""
     global _translate  # noqa: PLW0603 - the program has one language
     _translate = translate
+    for clear in _clear_caches:
+        clear()

@@ -8,6 +8,8 @@ from dataclasses import dataclass, field
 from types import ModuleType
 from typing import TYPE_CHECKING, Protocol
 
+from trex_gui.core.translation import tr
+
 if TYPE_CHECKING:
     from pygame.joystick import JoystickType
 
@@ -110,7 +112,9 @@ class SdlPads:
                 pygame.display.init()
                 pygame.joystick.init()
             except pygame.error as error:
-                raise GamepadUnavailable(f"Gamepads cannot be read here: {error}.") from error
+                raise GamepadUnavailable(
+                    tr("Gamepads cannot be read here: {0}.").format(error)
+                ) from error
         self._pygame = pygame
 
     def pads(self) -> tuple[Pad, ...]:
@@ -173,8 +177,9 @@ def _load() -> ModuleType:
             importlib.import_module(f"pygame.{part}")
     except ImportError as error:
         raise GamepadUnavailable(
-            f"Gamepads need one more package. Install it with {HOW_TO_INSTALL}, "
-            "then switch this on again."
+            tr(
+                "Gamepads need one more package. Install it with {0}, then switch this on again."
+            ).format(HOW_TO_INSTALL)
         ) from error
     return pygame
 

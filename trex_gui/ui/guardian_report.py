@@ -2,9 +2,8 @@
 
 from functools import partial
 
-from PySide6.QtCore import QCoreApplication
-
 from trex_gui.core.guardian.log import LoggedStop, StopResult, last_stop
+from trex_gui.core.translation import tr
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.preferences import Preferences
@@ -24,20 +23,16 @@ def report_last_stop(notifier: Notifier) -> None:
         if stop is None:
             return
         if stop.result is StopResult.CONFIRMED:
-            text = _tr(
+            text = tr(
                 "The program could not stop the motors itself. The guardian process stopped them "
                 "at {0}, and the board confirmed that."
             )
             notifier.info.emit(text.format(stop.time))
         elif stop.result is StopResult.UNCONFIRMED:
-            text = _tr(
+            text = tr(
                 "The program could not stop the motors itself. The guardian process sent a stop "
                 "at {0}, which the board did not confirm. If a motor still turns, cut its power."
             )
             notifier.error.emit(text.format(stop.time))
 
     in_background(notifier, partial(last_stop, seen), report, lambda _error: None)
-
-
-def _tr(text: str) -> str:
-    return QCoreApplication.translate("GuardianReport", text)

@@ -11,6 +11,7 @@ from typing import Any, BinaryIO
 from trex_gui.core.files import atomic_file
 from trex_gui.core.recording.kinds import RecordingError, SampleKind, Value
 from trex_gui.core.recording.store import CHUNK, ExportRow, Recording
+from trex_gui.core.translation import tr
 
 MCAP_SUFFIX = ".mcap"
 _MCAP_TIMES = (0, 2**64 // 10**9 - 1)  # seconds since 1970
@@ -41,7 +42,7 @@ def export_span(
             write(recording, file, span, header, progress)
     except OSError as error:
         reason = error.strerror or error
-        raise RecordingError(str(path), f"It cannot be written: {reason}.") from error
+        raise RecordingError(str(path), tr("It cannot be written: {0}.").format(reason)) from error
 
 
 def _rows(

@@ -10,6 +10,8 @@ from collections.abc import Callable, Collection, Iterator
 from pathlib import Path
 from typing import Protocol
 
+from trex_gui.core.translation import tr
+
 _PROCESSES = Path("/proc")
 
 
@@ -24,7 +26,7 @@ def holder_of(url: str) -> str | None:
         others = (one for one in _having_open(path.resolve()) if one != os.getpid())
         number = _locking(path) or next(others, None)
         if number == os.getpid():
-            return "another line of this program"
+            return tr("another line of this program")
         if number is not None:
             return _name_of(number)
     return None
@@ -56,7 +58,7 @@ def _has_terminals(process: Path) -> bool:
 
 def _name_of(number: int) -> str:
     name = (_PROCESSES / str(number) / "comm").read_text(encoding="utf-8").strip()
-    return f"{name} (process {number})"
+    return tr("{0} (process {1})").format(name, number)
 
 
 def is_locked_elsewhere(url: str) -> bool:

@@ -23,6 +23,7 @@ from serial.tools import list_ports
 
 from trex_gui.core.errors import BadReply, BadRequest, PortShared, PortUnavailable
 from trex_gui.core.guardian.guardian import Guardian, GuardianProcess, SharedPort
+from trex_gui.core.translation import tr
 from trex_gui.core.transport.linux_ports import (
     holder_of,
     is_left_to_guardian,
@@ -157,7 +158,7 @@ class SerialTransport:
                     setattr(self._port, name, value)
         except PORT_ERRORS as error:
             if isinstance(error, ValueError) or _errno(error) in {None, errno.EINVAL}:
-                raise BadRequest(f"the port cannot be set to {line.text()}") from error
+                raise BadRequest(tr("the port cannot be set to {0}").format(line.text())) from error
             raise self._gone(error) from error
 
     def write(self, data: bytes) -> None:
@@ -174,7 +175,7 @@ class SerialTransport:
         while data:
             _, ready, _ = select.select([], [self._port.fileno()], [], _NO_ROOM)
             if not ready:
-                raise serial.SerialTimeoutException("the port takes nothing")
+                raise serial.SerialTimeoutException(tr("the port takes nothing"))
             data = data[self._port.write(data) :]
 
     def read(self, size: int, seconds: float) -> bytes:
@@ -201,7 +202,11 @@ class SerialTransport:
                 stale += self._port.read(waiting)
                 reads += 1
                 if reads > _MANY_READS and self.clock() > deadline:
-                    raise BadReply(f"It sends without a request ({stale[:12].hex(' ').upper()} …).")
+                    raise BadReply(
+                        tr("It sends without a request ({0} …).").format(
+                            stale[:12].hex(" ").upper()
+                        )
+                    )
         except PORT_ERRORS as error:
             raise self._unreadable(error) from error
         return bytes(stale)
@@ -239,14 +244,16 @@ class SerialTransport:
 
                 termios.tcgetattr(self._port.fileno())  # fails on a terminal that is gone
                 return PortShared(
-                    f"Another program reads {self._name}, too, and has taken bytes from it. Close "
-                    "it there, then connect again."
+                    tr(
+                        "Another program reads {0}, too, and has taken bytes from it. Close it "
+                        "there, then connect again."
+                    ).format(self._name)
                 )
         return self._gone(error)
 
     def _gone(self, error: Exception) -> PortUnavailable:
         log.info("the line %s is gone: %s", self._url, error)
-        text = f"The line to {self._name} is gone. Plug it in, then connect again."
+        text = tr("The line to {0} is gone. Plug it in, then connect again.").format(self._name)
         return PortUnavailable(text, is_missing=True)
 
 
@@ -350,7 +357,9 @@ def why_not_open(url: str, line: SerialFormat, error: Exception) -> PortUnavaila
     is_forbidden = number in {errno.EACCES, errno.EPERM} and "://" not in url
     if is_forbidden and sys.platform != "win32":
         command, cure = _permission_cure(url)
-        return PortUnavailable(f"Permission denied for {url}. {cure}", command=command)
+        return PortUnavailable(
+            tr("Permission denied for {0}. {1}").format(url, cure), command=command
+        )
     is_missing = "://" not in url and _is_missing(error, number)
     return PortUnavailable(_why_not_open(url, line, error, number), is_missing=is_missing)
 
@@ -361,27 +370,30 @@ def _is_missing(error: Exception, number: int | None) -> bool:
 
 def _why_not_open(url: str, line: SerialFormat, error: Exception, number: int | None) -> str:
     if "://" in url:
-        return f"{url} cannot be reached: {_plain(error)}."
+        return tr("{0} cannot be reached: {1}.").format(url, _plain(error))
     if _is_missing(error, number):
         present = ", ".join(port.device for port in list_ports.comports())
-        return f"There is no port {url}. Ports of this computer: {present or 'none'}."
+        return tr("There is no port {0}. Ports of this computer: {1}.").format(
+            url, present or "none"
+        )
     if number in {errno.EACCES, errno.EPERM}:
-        return (
-            f"{url} is in use by another program, or locked by its driver; for up to 5 seconds "
-            "after a crash also by the guardian process that stops the motors."
-        )
+        return tr(
+            "{0} is in use by another program, or locked by its driver; for up to 5 "
+            "seconds after a crash also by the guardian process that stops the "
+            "motors."
+        ).format(url)
     if number in _BUSY and is_left_to_guardian(url):
-        return (
-            f"The guardian process is still stopping the motors on {url}, which takes up to 5 "
-            "seconds. Then connect again."
-        )
+        return tr(
+            "The guardian process is still stopping the motors on {0}, which takes up"
+            " to 5 seconds. Then connect again."
+        ).format(url)
     if number in _BUSY:
         holder = holder_of(url)
-        by = f" by {holder}" if holder else " by another program"
-        return f"{url} is in use{by}. Close it there, then connect again."
+        by = tr(" by {0}").format(holder) if holder else tr(" by another program")
+        return tr("{0} is in use{1}. Close it there, then connect again.").format(url, by)
     if isinstance(error, ValueError) or number == errno.EINVAL:
-        return f"{url} cannot be set to {line.text()} ({_plain(error)})."
-    return f"{url} cannot be opened: {_plain(error)}."
+        return tr("{0} cannot be set to {1} ({2}).").format(url, line.text(), _plain(error))
+    return tr("{0} cannot be opened: {1}.").format(url, _plain(error))
 
 
 def _errno(error: Exception) -> int | None:
@@ -417,10 +429,13 @@ def _permission_cure(url: str) -> tuple[str, str]:
         group = "dialout"
     until_unplugged = f"sudo chmod a+rw {url}"
     if group == "root":
-        text = f"It belongs to root; this opens it until it is unplugged: {until_unplugged}"
+        text = tr("It belongs to root; this opens it until it is unplugged: {0}").format(
+            until_unplugged
+        )
         return until_unplugged, text
     command = f"sudo usermod -aG {group} $USER"
     return command, (
-        f"Join its group, then log out and in again: {command} (or, until it is unplugged: "
-        f"{until_unplugged})."
+        tr(
+            "Join its group, then log out and in again: {0} (or, until it is unplugged: {1})."
+        ).format(command, until_unplugged)
     )

@@ -5,8 +5,8 @@ from enum import Enum
 from importlib.util import find_spec
 from urllib.parse import urlsplit
 
-from trex_gui.core.texts import counted
 from trex_gui.core.timing import Timeouts
+from trex_gui.core.translation import tr, tr_noop
 
 
 class Parity(Enum):
@@ -15,6 +15,13 @@ class Parity(Enum):
     NONE = "N"
     EVEN = "E"
     ODD = "O"
+
+
+_PARITIES = {
+    Parity.NONE: "",
+    Parity.EVEN: tr_noop("even parity"),
+    Parity.ODD: tr_noop("odd parity"),
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,17 +43,20 @@ class SerialFormat:
     @property
     def short(self) -> str:
         """The baud rate, and what few lines have: `57600 baud, even parity`."""
-        stop_bits = "2 stop bits" if self.stop_bits == 2 else ""
-        return ", ".join(filter(None, (f"{self.baud} baud", self.detection_text, stop_bits)))
+        stop_bits = tr("2 stop bits") if self.stop_bits == 2 else ""
+        return ", ".join(
+            filter(None, (tr("{0} baud").format(self.baud), self.detection_text, stop_bits))
+        )
 
     @property
     def detection_text(self) -> str:
         """How errors are detected: `even parity`; empty if they are not."""
-        return "" if self.parity is Parity.NONE else f"{self.parity.name.lower()} parity"
+        return tr(_PARITIES[self.parity])
 
     def text(self) -> str:
-        detection = self.detection_text or "no error detection"
-        return f"{self.baud} baud, {detection}, {counted(self.stop_bits, 'stop bit')}"
+        detection = self.detection_text or tr("no error detection")
+        stop_bits = tr("1 stop bit") if self.stop_bits == 1 else tr("2 stop bits")
+        return tr("{0} baud, {1}, {2}").format(self.baud, detection, stop_bits)
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +89,7 @@ class PortSettings:
         return self.line.short
 
     def text(self) -> str:
-        return f"{self.label} at {self.line.text()}"
+        return tr("{0} at {1}").format(self.label, self.line.text())
 
 
 def url_problem(url: str) -> str:
@@ -88,12 +98,16 @@ def url_problem(url: str) -> str:
     if not is_url:
         return ""
     if not scheme.isidentifier() or find_spec(f"serial.urlhandler.protocol_{scheme}") is None:
-        return f"{url}: there is no kind of port {scheme!r}; try socket:// or rfc2217://."
+        return tr("{0}: there is no kind of port {1!r}; try socket:// or rfc2217://.").format(
+            url, scheme
+        )
     try:
         parts = urlsplit(url)
         is_complete = bool(parts.hostname) and parts.port is not None
     except ValueError:  # no number, or none that a port can have
         is_complete = False
     if scheme in {"socket", "rfc2217"} and not is_complete:
-        return f"{url} is not {scheme}://host:port, such as {scheme}://192.168.1.20:2217."
+        return tr("{0} is not {1}://host:port, such as {1}://192.168.1.20:2217.").format(
+            url, scheme
+        )
     return ""

@@ -12,6 +12,7 @@ from typing import Self, TextIO
 from trex_gui import __version__
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import SettingsError
+from trex_gui.core.translation import tr
 from trex_gui.core.transport.traffic import (
     SEARCH,
     Decoder,
@@ -82,7 +83,9 @@ class TranscriptWriter:
             )
         except OSError as error:
             reason = error.strerror or error
-            raise StudioError(f"{self._path} cannot be written: {reason}.") from error
+            raise StudioError(
+                tr("{0} cannot be written: {1}.").format(self._path, reason)
+            ) from error
         self._write(head())
 
     def note(self, event: TrafficEvent) -> None:
@@ -139,7 +142,7 @@ def read_transcript(text: str, name: str, decoder: Decoder) -> Iterator[Transcri
     lines = text.removesuffix("\n").replace("\r\n", "\n").split("\n")
     first = next((index for index, line in enumerate(lines) if not line.startswith("#")), 0)
     if tuple(lines[first].split("\t"))[: len(COLUMNS)] != COLUMNS:
-        message = "this is no traffic log: the traffic page and trexcmd --traffic write them"
+        message = tr("this is no traffic log: the traffic page and trexcmd --traffic write them")
         raise SettingsError.of(name, message)
     for number, line in enumerate(lines[first + 1 :], first + 2):
         cells = line.split("\t")
@@ -153,6 +156,6 @@ def read_transcript(text: str, name: str, decoder: Decoder) -> Iterator[Transcri
                 cells[5],
             )
         except (IndexError, ValueError, OverflowError, OSError):
-            raise SettingsError.of(name, "this is not a row of a traffic log", number) from None
+            raise SettingsError.of(name, tr("this is not a row of a traffic log"), number) from None
         if row.sent or row.received:
             yield row

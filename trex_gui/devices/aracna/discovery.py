@@ -25,6 +25,7 @@ from trex_gui.core.discovery.prober import (
     never_cancelled,
 )
 from trex_gui.core.errors import BadReply, BadRequest
+from trex_gui.core.translation import tr
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.aracna.protocol import commands
@@ -53,7 +54,7 @@ class FoundRobot:
 
     @property
     def name(self) -> str:
-        return f"Aracna {self.version.version}"
+        return tr("Aracna {0}").format(self.version.version)
 
     @property
     def motors(self) -> int:
@@ -95,12 +96,12 @@ class AracnaProber:
         del part  # there is one
         extra = self._settings.timeouts.extra
         if not wire.is_configurable and not self._known:
-            self._not_sent = (
-                f"No probe for an Aracna was sent on {self._settings.label}: its baud rate is set "
-                "at the other end of the network, and a TReX at another rate could take the probe "
-                "for a command. If you know that it is an Aracna, connect once with: "
-                f"trex-gui --device aracna --port {self._settings.url}"
-            )
+            self._not_sent = tr(
+                "No probe for an Aracna was sent on {0}: its baud rate is set at the "
+                "other end of the network, and a TReX at another rate could take the "
+                "probe for a command. If you know that it is an Aracna, connect once "
+                "with: trex-gui --device aracna --port {1}"
+            ).format(self._settings.label, self._settings.url)
             return
         for done in range(PROBES):
             if cancelled():
@@ -110,10 +111,9 @@ class AracnaProber:
                 flush(wire, extra)
                 wire.reconfigure(LINE)
             except BadRequest:
-                self._not_sent = (
-                    f"No probe for an Aracna was sent: {self._settings.label} cannot be set to "
-                    f"{LINE.text()}."
-                )
+                self._not_sent = tr(
+                    "No probe for an Aracna was sent: {0} cannot be set to {1}."
+                ).format(self._settings.label, LINE.text())
                 return
             if done == 0:
                 with contextlib.suppress(BadReply):
@@ -129,8 +129,10 @@ class AracnaProber:
         if is_echo(self._received):
             return Diagnosis(
                 Evidence.ECHO,
-                f"No Aracna responds on {self._settings.text()}: everything sent comes back, and "
-                "nothing else. The adapter's TX and RX are joined; an Aracna never echoes.",
+                tr(
+                    "No Aracna responds on {0}: everything sent comes back, and nothing else."
+                    " The adapter's TX and RX are joined; an Aracna never echoes."
+                ).format(self._settings.text()),
             )
         text = str(diagnose(self._settings, self._received))
         if is_boot_message(self._received):

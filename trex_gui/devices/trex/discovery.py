@@ -7,6 +7,7 @@ from itertools import product
 
 from trex_gui.core.discovery.prober import Diagnosis, Evidence, ProberInfo, ScanProgress, flush
 from trex_gui.core.errors import BadReply, BadRequest, NoReply
+from trex_gui.core.translation import tr
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.trex.client.client import TrexClient
@@ -285,9 +286,8 @@ class TrexProber:
         evidence, text = self._evidence()
         if self._skipped:
             rates = sorted({line.baud for line in self._skipped})
-            text += (
-                f" The port cannot be set to {', '.join(map(str, rates))} baud, so nothing was "
-                "probed there."
+            text += tr(" The port cannot be set to {0} baud, so nothing was probed there.").format(
+                ", ".join(map(str, rates))
             )
         return Diagnosis(evidence, text)
 
@@ -299,32 +299,44 @@ class TrexProber:
             return self._strange_evidence(url)
         if self.echo:
             return Evidence.ECHO, (
-                f"No TReX responds on {url}: everything sent comes back, and nothing else, at "
-                "every rate. Either this is the RS-232 side of a board that is off, or the "
-                "adapter's TX and RX are joined."
+                tr(
+                    "No TReX responds on {0}: everything sent comes back, and nothing else, "
+                    "at every rate. Either this is the RS-232 side of a board that is off, or"
+                    " the adapter's TX and RX are joined."
+                ).format(url)
             )
         if self._is_fixed:
             return Evidence.SILENCE, (
-                f"No TReX responds on {url}. Its baud rate is set at the other end of the "
-                "network, so only that one could be tried, without parity and without CRC."
+                tr(
+                    "No TReX responds on {0}. Its baud rate is set at the other end of the "
+                    "network, so only that one could be tried, without parity and without "
+                    "CRC."
+                ).format(url)
             )
         return Evidence.SILENCE, (
-            f"No TReX responds on {url} at any baud rate, with any parity or with CRC. Check "
-            "that the board has power (an LED is lit), that the adapter's TX goes to SI and its "
-            "RX to SO (or both RS-232 pins, never mixed), and that ground is connected. A board "
-            "with a custom CRC polynomial is only found by the full scan."
+            tr(
+                "No TReX responds on {0} at any baud rate, with any parity or with CRC. "
+                "Check that the board has power (an LED is lit), that the adapter's TX "
+                "goes to SI and its RX to SO (or both RS-232 pins, never mixed), and that"
+                " ground is connected. A board with a custom CRC polynomial is only found"
+                " by the full scan."
+            ).format(url)
         )
 
     def _strange_evidence(self, url: str) -> tuple[Evidence, str]:
         line, data = self._strange[0]
         shown = data[:_SHOWN].hex(" ").upper() + (" …" if len(data) > _SHOWN else "")
-        often = f", and something at {more} more" if (more := len(self._strange) - 1) else ""
-        text = (
-            f"Something is connected to {url}, but it does not respond like a TReX: it sent "
-            f"{shown} at {line.text()}{often}. It is another device, or the line is noisy."
+        often = (
+            tr(", and something at {0} more").format(more)
+            if (more := len(self._strange) - 1)
+            else ""
         )
+        text = tr(
+            "Something is connected to {0}, but it does not respond like a TReX: it "
+            "sent {1} at {2}{3}. It is another device, or the line is noisy."
+        ).format(url, shown, line.text(), often)
         if self.echo:
-            text += " It also echoes what is sent."
+            text += tr(" It also echoes what is sent.")
         return Evidence.STRANGE, text
 
 
@@ -333,18 +345,19 @@ def _note(line: LineSettings, signature: Signature, stored: int) -> str:
     try:
         kept = LineSettings.from_wire(stored)
     except BadRequest:
-        return f"Its UART settings hold {stored:#04x}, which is not a known setting."
+        return tr("Its UART settings hold {0:#04x}, which is not a known setting.").format(stored)
     if kept == line:
         return ""
     real = kept.real_baud(signature.firmware)
     if real != kept.baud and real == line.baud:
-        return (
-            f"It is set to {kept.baud} baud, which firmware {signature.firmware} runs at half "
-            f"the rate: connect at {line.baud}."
-        )
+        return tr(
+            "It is set to {0} baud, which firmware {1} runs at half the rate: connect at {2}."
+        ).format(kept.baud, signature.firmware, line.baud)
     if replace(kept, stop_bits=line.stop_bits) == line:
-        return f"It is set to {kept.stop_bits} stop bits; both numbers work on this line."
-    return f"Switched off and on, it will run at {kept.text()}."
+        return tr("It is set to {0} stop bits; both numbers work on this line.").format(
+            kept.stop_bits
+        )
+    return tr("Switched off and on, it will run at {0}.").format(kept.text())
 
 
 def recall(wire: Transport, settings: PortSettings, packed: str) -> FoundBoard | None:

@@ -8,6 +8,7 @@ from trex_gui.core.errors import BadRequest
 from trex_gui.core.files import SettingsError, load
 from trex_gui.core.simulator.line import SimulatedLine
 from trex_gui.core.texts import counted
+from trex_gui.core.translation import tr
 from trex_gui.core.transport.traffic import Transaction
 from trex_gui.core.transport.transcript import LARGEST, TranscriptRow, read_transcript
 from trex_gui.devices.trex.protocol.calibration import Calibration
@@ -85,7 +86,7 @@ class RecordedTraffic:
         read = read_transcript(text, str(path), TrexDecoder())
         rows = [row for row in read if not row.is_search]
         if not any(row.sent for row in rows):
-            message = "there is nothing to compare: nothing was sent, except to search"
+            message = tr("there is nothing to compare: nothing was sent, except to search")
             raise SettingsError.of(str(path), message)
         return cls.of(rows)
 
@@ -144,9 +145,11 @@ class RecordedTraffic:
         )
 
     def text(self) -> str:
-        board = "TReX 1.2, as no signature was read" if self.signature is None else self.signature
-        known = counted(len(self.parameters), "stored value")
-        return f"{board}, {known} from the file, others as from the factory"
+        board = (
+            tr("TReX 1.2, as no signature was read") if self.signature is None else self.signature
+        )
+        known = counted(len(self.parameters), tr("stored value"))
+        return tr("{0}, {1} from the file, others as from the factory").format(board, known)
 
     def meaning(self, row: TranscriptRow, reply: bytes) -> str:
         """Return what a row means with this reply."""
@@ -197,7 +200,9 @@ class RecordedTraffic:
                 try:
                     eeprom.write(spec.key, value)
                 except BadRequest as error:
-                    self.warnings.append(f"{error}; the simulated board has its default.")
+                    self.warnings.append(
+                        tr("{0}; the simulated board has its default.").format(error)
+                    )
         for (source, channel), calibration in self.calibrations.items():
             eeprom.write_calibration(source, channel, calibration)
         board = Board(model, firmware, eeprom=eeprom, mode=_JUMPERS.get(self.mode, "serial"))

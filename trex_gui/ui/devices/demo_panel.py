@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any, Generic
 
-from PySide6.QtCore import QCoreApplication, Qt, Signal, Slot
+from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtGui import QCloseEvent, QHideEvent, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from trex_gui.core.translation import tr
 from trex_gui.ui.devices.controller import DeviceController
 from trex_gui.ui.devices.simulator import DemoDevice, SnapshotT
 from trex_gui.ui.preferences import Preferences
@@ -212,18 +213,18 @@ def cable_rows(
     parent: QWidget,
 ) -> Rows[SnapshotT]:
     """Return the group of the cable; `prefix` starts object names, `cause` gets a fault."""
-    rows: Rows[SnapshotT] = Rows(_tr("Cable"), columns, parent)
+    rows: Rows[SnapshotT] = Rows(tr("Cable"), columns, parent)
     plugged = rows.check_box(
         f"{prefix}Cable",
-        _tr("Plugged in"),
+        tr("Plugged in"),
         texts.plugged,
         device.set_plugged,
         lambda snapshot: snapshot.line.plugged,
-        accessible=_tr("Cable plugged in"),
+        accessible=tr("Cable plugged in"),
     )
     mute = rows.check_box(
         f"{prefix}Mute",
-        _tr("Replies lost"),
+        tr("Replies lost"),
         texts.mute,
         device.set_mute,
         lambda snapshot: snapshot.line.mute,
@@ -231,7 +232,7 @@ def cable_rows(
     share = ui.label(rows, f"{prefix}NoiseValue")
     noise = rows.slider(
         f"{prefix}Noise",
-        _tr("Noise on the line"),
+        tr("Noise on the line"),
         highest=_MAX_NOISE,
         steps=_NOISE_STEPS,
         on_move=lambda per_cent: device.set_noise(per_cent / 100),
@@ -244,7 +245,7 @@ def cable_rows(
     once = rows.button(*texts.once, lambda: cause(str(faults.currentData())))
 
     rows.add_wide((plugged, 1), (mute, 1))
-    rows.add_row(_tr("Noise"), noise, share)
+    rows.add_row(tr("Noise"), noise, share)
     rows.add_wide((faults, 1), (once, 0))
 
     def enable(snapshot: SnapshotT) -> None:
@@ -253,10 +254,6 @@ def cable_rows(
 
     rows.on_snapshot(enable)
     return rows
-
-
-def _tr(text: str) -> str:
-    return QCoreApplication.translate("CableRows", text)
 
 
 class DemoDock(QDockWidget):

@@ -5,7 +5,6 @@ from functools import wraps
 from typing import TypeVar
 
 from PySide6.QtCore import (
-    QCoreApplication,
     QEvent,
     QObject,
     Qt,
@@ -23,6 +22,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from trex_gui.core.translation import tr
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.placement import keep_on_screen
@@ -78,7 +78,7 @@ def clear_corner(view: QAbstractItemView) -> None:
 def name_headers(view: QAbstractItemView) -> None:
     for header in view.findChildren(QHeaderView, options=Qt.FindChildOption.FindDirectChildrenOnly):
         across = header.orientation() is Qt.Orientation.Horizontal
-        header.setAccessibleName(_tr("Columns") if across else _tr("Rows"))
+        header.setAccessibleName(tr("Columns") if across else tr("Rows"))
 
 
 def keep_room(widget: QWidget) -> None:
@@ -86,10 +86,6 @@ def keep_room(widget: QWidget) -> None:
     policy = widget.sizePolicy()
     policy.setRetainSizeWhenHidden(True)
     widget.setSizePolicy(policy)
-
-
-def _tr(text: str) -> str:
-    return QCoreApplication.translate("header_names", text)
 
 
 class PressMonitor(QObject):

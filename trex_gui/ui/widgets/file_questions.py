@@ -3,9 +3,10 @@
 from enum import Enum, auto
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, QStandardPaths
+from PySide6.QtCore import QStandardPaths
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.ui.preferences import Preferences
 
 _FOLDER = "settings/folder"
@@ -18,10 +19,6 @@ class SaveAnswer(Enum):
     SAVE = auto()
     DISCARD = auto()
     CANCEL = auto()
-
-
-def tr(text: str) -> str:
-    return QCoreApplication.translate("questions", text)
 
 
 def before_closing(window: QWidget, name: str) -> SaveAnswer:

@@ -14,6 +14,7 @@ from PySide6.QtCore import QCoreApplication, QObject, Qt, Signal, Slot
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import atomic_file
 from trex_gui.core.recording.kinds import RecordingError
+from trex_gui.core.translation import tr
 from trex_gui.ui.runtime import now, runtime
 from trex_gui.ui.workers.threads import WorkerThread, adopt_orphan
 
@@ -211,4 +212,6 @@ def write_text(
             return write(file, progress)
     except OSError as error:
         reason = error.strerror or str(error)
-        raise RecordingError(path.name, f"It was not written: {reason.rstrip('.')}.") from error
+        raise RecordingError(
+            path.name, tr("It was not written: {0}.").format(reason.rstrip("."))
+        ) from error

@@ -2,8 +2,7 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QCoreApplication
-
+from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.robot_state import MissedGoal, RobotState
 from trex_gui.devices.aracna.protocol.joints import (
     JOINTS,
@@ -23,10 +22,6 @@ from trex_gui.devices.aracna.session.messages import (
 )
 from trex_gui.ui.event_log import EventKind
 from trex_gui.ui.translations import error_text
-
-
-def tr(text: str) -> str:
-    return QCoreApplication.translate("AracnaTexts", text)
 
 
 def joint_of(motor: int) -> Joint | None:

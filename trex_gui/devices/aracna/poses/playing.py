@@ -8,6 +8,7 @@ from collections.abc import Sequence as Many
 from dataclasses import dataclass
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.poses.gaits import SLOW_SECONDS, STAND, Gait
 from trex_gui.devices.aracna.poses.project import Pose, Sequence
 from trex_gui.devices.aracna.protocol.joints import Limits, crop, travel_seconds
@@ -35,7 +36,7 @@ def steps_of(
     BadRequest: there are no steps, poses are not defined, or the time scale is not above 0.
     """
     if not time_scale > 0:
-        raise BadRequest(f"a time scale is more than 0, not {time_scale}")
+        raise BadRequest(tr("a time scale is more than 0, not {0}").format(time_scale))
     return tuple(
         Step(cropped(pose, limits), seconds * time_scale, pose.name)
         for pose, seconds in _stages(played, poses)
@@ -122,7 +123,9 @@ def _stages(played: Sequence | Gait, poses: Iterable[Pose]) -> list[tuple[Pose, 
         return [(stage.pose, stage.seconds) for stage in played.stages]
     known = {pose.name: pose for pose in poses}
     if missing := played.missing(known):
-        raise BadRequest(f"{played.name} uses poses that are not defined: {', '.join(missing)}")
+        raise BadRequest(
+            tr("{0} uses poses that are not defined: {1}").format(played.name, ", ".join(missing))
+        )
     if not played.steps:
-        raise BadRequest(f"{played.name} has no steps")
+        raise BadRequest(tr("{0} has no steps").format(played.name))
     return [(known[step.pose_name], step.milliseconds / 1000) for step in played.steps]

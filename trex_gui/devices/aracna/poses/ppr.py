@@ -21,6 +21,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from trex_gui.core.files import Finding, SettingsError, Severity, load
+from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.poses.project import (
     LONGEST_MS,
     MOST_MOTORS,
@@ -58,11 +59,13 @@ def read_file(path: Path) -> PoseFile:
     except UnicodeDecodeError as error:
         line = data.count(b"\n", 0, error.start) + 1
         text = data.decode("latin-1")
-        message = "this is not UTF-8 text; it is read as Western European, and Save writes UTF-8"
+        message = tr(
+            "this is not UTF-8 text; it is read as Western European, and Save writes UTF-8"
+        )
         found.append(Finding(line, None, message, Severity.WARNING))
     for number, line_text in enumerate(text.split("\n"), 1):
         if any(sign < " " and sign not in "\n\t\r" for sign in line_text):
-            message = "this is a binary file; poses are text"
+            message = tr("this is a binary file; poses are text")
             raise SettingsError(str(path), [Finding(number, None, message)])
     project, findings = read_ppr(text)
     return PoseFile(project, (*found, *findings), data)
@@ -81,7 +84,7 @@ def read_ppr(text: str) -> tuple[Project, tuple[Finding, ...]]:
     lines = [line.removesuffix("\r") for line in lines]
     reader = _Reader()
     if not lines or lines[0].startswith((_POSE, _SEQUENCE, _NUKE)):
-        reader.warn(1, "the first line should name the robot and its servos; assuming 8 servos")
+        reader.warn(1, tr("the first line should name the robot and its servos; assuming 8 servos"))
         name, resolutions, body = "", (RESOLUTION,) * MOTORS, 1
     else:
         name, resolutions = reader.header(lines.pop(0))
@@ -93,7 +96,9 @@ def read_ppr(text: str) -> tuple[Project, tuple[Finding, ...]]:
     known = {pose.name for pose in poses}
     for number, sequence in reader.sequences:
         for missing in sequence.missing(known):
-            message = f"sequence {sequence.name} uses the pose {missing}, which is not in the file"
+            message = tr("sequence {0} uses the pose {1}, which is not in the file").format(
+                sequence.name, missing
+            )
             reader.warn(number, message)
     findings = tuple(sorted(reader.findings, key=lambda finding: finding.line or 0))
     return Project(name, resolutions, poses, sequences, tuple(reader.rest), line_end), findings
@@ -132,15 +137,19 @@ class _Reader:
         name, *numbers = line.split(":")
         count = _number(numbers[0]) if numbers else None
         if count is None or not 1 <= count <= MOST_MOTORS:
-            given = f", not {numbers[0].strip()!r}" if numbers else ""
-            message = f"the number of servos is 1 to {MOST_MOTORS}{given}; assuming {MOTORS}"
+            given = tr(", not {0!r}").format(numbers[0].strip()) if numbers else ""
+            message = tr("the number of servos is 1 to {0}{1}; assuming {2}").format(
+                MOST_MOTORS, given, MOTORS
+            )
             self.warn(1, message)
             return name, (RESOLUTION,) * MOTORS
         given_ones = [_number(number) for number in numbers[1:]]
         resolutions = tuple(one for one in given_ones if one)
         if len(given_ones) != count or len(resolutions) != count:
-            message = f"{count} resolutions are expected and {len(resolutions)} found"
-            self.warn(1, f"{message}; assuming {RESOLUTION} for every servo")
+            message = tr("{0} resolutions are expected and {1} found").format(
+                count, len(resolutions)
+            )
+            self.warn(1, tr("{0}; assuming {1} for every servo").format(message, RESOLUTION))
             resolutions = (RESOLUTION,) * count
         return name, resolutions
 
@@ -157,17 +166,19 @@ class _Reader:
         except ValueError as error:
             self.rest.append(line)
             if line.strip():
-                message = f"{error}; the line is kept, but not used"
+                message = tr("{0}; the line is kept, but not used").format(error)
                 self.findings.append(Finding(number, None, message))
             return
         count = len(pose.positions)
         if count < motors:
-            message = f"pose {pose.name} has {count} positions of {motors}"
-            self.warn(number, f"{message}; missing ones become {CENTRE}")
+            message = tr("pose {0} has {1} positions of {2}").format(pose.name, count, motors)
+            self.warn(number, tr("{0}; missing ones become {1}").format(message, CENTRE))
             pose = Pose(pose.name, pose.first(motors))
         elif count > motors:
-            message = f"pose {pose.name} has {count} positions for {motors} servos"
-            self.warn(number, f"{message}; the last ones are kept, but not used")
+            message = tr("pose {0} has {1} positions for {2} servos").format(
+                pose.name, count, motors
+            )
+            self.warn(number, tr("{0}; the last ones are kept, but not used").format(message))
         self.poses.append((number, pose))
         self._note_padding(number, line.removeprefix(_POSE))
 
@@ -189,36 +200,41 @@ class _Reader:
             if last[item.name] != number:
                 name, tried[item.name] = free_number(item.name, taken, tried.get(item.name, 2))
                 taken.add(name)
-                message = f"the {kind} {item.name} is repeated in line {last[item.name]}"
+                message = tr("the {0} {1} is repeated in line {2}").format(
+                    kind, item.name, last[item.name]
+                )
                 if {number, last[item.name]} & self._padded:
-                    message = f"apart from blanks around its name, {message}"
-                self.warn(number, f"{message}, which counts; this one is called {name} now")
+                    message = tr("apart from blanks around its name, {0}").format(message)
+                self.warn(
+                    number,
+                    tr("{0}, which counts; this one is called {1} now").format(message, name),
+                )
                 items[place] = (number, replace(item, name=name))
         return tuple(item for _, item in items)
 
 
 def _pose(line: str) -> Pose:
-    name, values = _name(line, "neither a pose nor a sequence: it has no colon", "pose")
+    name, values = _name(line, tr("neither a pose nor a sequence: it has no colon"), "pose")
     positions = []
     for motor, field in enumerate(_fields(values)):
         position = _number(field)
         if position is None or position > HIGHEST:
-            message = f"pose {name}: positions are numbers from 0 to {HIGHEST}"
-            raise ValueError(f"{message}, not {field.strip()!r} (motor {motor})")
+            message = tr("pose {0}: positions are numbers from 0 to {1}").format(name, HIGHEST)
+            raise ValueError(tr("{0}, not {1!r} (motor {2})").format(message, field.strip(), motor))
         positions.append(position)
     return Pose(name, tuple(positions))
 
 
 def _sequence(line: str) -> Sequence:
-    name, values = _name(line, "a sequence has a colon after its name", "sequence")
+    name, values = _name(line, tr("a sequence has a colon after its name"), "sequence")
     steps = []
     for field in _fields(values):
         pose_name, bar, time = field.strip().partition("|")
         milliseconds = _number(time)
         if not bar or milliseconds is None or not SHORTEST_MS <= milliseconds <= LONGEST_MS:
-            limits = f"{SHORTEST_MS} to {LONGEST_MS} ms"
-            message = f"sequence {name}: a step is a pose, a bar and {limits}"
-            raise ValueError(f"{message}, not {field.strip()!r}")
+            limits = tr("{0} to {1} ms").format(SHORTEST_MS, LONGEST_MS)
+            message = tr("sequence {0}: a step is a pose, a bar and {1}").format(name, limits)
+            raise ValueError(tr("{0}, not {1!r}").format(message, field.strip()))
         steps.append(SequenceStep(pose_name.strip(), milliseconds))
     return Sequence(name, tuple(steps))
 
@@ -228,7 +244,7 @@ def _name(line: str, no_colon: str, kind: str) -> tuple[str, str]:
     if not colon:
         raise ValueError(no_colon)
     if not name.strip():
-        raise ValueError(f"a {kind} has a name before its colon")
+        raise ValueError(tr("a {0} has a name before its colon").format(kind))
     return name.strip(), values
 
 

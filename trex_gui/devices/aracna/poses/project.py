@@ -5,6 +5,7 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.protocol.joints import CENTRE, HIGHEST, MOTORS
 
 SHORTEST_MS = 1
@@ -28,7 +29,9 @@ class Pose:
         for motor, position in enumerate(self.positions):
             if not 0 <= position <= HIGHEST:
                 raise BadRequest(
-                    f"positions are 0 to {HIGHEST}, not {position} (motor {motor} of {self.name})"
+                    tr("positions are 0 to {0}, not {1} (motor {2} of {3})").format(
+                        HIGHEST, position, motor, self.name
+                    )
                 )
 
     def first(self, motors: int) -> tuple[int, ...]:
@@ -47,10 +50,14 @@ class SequenceStep:
     def __post_init__(self) -> None:
         if not is_usable_in_step(self.pose_name):
             name = self.pose_name
-            raise BadRequest(f"a step names a pose without comma, bar or line end, unlike {name!r}")
+            raise BadRequest(
+                tr("a step names a pose without comma, bar or line end, unlike {0!r}").format(name)
+            )
         if not SHORTEST_MS <= self.milliseconds <= LONGEST_MS:
             raise BadRequest(
-                f"a step takes {SHORTEST_MS} to {LONGEST_MS} ms, not {self.milliseconds}"
+                tr("a step takes {0} to {1} ms, not {2}").format(
+                    SHORTEST_MS, LONGEST_MS, self.milliseconds
+                )
             )
 
 
@@ -114,7 +121,9 @@ def is_usable_in_step(pose_name: str) -> bool:
 
 def _check_name(kind: str, name: str) -> None:
     if any(sign in name for sign in ":\r\n"):
-        raise BadRequest(f"a {kind}'s name has no colon and no line end, unlike {name!r}")
+        raise BadRequest(
+            tr("a {0}'s name has no colon and no line end, unlike {1!r}").format(kind, name)
+        )
 
 
 def free_name(name: str, taken: Iterable[str]) -> str:
@@ -135,13 +144,17 @@ def checked_name(name: str, taken: Iterable[str]) -> str:
     """Return a name without blanks around it; BadRequest if it is taken or not possible."""
     found = name.strip()
     if not found:
-        raise BadRequest("a name has at least one character")
+        raise BadRequest(tr("a name has at least one character"))
     if len(found) > _LONGEST_NAME:
-        raise BadRequest(f"a name has at most {_LONGEST_NAME} characters, not {len(found)}")
+        raise BadRequest(
+            tr("a name has at most {0} characters, not {1}").format(_LONGEST_NAME, len(found))
+        )
     if any(sign in _SEPARATORS for sign in found):
-        raise BadRequest(f"a name has no colon, comma or bar, which separate values: {found}")
+        raise BadRequest(
+            tr("a name has no colon, comma or bar, which separate values: {0}").format(found)
+        )
     if not found.isprintable():
-        raise BadRequest("a name has no control characters")
+        raise BadRequest(tr("a name has no control characters"))
     if found in set(taken):
-        raise BadRequest(f"the name {found} is taken")
+        raise BadRequest(tr("the name {0} is taken").format(found))
     return found

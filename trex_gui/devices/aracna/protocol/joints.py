@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr
 
 MOTORS = 8
 HIGHEST = 1023  # the highest position and the highest speed setting
@@ -67,7 +68,11 @@ class Limits:
 
     def __post_init__(self) -> None:
         if not 0 <= self.low <= self.high <= HIGHEST:
-            raise BadRequest(f"limits are 0 to {HIGHEST} in order, not {self.low} to {self.high}")
+            raise BadRequest(
+                tr("limits are 0 to {0} in order, not {1} to {2}").format(
+                    HIGHEST, self.low, self.high
+                )
+            )
 
     def crop(self, position: float) -> int:
         return min(max(round(position), self.low), self.high)

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 from trex_gui.core.errors import BadRequest, StudioError
 from trex_gui.core.session import Outcome
+from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.protocol.joints import HIGHEST
 from trex_gui.devices.aracna.session.messages import (
     Ending,
@@ -41,28 +42,40 @@ class ScheduledStep:
 def check_play(play: Play, motors: int) -> None:
     """Raise a BadRequest for no steps, a wrong number of positions, or values out of range."""
     if not (play.steps or play.blend_in or play.blend_out):
-        raise BadRequest("There is no step to play.")
+        raise BadRequest(tr("There is no step to play."))
     if play.rounds < 0:
-        raise BadRequest(f"The number of rounds is 0 (endless) or more, not {play.rounds}.")
+        raise BadRequest(
+            tr("The number of rounds is 0 (endless) or more, not {0}.").format(play.rounds)
+        )
     if not play.steps and play.rounds == 0:
-        raise BadRequest("Cannot play endlessly: there is no step.")
+        raise BadRequest(tr("Cannot play endlessly: there is no step."))
     check_scale(play.time_scale)
     for step in (*play.blend_in, *play.steps, *play.blend_out):
         name = f" ({step.name})" if step.name else ""
         if len(step.goals) != motors:
             raise BadRequest(
-                f"A step{name} has {len(step.goals)} positions; the robot has {motors} motors."
+                tr("A step{0} has {1} positions; the robot has {2} motors.").format(
+                    name, len(step.goals), motors
+                )
             )
         if not all(0 <= goal <= HIGHEST for goal in step.goals):
-            raise BadRequest(f"The positions of a step{name} are 0 to {HIGHEST}: {step.goals}.")
+            raise BadRequest(
+                tr("The positions of a step{0} are 0 to {1}: {2}.").format(
+                    name, HIGHEST, step.goals
+                )
+            )
         if not (math.isfinite(step.seconds) and step.seconds > 0):
-            raise BadRequest(f"A step{name} takes more than 0 s, not {step.seconds:g} s.")
+            raise BadRequest(
+                tr("A step{0} takes more than 0 s, not {1:g} s.").format(name, step.seconds)
+            )
 
 
 def check_scale(scale: float) -> None:
     low, high = _SCALES
     if not low <= scale <= high:
-        raise BadRequest(f"The time scale is {low:g} to {high:g}, not {scale:g}.")
+        raise BadRequest(
+            tr("The time scale is {0:g} to {1:g}, not {2:g}.").format(low, high, scale)
+        )
 
 
 def _schedule(play: Play) -> Iterator[ScheduledStep]:

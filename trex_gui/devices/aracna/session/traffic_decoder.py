@@ -1,6 +1,7 @@
 """Decodes the lines between a host and an Aracna for the traffic log."""
 
 from trex_gui.core.texts import counted
+from trex_gui.core.translation import tr
 from trex_gui.core.transport.traffic import Decoded, Decoder, Transaction
 from trex_gui.devices.aracna.protocol.replies import (
     UNREADABLE,
@@ -63,21 +64,21 @@ class AracnaDecoder(Decoder):
         is_fault = any(map(_is_fault, replies))
         texts = [self._reply(reply) for reply in replies]
         if not transaction.sent:
-            texts += [f"incomplete line: {self.shown(rest)}"] if rest else []
+            texts += [tr("incomplete line: {0}").format(self.shown(rest))] if rest else []
             return Decoded("unsolicited: " + "; ".join(texts), is_fault or bool(rest))
         command = _command(transaction.sent)
         if not self.is_whole(transaction) and transaction.sent.strip():
             if not transaction.is_over:
                 return Decoded(" → ".join([command, *texts]))
-            texts.append("incomplete reply" if rest else "no reply")
+            texts.append(tr("incomplete reply") if rest else tr("no reply"))
             is_fault = True
         elif transaction.sent.strip() and not any(
             _answers(one, transaction.sent) for one in replies
         ):
-            texts.append("no reply to the command itself")
+            texts.append(tr("no reply to the command itself"))
             is_fault = True
         elif rest:
-            texts.append(f"followed by {self.shown(rest)}")
+            texts.append(tr("followed by {0}").format(self.shown(rest)))
             is_fault = True
         is_fault |= transaction.sent[:2] != b".q" and Hello() in replies
         return Decoded(f"{command} → {'; '.join(texts)}" if texts else command, is_fault)
@@ -85,19 +86,19 @@ class AracnaDecoder(Decoder):
     def _reply(self, reply: Reply) -> str:
         match reply:
             case Hello():
-                return "the robot has started, busy for a second"
+                return tr("the robot has started, busy for a second")
             case Version(version=version, motors=int(motors)):
-                return f"firmware {version}, {counted(motors, 'motor')}"
+                return tr("firmware {0}, {1}").format(version, counted(motors, "motor"))
             case Version(version=version):
-                return f"firmware {version}"
+                return tr("firmware {0}").format(version)
             case Speeds(values=values):
-                return f"speeds {_values(values)}"
+                return tr("speeds {0}").format(_values(values))
             case Positions(values=values):
-                return f"at {_values(values)}"
+                return tr("at {0}").format(_values(values))
             case Led(on=on):
-                return f"the LED is {'on' if on else 'off'}"
+                return tr("the LED is {0}").format("on" if on else "off")
             case Unrecognized(line=line):
-                return f"not a reply of an Aracna: {self.shown(line)}"
+                return tr("not a reply of an Aracna: {0}").format(self.shown(line))
 
 
 def _answers(reply: Reply, sent: bytes) -> bool:
@@ -109,16 +110,16 @@ def _answers(reply: Reply, sent: bytes) -> bool:
 def _command(sent: bytes) -> str:
     line, _, behind = sent.partition(b"\n")
     if behind:
-        return f"{_command(line)}, then query whether it is free"
+        return tr("{0}, then query whether it is free").format(_command(line))
     if (text := _COMMANDS.get(line)) is not None:
         return text
     values = line[2:].decode("latin-1").replace(",", ", ")
     match line[:2]:
         case b".c":
-            return f"go to {values}"
+            return tr("go to {0}").format(values)
         case b".v":
-            return f"set speeds {values}"
-    return "not a command of an Aracna"
+            return tr("set speeds {0}").format(values)
+    return tr("not a command of an Aracna")
 
 
 def _is_fault(reply: Reply) -> bool:
@@ -131,4 +132,4 @@ def _is_fault(reply: Reply) -> bool:
 
 
 def _values(values: tuple[int, ...]) -> str:
-    return ", ".join("no reply" if value == UNREADABLE else str(value) for value in values)
+    return ", ".join(tr("no reply") if value == UNREADABLE else str(value) for value in values)

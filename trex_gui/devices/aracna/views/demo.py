@@ -1,9 +1,10 @@
 """The dock of the Demo Aracna: a simulated robot that can be operated like a real one."""
 
-from PySide6.QtCore import QCoreApplication, QPointF, QRectF, QSize
+from PySide6.QtCore import QPointF, QRectF, QSize
 from PySide6.QtGui import QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QStyle, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.controller import AracnaController
 from trex_gui.devices.aracna.model.demo import DemoRobot, DemoServo, FirmwareState, RobotSnapshot
 from trex_gui.devices.aracna.model.texts import spoken_joint
@@ -268,10 +269,6 @@ class ServoGauge(QWidget):
         edge = int(_RADIUS) + 1
         room = self.width() - 2 * edge
         return edge + QStyle.sliderPositionFromValue(0, HIGHEST, value, room) + 0.5
-
-
-def tr(text: str) -> str:
-    return QCoreApplication.translate("AracnaDemo", text)
 
 
 def state_text(snapshot: RobotSnapshot) -> str:

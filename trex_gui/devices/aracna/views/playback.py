@@ -4,6 +4,7 @@ from PySide6.QtCore import QCoreApplication, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QColor, QIcon, QPixmap
 from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QSizePolicy, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.recordings import COLORS, RobotPlayback
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.robot_state import RobotState
@@ -198,37 +199,31 @@ def _swatch(color: QColor) -> QIcon:
     return QIcon(pixmap)
 
 
-def _tr(text: str) -> str:
-    return QCoreApplication.translate("AracnaRecorded", text)
-
-
 def activity_text(state: RobotState, time: float) -> tuple[str, bool]:
     """Describe what the robot did at a time (session's clock), and whether that is alarming."""
     if state.stuck is not None:
         if (motor := state.stuck.motor) is None:
-            return _tr("The robot did not respond."), True
-        text = _tr("Stuck: the robot waited for motor {0} and accepted no command.")
+            return tr("The robot did not respond."), True
+        text = tr("Stuck: the robot waited for motor {0} and accepted no command.")
         return text.format(motor), True
     if state.moving is not None:
         begun, expected = state.moving.time, state.moving.expected
-        text = _tr("Moving for {0:.1f} s of about {1:.1f} s; motor {2} is waited for.").format(
+        text = tr("Moving for {0:.1f} s of about {1:.1f} s; motor {2} is waited for.").format(
             max(time - begun, 0.0), expected, state.awaited_motor
         )
         return _with_step(text, state.step), False
     if state.uncertain:
-        return _tr("Positions are unknown; the last motion may still be running."), True
+        return tr("Positions are unknown; the last motion may still be running."), True
     if state.reply_lost:
-        return _tr("The reply was lost, or no motor responded: positions are unknown."), True
+        return tr("The reply was lost, or no motor responded: positions are unknown."), True
     if all(place is None for place in state.present):
-        return _tr("Positions are not known yet."), False
-    return _with_step(_tr("At rest."), state.step), False
+        return tr("Positions are not known yet."), False
+    return _with_step(tr("At rest."), state.step), False
 
 
 def _with_step(text: str, step: StepBegun | None) -> str:
     if step is None:
         return text
-    parts = {"in": _tr("blend-in"), "out": _tr("blend-out")}
-    where = parts.get(step.part) or _tr("step {0}, round {1}").format(
-        step.index + 1, step.round + 1
-    )
-    return _tr("{0} Playing: {1}.").format(text, where)
+    parts = {"in": tr("blend-in"), "out": tr("blend-out")}
+    where = parts.get(step.part) or tr("step {0}, round {1}").format(step.index + 1, step.round + 1)
+    return tr("{0} Playing: {1}.").format(text, where)

@@ -23,6 +23,7 @@ from typing import TypeVar
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import load
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.bench.run import End, Profile, Run, Shape
 
 _LARGEST_FILE = 10_000_000  # bytes; two minutes of readings are half a megabyte
@@ -44,11 +45,11 @@ def load_run(path: Path) -> Run:
         SettingsError: the file cannot be read, or is too large.
         BenchFileError: it is something else, or damaged.
     """
-    data = load(path, "bench tests", _LARGEST_FILE)
+    data = load(path, tr("bench tests"), _LARGEST_FILE)
     try:
         return from_csv(data.decode("utf-8"))
     except UnicodeDecodeError as error:
-        raise BenchFileError("it is not a text file") from error
+        raise BenchFileError(tr("it is not a text file")) from error
 
 
 def to_csv(run: Run) -> str:
@@ -92,13 +93,13 @@ def from_csv(text: str) -> Run:
     """
     lines = text.removeprefix("\ufeff").splitlines()
     if not lines or lines[0].strip() != _TITLE:
-        raise BenchFileError(f"line 1: a bench test begins with {_TITLE!r}")
+        raise BenchFileError(tr("line 1: a bench test begins with {0!r}").format(_TITLE))
     header = list(takewhile(lambda line: line.startswith("#"), lines[1:]))
     facts: dict[str, str] = {}
     for number, line in enumerate(header, 2):
         name, colon, value = line.removeprefix("#").partition(":")
         if not colon:
-            raise BenchFileError(f"line {number}: expected a name and a value")
+            raise BenchFileError(tr("line {0}: expected a name and a value").format(number))
         facts[name.strip()] = value.strip()
     setpoints, currents = _table(lines, 1 + len(header))
     try:
@@ -112,7 +113,7 @@ def from_csv(text: str) -> Run:
         raise BenchFileError(str(error)) from error
     motor = _fact(facts, "motor", int)
     if motor not in {1, 2}:
-        raise BenchFileError(f"motor: expected 1 or 2, not {motor}")
+        raise BenchFileError(tr("motor: expected 1 or 2, not {0}").format(motor))
     return Run(
         motor=motor,
         profile=profile,
@@ -135,11 +136,11 @@ def from_csv(text: str) -> Run:
 
 def _fact(facts: dict[str, str], name: str, read: Callable[[str], ValueT]) -> ValueT:
     if name not in facts:
-        raise BenchFileError(f"the line “# {name}: …” is missing")
+        raise BenchFileError(tr("the line “# {0}: …” is missing").format(name))
     try:
         return read(facts[name])
     except ValueError as error:
-        raise BenchFileError(f"{name}: invalid value “{facts[name]}”") from error
+        raise BenchFileError(tr("{0}: invalid value “{1}”").format(name, facts[name])) from error
 
 
 def _number(text: str) -> float:
@@ -156,9 +157,11 @@ def _table(
     try:
         rows = list(csv.reader(lines[first:]))
     except csv.Error as error:
-        raise BenchFileError(f"line {first + 1} or below: {error}") from error
+        raise BenchFileError(tr("line {0} or below: {1}").format(first + 1, error)) from error
     if not rows or rows[0] != _COLUMNS:
-        raise BenchFileError(f"line {first + 1}: expected the columns {', '.join(_COLUMNS)}")
+        raise BenchFileError(
+            tr("line {0}: expected the columns {1}").format(first + 1, ", ".join(_COLUMNS))
+        )
     setpoints: list[tuple[float, int]] = []
     currents: list[tuple[float, float]] = []
     for number, row in enumerate(rows[1:], first + 2):
@@ -169,5 +172,7 @@ def _table(
             else:
                 setpoints.append((_number(time), int(speed)))
         except ValueError as error:
-            raise BenchFileError(f"line {number}: invalid row “{','.join(row)}”") from error
+            raise BenchFileError(
+                tr("line {0}: invalid row “{1}”").format(number, ",".join(row))
+            ) from error
     return tuple(setpoints), tuple(currents)

@@ -8,6 +8,7 @@ from datetime import datetime
 from enum import Enum
 from operator import itemgetter
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 
 SHORTEST = 0.2  # seconds that a test or a period lasts at least: ten steps of the profile
@@ -48,17 +49,21 @@ class Profile:
         """Raise `ValueError` with the limits if a value is outside them."""
         if self.speed == 0 or not -FULL_SCALE <= self.speed <= FULL_SCALE:
             raise ValueError(
-                f"the speed of a bench test is −{FULL_SCALE} to {FULL_SCALE} and not 0, "
-                f"not {self.speed}"
+                tr("the speed of a bench test is −{0} to {0} and not 0, not {1}").format(
+                    FULL_SCALE, self.speed
+                )
             )
         if not SHORTEST <= self.duration <= LONGEST:
             raise ValueError(
-                f"a bench test lasts {SHORTEST:g} to {LONGEST:g} s, not {self.duration:g} s"
+                tr("a bench test lasts {0:g} to {1:g} s, not {2:g} s").format(
+                    SHORTEST, LONGEST, self.duration
+                )
             )
         if self.shape.has_period and not SHORTEST <= self.period <= LONGEST:
             raise ValueError(
-                f"the period of a bench test is {SHORTEST:g} to {LONGEST:g} s, "
-                f"not {self.period:g} s"
+                tr("the period of a bench test is {0:g} to {1:g} s, not {2:g} s").format(
+                    SHORTEST, LONGEST, self.period
+                )
             )
 
     def speed_at(self, seconds: float) -> int:

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from math import ceil
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.calibration.neutral import Neutral, deadband_floor, swing_text
 from trex_gui.devices.trex.calibration.problems import Problem, ProblemKind, has_fatal
 from trex_gui.devices.trex.calibration.travel import Task, Travel, Way
@@ -47,7 +48,9 @@ def propose(neutral: Neutral, travel: Travel, *, reversed_now: bool) -> Proposal
         return Proposal(None, reversed_now, "", (), problems)
     reasons = [_ends_reason(neutral, travel)]
     if neutral.noise > deadband_floor(neutral.source):
-        reasons.append(f"At rest its noise is {neutral.noise_text}: the deadband is twice that.")
+        reasons.append(
+            tr("At rest its noise is {0}: the deadband is twice that.").format(neutral.noise_text)
+        )
     reversed_, why = _reversal(travel, reversed_now=reversed_now)
     return Proposal(wanted, reversed_, why, tuple(reasons), problems)
 
@@ -73,12 +76,12 @@ def _distance(neutral: Neutral, travel: Travel, way: Way) -> int:
 def _ends_reason(neutral: Neutral, travel: Travel) -> str:
     margins = [_margin(travel.length(way), neutral) for way in Way if travel.reached(way)]
     inside = swing_text(max(margins), neutral.source).removeprefix("±")
-    text = f"The measured ends are up to {inside} further out."
+    text = tr("The measured ends are up to {0} further out.").format(inside)
     if (idle := travel.idle) is not None:
         where, name = ("above", "maximum") if idle is Way.UP else ("below", "minimum")
-        text += (
-            f" It never goes {where} its rest position, so {name} is set to the limit of the input."
-        )
+        text += tr(
+            " It never goes {0} its rest position, so {1} is set to the limit of the input."
+        ).format(where, name)
     return text
 
 
@@ -92,13 +95,17 @@ def _reversal(travel: Travel, *, reversed_now: bool) -> tuple[bool, str]:
         case Task.STICK if travel.first is not None:
             wanted = travel.first is Way.DOWN
             way = "fell" if wanted else "rose"
-            words = f"The value {way} when the stick went forward or right first"
+            words = tr("The value {0} when the stick went forward or right first").format(way)
         case Task.SWITCH if travel.reached(Way.UP) != travel.reached(Way.DOWN):
             wanted = travel.reached(Way.UP)
             where = "above" if wanted else "below"
-            words = f"The other position is {where} the one at rest, which should be off"
+            words = tr("The other position is {0} the one at rest, which should be off").format(
+                where
+            )
         case _:
             return reversed_now, ""
     if wanted == reversed_now:
         return wanted, ""
-    return wanted, f"{words}: {'reversed' if wanted else 'not reversed'} is suggested."
+    return wanted, tr("{0}: {1} is suggested.").format(
+        words, "reversed" if wanted else "not reversed"
+    )

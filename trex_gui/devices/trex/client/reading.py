@@ -9,6 +9,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any, TypeVar
 
 from trex_gui.core.errors import BadReply, NoReply
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.client.client import Requester, TrexClient
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.commands import (
@@ -310,9 +311,9 @@ def _read_pass(read: Requester, progress: Progress, number: int, passes: int) ->
             unread[spec.key] = str(error)
     calibrations: dict[int, Calibration] = {}
     for done, channel in enumerate(CHANNELS, start=3 + len(specs)):
-        report(done, f"calibration of channel {channel}")
+        report(done, tr("calibration of channel {0}").format(channel))
         calibrations[channel] = read(GetCalibration(channel))
-    report(steps - 1, "learned channels")
+    report(steps - 1, tr("learned channels"))
     calibrated = read(GetCalibratedChannels())
     report(steps, "done")
     return DeviceState(

@@ -11,6 +11,7 @@ from enum import Enum, auto
 from typing import TypeVar
 
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable, StudioError
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.client.client import Requester
 from trex_gui.devices.trex.client.reading import (
     ATTEMPTS,
@@ -128,7 +129,7 @@ def write_calibration(
         BadReply: the active source, or the value read back, differs.
         Rejected, NoReply, PortUnavailable: as for `write_parameter`.
     """
-    what = f"Calibration of channel {key.channel}"
+    what = tr("Calibration of channel {0}").format(key.channel)
     command = SetCalibration(key.channel, wanted)
     command.data()  # invalid values raise here, before anything is sent
 
@@ -333,7 +334,7 @@ class _Work:
                 raise Skipped(ErrorCode.WRITE_CANCELLED)
             return self.request(command)
 
-        self.progress(0, self.total, "stored settings")
+        self.progress(0, self.total, tr("stored settings"))
         self._number = self.before.parameters.get(ParameterKey.DEVICE_NUMBER)
         try:
             for has_crc in (True, self.has_crc):
@@ -487,7 +488,7 @@ class _Work:
 
     def _name(self, key: str) -> str:
         if key in CALIBRATION_KEYS:
-            return f"calibration of channel {CALIBRATION_KEYS[key].channel}"
+            return tr("calibration of channel {0}").format(CALIBRATION_KEYS[key].channel)
         return self.specs[key].name
 
     def store_serial(self, serial: list[tuple[str, int]]) -> None:

@@ -4,8 +4,7 @@ import math
 from collections import deque
 from dataclasses import dataclass
 
-from PySide6.QtCore import QCoreApplication
-
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.client.client import Counters
 
 _WINDOW = 10.0  # seconds that count, on the session's clock
@@ -104,12 +103,8 @@ class ConnectionQuality:
 def quality_text(quality: ConnectionQuality) -> str:
     """Return how many requests were answered lately, and what that means."""
     if quality.is_noisy is None:
-        return _tr("being measured …")
-    text = _tr("noisy: {0:.1f} % of the requests of the last {1:.0f} s answered")
+        return tr("being measured …")
+    text = tr("noisy: {0:.1f} % of the requests of the last {1:.0f} s answered")
     if not quality.is_noisy:
-        text = _tr("good: {0:.1f} % of the requests of the last {1:.0f} s answered")
+        text = tr("good: {0:.1f} % of the requests of the last {1:.0f} s answered")
     return text.format(100 * (1 - quality.lost), quality.seconds)
-
-
-def _tr(text: str) -> str:
-    return QCoreApplication.translate("ConnectionQuality", text)

@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Slot
 from trex_gui.core.errors import BadRequest, NoReply, StudioError
 from trex_gui.core.plugin import DevicePlugin
 from trex_gui.core.timing import Timeouts
+from trex_gui.core.translation import tr
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.trex.model.demo import DemoBoard
 from trex_gui.devices.trex.model.device import Device
@@ -284,7 +285,7 @@ class AutomaticStop(QObject):
         if by_serial is None:  # not read yet, or not responding
             return self.tr("{0}. The board has confirmed the stop.").format(reason)
         if not by_serial:
-            return f"{reason}. {BEYOND_A_STOP}"
+            return f"{reason}. {tr(BEYOND_A_STOP)}"
         return self.tr("{0}, so the motors were stopped.").format(reason)
 
     def _out_of_reach(self, reason: str) -> str:

@@ -7,6 +7,7 @@ from PySide6.QtCore import QCoreApplication, QObject, Signal, Slot
 
 from trex_gui.core.errors import NoReply, StudioError, describe
 from trex_gui.core.session import Closed, Outcome
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.client.reading import DeviceState, may_be_same_board
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.driving.requests import (
@@ -193,7 +194,7 @@ class DriveController(QObject):
         if outcome.error is None:
             self._on_confirmed()
             if self._is_connected and not self._telemetry.serial_controls:
-                self._notifier.error.emit(BEYOND_A_STOP)
+                self._notifier.error.emit(tr(BEYOND_A_STOP))
         elif self._connection.link is not ConnectionState.DISCONNECTING:
             self._notifier.error.emit(str(outcome.error))
 

@@ -6,10 +6,11 @@ from functools import reduce
 from math import ceil
 from operator import or_
 
-from PySide6.QtCore import QCoreApplication, QObject, Slot
+from PySide6.QtCore import QObject, Slot
 
 from trex_gui.core.errors import QT_TRANSLATE_NOOP
-from trex_gui.devices.trex.driving.blockers import TEXT_CONTEXT, DriveBlocker, Reason, worst_first
+from trex_gui.core.translation import tr
+from trex_gui.devices.trex.driving.blockers import DriveBlocker, Reason, worst_first
 from trex_gui.devices.trex.driving.board_reasons import (
     NOISE_COUNTS,
     BoardInputs,
@@ -122,7 +123,7 @@ def _own_reasons(now: DriveInputs, *, by_serial: bool) -> Iterator[Reason]:
 
 
 def _status(reason: Reason) -> DriveStatus:
-    return DriveStatus(reason.blocker, reason.text(_tr), reason.remedy(_tr))
+    return DriveStatus(reason.blocker, reason.text(tr), reason.remedy(tr))
 
 
 def _lost(now: DriveInputs) -> DriveStatus:
@@ -130,7 +131,7 @@ def _lost(now: DriveInputs) -> DriveStatus:
     if not now.may_move:
         return replace(lost, text=now.lost_board, remedy="")
     if now.timeout:
-        return replace(lost, remedy=_tr(_LOST_WITH_TIMEOUT).format(now.timeout))
+        return replace(lost, remedy=tr(_LOST_WITH_TIMEOUT).format(now.timeout))
     return lost
 
 
@@ -138,14 +139,10 @@ def _silent(now: DriveInputs) -> DriveStatus:
     silent = _status(Reason(DriveBlocker.SILENT))
     if not now.may_move:
         return silent
-    remedy = _tr(_CHECK_WHILE_DRIVEN)
+    remedy = tr(_CHECK_WHILE_DRIVEN)
     if now.timeout:
-        remedy = f"{_tr(_STOPS_BY_TIMEOUT).format(now.timeout)} {remedy}"
-    return replace(silent, text=_tr(_SILENT_WHILE_DRIVEN), remedy=remedy)
-
-
-def _tr(text: str) -> str:
-    return QCoreApplication.translate(TEXT_CONTEXT, text)
+        remedy = f"{tr(_STOPS_BY_TIMEOUT).format(now.timeout)} {remedy}"
+    return replace(silent, text=tr(_SILENT_WHILE_DRIVEN), remedy=remedy)
 
 
 def drive_inputs(device: Device, *, is_held: bool = False) -> DriveInputs:
@@ -191,9 +188,9 @@ def recent_fault_text(device: Device) -> str:
     }
     if not recent or not device.is_connected:
         return ""
-    text = " ".join(Reason(DriveBlocker.FAULT, (motor,)).text(_tr) for motor in recent)
+    text = " ".join(Reason(DriveBlocker.FAULT, (motor,)).text(tr) for motor in recent)
     if all(entry.is_doubtful for entry in recent.values()):
-        text = _tr(_DOUBTFUL).format(text)
+        text = tr(_DOUBTFUL).format(text)
     return text
 
 

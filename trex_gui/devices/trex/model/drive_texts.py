@@ -2,8 +2,7 @@
 
 from dataclasses import dataclass
 
-from PySide6.QtCore import QCoreApplication
-
+from trex_gui.core.translation import tr
 from trex_gui.core.transport.serial_port import latency_of
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.errors import bit_text
@@ -16,19 +15,19 @@ from trex_gui.devices.trex.session.polling import survives_a_loss
 def setpoint_text(drive: Drive | None) -> str:
     """Setpoint of motor 1 or 2; `None`: none since it was armed."""
     if drive is None:
-        return _tr("Setpoint: none")
+        return tr("Setpoint: none")
     if drive.is_brake:
         if not drive.speed:
-            return _tr("Setpoint: coast")
-        return _tr("Setpoint: brake, {0:.0f} %").format(100 * drive.speed / FULL_SCALE)
-    return _tr("Setpoint: {0}").format(speed_text(drive.signed))
+            return tr("Setpoint: coast")
+        return tr("Setpoint: brake, {0:.0f} %").format(100 * drive.speed / FULL_SCALE)
+    return tr("Setpoint: {0}").format(speed_text(drive.signed))
 
 
 def speed_text(speed: int) -> str:
     """A signed speed with its share of full: `forward 64 (50 %)`."""
     if not speed:
         return "0"
-    direction = _tr("forward") if speed > 0 else _tr("reverse")
+    direction = tr("forward") if speed > 0 else tr("reverse")
     return f"{direction} {abs(speed)} ({100 * abs(speed) / FULL_SCALE:.0f} %)"
 
 
@@ -37,12 +36,12 @@ def channel_text(device: Device, channel: int) -> str:
     telemetry = device.telemetry
     value = telemetry.remapped_of(channel)
     if value is None:
-        return _tr("Channel {0}: N/A").format(channel)
+        return tr("Channel {0}: N/A").format(channel)
     if telemetry.raw is not None and telemetry.raw_of(channel) is None:
-        return _tr("Channel {0}: no signal").format(channel)
+        return tr("Channel {0}: no signal").format(channel)
     # Channel 3 drives one way only, whichever side the stick is on.
     text = str(abs(value)) if channel == 3 else speed_text(value)
-    return _tr("Channel {0}: {1}").format(channel, text)
+    return tr("Channel {0}: {1}").format(channel, text)
 
 
 def report_text(device: Device, motor: int) -> str:
@@ -53,20 +52,20 @@ def report_text(device: Device, motor: int) -> str:
     telemetry, state, parts = device.telemetry, device.state, []
     by_serial = telemetry.serial_controls
     if by_serial is not None:
-        parts.append(_tr("serial in control") if by_serial else _tr("serial not in control"))
+        parts.append(tr("serial in control") if by_serial else tr("serial not in control"))
     if motor in {1, 2}:
         if telemetry.motor_currents is None:
-            return _tr("Board: N/A")
+            return tr("Board: N/A")
         if device.is_joint:
-            parts.append(_tr("no current sensing in joint mode"))
+            parts.append(tr("no current sensing in joint mode"))
         else:
             parts += [bit_text(entry.name).lower() for entry in device.errors.recent(motor)]
     value = telemetry.remapped_of(motor)
     if by_serial and state is not None and not state.mode.is_serial and value is not None:
         value = abs(value) if motor == 3 else value
         text = f"{value:+d}".replace("-", "−") if value else "0"
-        parts.append(_tr("channel {0} at {1} (overridden)").format(motor, text))
-    return _tr("Board: {0}").format(", ".join(parts) or _tr("N/A"))
+        parts.append(tr("channel {0} at {1} (overridden)").format(motor, text))
+    return tr("Board: {0}").format(", ".join(parts) or tr("N/A"))
 
 
 # --- The serial timeout -----------------------------------------------------------------
@@ -106,34 +105,28 @@ def timeout_warning_on(
 
     better = next(filter(can_keep, _OFFERED_S), _OFFERED_S[-1])
     if timeout == 0 and is_guarded:
-        text = _tr(
-            "Serial timeout is off: motors keep turning if the cable or this computer fails."
-        )
+        text = tr("Serial timeout is off: motors keep turning if the cable or this computer fails.")
     elif timeout == 0:
-        text = _tr(
+        text = tr(
             "Serial timeout is off, and the guardian process could not be started: motors keep "
             "turning if the cable, this computer or this program fails."
         )
     elif timeout >= better or can_keep(timeout):
         if is_guarded:
             return None
-        text = _tr(
+        text = tr(
             "The guardian process could not be started: if this program fails, motors keep turning "
             "for the serial timeout of {0:g} s."
         )
         return TimeoutWarning(text.format(timeout), None)
     elif "://" in settings.url:
-        text = _tr(
+        text = tr(
             "Serial timeout of {0:g} s is short for a network port: one late reply stops the "
             "motors while you drive. Set a longer one, or connect the board to this computer."
         ).format(timeout)
     else:
-        text = _tr(
+        text = tr(
             "Serial timeout of {0:g} s is short for {1} baud: one lost reply stops the motors "
             "while you drive. Set a longer one, or a faster baud rate."
         ).format(timeout, settings.line.baud)
     return TimeoutWarning(text, better)
-
-
-def _tr(text: str) -> str:
-    return QCoreApplication.translate("MotorsPage", text)

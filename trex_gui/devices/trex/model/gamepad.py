@@ -1,7 +1,8 @@
 """Driving with a gamepad: which one is read, its profile, and whether it drives."""
 
-from PySide6.QtCore import QCoreApplication, QObject, Signal, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.momentary_drive import MomentaryDrive
 from trex_gui.gamepad.pads import GamepadUnavailable, Pad, PadSource, PadState
@@ -254,41 +255,37 @@ class Gamepad(QObject):
 
 def button_text(pad: Pad, number: int | None) -> str:
     if number is None:
-        return _tr("none")
+        return tr("none")
     if name := pad.part_name("b", number):
-        return _tr("button {0} ({1})").format(number + 1, _part_text(name))
-    return _tr("button {0}").format(number + 1)
+        return tr("button {0} ({1})").format(number + 1, _part_text(name))
+    return tr("button {0}").format(number + 1)
 
 
 def axis_text(pad: Pad, number: int) -> str:
     if name := pad.part_name("a", number):
-        return _tr("axis {0} ({1})").format(number + 1, _part_text(name))
-    return _tr("axis {0}").format(number + 1)
+        return tr("axis {0} ({1})").format(number + 1, _part_text(name))
+    return tr("axis {0}").format(number + 1)
 
 
 def _part_text(part: str) -> str:
     """SDL's name of a part in words; as SDL has it where there is no better one."""
     return {
-        "leftx": _tr("left stick, sideways"),
-        "lefty": _tr("left stick, up and down"),
-        "rightx": _tr("right stick, sideways"),
-        "righty": _tr("right stick, up and down"),
-        "lefttrigger": _tr("left trigger"),
-        "righttrigger": _tr("right trigger"),
-        "leftshoulder": _tr("left shoulder"),
-        "rightshoulder": _tr("right shoulder"),
-        "leftstick": _tr("left stick pressed"),
-        "rightstick": _tr("right stick pressed"),
-        "dpup": _tr("cross up"),
-        "dpdown": _tr("cross down"),
-        "dpleft": _tr("cross left"),
-        "dpright": _tr("cross right"),
-        "a": _tr("A, the lowest of four"),
-        "b": _tr("B, the right one of four"),
-        "x": _tr("X, the left one of four"),
-        "y": _tr("Y, the highest of four"),
+        "leftx": tr("left stick, sideways"),
+        "lefty": tr("left stick, up and down"),
+        "rightx": tr("right stick, sideways"),
+        "righty": tr("right stick, up and down"),
+        "lefttrigger": tr("left trigger"),
+        "righttrigger": tr("right trigger"),
+        "leftshoulder": tr("left shoulder"),
+        "rightshoulder": tr("right shoulder"),
+        "leftstick": tr("left stick pressed"),
+        "rightstick": tr("right stick pressed"),
+        "dpup": tr("cross up"),
+        "dpdown": tr("cross down"),
+        "dpleft": tr("cross left"),
+        "dpright": tr("cross right"),
+        "a": tr("A, the lowest of four"),
+        "b": tr("B, the right one of four"),
+        "x": tr("X, the left one of four"),
+        "y": tr("Y, the highest of four"),
     }.get(part, part)
-
-
-def _tr(text: str) -> str:
-    return QCoreApplication.translate("GamepadWords", text)

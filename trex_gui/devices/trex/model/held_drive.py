@@ -1,7 +1,6 @@
 """What keeps a motor from being driven while a button is held."""
 
-from PySide6.QtCore import QCoreApplication
-
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.ui.devices.connection import ConnectionState
 
@@ -18,26 +17,22 @@ def held_drive_blocker(
     drives = [motors.drive(motor) for motor in (1, 2)]
     is_moving = any(drive and not drive.is_brake and drive.speed for drive in drives)
     if device.link is ConnectionState.NOT_RESPONDING:
-        return _tr("The board does not respond.")
+        return tr("The board does not respond.")
     if not device.is_connected:
-        return _tr("Connect to a board to test its motors.")
+        return tr("Connect to a board to test its motors.")
     if device.applying:
-        return _tr("Settings are being written.")
+        return tr("Settings are being written.")
     if device.telemetry.serial_controls is False:
-        return _tr("{0} A test needs serial control.").format(device.control_text)
+        return tr("{0} A test needs serial control.").format(device.control_text)
     if motors.locked_for:
-        text = _tr("After a stop the motors are locked for another {0:.0f} s.")
+        text = tr("After a stop the motors are locked for another {0:.0f} s.")
         return text.format(max(1.0, motors.locked_for))
     if not motors.armed and wheels_are_free:
-        return _tr("Press Run motor.")
+        return tr("Press Run motor.")
     if not motors.armed:
-        return _tr("Put the robot on blocks, then press Run motor.")
+        return tr("Put the robot on blocks, then press Run motor.")
     if motors.holder not in {"", holder}:
-        return _tr("Another control drives the motors now.")
+        return tr("Another control drives the motors now.")
     if not is_driving and (is_moving or motors.auxiliary > 0):
-        return _tr("Bring the motors to rest first ({0}).").format(motors.text)
+        return tr("Bring the motors to rest first ({0}).").format(motors.text)
     return ""
-
-
-def _tr(text: str) -> str:
-    return QCoreApplication.translate("held_drive", text)

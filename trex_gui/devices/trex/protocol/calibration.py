@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.flags import InputSource
 
 INVALID_RAW = 0xFFFF  # reply to 0x86 for a channel without a valid pulse
@@ -49,7 +50,7 @@ class CalibrationKey(StrEnum):
     @property
     def label(self) -> str:
         """Name for the user, such as `RC channel 1`."""
-        return f"{self.source.value} channel {self.channel}"
+        return tr("{0} channel {1}").format(self.source.value, self.channel)
 
 
 CALIBRATION_KEYS: Mapping[str, CalibrationKey] = {str(key): key for key in CalibrationKey}
@@ -74,19 +75,21 @@ class Calibration:
         for name in CALIBRATION_FIELDS:
             value = getattr(self, name)
             if not 0 <= value <= HIGHEST_CODED:
-                return f"{name} is {value}; a calibration value is 0 to {HIGHEST_CODED}"
+                return tr("{0} is {1}; a calibration value is 0 to {2}").format(
+                    name, value, HIGHEST_CODED
+                )
         if self.minimum > self.neutral:
-            return f"minimum {self.minimum} is above neutral {self.neutral}"
+            return tr("minimum {0} is above neutral {1}").format(self.minimum, self.neutral)
         if self.neutral > self.maximum:
-            return f"neutral {self.neutral} is above maximum {self.maximum}"
+            return tr("neutral {0} is above maximum {1}").format(self.neutral, self.maximum)
         if self.minimum == self.maximum:
-            return f"minimum and maximum are both {self.minimum}; they must differ"
+            return tr("minimum and maximum are both {0}; they must differ").format(self.minimum)
         return None
 
     def encode(self) -> bytes:
         """Return the eight data bytes of 0xA0-0xA4; BadRequest if the board would reject them."""
         if problem := self.problem():
-            raise BadRequest(f"calibration: {problem}")
+            raise BadRequest(tr("calibration: {0}").format(problem))
         values = (self.minimum, self.neutral, self.maximum, self.deadband)
         return b"".join(map(encode_14_bits, values))
 
@@ -110,7 +113,9 @@ def encode_14_bits(value: int) -> bytes:
     this is the only coding that obeys that, and how other controllers of the maker do it.
     """
     if not 0 <= value <= HIGHEST_CODED:
-        raise BadRequest(f"a calibration value is 0 to {HIGHEST_CODED}, not {value}")
+        raise BadRequest(
+            tr("a calibration value is 0 to {0}, not {1}").format(HIGHEST_CODED, value)
+        )
     return bytes([value & 0x7F, value >> 7])
 
 

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from typing import ClassVar, Generic, Self, TypeVar
 
 from trex_gui.core.errors import BadReply, BadRequest
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, INVALID_RAW, Calibration
 from trex_gui.devices.trex.protocol.device_table import Model, device_table
 from trex_gui.devices.trex.protocol.driving import Direction, Drive
@@ -78,7 +79,7 @@ class Command(ABC, Generic[ReplyT_co]):
 
 def _motor_index(motor: int) -> int:
     if motor not in {1, 2}:
-        raise BadRequest(f"motors are numbered 1 and 2, not {motor}")
+        raise BadRequest(tr("motors are numbered 1 and 2, not {0}").format(motor))
     return motor - 1
 
 
@@ -91,7 +92,7 @@ class _ChannelCommand(Command[ReplyT_co]):
     @property
     def opcode(self) -> int:
         if self.channel not in CHANNELS:
-            raise BadRequest(f"channels are numbered 1 to 5, not {self.channel}")
+            raise BadRequest(tr("channels are numbered 1 to 5, not {0}").format(self.channel))
         return self.opcodes[self.channel - 1]
 
 
@@ -130,7 +131,7 @@ class GetSignature(Command[Signature]):
                 major, dot, minor = version[:1], version[1:2], version[2:]
                 if dot == "." and f"{major}{minor}".isascii() and f"{major}{minor}".isdigit():
                     return Signature(model, version)
-        raise BadReply(f"{reply.hex(' ').upper()} is not the signature of a TReX")
+        raise BadReply(tr("{0} is not the signature of a TReX").format(reply.hex(" ").upper()))
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,7 +145,9 @@ class GetMode(Command[Mode]):
         try:
             return Mode(reply.decode("latin-1"))
         except ValueError:
-            raise BadReply(f"{reply[0]:#04x} is not a TReX mode (R, A, r or a)") from None
+            raise BadReply(
+                tr("{0:#04x} is not a TReX mode (R, A, r or a)").format(reply[0])
+            ) from None
 
 
 @dataclass(frozen=True, slots=True)
@@ -156,7 +159,7 @@ class GetSerialControl(Command[bool]):
 
     def parse(self, reply: bytes) -> bool:
         if reply[0] > 1:
-            raise BadReply(f"0 or 1 says who controls the motors, not {reply[0]}")
+            raise BadReply(tr("0 or 1 says who controls the motors, not {0}").format(reply[0]))
         return bool(reply[0])
 
 
@@ -169,7 +172,7 @@ class GetStatus(Command[Status]):
 
     def parse(self, reply: bytes) -> Status:
         if reply[0] == self.opcode:  # has a bit that no board sets, and would confirm a stop
-            raise BadReply("the request came back instead of a status")
+            raise BadReply(tr("the request came back instead of a status"))
         return Status(reply[0])
 
 
@@ -194,7 +197,9 @@ class _ChannelQuery(Command[ReplyT_co]):
 
     def data(self) -> bytes:
         if not 0 <= self.mask <= ALL_CHANNELS:
-            raise BadRequest(f"a channel mask is 0 to {ALL_CHANNELS}, not {self.mask}")
+            raise BadRequest(
+                tr("a channel mask is 0 to {0}, not {1}").format(ALL_CHANNELS, self.mask)
+            )
         return bytes([self.mask])
 
     @classmethod
@@ -305,7 +310,7 @@ class GetCalibratedChannels(Command[int]):
 
     def parse(self, reply: bytes) -> int:
         if reply[0] > ALL_CHANNELS:
-            raise BadReply(f"{reply[0]:#04x} names channels that a TReX does not have")
+            raise BadReply(tr("{0:#04x} names channels that a TReX does not have").format(reply[0]))
         return reply[0]
 
 
@@ -320,7 +325,7 @@ class GetParameter(Command[int]):
     number: int
 
     def data(self) -> bytes:
-        return bytes([seven_bits(self.number, "parameter number")])
+        return bytes([seven_bits(self.number, tr("parameter number"))])
 
     @classmethod
     def from_packet(cls, opcode: int, data: bytes) -> Self:
@@ -329,7 +334,7 @@ class GetParameter(Command[int]):
 
     def parse(self, reply: bytes) -> int:
         if reply[0] > FULL_SCALE:
-            raise BadReply(f"a parameter is 0 to 127, not {reply[0]}")
+            raise BadReply(tr("a parameter is 0 to 127, not {0}").format(reply[0]))
         return reply[0]
 
 
@@ -343,12 +348,12 @@ def _result(reply: bytes) -> ResultCode:
     try:
         return ResultCode(reply[0])
     except ValueError:
-        raise BadReply(f"{reply[0]} is not a TReX result code (0 to 3)") from None
+        raise BadReply(tr("{0} is not a TReX result code (0 to 3)").format(reply[0])) from None
 
 
 def _without_format_bytes(data: bytes) -> bytes:
     if data[-2:] != FORMAT_BYTES:
-        raise BadRequest(f"a write ends in 55 2A, not {data[-2:].hex(' ').upper()}")
+        raise BadRequest(tr("a write ends in 55 2A, not {0}").format(data[-2:].hex(" ").upper()))
     return data[:-2]
 
 
@@ -388,8 +393,8 @@ class SetParameter(Command[ResultCode]):
     value: int
 
     def data(self) -> bytes:
-        number = seven_bits(self.number, "parameter number")
-        value = seven_bits(self.value, "parameter value")
+        number = seven_bits(self.number, tr("parameter number"))
+        value = seven_bits(self.value, tr("parameter value"))
         return bytes([number, value]) + FORMAT_BYTES
 
     @classmethod
@@ -486,7 +491,7 @@ class DriveAuxiliary(_MotorCommand):
         return self.opcodes[self.accelerate]
 
     def data(self) -> bytes:
-        return bytes([seven_bits(self.speed, "speed of the auxiliary motor")])
+        return bytes([seven_bits(self.speed, tr("speed of the auxiliary motor"))])
 
     @classmethod
     def from_packet(cls, opcode: int, data: bytes) -> Self:

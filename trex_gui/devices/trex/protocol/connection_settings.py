@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field, replace
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.trex.protocol.framing import (
     DEFAULT_POLYNOMIAL,
@@ -50,9 +51,9 @@ class ConnectionSettings(PortSettings):
             )
             _ = settings.framing
         except (KeyError, ValueError) as error:
-            raise BadRequest(f"{text!r} are no settings of a board") from error
+            raise BadRequest(tr("{0!r} are no settings of a board").format(text)) from error
         if not is_possible:
-            raise BadRequest(f"{text!r} are no settings of a board")
+            raise BadRequest(tr("{0!r} are no settings of a board").format(text))
         return settings
 
     def at(self, line: SerialFormat) -> PortSettings:

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
+from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.protocol import commands as c
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_FIELDS, Calibration
 from trex_gui.devices.trex.protocol.device_table import device_table
@@ -19,49 +20,50 @@ from trex_gui.devices.trex.protocol.flags import (
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameters_of
 
 _QUERIES: dict[type[c.Command[Any]], str] = {
-    c.GetSignature: "get signature",
-    c.GetMode: "get mode",
-    c.GetSerialControl: "get whether serial controls the motors",
-    c.GetStatus: "get status bits, and clear them",
-    c.GetUartErrors: "get UART error bits, and clear them",
-    c.GetCurrents: "get currents of both motors",
-    c.GetCalibratedChannels: "get which calibrations differ from the default",
-    c.Null: "null command: nothing",
+    c.GetSignature: tr_noop("get signature"),
+    c.GetMode: tr_noop("get mode"),
+    c.GetSerialControl: tr_noop("get whether serial controls the motors"),
+    c.GetStatus: tr_noop("get status bits, and clear them"),
+    c.GetUartErrors: tr_noop("get UART error bits, and clear them"),
+    c.GetCurrents: tr_noop("get currents of both motors"),
+    c.GetCalibratedChannels: tr_noop("get which calibrations differ from the default"),
+    c.Null: tr_noop("null command: nothing"),
 }
 
 _MODES = {
-    Mode.RC: "RC mode",
-    Mode.ANALOG: "analog mode",
-    Mode.SERIAL_RC: "serial mode, RC inputs",
-    Mode.SERIAL_ANALOG: "serial mode, analog inputs",
+    Mode.RC: tr_noop("RC mode"),
+    Mode.ANALOG: tr_noop("analog mode"),
+    Mode.SERIAL_RC: tr_noop("serial mode, RC inputs"),
+    Mode.SERIAL_ANALOG: tr_noop("serial mode, analog inputs"),
 }
 
 _RESULTS = {
-    ResultCode.OK: "stored",
-    ResultCode.BAD_PARAMETER: "rejected: no such parameter (code 1)",
-    ResultCode.BAD_VALUE: "rejected: this value is not allowed (code 2)",
-    ResultCode.NOT_SERIAL_MODE: "rejected: not in serial mode (code 3)",
+    ResultCode.OK: tr_noop("stored"),
+    ResultCode.BAD_PARAMETER: tr_noop("rejected: no such parameter (code 1)"),
+    ResultCode.BAD_VALUE: tr_noop("rejected: this value is not allowed (code 2)"),
+    ResultCode.NOT_SERIAL_MODE: tr_noop("rejected: not in serial mode (code 3)"),
 }
 
 MODE_TEXT = {
-    Mode.RC: "RC mode: a radio receiver drives the motors.",
-    Mode.ANALOG: "Analog mode: voltages (joysticks, potentiometers) drive the motors.",
-    Mode.SERIAL_RC: "Serial mode, with inputs read as RC pulses.",
-    Mode.SERIAL_ANALOG: "Serial mode, with inputs read as voltages.",
+    Mode.RC: tr_noop("RC mode: a radio receiver drives the motors."),
+    Mode.ANALOG: tr_noop("Analog mode: voltages (joysticks, potentiometers) drive the motors."),
+    Mode.SERIAL_RC: tr_noop("Serial mode, with inputs read as RC pulses."),
+    Mode.SERIAL_ANALOG: tr_noop("Serial mode, with inputs read as voltages."),
 }
 
 CHANNEL_ROLES = {
-    1: "motor 1 (mixed: turn)",
-    2: "motor 2 (mixed: forward)",
-    3: "auxiliary motor",
-    4: "flip switch",
-    5: "serial override switch",
+    1: tr_noop("motor 1 (mixed: turn)"),
+    2: tr_noop("motor 2 (mixed: forward)"),
+    3: tr_noop("auxiliary motor"),
+    4: tr_noop("flip switch"),
+    5: tr_noop("serial override switch"),
 }
 """The function of each channel in RC and analog mode; in serial mode they are only measured."""
 
-BEYOND_A_STOP = (
-    "The stop was sent, but the channels control the motors: it takes effect only when channel 5 "
-    "gives control to serial commands. Release the sticks, or cut the power."
+BEYOND_A_STOP = tr_noop(
+    "The stop was sent, but the channels control the motors: it takes effect "
+    "only when channel 5 gives control to serial commands. Release the "
+    "sticks, or cut the power."
 )
 """A stop is a serial command; it does not stop motors that channels control."""
 
@@ -69,29 +71,35 @@ BEYOND_A_STOP = (
 def describe(command: c.Command[Any], board: c.Signature | None = None) -> str:
     """Say a command in words; units are those of `board`, else of the newest TReX."""
     if (text := _QUERIES.get(type(command))) is not None:
-        return text
+        return tr(text)
     match command:
         case c.GetRawChannels():
-            return f"get raw inputs of {_channels(command.channels)}"
+            return tr("get raw inputs of {0}").format(_channels(command.channels))
         case c.GetRemappedChannels():
-            return f"get remapped inputs of {_channels(command.channels)}"
+            return tr("get remapped inputs of {0}").format(_channels(command.channels))
         case c.GetCurrent(motor=motor):
-            return f"get current of motor {motor}"
+            return tr("get current of motor {0}").format(motor)
         case c.GetCalibration(channel=channel):
-            return f"get calibration of channel {channel}"
+            return tr("get calibration of channel {0}").format(channel)
         case c.SetCalibration(channel=channel, calibration=calibration):
-            return f"set calibration of channel {channel}: {_calibration(calibration)}"
+            return tr("set calibration of channel {0}: {1}").format(
+                channel, _calibration(calibration)
+            )
         case c.GetParameter(number=number):
-            return f"get {_parameter(number, board)}"
+            return tr("get {0}").format(_parameter(number, board))
         case c.SetParameter(number=number, value=value):
-            return f"set {_parameter(number, board)} to {_value(number, value, board)}"
+            return tr("set {0} to {1}").format(
+                _parameter(number, board), _value(number, value, board)
+            )
         case c.DriveMotor(motor=motor, drive=drive, accelerate=accelerate):
-            return f"{_verb(accelerate)} motor {motor} to {_drive(drive)}"
+            return tr("{0} motor {1} to {2}").format(_verb(accelerate), motor, _drive(drive))
         case c.DriveBoth(motor1=first, motor2=second, accelerate=accelerate):
             verb = _verb(accelerate)
-            return f"{verb} motor 1 to {_drive(first)}, motor 2 to {_drive(second)}"
+            return tr("{0} motor 1 to {1}, motor 2 to {2}").format(
+                verb, _drive(first), _drive(second)
+            )
         case c.DriveAuxiliary(speed=speed, accelerate=accelerate):
-            return f"{_verb(accelerate)} auxiliary motor to {speed}"
+            return tr("{0} auxiliary motor to {1}").format(_verb(accelerate), speed)
     return type(command).__name__
 
 
@@ -101,15 +109,15 @@ def describe_reply(command: c.Command[Any], value: Any, board: c.Signature | Non
         case _, c.Signature():
             return str(value)
         case _, Mode():
-            return _MODES[value]
+            return tr(_MODES[value])
         case _, ResultCode():
-            return _RESULTS[value]
+            return tr(_RESULTS[value])
         case _, (Status() | UartError()):
-            return ", ".join(bit_names(value)) or "none"
+            return ", ".join(bit_names(value)) or tr("none")
         case _, Calibration():
             return _calibration(value)
         case c.GetSerialControl(), _:
-            return "yes" if value else "no"
+            return tr("yes") if value else tr("no")
         case ((c.GetRawChannels() | c.GetRemappedChannels()), _):
             return _by_channel(value)
         case c.GetCurrent(motor=motor), _:
@@ -126,17 +134,24 @@ def describe_reply(command: c.Command[Any], value: Any, board: c.Signature | Non
 def who_controls(mode: Mode, by_serial: bool, *, joint: bool) -> str:
     """Return who controls the motors, and how to give control to this program."""
     note = (
-        " Joint mode: both drivers work together as motor 1, motor 2 is ignored." if joint else ""
+        tr(" Joint mode: both drivers work together as motor 1, motor 2 is ignored.")
+        if joint
+        else ""
     )
     if mode.is_serial and by_serial:
-        return "Serial commands control the motors (serial mode)." + note
+        return tr("Serial commands control the motors (serial mode).") + note
     if by_serial:
-        return "Serial commands control the motors: channel 5 overrides the other inputs." + note
-    channels = "RC" if mode is Mode.RC else "analog"
+        return (
+            tr("Serial commands control the motors: channel 5 overrides the other inputs.") + note
+        )
+    channels = "RC" if mode is Mode.RC else tr("analog")
     return (
-        f"The {channels} channels control the motors. Serial commands take effect only when "
-        "channel 5 gives control to them; for serial mode, switch the board off, remove the mode "
-        "jumper and switch it on." + note
+        tr(
+            "The {0} channels control the motors. Serial commands take effect only "
+            "when channel 5 gives control to them; for serial mode, switch the board "
+            "off, remove the mode jumper and switch it on."
+        ).format(channels)
+        + note
     )
 
 
@@ -145,37 +160,36 @@ def is_refusal(value: object) -> bool:
 
 
 def _by_channel(values: Mapping[int, int | None]) -> str:
-    said = (
-        f"{channel}: {'no signal' if value is None else value}" for channel, value in values.items()
-    )
+    none = tr("no signal")
+    said = (f"{channel}: {none if value is None else value}" for channel, value in values.items())
     return ", ".join(said)
 
 
 def _current(motor: int, count: int, board: c.Signature | None) -> str:
     if board is None:
-        return f"motor {motor}: {count} counts"
-    return f"motor {motor}: {count * board.model.current_unit:.2f} A"
+        return tr("motor {0}: {1} counts").format(motor, count)
+    return tr("motor {0}: {1:.2f} A").format(motor, count * board.model.current_unit)
 
 
 def _calibration(calibration: Calibration) -> str:
-    return ", ".join(f"{name} {getattr(calibration, name)}" for name in CALIBRATION_FIELDS)
+    return ", ".join(f"{tr(name)} {getattr(calibration, name)}" for name in CALIBRATION_FIELDS)
 
 
 def _channels(channels: tuple[int, ...]) -> str:
     if channels in {(), CHANNELS}:
-        return "all channels" if channels else "no channel"
-    word = "channel" if len(channels) == 1 else "channels"
-    return f"{word} {', '.join(map(str, channels))}"
+        return tr("all channels") if channels else tr("no channel")
+    text = tr("channel {0}") if len(channels) == 1 else tr("channels {0}")
+    return text.format(", ".join(map(str, channels)))
 
 
 def _verb(accelerate: bool) -> str:
-    return "accelerate" if accelerate else "set"
+    return tr("accelerate") if accelerate else tr("set")
 
 
 def _drive(drive: Drive) -> str:
     if drive.is_brake:
-        return f"brake with {drive.speed}" if drive.speed else "coast"
-    return f"{drive.direction.name.lower()} {drive.speed}"
+        return tr("brake with {0}").format(drive.speed) if drive.speed else tr("coast")
+    return f"{tr(drive.direction.name.lower())} {drive.speed}"
 
 
 def _spec(number: int, board: c.Signature | None) -> ParameterSpec | None:
@@ -187,8 +201,12 @@ def _spec(number: int, board: c.Signature | None) -> ParameterSpec | None:
 
 def _parameter(number: int, board: c.Signature | None) -> str:
     spec = _spec(number, board)
-    source = "no TReX" if board is None else f"no {board}"
-    return f"parameter {number:#04x}, which {source} has" if spec is None else spec.name
+    source = tr("no TReX") if board is None else tr("no {0}").format(board)
+    return (
+        tr("parameter {0:#04x}, which {1} has").format(number, source)
+        if spec is None
+        else spec.name
+    )
 
 
 def _value(number: int, value: int, board: c.Signature | None) -> str:

@@ -11,6 +11,7 @@ from typing import Any
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.resource_files import resource
+from trex_gui.core.translation import tr
 
 HIGHEST_WIRE = 127
 
@@ -44,7 +45,9 @@ class PwmClock:
     def frequency(self, prescaler: int, maximum_wire: int) -> float:
         """Return the frequency in Hz for two wire values; BadRequest without such a prescaler."""
         if not 0 <= prescaler < len(self.divisors):
-            raise BadRequest(f"PWM prescaler is 0 to {len(self.divisors) - 1}, not {prescaler}")
+            raise BadRequest(
+                tr("PWM prescaler is 0 to {0}, not {1}").format(len(self.divisors) - 1, prescaler)
+            )
         return self.clock / (self.divisors[prescaler] * (self.maximum(maximum_wire) + 1))
 
     def choices(self, highest: float) -> tuple[tuple[int, int], ...]:
@@ -82,7 +85,7 @@ class DeviceTable:
             if model.key == key:
                 return model
         known = ", ".join(model.key for model in self.models)
-        raise BadRequest(f"the models are {known}, not {key!r}")
+        raise BadRequest(tr("the models are {0}, not {1!r}").format(known, key))
 
 
 _NAMES = {"TReX": "TReX", "TReXJr": "TReX Jr"}

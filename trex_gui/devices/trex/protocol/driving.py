@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from enum import IntEnum
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.flags import seven_bits
 
@@ -32,13 +33,13 @@ class Drive:
     def at(cls, speed: int) -> "Drive":
         """Return the drive for a speed of -127 to 127; 0 is forward. Else raise BadRequest."""
         if not -FULL_SCALE <= speed <= FULL_SCALE:
-            raise BadRequest(f"a motor's speed is -127 to 127, not {speed}")
+            raise BadRequest(tr("a motor's speed is -127 to 127, not {0}").format(speed))
         return cls(Direction.REVERSE if speed < 0 else Direction.FORWARD, abs(speed))
 
     @classmethod
     def brake(cls, duty: int = FULL_SCALE) -> "Drive":
         """Return braking with a duty of 0 (coast) to 127 (full brake)."""
-        return cls(Direction.BRAKE, seven_bits(duty, "brake duty"))
+        return cls(Direction.BRAKE, seven_bits(duty, tr("brake duty")))
 
     @property
     def signed(self) -> int:

@@ -8,6 +8,7 @@ from enum import Enum, IntFlag
 from functools import cache
 
 from trex_gui.core.errors import QT_TRANSLATE_NOOP, BadRequest
+from trex_gui.core.translation import tr
 
 CHANNELS = (1, 2, 3, 4, 5)
 ALL_CHANNELS = 0x1F
@@ -226,7 +227,7 @@ def channel_mask(channels: Iterable[int]) -> int:
     mask = 0
     for channel in channels:
         if channel not in CHANNELS:
-            raise BadRequest(f"channels are numbered 1 to 5, not {channel}")
+            raise BadRequest(tr("channels are numbered 1 to 5, not {0}").format(channel))
         mask |= 1 << (channel - 1)
     return mask
 
@@ -234,5 +235,5 @@ def channel_mask(channels: Iterable[int]) -> int:
 def seven_bits(value: int, what: str) -> int:
     """Return `value` if it fits a data byte (0-127); else raise BadRequest naming `what`."""
     if not 0 <= value <= 0x7F:
-        raise BadRequest(f"{what} is 0 to 127, not {value}")
+        raise BadRequest(tr("{0} is 0 to 127, not {1}").format(what, value))
     return value

@@ -9,6 +9,7 @@ from typing import Generic
 
 from trex_gui.core.errors import BadReply, BadRequest
 from trex_gui.core.texts import counted
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.commands import COMMANDS, Command, ReplyT_co
 from trex_gui.devices.trex.protocol.flags import seven_bits
 
@@ -31,7 +32,7 @@ def _table(polynomial: int) -> bytes:
 def check_polynomial(polynomial: int) -> int:
     """Return `polynomial` if its top bit is 1 (0x80-0xFF), else raise BadRequest."""
     if not 0x80 <= polynomial <= 0xFF:
-        raise BadRequest(f"a CRC-7 polynomial is 0x80 to 0xFF, not {polynomial:#x}")
+        raise BadRequest(tr("a CRC-7 polynomial is 0x80 to 0xFF, not {0:#x}").format(polynomial))
     return polynomial
 
 
@@ -62,7 +63,7 @@ class Framing:
 
     def __post_init__(self) -> None:
         if self.device_number is not None:
-            seven_bits(self.device_number, "device number")
+            seven_bits(self.device_number, tr("device number"))
         if self.polynomial is not None:
             check_polynomial(self.polynomial)
 
@@ -132,7 +133,7 @@ class PacketParser:
         events: list[Packet | Malformed] = []
         for byte in data:
             if byte >= 0x80 and self._held:
-                events.append(self._give_up("a command byte inside a packet"))
+                events.append(self._give_up(tr("a command byte inside a packet")))
             self._held.append(byte)
             event = self._judge()
             if event is not None:
@@ -140,7 +141,7 @@ class PacketParser:
         return events
 
     def flush(self) -> list[Packet | Malformed]:
-        return [self._give_up("the packet is not complete")] if self._held else []
+        return [self._give_up(tr("the packet is not complete"))] if self._held else []
 
     def _give_up(self, reason: str) -> Malformed:
         raw = bytes(self._held)
@@ -151,7 +152,7 @@ class PacketParser:
         """Look at what is held; `None` while it may still become a packet."""
         held = self._held
         if held[0] < 0x80:
-            return self._give_up("a data byte outside a packet")
+            return self._give_up(tr("a data byte outside a packet"))
         device_number: int | None = None
         head = 1
         opcode = held[0]
@@ -164,7 +165,7 @@ class PacketParser:
         cls = COMMANDS.get(opcode)
         if cls is None:
             # How many data bytes follow is not known: those are reported as strays.
-            return self._give_up(f"{opcode:#04x} is not a TReX command")
+            return self._give_up(tr("{0:#04x} is not a TReX command").format(opcode))
         has_crc = self._polynomial is not None and opcode != 0xFF
         size = head + cls.data_size + has_crc
         if len(held) < size:
@@ -174,7 +175,9 @@ class PacketParser:
         if self._polynomial is not None and has_crc:
             expected = crc7(body, self._polynomial)
             if raw[-1] != expected:
-                return self._give_up(f"the CRC is {raw[-1]:02X}, not {expected:02X}")
+                return self._give_up(
+                    tr("the CRC is {0:02X}, not {1:02X}").format(raw[-1], expected)
+                )
         try:
             command = cls.from_packet(opcode, body[head:])
         except BadRequest as error:
@@ -204,7 +207,7 @@ class ReplyParser(Generic[ReplyT_co]):
         raw = bytes(self._held)
         sent = self.framing.encode(self.command) if self.echo else b""
         if raw[: len(sent)] != sent[: len(raw)]:
-            return Malformed(raw, f"the echo should be {sent.hex(' ').upper()}")
+            return Malformed(raw, tr("the echo should be {0}").format(sent.hex(" ").upper()))
         answer = raw[len(sent) :]
         crc = self.framing.crc_size
         size = self.command.reply_size(answer)
@@ -214,12 +217,14 @@ class ReplyParser(Generic[ReplyT_co]):
         if len(raw) > total:
             surplus = len(raw) - total
             bytes_ = counted(surplus, "byte")
-            return Malformed(raw, f"{bytes_} more than the reply has")
+            return Malformed(raw, tr("{0} more than the reply has").format(bytes_))
         payload = answer[:size]
         if size and self.framing.polynomial is not None:
             expected = crc7(payload, self.framing.polynomial)
             if answer[-1] != expected:
-                return Malformed(raw, f"the CRC is {answer[-1]:02X}, not {expected:02X}")
+                return Malformed(
+                    raw, tr("the CRC is {0:02X}, not {1:02X}").format(answer[-1], expected)
+                )
         try:
             return Reply(raw, self.command.parse(payload))
         except BadReply as error:

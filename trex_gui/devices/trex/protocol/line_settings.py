@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from enum import IntEnum
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr
 from trex_gui.core.transport.settings import Parity, SerialFormat
 from trex_gui.devices.trex.protocol.device_table import device_table, version_key
 
@@ -53,10 +54,10 @@ class LineSettings(SerialFormat):
     def from_wire(cls, wire: int) -> "LineSettings":
         """Read the value of parameter 0x7E; BadRequest if it names no baud rate."""
         if not 0 <= wire <= 0x7F:
-            raise BadRequest(f"UART settings are a wire value of 0 to 127, not {wire}")
+            raise BadRequest(tr("UART settings are a wire value of 0 to 127, not {0}").format(wire))
         code = wire & _BAUD_FIELD
         if code >= len(baud_rates()):
-            raise BadRequest(f"UART settings {wire:#04x} name no baud rate")
+            raise BadRequest(tr("UART settings {0:#04x} name no baud rate").format(wire))
         detection = Detection(wire & _DETECTION_FIELD)
         return cls(baud_rates()[code], detection, 2 if wire & _TWO_STOP_BITS else 1)
 
@@ -64,9 +65,9 @@ class LineSettings(SerialFormat):
         """Return the value for parameter 0x7E; BadRequest if the board has no such setting."""
         if self.baud not in baud_rates():
             rates = ", ".join(map(str, baud_rates()))
-            raise BadRequest(f"a TReX runs at {rates} baud, not {self.baud}")
+            raise BadRequest(tr("a TReX runs at {0} baud, not {1}").format(rates, self.baud))
         if self.stop_bits not in {1, 2}:
-            raise BadRequest(f"1 or 2 stop bits, not {self.stop_bits}")
+            raise BadRequest(tr("1 or 2 stop bits, not {0}").format(self.stop_bits))
         stop = _TWO_STOP_BITS if self.stop_bits == 2 else 0
         return baud_rates().index(self.baud) | self.detection | stop
 

@@ -13,6 +13,7 @@ from functools import cache
 from typing import Any
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import cached_text, tr, tr_noop
 from trex_gui.devices.trex.protocol.device_table import (
     HIGHEST_WIRE,
     Model,
@@ -56,7 +57,7 @@ class MotorParameter(StrEnum):
 
 
 _OTHER_MOTOR = {"motor1_": "motor2_", "motor2_": "motor1_"}
-_NAMES = {"motor1": "Motor 1", "motor2": "Motor 2"}
+_NAMES = {"motor1": tr_noop("Motor 1"), "motor2": tr_noop("Motor 2")}
 
 
 def other_motor_key(key: str) -> str | None:
@@ -69,7 +70,7 @@ def other_motor_key(key: str) -> str | None:
 
 def motor_name(key: str) -> str:
     """Return the name of the motor of a key, such as `Motor 1`; empty for none."""
-    return _NAMES.get(key.partition("_")[0], "")
+    return tr(_NAMES.get(key.partition("_")[0], ""))
 
 
 def pwm_keys(key: str) -> tuple[str, ...]:
@@ -135,13 +136,14 @@ class ParameterSpec:
     """One entry of the parameter table as it holds for one model; no layer repeats it.
 
     `minimum`, `maximum` and `default` are wire values; physical value = wire * `scale` in
-    `unit`. `inferred` names the fields that no source confirms; `doubt` is a sentence with what
-    speaks against an inferred default.
+    `unit`. `short_name` does not name the motor. `inferred` names the fields that no source
+    confirms; `doubt` is a sentence with what speaks against an inferred default.
     """
 
     number: int
     key: str
     name: str
+    short_name: str
     kind: ParameterKind
     description: str
     group: str
@@ -188,7 +190,7 @@ class ParameterSpec:
         """Say why a value is not allowed; `forced` allows those that are open."""
         if wire in self.valid or (forced and self.is_open(wire)):
             return None
-        return f"{self.name} is {self.range_text()}, not {wire}"
+        return tr("{0} is {1}, not {2}").format(self.name, self.range_text(), wire)
 
     def check(self, wire: int, *, forced: bool = False) -> int:
         """Return `wire` if it is allowed, else raise BadRequest naming the limits."""
@@ -201,48 +203,54 @@ class ParameterSpec:
             case ParameterKind.CHOICE:
                 return ", ".join(self.choices.values())
             case ParameterKind.CHANNELS:
-                return "any of 1 to 5"
+                return tr("any of 1 to 5")
             case ParameterKind.UART:
-                return "baud, error detection, stop bits"
+                return tr("baud, error detection, stop bits")
             case ParameterKind.ACCELERATION:
                 fast, slow = ramp_seconds(self.maximum), ramp_seconds(1)
-                return f"{fast} to {slow} s to full speed, or {self.zero}"
+                return tr("{0} to {1} s to full speed, or {2}").format(fast, slow, self.zero)
             case _ if self.minimum == self.maximum:
                 return self.text(self.minimum)
-        return f"{self.text(self.minimum)} to {self.text(self.maximum)}"
+        return tr("{0} to {1}").format(self.text(self.minimum), self.text(self.maximum))
 
     def range_text(self) -> str:
         match self.kind:
             case ParameterKind.CHOICE:
-                return " or ".join(f"{wire} ({word})" for wire, word in self.choices.items())
+                return tr(" or ").join(f"{wire} ({word})" for wire, word in self.choices.items())
             case ParameterKind.CHANNELS:
-                return f"channels 1 to 5 (wire value 0 to {self.maximum})"
+                return tr("channels 1 to 5 (wire value 0 to {0})").format(self.maximum)
             case ParameterKind.UART:
-                return "a baud rate, error detection and stop bits (low four bits 0 to 10)"
+                return tr("a baud rate, error detection and stop bits (low four bits 0 to 10)")
             case ParameterKind.ACCELERATION:
-                return f"{self.short_range()} (wire value {self.minimum} to {self.maximum})"
+                return tr("{0} (wire value {1} to {2})").format(
+                    self.short_range(), self.minimum, self.maximum
+                )
             case _ if self.minimum == self.maximum:
                 return str(self.minimum)
         low, high = self.text(self.minimum), self.text(self.maximum)
         if low == str(self.minimum) and high == str(self.maximum):
-            return f"{low} to {high}"
-        return f"{low} to {high} (wire value {self.minimum} to {self.maximum})"
+            return tr("{0} to {1}").format(low, high)
+        return tr("{0} to {1} (wire value {2} to {3})").format(
+            low, high, self.minimum, self.maximum
+        )
 
     def text(self, wire: int) -> str:
         """Return a wire value in physical units; any 0-127, allowed or not."""
         match self.kind:
             case ParameterKind.CHANNELS:
-                return _channels_text(wire) if wire <= self.maximum else f"wire {wire}"
+                return _channels_text(wire) if wire <= self.maximum else tr("wire {0}").format(wire)
             case ParameterKind.CHOICE:
-                return self.choices.get(wire, f"wire {wire}")
+                return self.choices.get(wire, tr("wire {0}").format(wire))
             case ParameterKind.POLYNOMIAL:
                 return f"0x{0x80 | wire:02X}"
             case ParameterKind.PWM_MAXIMUM:
                 return str(device_table().pwm.maximum(wire))
             case ParameterKind.UART:
-                return line.text() if (line := _line_settings(wire)) else f"wire {wire}"
+                return (
+                    line.text() if (line := _line_settings(wire)) else tr("wire {0}").format(wire)
+                )
             case ParameterKind.ACCELERATION if wire:
-                return f"{ramp_seconds(wire)} s to full speed"
+                return tr("{0} s to full speed").format(ramp_seconds(wire))
         if wire == 0 and self.zero:
             return self.zero
         number = f"{wire * self.scale:.{self.decimals}f}"
@@ -269,16 +277,20 @@ class ParameterSpec:
             meant = self._wire_of_number(wanted)
         if meant is None or meant not in self.valid:
             given = wanted if len(wanted) <= 40 else f"{wanted[:40]}…"
-            raise BadRequest(f"{self.name} is {self._spoken_range()}, not {given or 'empty'}")
+            raise BadRequest(
+                tr("{0} is {1}, not {2}").format(self.name, self._spoken_range(), given or "empty")
+            )
         return meant
 
     def _spoken_range(self) -> str:
         if self.kind is ParameterKind.CHOICE:
-            return " or ".join(self.choices.values())
+            return tr(" or ").join(self.choices.values())
         if self.kind is ParameterKind.CHANNELS:
-            return "none or some of the channels 1 to 5, such as 1, 3"
+            return tr("none or some of the channels 1 to 5, such as 1, 3")
         if self.kind is ParameterKind.UART:
-            return f"written as {self.text(self.default)}, with a baud rate that the board has"
+            return tr("written as {0}, with a baud rate that the board has").format(
+                self.text(self.default)
+            )
         return self.short_range()
 
     @property
@@ -357,9 +369,9 @@ class ParameterSpec:
 def _channels_text(mask: int) -> str:
     channels = channels_in(mask)
     if not channels:
-        return "none"
-    word = "channel" if len(channels) == 1 else "channels"
-    return f"{word} {', '.join(map(str, channels))}"
+        return tr("none")
+    text = tr("channel {0}") if len(channels) == 1 else tr("channels {0}")
+    return text.format(", ".join(map(str, channels)))
 
 
 def _line_settings(wire: int) -> LineSettings | None:
@@ -397,15 +409,17 @@ class ParameterSet:
             if wanted in {spec.key, spec.name.lower().replace("-", "_").replace(" ", "_")}:
                 return spec
         guess = difflib.get_close_matches(wanted, [spec.key for spec in self.specs], n=1)
-        hint = f"; did you mean {guess[0]}?" if guess else ""
-        message = f"{self.model.name} {self.firmware} has no parameter {key!r}{hint}"
+        hint = tr("; did you mean {0}?").format(guess[0]) if guess else ""
+        message = tr("{0} {1} has no parameter {2!r}{3}").format(
+            self.model.name, self.firmware, key, hint
+        )
         raise BadRequest(message)
 
     def number(self, number: int) -> ParameterSpec | None:
         return next((spec for spec in self.specs if spec.number == number), None)
 
 
-@cache
+@cached_text
 def parameters_of(model_key: str, firmware: str) -> ParameterSet:
     """Return the parameters of a model (`trex`, `trexjr`) with a firmware (`1.2`)."""
     table = device_table()
@@ -425,7 +439,7 @@ def parameter_number(key: str) -> int:
         if row["key"] == key:
             number: int = row["number"]
             return number
-    message = f"the table has no parameter {key!r}"
+    message = tr("the table has no parameter {0!r}").format(key)
     raise BadRequest(message)
 
 
@@ -444,9 +458,10 @@ def _read_spec(row: Mapping[str, Any], model: Model) -> ParameterSpec:
     return ParameterSpec(
         number=row["number"],
         key=row["key"],
-        name=row["name"],
+        name=tr(row["name"]),
+        short_name=tr(re.sub("^Motor [12] ", "", row["name"])),
         kind=kind,
-        description=row["description"],
+        description=tr(row["description"]),
         group=row["group"],
         task=row.get("task", row["group"]),
         subject=row.get("subject", row["group"]),
@@ -455,12 +470,12 @@ def _read_spec(row: Mapping[str, Any], model: Model) -> ParameterSpec:
         default=row.get(f"default_{model.key}", row["min"]),
         unit=row["unit"],
         scale=scale[model.key] if isinstance(scale, dict) else scale,
-        zero=row.get("zero", ""),
-        choices={int(wire, 0): word for wire, word in row.get("values", {}).items()},
+        zero=tr(row.get("zero", "")),
+        choices={int(wire, 0): tr(word) for wire, word in row.get("values", {}).items()},
         valid=valid,
         needs_power_cycle=row["needs_reset"],
         since=row["since"],
         inferred=frozenset(inferred),
-        doubt=row.get("doubt", ""),
+        doubt=tr(row.get("doubt", "")),
         section=source.get(f"guide_{model.key}", ""),
     )

@@ -4,6 +4,7 @@ import re
 from dataclasses import dataclass
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.commands import (
     COMMANDS,
     SetCalibration,
@@ -68,11 +69,11 @@ class RawPacket:
         """Return what it means; units are those of `board`, else of the newest TReX."""
         packet = self.packet
         if isinstance(packet, Malformed):
-            return f"not a TReX packet: {packet.reason}"
+            return tr("not a TReX packet: {0}").format(packet.reason)
         words = describe(packet.command, board)
         if packet.device_number is None:
             return words
-        return f"device {packet.device_number}: {words}"
+        return tr("device {0}: {1}").format(packet.device_number, words)
 
 
 def parse_hexadecimal(text: str) -> bytes:
@@ -80,11 +81,17 @@ def parse_hexadecimal(text: str) -> bytes:
     try:
         data = bytes.fromhex(re.sub(r"0[xX]|[,;:]", " ", text))
     except ValueError:
-        raise BadRequest(f"“{text}” is not a row of hexadecimal bytes such as 86 1F.") from None
+        raise BadRequest(
+            tr("“{0}” is not a row of hexadecimal bytes such as 86 1F.").format(text)
+        ) from None
     if not data:
-        raise BadRequest("Which bytes? Give them in hexadecimal, such as 86 1F.")
+        raise BadRequest(tr("Which bytes? Give them in hexadecimal, such as 86 1F."))
     if len(data) > MOST_BYTES:
-        raise BadRequest(f"{len(data)} bytes are too many: at most {MOST_BYTES} are sent at once.")
+        raise BadRequest(
+            tr("{0} bytes are too many: at most {1} are sent at once.").format(
+                len(data), MOST_BYTES
+            )
+        )
     return data
 
 

@@ -2,6 +2,7 @@
 
 from functools import lru_cache
 
+from trex_gui.core.translation import tr
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.core.transport.traffic import Decoded, Decoder, Transaction
 from trex_gui.devices.trex.protocol.commands import GetParameter, Signature
@@ -87,7 +88,7 @@ class TrexDecoder(Decoder):
 
     def _text(self, transaction: Transaction) -> str:
         if not transaction.sent:
-            return "unsolicited bytes"
+            return tr("unsolicited bytes")
         packets = _packets(transaction.sent, _polynomial(transaction.settings))
         said = "; ".join(map(self._said, packets))
         packet = packets[-1]
@@ -98,17 +99,17 @@ class TrexDecoder(Decoder):
                 reply = describe_reply(packet.command, value, self.board)
                 return f"{said} → {reply}" if reply else said
             case Malformed() if not packet.command.reply_size():
-                fault = "unsolicited bytes; perhaps a late reply"
+                fault = tr("unsolicited bytes; perhaps a late reply")
             case Malformed(reason=reason):
-                fault = f"corrupted: {reason}"
+                fault = tr("corrupted: {0}").format(reason)
             case _ if not transaction.is_over:
                 return said
             case _ if not transaction.received:
-                fault = "no reply"
+                fault = tr("no reply")
             case _ if transaction.received == transaction.sent:
-                fault = "only its echo came back"
+                fault = tr("only its echo came back")
             case _:
-                fault = "incomplete reply"
+                fault = tr("incomplete reply")
         return f"{said} → {fault}"
 
     def _said(self, packet: Packet | Malformed) -> str:

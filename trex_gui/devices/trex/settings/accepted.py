@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from trex_gui.core.files import SettingsError, data_folder, load, save
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.device_table import HIGHEST_WIRE
 
@@ -42,7 +43,9 @@ class AcceptedValues:
         try:
             self.path.parent.mkdir(parents=True, exist_ok=True)
         except OSError as error:
-            raise SettingsError.of(self.path, f"it cannot be written: {error}") from error
+            raise SettingsError.of(
+                self.path, tr("it cannot be written: {0}").format(error)
+            ) from error
         save(self.path, json.dumps(document, indent=2) + "\n")
         return known
 
@@ -50,7 +53,7 @@ class AcceptedValues:
         if not self.path.exists():
             return {}
         try:
-            document = json.loads(load(self.path, "accepted values"))
+            document = json.loads(load(self.path, tr("accepted values")))
         except (SettingsError, ValueError, RecursionError) as error:
             log.warning("%s is not used: %s", self.path, str(error)[:200])
             return {}

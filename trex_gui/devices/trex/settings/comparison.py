@@ -2,8 +2,8 @@
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from functools import cache
 
+from trex_gui.core.translation import cached_text, tr
 from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_FIELDS,
     CALIBRATION_KEYS,
@@ -102,7 +102,7 @@ class Comparison:
         if calibrations:
             parts.append(_counts("calibration", calibrations))
         if self.left_out:
-            parts.append(f"{len(self.left_out)} cannot be carried over")
+            parts.append(tr("{0} cannot be carried over").format(len(self.left_out)))
         return "; ".join(parts)
 
     def report(self) -> str:
@@ -162,21 +162,22 @@ def _why_not_carried(key: str, before: Settings, after: Settings) -> str:
     for side, other in ((before, after), (after, before)):
         spec, wire = _specs(side).get(key), side.parameters.get(key)
         if spec is not None and wire is not None and key not in _specs(other):
-            board = f"a {other.product.name} with firmware {other.specs.firmware}"
-            return f"{spec.name} ({spec.text(wire)}) is left out: {board} does not have it."
+            board = tr("a {0} with firmware {1}").format(other.product.name, other.specs.firmware)
+            return tr("{0} ({1}) is left out: {2} does not have it.").format(
+                spec.name, spec.text(wire), board
+            )
     wire = after.parameters.get(key)
     if wire is None:
         return ""
     new, there = _specs(after)[key], _specs(before)[key]
     if new.text(wire) == there.text(wire):
         return ""
-    return (
-        f"{new.name} is left out: {wire} means {new.text(wire)} to a {after.product.name}, but "
-        f"{there.text(wire)} to a {before.product.name}."
+    return tr("{0} is left out: {1} means {2} to a {3}, but {4} to a {5}.").format(
+        new.name, wire, new.text(wire), after.product.name, there.text(wire), before.product.name
     )
 
 
-@cache
+@cached_text
 def _specs_of(product: Model, firmware: str | None) -> Mapping[str, ParameterSpec]:
     return {spec.key: spec for spec in specs_for(product, firmware).readable}
 
@@ -200,7 +201,7 @@ def _calibration_rows(before: Settings, after: Settings) -> Iterator[ComparisonR
         old_text = "" if old is None else calibration_text(key.source, old)
         new_text = "" if new is None else calibration_text(key.source, new)
         if old is not None or new is not None:
-            name = f"Calibration of {key.label}"
+            name = tr("Calibration of {0}").format(key.label)
             notes = before.notes.get(key, ""), after.notes.get(key, "")
             yield ComparisonRow(key, name, old, new, old_text, new_text, None, *notes)
 
@@ -208,7 +209,10 @@ def _calibration_rows(before: Settings, after: Settings) -> Iterator[ComparisonR
 def _counts(noun: str, rows: list[ComparisonRow]) -> str:
     changed = sum(row.changed for row in rows)
     missing = sum(row.is_missing for row in rows)
-    parts = [f"{changed} will change", f"{len(rows) - changed - missing} match"]
+    parts = [
+        tr("{0} will change").format(changed),
+        tr("{0} match").format(len(rows) - changed - missing),
+    ]
     if missing:
         parts.append(f"{missing} {_NOT_GIVEN}")
     return f"{len(rows)} {noun}{'' if len(rows) == 1 else 's'}: {', '.join(parts)}"
@@ -218,7 +222,7 @@ def _cells(row: ComparisonRow) -> Iterator[tuple[str, str, str]]:
     """Yield the lines of a row: key, wire values, physical values; then its note."""
     yield from _value_cells(row)
     if text := note_text(row.note_before, row.note_after):
-        yield f"{row.key} note", "", text
+        yield tr("{0} note").format(row.key), "", text
 
 
 def note_text(before: str, after: str) -> str:

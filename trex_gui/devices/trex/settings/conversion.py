@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from enum import StrEnum
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.device_table import Model
 from trex_gui.devices.trex.protocol.line_settings import LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, ParameterSpec
@@ -71,7 +72,9 @@ def convert(settings: Settings, product: Model, firmware: str | None) -> Convers
     for old, wire in settings.parameter_items():
         new = specs.get(old.key)
         if new is None:
-            reason = f"A {product.name} with firmware {target.specs.firmware} does not have it."
+            reason = tr("A {0} with firmware {1} does not have it.").format(
+                product.name, target.specs.firmware
+            )
             rows.append(ConvertedRow(old.key, old.name, Fate.LEFT_OUT, old.text(wire), "", reason))
             continue
         if old.key == ParameterKey.UART_SETTINGS:
@@ -84,7 +87,7 @@ def convert(settings: Settings, product: Model, firmware: str | None) -> Convers
         rows.append(ConvertedRow(old.key, old.name, fate, *texts, reason))
     for key, calibration in settings.calibration_items():
         text = calibration_text(key.source, calibration)
-        name = f"Calibration of {key.label}"
+        name = tr("Calibration of {0}").format(key.label)
         rows.append(ConvertedRow(key, name, Fate.CARRIED_OVER, text, text, ""))
     order = list(Fate)
     rows.sort(key=lambda row: order.index(row.fate))
@@ -105,12 +108,16 @@ def _wire(old: ParameterSpec, new: ParameterSpec, wire: int, product: Model) -> 
     wanted = min(max(int(steps + 1e-6), 1), new.maximum)
     step = f"{new.scale:g} {new.unit}"
     if steps > new.maximum + 1e-6:
-        return wanted, f"A {product.name} has at most {new.text(new.maximum)}."
+        return wanted, tr("A {0} has at most {1}.").format(product.name, new.text(new.maximum))
     if steps < 1 - 1e-6:
-        return wanted, f"A {product.name} has at least {new.text(1)}; 0 switches it off."
+        return wanted, tr("A {0} has at least {1}; 0 switches it off.").format(
+            product.name, new.text(1)
+        )
     if abs(steps - wanted) < 1e-6:
-        return wanted, f"The same value in steps of {step}: {wire} becomes {wanted}."
-    return wanted, f"Rounded down to steps of {step}: {wire} becomes {wanted}."
+        return wanted, tr("The same value in steps of {0}: {1} becomes {2}.").format(
+            step, wire, wanted
+        )
+    return wanted, tr("Rounded down to steps of {0}: {1} becomes {2}.").format(step, wire, wanted)
 
 
 def _line(settings: Settings, target: Settings, wire: int) -> tuple[int, str]:
@@ -126,13 +133,15 @@ def _line(settings: Settings, target: Settings, wire: int) -> tuple[int, str]:
     kept = replace(line, baud=real)
     if kept.real_baud(after) != real:
         return wire, ""  # this firmware cannot have that rate; the rules say so
-    reason = f"Firmware {before} really runs at {real} baud when set to {line.baud}."
+    reason = tr("Firmware {0} really runs at {1} baud when set to {2}.").format(
+        before, real, line.baud
+    )
     return kept.to_wire(), reason
 
 
 def conversion_lines(conversion: Conversion) -> Iterator[str]:
     """Yield the conversion as lines of text: what was altered one by one, the rest by its keys."""
-    yield f"For a {conversion.board}: {conversion_counts(conversion)}."
+    yield tr("For a {0}: {1}.").format(conversion.board, conversion_counts(conversion))
     for row in conversion.rows:
         if row.fate is not Fate.CARRIED_OVER:
             yield f"{row.fate}: {row}"

@@ -6,6 +6,7 @@ from itertools import count
 from pathlib import Path
 
 from trex_gui.core.files import SettingsError, data_folder, load, save
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.device_table import Model
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.document import Settings
@@ -73,7 +74,7 @@ class EditFiles:
         except FileNotFoundError:
             return None
         except (OSError, ValueError, OverflowError) as error:  # also a time beyond the calendar
-            raise SettingsError.of(path, f"it cannot be read: {error}") from error
+            raise SettingsError.of(path, tr("it cannot be read: {0}").format(error)) from error
         return SavedEdits(settings_of_board(load(path), path, board), saved)
 
 
@@ -90,7 +91,7 @@ def replace_file(path: Path, text: str | None) -> None:
         path.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         why = error.strerror or str(error)
-        raise SettingsError.of(path, f"it cannot be changed: {why}") from error
+        raise SettingsError.of(path, tr("it cannot be changed: {0}").format(why)) from error
     save(path, text)
 
 
@@ -109,7 +110,9 @@ def put_aside(path: Path) -> Path | None:
     except FileNotFoundError:
         return None
     except OSError as error:
-        raise SettingsError.of(path, f"it cannot be renamed: {error.strerror or error}") from error
+        raise SettingsError.of(
+            path, tr("it cannot be renamed: {0}").format(error.strerror or error)
+        ) from error
     return aside
 
 
@@ -121,5 +124,7 @@ def settings_of_board(data: bytes, path: Path, board: BoardIdentity) -> Settings
     """
     settings, _ = read_settings(data, str(path))
     if settings.product != board.product:
-        raise SettingsError.of(path, f"these are settings of a {settings.product.name}")
+        raise SettingsError.of(
+            path, tr("these are settings of a {0}").format(settings.product.name)
+        )
     return settings

@@ -13,6 +13,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 from trex_gui.core.files import SettingsError, data_folder, load, open_ordinary, save, save_new
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.document import Settings
@@ -164,7 +165,7 @@ class SettingsHistory:
         try:
             snapshot.path.unlink(missing_ok=True)
         except OSError as error:
-            why = f"it cannot be removed: {error.strerror or error}"
+            why = tr("it cannot be removed: {0}").format(error.strerror or error)
             raise SettingsError.of(snapshot.path, why) from error
 
     def bound(self) -> Bound:
@@ -173,14 +174,16 @@ class SettingsHistory:
             with open_ordinary(path) as file:
                 data = file.read(_LARGEST_BOUND_FILE + 1)
         except FileNotFoundError:
-            return Bound(None, _no_bound(path, "is missing")) if path.is_symlink() else Bound()
+            return Bound(None, _no_bound(path, tr("is missing"))) if path.is_symlink() else Bound()
         except OSError as error:
-            return Bound(None, _no_bound(path, f"cannot be read ({error.strerror or error})"))
+            return Bound(
+                None, _no_bound(path, tr("cannot be read ({0})").format(error.strerror or error))
+            )
         lines = [line.split("#")[0].strip() for line in _text_of(data).splitlines()]
         words = [line for line in lines if line]
         match = _BOUND.fullmatch(words[0]) if len(words) == 1 else None
         if match is None or len(data) > _LARGEST_BOUND_FILE:
-            return Bound(None, _no_bound(path, "is damaged"))
+            return Bound(None, _no_bound(path, tr("is damaged")))
         return Bound(None if match[1] == "all" else int(match[1]))
 
     def beyond(self, kept: int | None) -> tuple[Snapshot, ...]:
@@ -194,7 +197,7 @@ class SettingsHistory:
             SettingsError: the bound cannot be saved; then nothing was removed.
         """
         if kept is not None and not 1 <= kept < 10**7:
-            raise ValueError(f"a history keeps at least one snapshot, not {kept}")
+            raise ValueError(tr("a history keeps at least one snapshot, not {0}").format(kept))
         self._make_folder()
         save(self.folder / BOUND_FILE, _BOUND_TEXT.format("all" if kept is None else kept))
         return tuple(found for found in self.beyond(kept) if _removed(found.path))
@@ -223,7 +226,7 @@ class SettingsHistory:
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:
-            why = f"the folder for snapshots cannot be made: {error.strerror or error}"
+            why = tr("the folder for snapshots cannot be made: {0}").format(error.strerror or error)
             raise SettingsError.of(self.folder, why) from error
 
     def _path(self, taken: datetime, turn: int, model: str, firmware: str) -> Path:
@@ -282,7 +285,9 @@ def _text_of(data: bytes) -> str:
 
 
 def _no_bound(path: Path, why: str) -> str:
-    return f"{path} {why}: how many snapshots to keep is not known, so none is removed."
+    return tr("{0} {1}: how many snapshots to keep is not known, so none is removed.").format(
+        path, why
+    )
 
 
 def _look_at(path: Path, taken: datetime) -> Snapshot:
@@ -293,13 +298,13 @@ def _look_at(path: Path, taken: datetime) -> Snapshot:
         head = [line.rstrip("\r") for line in lines[:_HEAD_LINES]] if lines != [""] else []
     except OSError as error:
         head = []
-        problem = f"It cannot be read: {error.strerror or error}."
+        problem = tr("It cannot be read: {0}.").format(error.strerror or error)
     notes = {found[1]: found[2] for line in head if (found := _NOTE.fullmatch(line))}
     values = {found[1]: found[2] for line in head if (found := _VALUE.match(line))}
     number = notes.get("device number", "")
     product = values.get("product", "")
     if not problem and product not in {model.name for model in device_table().models}:
-        problem = "It is empty." if not head else "It does not say of which board it is."
+        problem = tr("It is empty.") if not head else tr("It does not say of which board it is.")
     return Snapshot(
         path,
         taken,

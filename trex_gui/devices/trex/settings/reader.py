@@ -10,6 +10,7 @@ from ruamel.yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files import Finding, SettingsError, Severity, decode
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_FIELDS,
     CALIBRATION_KEYS,
@@ -127,7 +128,7 @@ class _Reader:
     def fix(self, key: str, entry: "_Entry", text: str, meaning: str) -> None:
         value = entry.value
         if isinstance(value, ScalarNode) and (value.style or "'") in "'\"":
-            message = f"{key}: {_shown(value)} becomes {meaning}"
+            message = tr("{0}: {1} becomes {2}").format(key, _shown(value), meaning)
             start, end = value.start_mark.index, value.end_mark.index
             self.fixes.append(TextFix(start, end, text, entry.line, message))
 
@@ -307,10 +308,10 @@ def _words(node: Node) -> str:
 def _shown(node: Node) -> str:
     """Return the text of a value for a message."""
     if not isinstance(node, ScalarNode):
-        return "a list" if isinstance(node, SequenceNode) else "a group of settings"
+        return "a list" if isinstance(node, SequenceNode) else tr("a group of settings")
     text = shortened(str(node.value))
     if node.style is not None:
-        return f"{text} in quotes" if node.style in "'\"" else "a block of text"
+        return tr("{0} in quotes").format(text) if node.style in "'\"" else tr("a block of text")
     return text or "nothing"
 
 
@@ -319,8 +320,12 @@ def _range(spec: ParameterSpec) -> str:
     if spec.kind in {ParameterKind.CHOICE, ParameterKind.UART}:
         return spec.range_text()
     low, high = spec.text(spec.minimum), spec.text(spec.maximum)
-    meaning = "channels 1 to 5" if spec.kind is ParameterKind.CHANNELS else f"{low} to {high}"
-    wires = f"{spec.minimum} to {spec.maximum}"
+    meaning = (
+        tr("channels 1 to 5")
+        if spec.kind is ParameterKind.CHANNELS
+        else tr("{0} to {1}").format(low, high)
+    )
+    wires = tr("{0} to {1}").format(spec.minimum, spec.maximum)
     return wires if meaning == wires else f"{wires} ({meaning})"
 
 
@@ -330,7 +335,11 @@ def _hint(spec: ParameterSpec, node: Node) -> str:
     if meant is None:
         return ""
     is_quoted = _INTEGER.fullmatch(text) is not None and _integer(node) is None
-    return f"; write {text}" if is_quoted else f"; {shortened(text)} is written {meant}"
+    return (
+        tr("; write {0}").format(text)
+        if is_quoted
+        else tr("; {0} is written {1}").format(shortened(text), meant)
+    )
 
 
 def _meant(spec: ParameterSpec, node: Node) -> int | None:
@@ -353,7 +362,7 @@ def _meant(spec: ParameterSpec, node: Node) -> int | None:
 def _guess(key: str, keys: Sequence[str]) -> str:
     wanted = shortened(key).strip().lower().replace("-", "_").replace(" ", "_")
     close = difflib.get_close_matches(wanted, keys, n=1)
-    return f"; did you mean {close[0]}?" if close else ""
+    return tr("; did you mean {0}?").format(close[0]) if close else ""
 
 
 def _bare(word: str) -> str:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import NamedTuple
 
+from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import InputSource, channels_in
@@ -62,7 +63,7 @@ def lint(settings: Settings, context: Context = _NOTHING_MORE) -> tuple[LintFind
         LintFinding(
             rule,
             found.keys,
-            _MESSAGES[rule + found.variant].format(**found.fields),
+            tr(_MESSAGES[rule + found.variant]).format(**found.fields),
             found.change,
             _proposal_text(case, found.change),
         )
@@ -75,14 +76,14 @@ def _proposal_text(case: "_Case", change: Mapping[str, int]) -> str:
     names: dict[str, list[str]] = {}
     for key, wire in change.items():
         names.setdefault(case.text(key, wire), []).append(case.name(key))
-    parts = [f"{_joined(equal)} to {value}" for value, equal in names.items()]
-    return f"Set {_joined(parts)}" if parts else ""
+    parts = [tr("{0} to {1}").format(_joined(equal), value) for value, equal in names.items()]
+    return tr("Set {0}").format(_joined(parts)) if parts else ""
 
 
 def _joined(words: Sequence[str]) -> str:
     """Return `a`, `a and b` or `a, b and c`."""
     *first, last = words
-    return f"{', '.join(first)} and {last}" if first else last
+    return tr("{0} and {1}").format(", ".join(first), last) if first else last
 
 
 class _Match(NamedTuple):
@@ -200,7 +201,7 @@ def _required_but_ignored(case: _Case) -> Iterator[_Match]:
     keys = ParameterKey.REQUIRED_CHANNELS, ParameterKey.IGNORED_CHANNELS
     required, ignored = (case.wires.get(key, 0) for key in keys)
     if both := required & ignored:
-        fields = {"channels": _joined([f"channel {n}" for n in channels_in(both)])}
+        fields = {"channels": _joined([tr("channel {0}").format(n) for n in channels_in(both)])}
         yield _Match(keys, fields, {str(keys[0]): required & ~ignored})
 
 
@@ -253,7 +254,7 @@ def _half_rate(case: _Case) -> Iterator[_Match]:
         return
     firmware = case.settings.firmware
     fields = {
-        "board": f"{case.settings.product.name} with firmware {firmware}",
+        "board": tr("{0} with firmware {1}").format(case.settings.product.name, firmware),
         "baud": line.baud,
         "real": real,
         "fixed_in": device_table().half_rate_fixed_in,
@@ -308,66 +309,97 @@ RULES: Mapping[str, Callable[[_Case], Iterator[_Match]]] = {
 
 _MESSAGES: Mapping[str, str] = {
     "no_serial_timeout": (
-        "{name} is off while a computer drives the motors: if the cable or the computer fails, "
-        "the motors keep running at their last setpoint."
+        tr_noop(
+            "{name} is off while a computer drives the motors: if the cable or the "
+            "computer fails, the motors keep running at their last setpoint."
+        )
     ),
     "limit_in_joint_mode": (
-        "No effect in joint mode: {limits}. The board measures no current then, so the motor is "
-        "not protected."
+        tr_noop(
+            "No effect in joint mode: {limits}. The board measures no current then, "
+            "so the motor is not protected."
+        )
     ),
     "limit_without_gain": (
-        "{limit} is {value}, but its proportionality constant P, how strongly the limiter reacts, "
-        "is 0. Inferred: the behaviour of the board is not documented, and the limit may have no "
-        "effect."
+        tr_noop(
+            "{limit} is {value}, but its proportionality constant P, how strongly the"
+            " limiter reacts, is 0. Inferred: the behaviour of the board is not "
+            "documented, and the limit may have no effect."
+        )
     ),
     "limit_without_ramp": (
-        "{limit} is {value} and {ramp} is 0, which means at once. Inferred: as soon as the "
-        "current falls below the limit, the motor jumps back to its full target speed, so it may "
-        "run in jerks."
+        tr_noop(
+            "{limit} is {value} and {ramp} is 0, which means at once. Inferred: as "
+            "soon as the current falls below the limit, the motor jumps back to its "
+            "full target speed, so it may run in jerks."
+        )
     ),
     "pwm_above_rating": (
-        "The PWM of motor {motor} runs at {now} (inferred), but the motor driver of a {product} "
-        "is rated for {highest}; above that it gets hot."
+        tr_noop(
+            "The PWM of motor {motor} runs at {now} (inferred), but the motor driver "
+            "of a {product} is rated for {highest}; above that it gets hot."
+        )
     ),
     "pwm_above_rating.better": (
-        "The PWM of motor {motor} runs at {now} (inferred), but the motor driver of a {product} "
-        "is rated for {highest}; above that it gets hot. The prescaler {prescaler} gives {gives}."
+        tr_noop(
+            "The PWM of motor {motor} runs at {now} (inferred), but the motor driver "
+            "of a {product} is rated for {highest}; above that it gets hot. The "
+            "prescaler {prescaler} gives {gives}."
+        )
     ),
     "required_but_ignored": (
-        "Both required and ignored: {channels}. The signal moves nothing, but without it the "
-        "motors may not run in RC mode (inferred)."
+        tr_noop(
+            "Both required and ignored: {channels}. The signal moves nothing, but "
+            "without it the motors may not run in RC mode (inferred)."
+        )
     ),
     "deadband_over_travel": (
-        "The deadband of {channel} reaches from neutral to its {ends}: there is nothing between "
-        "standstill and full speed on that side."
+        tr_noop(
+            "The deadband of {channel} reaches from neutral to its {ends}: there is "
+            "nothing between standstill and full speed on that side."
+        )
     ),
     "end_out_of_reach.minimum": (
-        "The minimum of {channel}, {count}, is below {limit}, the lowest count that the board "
-        "measures: full speed on that side is never reached."
+        tr_noop(
+            "The minimum of {channel}, {count}, is below {limit}, the lowest count "
+            "that the board measures: full speed on that side is never reached."
+        )
     ),
     "end_out_of_reach.maximum": (
-        "The maximum of {channel}, {count}, is above {limit}, the highest count that the board "
-        "measures: full speed on that side is never reached."
+        tr_noop(
+            "The maximum of {channel}, {count}, is above {limit}, the highest count "
+            "that the board measures: full speed on that side is never reached."
+        )
     ),
     "polynomial_without_crc": (
-        "{name} is {value} instead of the default {default}, but CRC-7 is not switched on: no "
-        "packet is checked with it."
+        tr_noop(
+            "{name} is {value} instead of the default {default}, but CRC-7 is not "
+            "switched on: no packet is checked with it."
+        )
     ),
     "crc_that_checks_nothing": (
-        "With {value} as {name} the checksum of every packet is 0, so CRC-7 detects no errors at "
-        "all."
+        tr_noop(
+            "With {value} as {name} the checksum of every packet is 0, so CRC-7 "
+            "detects no errors at all."
+        )
     ),
     "half_rate": (
-        "A {board} set to {baud} baud really runs at {real} baud; firmware {fixed_in} corrects "
-        "this. Programs must use {real} baud."
+        tr_noop(
+            "A {board} set to {baud} baud really runs at {real} baud; firmware "
+            "{fixed_in} corrects this. Programs must use {real} baud."
+        )
     ),
     "rate_the_port_lacks": (
-        "This computer's serial port does not support {baud} baud: after the next power cycle it "
-        "could not reach the board any more."
+        tr_noop(
+            "This computer's serial port does not support {baud} baud: after the next"
+            " power cycle it could not reach the board any more."
+        )
     ),
     "line_will_change": (
-        "After the next power cycle the line settings of the board are {new}; now they are {now}. "
-        "Change the programs that use the board then."
+        tr_noop(
+            "After the next power cycle the line settings of the board are {new}; now"
+            " they are {now}. Change the programs that use the board then."
+        )
     ),
 }
 """By rule, or by rule and variant."""

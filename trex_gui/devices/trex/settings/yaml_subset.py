@@ -16,6 +16,7 @@ from ruamel.yaml.nodes import MappingNode, Node
 from ruamel.yaml.reader import ReaderError
 
 from trex_gui.core.files import SettingsError
+from trex_gui.core.translation import tr
 
 MOST_NODES = 2000  # scalars and collections; a complete settings file has about 160
 _DEEPEST = 2
@@ -47,7 +48,7 @@ def compose(text: str, name: str) -> MappingNode:
         node = yaml.compose(text)
     except ReaderError as error:
         line = len(LINE_END.findall(text, 0, error.position)) + 1
-        message = f"the character U+{error.character:04X} has no place in a text file"
+        message = tr("the character U+{0:04X} has no place in a text file").format(error.character)
         raise SettingsError.of(name, message, line) from None
     except _UnsupportedError as error:
         raise SettingsError.of(name, str(error), error.line) from None
@@ -55,12 +56,18 @@ def compose(text: str, name: str) -> MappingNode:
         mark = error.problem_mark or error.context_mark
         line = 1 if mark is None else mark.line + 1
         problem = shortened(error.problem or error.context or "no YAML", 100)
-        message = f"the text is incomplete or damaged here ({problem}); {_PLAIN_YAML}"
+        message = tr("the text is incomplete or damaged here ({0}); {1}").format(
+            problem, _PLAIN_YAML
+        )
         raise SettingsError.of(name, message, line) from None
     if node is None:
-        raise SettingsError.of(name, "there are no settings here; the first is 'product: TReX'", 1)
+        raise SettingsError.of(
+            name, tr("there are no settings here; the first is 'product: TReX'"), 1
+        )
     if not isinstance(node, MappingNode):
-        raise SettingsError.of(name, f"this is not a setting; {_PLAIN_YAML}", line_of(node))
+        raise SettingsError.of(
+            name, tr("this is not a setting; {0}").format(_PLAIN_YAML), line_of(node)
+        )
     return node
 
 
@@ -82,7 +89,9 @@ class _Composer(Composer):
         except (ValueError, OverflowError):
             # ruamel.yaml does not catch errors of chr() and int() in absurd escapes and versions.
             mark = self.loader.reader.get_mark()
-            raise _UnsupportedError(mark, f"this number cannot be read; {_PLAIN_YAML}") from None
+            raise _UnsupportedError(
+                mark, tr("this number cannot be read; {0}").format(_PLAIN_YAML)
+            ) from None
 
     def _only_document(self) -> Node | None:
         self.parser.get_event()
@@ -91,7 +100,7 @@ class _Composer(Composer):
         node: Node = self.compose_document()
         if not self.parser.check_event(StreamEndEvent):
             mark = self.parser.peek_event().start_mark
-            raise _UnsupportedError(mark, "a second document begins here; settings are one")
+            raise _UnsupportedError(mark, tr("a second document begins here; settings are one"))
         return node
 
     def compose_node(self, parent: Node | None, index: int | None) -> Node:
@@ -107,15 +116,15 @@ class _Composer(Composer):
         self.nodes += 1
         is_collection = isinstance(event, CollectionStartEvent)
         if isinstance(event, AliasEvent) or event.anchor is not None:
-            problem = f"anchors (& and *) are not allowed; {_PLAIN_YAML}"
+            problem = tr("anchors (& and *) are not allowed; {0}").format(_PLAIN_YAML)
         elif event.tag is not None:
-            problem = f"tags (!) are not allowed; {_PLAIN_YAML}"
+            problem = tr("tags (!) are not allowed; {0}").format(_PLAIN_YAML)
         elif getattr(event, "value", None) == "<<" and not event.style:
-            problem = f"merge keys (<<) are not allowed; {_PLAIN_YAML}"
+            problem = tr("merge keys (<<) are not allowed; {0}").format(_PLAIN_YAML)
         elif self.nodes > MOST_NODES:
-            problem = "there are more settings here than any board has"
+            problem = tr("there are more settings here than any board has")
         elif is_collection and self.open_collections == _DEEPEST:
-            problem = f"this is nested too deeply; {_PLAIN_YAML}"
+            problem = tr("this is nested too deeply; {0}").format(_PLAIN_YAML)
         else:
             return
         raise _UnsupportedError(event.start_mark, problem)

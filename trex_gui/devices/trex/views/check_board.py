@@ -3,10 +3,11 @@
 from dataclasses import dataclass
 from functools import partial
 
-from PySide6.QtCore import QCoreApplication, Qt, Signal, Slot
+from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtWidgets import QTabWidget, QWidget
 
 from trex_gui.core.errors import QT_TRANSLATE_NOOP
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.views.jumper_sketch import JumperPlaces, JumperSketch
@@ -19,11 +20,6 @@ from trex_gui.ui.widgets.behaviour import ReusedDialog, keep_room
 from trex_gui.ui.widgets.labels import Muted, Note
 from trex_gui.ui.widgets.leds import Leds
 from trex_gui.ui.widgets.scroll_box import ScrollBox
-
-
-def _tr(text: str) -> str:
-    return QCoreApplication.translate("CheckBoard", text)
-
 
 # --- What the LEDs mean -----------------------------------------------------------------
 
@@ -108,10 +104,10 @@ class SightsPage(QWidget):
         rows = ui.grid(margins=0, spacing=(16, 8), stretch=[(1, 1)])
         for number, sight in enumerate(_SIGHTS):
             leds = Leds(self)
-            leds.show_patterns(sight.leds, ("", ""), (_tr(sight.shown),) * 2)
-            shown = ui.label(self, text=_tr(sight.shown), wrap=True)
-            meaning = ui.label(self, text=_tr(sight.meaning), bold=True, wrap=True)
-            about = ui.column(meaning, Muted(_tr(sight.to_do), self), margins=0, spacing=0)
+            leds.show_patterns(sight.leds, ("", ""), (tr(sight.shown),) * 2)
+            shown = ui.label(self, text=tr(sight.shown), wrap=True)
+            meaning = ui.label(self, text=tr(sight.meaning), bold=True, wrap=True)
+            about = ui.column(meaning, Muted(tr(sight.to_do), self), margins=0, spacing=0)
             rows.addLayout(ui.column(leds, shown, margins=0, spacing=0), number, 0, top)
             rows.addLayout(about, number, 1, top)
         rows.setRowStretch(len(_SIGHTS), 1)
@@ -250,7 +246,7 @@ class HandShakePage(QWidget):
 
     def _go(self, steps: int) -> None:
         self._at += steps
-        self._strip.show_steps([_tr(step.title) for step in _STEPS], self._at)
+        self._strip.show_steps([tr(step.title) for step in _STEPS], self._at)
         self._step.show_step(_STEPS[self._at])
         self._back.setEnabled(self._at > 0)
         self._next.setEnabled(self._at < len(_STEPS) - 1)
@@ -283,10 +279,10 @@ class _StepView(QWidget):
     def show_step(self, step: _Step) -> None:
         places = JumperPlaces(self.tr("Jumpers"), "", step.mix, step.so_ground, step.next_one)
         self._sketch.show_boards(places)
-        self._to_do.setText(_tr(step.to_do))
-        self._leds.show_patterns(step.leds, ("", ""), (_tr(step.shown),) * 2)
-        self._shown.setText(_tr(step.shown))
-        self._received.setText(_tr(step.received))
+        self._to_do.setText(tr(step.to_do))
+        self._leds.show_patterns(step.leds, ("", ""), (tr(step.shown),) * 2)
+        self._shown.setText(tr(step.shown))
+        self._received.setText(tr(step.received))
 
 
 # --- The dialog -------------------------------------------------------------------------

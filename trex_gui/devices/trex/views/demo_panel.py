@@ -3,6 +3,7 @@
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtWidgets import QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.driving.blockers import TEXT_CONTEXT
 from trex_gui.devices.trex.driving.board_reasons import LED_TEXTS, PACKETS
 from trex_gui.devices.trex.model.controller import TrexController
@@ -35,10 +36,6 @@ _STEPS = {InputSource.RC: 1, InputSource.ANALOG: 100}
 """Slider positions per µs, and per V."""
 
 _SINGLE_STEP = {InputSource.RC: 10, InputSource.ANALOG: 5}
-
-
-def tr(text: str) -> str:
-    return QCoreApplication.translate("demo", text)
 
 
 def led_patterns(snapshot: DemoSnapshot) -> tuple[str, str]:
@@ -346,7 +343,7 @@ def _add_input_row(channel: int, board: DemoBoard, rows: BoardRows) -> None:
         tip=tr(
             "Input {0}: {1} in RC and analog mode, only measured in serial mode. "
             "A double click centres it."
-        ).format(channel, CHANNEL_ROLES[channel]),
+        ).format(channel, tr(CHANNEL_ROLES[channel])),
     )
     set_scale()
     silent = rows.check_box(

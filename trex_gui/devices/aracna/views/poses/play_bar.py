@@ -4,10 +4,11 @@ from collections import defaultdict
 from collections.abc import Sequence as Many
 from dataclasses import dataclass, field
 
-from PySide6.QtCore import QCoreApplication, Qt, Slot
+from PySide6.QtCore import Qt, Slot
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.library import ItemKey, Library
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.poses.gaits import Gait
@@ -266,7 +267,3 @@ def _duration(seconds: float) -> str:
         return tr("{0:.1f} s").format(seconds)
     minutes, rest = divmod(round(seconds), 60)
     return tr("{0} min {1:02d} s").format(minutes, rest)
-
-
-def tr(text: str) -> str:
-    return QCoreApplication.translate("preview", text)

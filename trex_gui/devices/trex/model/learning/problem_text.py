@@ -1,7 +1,6 @@
 """Sentences for the problems of a channel that is learned."""
 
-from PySide6.QtCore import QCoreApplication
-
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.calibration.problems import Problem, ProblemKind
 
 
@@ -16,52 +15,52 @@ def problems_text(problems: tuple[Problem, ...]) -> str:
 def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
     """Return the sentences by kind and variant; translated anew, since the language can change."""
     kind = ProblemKind
-    moved = _tr("It moved during sampling, between {0} and {1}. Release it and sample again.")
-    worn = _tr(
+    moved = tr("It moved during sampling, between {0} and {1}. Release it and sample again.")
+    worn = tr(
         "Release it and sample again; if it continues, the stick or the transmitter is warming "
         "up or worn."
     )
-    weak = _tr("Bring the transmitter nearer, or check antenna and cable.")
-    noisy = _tr(
+    weak = tr("Bring the transmitter nearer, or check antenna and cable.")
+    noisy = tr(
         "At rest its noise is {0}: a deadband wide enough to hide it would take a quarter of the "
         "travel. Repair the cable, the supply or the stick first."
     )
-    open_input = _tr("An input to which nothing is connected does that, too.")
-    unmoved = _tr(
+    open_input = tr("An input to which nothing is connected does that, too.")
+    unmoved = tr(
         "Either nothing is connected to it (its voltage then means nothing), or what is connected "
         "was not moved."
     )
-    needed = _tr("At least {1} are needed: the deadband, and a count for each of the {2} speeds.")
-    other_way = _tr(
+    needed = tr("At least {1} are needed: the deadband, and a count for each of the {2} speeds.")
+    other_way = tr(
         "Push it the other way too; if it cannot go there, it was at an end during sampling."
     )
-    hold = _tr("It may be further out: go back, push it there and hold it for {0:.1f} s.")
-    reverse = _tr("Should it be reversed, or not?")
+    hold = tr("It may be further out: go back, push it there and hold it for {0:.1f} s.")
+    reverse = tr("Should it be reversed, or not?")
     return {
         (kind.NO_SIGNAL, "RC"): [
-            _tr("No signal: no valid pulse arrives."),
-            _tr("Is the transmitter on, and is the receiver connected to this channel?"),
+            tr("No signal: no valid pulse arrives."),
+            tr("Is the transmitter on, and is the receiver connected to this channel?"),
         ],
-        (kind.NO_SIGNAL, "ANALOG"): [_tr("No signal.")],
+        (kind.NO_SIGNAL, "ANALOG"): [tr("No signal.")],
         (kind.MOVED, "RC"): [moved],
         (kind.MOVED, "ANALOG"): [moved, open_input],
-        (kind.MOVED, "UP"): [_tr("It drifted up by {0} during sampling."), worn],
-        (kind.MOVED, "DOWN"): [_tr("It drifted down by {0} during sampling."), worn],
+        (kind.MOVED, "UP"): [tr("It drifted up by {0} during sampling."), worn],
+        (kind.MOVED, "DOWN"): [tr("It drifted down by {0} during sampling."), worn],
         (kind.JITTER, "LOST"): [
-            _tr("The signal comes and goes: {0:.0%} of the samples had no valid pulse."),
+            tr("The signal comes and goes: {0:.0%} of the samples had no valid pulse."),
             weak,
         ],
         (kind.JITTER, "SPIKES"): [
-            _tr("Pulses far from all others: {0} of {1}."),
-            _tr("The radio link is poor, or the cable picks up noise."),
+            tr("Pulses far from all others: {0} of {1}."),
+            tr("The radio link is poor, or the cable picks up noise."),
         ],
         (kind.JITTER, "STUCK"): [
-            _tr(
+            tr(
                 "About {0:.0%} of the pulses are lost (estimated: the value often repeats where "
                 "it otherwise varies)."
             ),
             weak,
-            _tr(
+            tr(
                 "The board repeats the last value, so that losses below a third, or of a steadier "
                 "signal, go unnoticed."
             ),
@@ -69,105 +68,101 @@ def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
         (kind.NOISE, "RC"): [noisy],
         (kind.NOISE, "ANALOG"): [noisy, open_input],
         (kind.NOISE, "CREEP"): [
-            _tr("At rest the noise is {0}, more than the deadband ({1}): the motor would creep.")
+            tr("At rest the noise is {0}, more than the deadband ({1}): the motor would creep.")
         ],
         (kind.NEVER_MOVED, "RC"): [
-            _tr("It never moved, although a steady signal arrives."),
-            _tr("Either another stick controls this channel, or it was not moved."),
+            tr("It never moved, although a steady signal arrives."),
+            tr("Either another stick controls this channel, or it was not moved."),
         ],
         (kind.NEVER_MOVED, "ANALOG"): [
-            _tr("Nothing moves on this input: it stays at {0}."),
+            tr("Nothing moves on this input: it stays at {0}."),
             unmoved,
         ],
         (kind.NEVER_MOVED, "RAIL"): [
-            _tr("Nothing moves on this input: it stays at {0}, an end of the measuring range."),
+            tr("Nothing moves on this input: it stays at {0}, an end of the measuring range."),
             unmoved,
         ],
-        (kind.TOO_LITTLE, ""): [_tr("It went only {0} from its rest position."), needed],
+        (kind.TOO_LITTLE, ""): [tr("It went only {0} from its rest position."), needed],
         (kind.ONE_DIRECTION, "DOWN"): [
-            _tr("It went one way only, never below its rest position."),
+            tr("It went one way only, never below its rest position."),
             other_way,
         ],
         (kind.ONE_DIRECTION, "UP"): [
-            _tr("It went one way only, never above its rest position."),
+            tr("It went one way only, never above its rest position."),
             other_way,
         ],
         (kind.END_TOO_NEAR, "DOWN"): [
-            _tr("The low end is only {0} from the rest position."),
+            tr("The low end is only {0} from the rest position."),
             needed,
         ],
         (kind.END_TOO_NEAR, "UP"): [
-            _tr("The high end is only {0} from the rest position."),
+            tr("The high end is only {0} from the rest position."),
             needed,
         ],
-        (kind.NOT_HELD, "DOWN"): [_tr("The low end was only passed, not held."), hold],
-        (kind.NOT_HELD, "UP"): [_tr("The high end was only passed, not held."), hold],
+        (kind.NOT_HELD, "DOWN"): [tr("The low end was only passed, not held."), hold],
+        (kind.NOT_HELD, "UP"): [tr("The high end was only passed, not held."), hold],
         (kind.NOT_HELD, "BOTH"): [
-            _tr("Both ends were only passed, not held."),
-            _tr("They may be further out: go back, push it to each and hold it for {0:.1f} s."),
+            tr("Both ends were only passed, not held."),
+            tr("They may be further out: go back, push it to each and hold it for {0:.1f} s."),
         ],
         (kind.NEUTRAL_OUTSIDE, ""): [
-            _tr("Its rest position ({0}) is not between its ends ({1} and {2})."),
-            _tr("Was a trim moved? Begin again with the sticks at rest."),
+            tr("Its rest position ({0}) is not between its ends ({1} and {2})."),
+            tr("Was a trim moved? Begin again with the sticks at rest."),
         ],
         (kind.UNEVEN, "DOWN"): [
-            _tr("It went {0} to one side, but only {1} below its rest position."),
-            _tr("Was it pushed all the way?"),
+            tr("It went {0} to one side, but only {1} below its rest position."),
+            tr("Was it pushed all the way?"),
         ],
         (kind.UNEVEN, "UP"): [
-            _tr("It went {0} to one side, but only {1} above its rest position."),
-            _tr("Was it pushed all the way?"),
+            tr("It went {0} to one side, but only {1} above its rest position."),
+            tr("Was it pushed all the way?"),
         ],
-        (kind.REFUSED, "MEASURED"): [_tr("The board would reject the measured values: {0}.")],
-        (kind.REFUSED, "CHOSEN"): [_tr("The board would reject these values: {0}.")],
+        (kind.REFUSED, "MEASURED"): [tr("The board would reject the measured values: {0}.")],
+        (kind.REFUSED, "CHOSEN"): [tr("The board would reject these values: {0}.")],
         (kind.NEUTRAL_MOVED, "CHOSEN"): [
-            _tr("It rests at {0}: with this neutral it would give {1} there.")
+            tr("It rests at {0}: with this neutral it would give {1} there.")
         ],
         (kind.NEUTRAL_MOVED, "MEASURED"): [
-            _tr("After release it rests at {0}, not at {1}, and would give {2} there."),
-            _tr("Was a hand on it during sampling, or was a trim moved?"),
-            _tr("Go back and sample it again, or use the new rest position."),
+            tr("After release it rests at {0}, not at {1}, and would give {2} there."),
+            tr("Was a hand on it during sampling, or was a trim moved?"),
+            tr("Go back and sample it again, or use the new rest position."),
         ],
         (kind.USELESS, ""): ["{0}"],
         (kind.USELESS, "UP"): [
-            _tr(
+            tr(
                 "The deadband ({0} to each side of neutral) reaches minimum: there is nothing "
                 "between 0 and full output."
             )
         ],
         (kind.USELESS, "DOWN"): [
-            _tr(
+            tr(
                 "The deadband ({0} to each side of neutral) reaches maximum: there is nothing "
                 "between 0 and full output."
             )
         ],
         (kind.NEVER_FULL, "UP"): [
-            _tr("Maximum is beyond the {0} that was reached: there is no full output.")
+            tr("Maximum is beyond the {0} that was reached: there is no full output.")
         ],
         (kind.NEVER_FULL, "DOWN"): [
-            _tr("Minimum is beyond the {0} that was reached: there is no full output.")
+            tr("Minimum is beyond the {0} that was reached: there is no full output.")
         ],
         (kind.SPEEDS_UP, ""): [
-            _tr(
+            tr(
                 "Beyond its rest position the motor speeds up again, whatever the sign: at {0} to "
                 "{1} of {2}."
             ),
-            _tr("Check that no trim and no broken wire can bring it there."),
+            tr("Check that no trim and no broken wire can bring it there."),
         ],
         (kind.SWITCHES_AT_REST, ""): [
-            _tr("Its rest position ({0}) is too close to its switching point ({1})."),
-            _tr("It may switch by itself."),
+            tr("Its rest position ({0}) is too close to its switching point ({1})."),
+            tr("It may switch by itself."),
         ],
         (kind.NEVER_SWITCHES, "ACTIVE"): [
-            _tr("It is active in all its positions: none is beyond {0}, where it switches."),
+            tr("It is active in all its positions: none is beyond {0}, where it switches."),
             reverse,
         ],
         (kind.NEVER_SWITCHES, "INACTIVE"): [
-            _tr("It is inactive in all its positions: none is beyond {0}, where it switches."),
+            tr("It is inactive in all its positions: none is beyond {0}, where it switches."),
             reverse,
         ],
     }
-
-
-def _tr(text: str) -> str:
-    return QCoreApplication.translate("learning_problems", text)

@@ -184,7 +184,7 @@ class ParameterModel(QAbstractTableModel):
             is_named_by_another = key != self.text.together(key)[-1] or key.startswith("motor2_")
             if not is_named_by_another:
                 other = other_motor_key(key)
-                name = self.text.title(key).removeprefix(motor_name(key)).strip()
+                name = self.text.short_title(key)
                 keys = (key,) if other is None else (key, other)
                 group = _PINNED if _pin(keys) in self._pinned else spec.task
                 groups[group].append(_Row(group, name, keys))
@@ -424,7 +424,7 @@ class ParameterModel(QAbstractTableModel):
             key = next(iter(wanted))
             title, motor = self.text.title(key), motor_name(key)
             if any(motor_name(other) != motor for other in wanted):
-                title = self.tr("Motors 1 and 2{0}").format(title.removeprefix(motor))
+                title = self.tr("Motors 1 and 2 {0}").format(self.text.short_title(key))
             self._undo.beginMacro(title)
         for each in edits:
             self._undo.push(each)

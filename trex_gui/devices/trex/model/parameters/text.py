@@ -5,9 +5,10 @@ from enum import IntEnum
 from functools import cache
 from html import escape
 
-from PySide6.QtCore import QCoreApplication, QObject
+from PySide6.QtCore import QObject
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.parameters.draft import Draft
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.device_table import Model, device_table
@@ -85,7 +86,14 @@ class ParameterText(QObject):
     def title(self, key: str) -> str:
         """Return the name of a value, such as `Motor 1 Current Limit`."""
         keys = self.together(key)
-        return self._specs[key].name if len(keys) == 1 else f"{motor_name(key)} PWM Frequency"
+        if len(keys) == 1:
+            return self._specs[key].name
+        return self.tr("{0} PWM Frequency").format(motor_name(key))
+
+    def short_title(self, key: str) -> str:
+        """Return the name of a value without its motor, such as `Current Limit`."""
+        is_alone = len(self.together(key)) == 1
+        return self._specs[key].short_name if is_alone else self.tr("PWM Frequency")
 
     def value(self, key: str) -> str:
         """Return the value after Apply or Save."""
@@ -259,19 +267,19 @@ def frequency_codes(board: Model) -> tuple[int, ...]:
 def frequency_text(code: int) -> str:
     wires = frequency_wires(code)
     try:
-        return _tr("{0:.0f} Hz").format(device_table().pwm.frequency(*wires))
+        return tr("{0:.0f} Hz").format(device_table().pwm.frequency(*wires))
     except BadRequest:
         return _numbers(wires)
 
 
 def frequency_range(codes: Sequence[int]) -> str:
-    return _tr("{0} to {1}").format(frequency_text(codes[0]), frequency_text(codes[-1]))
+    return tr("{0} to {1}").format(frequency_text(codes[0]), frequency_text(codes[-1]))
 
 
 def _numbers(wires: Sequence[int]) -> str:
     """Return the wire values of a cell as text."""
     if len(wires) > 1:
-        return _tr("prescaler {0}, maximum {1}").format(*wires)
+        return tr("prescaler {0}, maximum {1}").format(*wires)
     return str(wires[0])
 
 
@@ -280,13 +288,9 @@ def _numbers(wires: Sequence[int]) -> str:
 
 def acceleration_text(wire: int) -> str:
     """Return an acceleration as the time to full speed: `0.5 s to full speed`."""
-    return _tr("{0} s to full speed").format(ramp_seconds(wire))
+    return tr("{0} s to full speed").format(ramp_seconds(wire))
 
 
 def acceleration_range(spec: ParameterSpec) -> str:
     fast, slow = ramp_seconds(spec.maximum), ramp_seconds(1)
-    return _tr("{0} to {1} s to full speed, or {2}").format(fast, slow, spec.zero)
-
-
-def _tr(text: str) -> str:
-    return QCoreApplication.translate("ParameterText", text)
+    return tr("{0} to {1} s to full speed, or {2}").format(fast, slow, spec.zero)

@@ -13,7 +13,6 @@ from typing import Any
 
 from PySide6.QtCore import (
     QAbstractTableModel,
-    QCoreApplication,
     QModelIndex,
     QObject,
     QPersistentModelIndex,
@@ -24,6 +23,7 @@ from PySide6.QtCore import (
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import SettingsError
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.history import (
     Bound,
@@ -341,16 +341,12 @@ class SnapshotTable(QAbstractTableModel):
         return _time_text(snapshot, self._busy_minutes)
 
 
-def _tr(text: str) -> str:
-    return QCoreApplication.translate("SnapshotTable", text)
-
-
 def _cells(snapshot: Snapshot, problem: str, busy: Collection[datetime]) -> tuple[str, ...]:
     board = f"{snapshot.product} {snapshot.firmware}".strip()
     return (
         _time_text(snapshot, busy),
         snapshot.reason,
-        _tr("damaged") if problem else board,
+        tr("damaged") if problem else board,
         "" if snapshot.device_number is None else str(snapshot.device_number),
         snapshot.adapter,
     )
@@ -360,7 +356,7 @@ def _tip(snapshot: Snapshot, problem: str) -> str:
     when = snapshot.taken.astimezone().strftime("%Y-%m-%d %H:%M:%S")
     lines = [when, snapshot.path.name]
     if problem:
-        text = _tr("This snapshot is damaged and cannot be restored. {0}")
+        text = tr("This snapshot is damaged and cannot be restored. {0}")
         lines.append(text.format(problem))
     return "\n".join(lines)
 
@@ -371,9 +367,9 @@ def _time_text(snapshot: Snapshot, busy: Collection[datetime]) -> str:
     is_busy = snapshot.taken.replace(second=0) in busy
     clock = local.strftime("%H:%M:%S" if is_busy else "%H:%M")
     if local.date() == today:
-        return _tr("today {0}").format(clock)
+        return tr("today {0}").format(clock)
     if local.date() == today - timedelta(days=1):
-        return _tr("yesterday {0}").format(clock)
+        return tr("yesterday {0}").format(clock)
     year = "" if local.year == today.year else f" {local.year}"
     return f"{local.day} {local.strftime('%b')}{year} {clock}"
 

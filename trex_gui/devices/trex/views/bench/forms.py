@@ -12,7 +12,7 @@ from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.parameters.text import value_text
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
-from trex_gui.devices.trex.protocol.parameters import motor_name
+from trex_gui.devices.trex.protocol.parameters import MotorParameter
 from trex_gui.devices.trex.views.pages.parameters.editors import Editor, editor_for
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
@@ -242,8 +242,8 @@ class TuningForm(ui.GroupBox):
             editor.setToolTip(f"{spec.description} ({editor.toolTip()})")
             editor.setMinimumWidth(editor.fontMetrics().horizontalAdvance(_WIDEST) + 40)
             # The group names the motor; the long name of P would take half of the window.
-            name = spec.name.removeprefix(motor_name(key)).strip()
-            name = name.replace("Current Limit Proportionality Constant ", self.tr("Limit "))
+            is_constant = key.endswith(MotorParameter.CURRENT_LIMIT_P)
+            name = self.tr("Limit P") if is_constant else spec.short_name
             label = ui.label(self, text=name, tip=spec.description)
             self._form.addRow(label, editor)
             editor.valueChanged.connect(partial(self._on_edited, key))

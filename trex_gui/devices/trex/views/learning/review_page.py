@@ -10,6 +10,7 @@ from PySide6.QtCore import QSignalBlocker, QSize, Qt, Slot
 from PySide6.QtGui import QIcon, QResizeEvent
 from PySide6.QtWidgets import QBoxLayout, QTabBar, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.calibration.neutral import deadband_floor
 from trex_gui.devices.trex.calibration.proposal import WHY_THESE_VALUES
 from trex_gui.devices.trex.model.channel_text import input_text
@@ -54,7 +55,7 @@ class ChannelForm(QWidget):
         self._include = ui.check_box(
             self,
             f"learnInclude{number}",
-            self.tr("Use &channel {0}: {1}").format(number, CHANNEL_ROLES[number]),
+            self.tr("Use &channel {0}: {1}").format(number, tr(CHANNEL_ROLES[number])),
             on_click=lambda included: self._choose(included=included),
         )
         ui.set_bold(self._include)

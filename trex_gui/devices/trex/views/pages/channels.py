@@ -7,6 +7,7 @@ from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QLabel, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.channel_text import function_text, input_text, switching_text
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT
@@ -177,7 +178,7 @@ class ChannelsPage(QWidget):
             count = self.tr("A count is 0.4 µs.")
         else:
             count = self.tr("A count is 4.89 mV.")
-        return f"{MODE_TEXT[state.mode]} {mixing} {count}"
+        return f"{tr(MODE_TEXT[state.mode])} {mixing} {count}"
 
     @Slot()
     @only_when_visible

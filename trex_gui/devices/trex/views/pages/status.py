@@ -10,6 +10,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.driving.blockers import TEXT_CONTEXT, DriveBlocker, Effect
 from trex_gui.devices.trex.driving.board_reasons import (
@@ -184,7 +185,7 @@ class StatusPage(QWidget):
         texts = {
             "model": f"{model.name} ({model.part})",
             "firmware": state.signature.firmware,
-            "mode": MODE_TEXT[state.mode],
+            "mode": tr(MODE_TEXT[state.mode]),
             "motors": self.tr("joint: one motor")
             if self._device.is_joint
             else self.tr("two independent motors"),

@@ -2,10 +2,11 @@
 
 from functools import partial
 
-from PySide6.QtCore import QCoreApplication, Slot
+from PySide6.QtCore import Slot
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QButtonGroup, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import recent_fault_text
 from trex_gui.devices.trex.model.setup.pulses import STRONGER
@@ -183,23 +184,19 @@ class WiringPage(QWidget):
 
 def rewiring_text(driver: Driver, rewiring: Rewiring) -> str:
     """Return what to do with the wires, in sentences."""
-    texts = [_tr("Switch the motors' power off.")]
+    texts = [tr("Switch the motors' power off.")]
     if rewiring.exchange_motors:
         texts.append(
-            _tr("Swap the pair of wires of motor 1 with that of motor 2 (keep their order).")
+            tr("Swap the pair of wires of motor 1 with that of motor 2 (keep their order).")
         )
     for side in sorted(rewiring.reverse, key=lambda side: side.value):
-        left = _tr("Swap the two wires of the left motor.")
-        right = _tr("Swap the two wires of the right motor.")
+        left = tr("Swap the two wires of the left motor.")
+        right = tr("Swap the two wires of the right motor.")
         texts.append(left if side is Side.LEFT else right)
     if driver is Driver.COMPUTER:
         texts.append(
-            _tr("No setting does this for serial commands; your own program can do it instead.")
+            tr("No setting does this for serial commands; your own program can do it instead.")
         )
     else:
-        texts.append(_tr("No setting of the board does this."))
+        texts.append(tr("No setting of the board does this."))
     return " ".join(texts)
-
-
-def _tr(text: str) -> str:
-    return QCoreApplication.translate("rewiring_text", text)
