@@ -1,5 +1,6 @@
 """The command trex-gui: what it says without a window, and the tour that needs nobody."""
 
+import platform
 import signal
 import subprocess
 import sys
@@ -13,6 +14,7 @@ from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
 from trex_gui import __version__
 from trex_gui.app import main
+from trex_gui.core.log_file import log_file, log_folder
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.ui.program import Program
 from trex_gui.ui.tour import Tour
@@ -111,6 +113,11 @@ def test_sigterm_ends_program_cleanly(quick_simulator: SimulatedDevice) -> None:
             assert process.wait(30) == 0
         finally:
             process.kill()
+    first, *_, signalled, last = log_file().read_text(encoding="utf-8").splitlines()
+    assert f"TReX Studio {__version__} started on {platform.system()}" in first
+    assert signalled.endswith(f"ended by signal {signal.SIGTERM:d}")
+    assert last.endswith("ended with exit code 0")
+    assert list(log_folder().iterdir()) == [log_file()], "it has ended properly"
 
 
 def test_settings_file_is_opened_when_board_connects(

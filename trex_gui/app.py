@@ -1,18 +1,24 @@
 """Start-up of the window."""
 
 import argparse
+import logging
 import math
 import os
+import platform
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trex_gui import __version__, composition
+from trex_gui.core.log_file import ProgramLog, log_file
+from trex_gui.core.run_file import RunFile
 from trex_gui.core.transport.settings import url_problem
 
 if TYPE_CHECKING:
     from trex_gui.ui.program import Program
     from trex_gui.ui.workers.threads import GuiThreadCollector
+
+log = logging.getLogger(__name__)
 
 _FIRST_PAINT_MS = 100
 """Milliseconds in which the window is painted for the first time."""
@@ -76,11 +82,18 @@ def _arguments(argv: list[str]) -> argparse.Namespace:
         type=_path,
         help="write a picture of every page, light and dark, into this folder, then end",
     )
+    parser.add_argument(
+        "--verbose",
+        action="store_true",
+        help="write more into the log file, and all of it to the terminal",
+    )
     parser.add_argument("--version", action="version", version=f"trex-gui {__version__}")
     return parser.parse_args(argv)
 
 
-def complete(program: "Program", collector: "GuiThreadCollector") -> None:
+def complete(
+    program: "Program", collector: "GuiThreadCollector", *, has_crashed: bool = False
+) -> None:
     """Load what the window does not show at first.
 
     That blocks this thread for half a second: before a motor can be armed.
@@ -88,7 +101,7 @@ def complete(program: "Program", collector: "GuiThreadCollector") -> None:
     program.complete()
     program.make_plots()
     collector.exempt_present()
-    program.report_last_stop()
+    program.report_last_run(has_crashed=has_crashed)
 
 
 def connect(program: "Program", arguments: argparse.Namespace) -> None:
@@ -114,9 +127,20 @@ def main(argv: list[str] | None = None) -> int:
         run_simulator(args=words[1:], prog_name="trex-sim")
         return 0
     arguments = _arguments(words)
+    program_log = ProgramLog(log_file(), is_verbose=arguments.verbose)
+    code = 1
+    try:
+        code = _run(arguments, program_log)
+    finally:
+        log.info("ended with exit code %d", code)
+        if not program_log.close():
+            os._exit(code)
+    return code
 
+
+def _run(arguments: argparse.Namespace, program_log: ProgramLog) -> int:
     # Qt is imported only now: --help, --version and the simulator do without it.
-    from PySide6.QtCore import QLocale, Qt, QTimer  # noqa: PLC0415
+    from PySide6.QtCore import QLocale, Qt, QTimer, qVersion  # noqa: PLC0415
     from PySide6.QtWidgets import QApplication  # noqa: PLC0415
 
     from trex_gui.core.timing import Timeouts  # noqa: PLC0415
@@ -125,6 +149,9 @@ def main(argv: list[str] | None = None) -> int:
     from trex_gui.ui.translations import install_translations  # noqa: PLC0415
     from trex_gui.ui.workers.threads import GuiThreadCollector  # noqa: PLC0415
 
+    system = f"{platform.platform()}, Python {platform.python_version()}, Qt {qVersion()}"
+    log.info("TReX Studio %s started on %s", __version__, system)
+    run_file = RunFile()
     QApplication.setApplicationName("TReX Studio")
     QApplication.setOrganizationName("TReX Studio")
     QApplication.setApplicationVersion(__version__)
@@ -138,9 +165,12 @@ def main(argv: list[str] | None = None) -> int:
     collector.setObjectName("collector")
     program = composition.build(Timeouts(extra=arguments.timeout))
     program.window.show()
-    watching = SafetySupervisor(program, app)
+    watching = SafetySupervisor(program, app, end_log=program_log.close)
 
-    QTimer.singleShot(_FIRST_PAINT_MS, lambda: complete(program, collector))
+    QTimer.singleShot(
+        _FIRST_PAINT_MS,
+        lambda: complete(program, collector, has_crashed=run_file.found_crash),
+    )
 
     if arguments.tour is not None:
         from trex_gui.ui.tour import Tour  # noqa: PLC0415
@@ -160,12 +190,15 @@ def main(argv: list[str] | None = None) -> int:
     for window in app.topLevelWidgets():
         window.hide()
     have_ended = program.shut_down()
+    run_file.close()
     if watching.report_unconfirmed_stop():
         code = code or UNCONFIRMED_STOP
     if not have_ended:
         if sys.stderr is not None:
             sys.stderr.write("A port or a disk does not respond: a file may not be saved.\n")
             sys.stderr.flush()
+        log.error("a port or a disk does not respond: ended with exit code %d", code)
+        program_log.close()
         # Qt would abort on destroying a thread that runs.
         os._exit(code)
     watching.close()

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from PySide6.QtCore import QCoreApplication, QObject, Qt, QTimer, Signal, Slot
 
 from trex_gui.system.signals import SignalWatch
+from trex_gui.ui.notifier import Remedy
 from trex_gui.ui.program import Program
 from trex_gui.ui.runtime import now
 
@@ -42,9 +43,17 @@ class SafetySupervisor(QObject):
     means.
     """
 
-    def __init__(self, program: Program, parent: QObject | None = None) -> None:
+    def __init__(
+        self,
+        program: Program,
+        parent: QObject | None = None,
+        *,
+        end_log: Callable[[], object] = lambda: None,
+    ) -> None:
+        """`end_log` writes what is left of the log, where the interpreter is ended at once."""
         super().__init__(parent)
         self._program = program
+        self._end_log = end_log
         self._stopper = StopBroadcaster(program.stop_now, self)
         self._error_stopper = StopBroadcaster(program.stop_now, self)
         self._error = ""
@@ -126,6 +135,7 @@ class SafetySupervisor(QObject):
         try:
             self._program.shut_down()
             self.report_unconfirmed_stop()
+            self._end_log()
         finally:
             os._exit(INTERNAL_ERROR)
 
@@ -146,10 +156,11 @@ class SafetySupervisor(QObject):
         self._error = reason
         self._error_at = now()
         if not is_again or manager.is_armed:
-            manager.stop_because(reason, is_news=True)
+            manager.stop_because(reason, (Remedy.REPORT,))
 
     @Slot(int)
-    def _on_signal(self, _number: int) -> None:
+    def _on_signal(self, number: int) -> None:
+        log.info("ended by signal %d", number)
         self._program.end()
 
 
@@ -209,10 +220,13 @@ class ExceptionWatch:
         self, before: Callable[..., Any], error_of: Callable[..., BaseException | None]
     ) -> Callable[..., None]:
         def hook(*args: Any) -> None:
+            error = error_of(*args)
             try:
                 text = QCoreApplication.translate("ExceptionWatch", "Internal error ({0})")
-                self._stop(text.format(type(error_of(*args)).__name__))
+                self._stop(text.format(type(error).__name__))
             finally:
+                # `before` prints it.
+                log.critical("uncaught exception", exc_info=error, extra={"printed": True})
                 before(*args)
 
         return hook

@@ -1,5 +1,6 @@
 """The program as a whole: its table of commands, what it loads, completion."""
 
+import logging
 import subprocess
 import sys
 
@@ -65,6 +66,19 @@ def test_misspelled_command_gets_a_suggestion() -> None:
     result = CliRunner().invoke(main, ["get-setings"])
     assert result.exit_code == 2
     assert "Did you mean get-settings?" in result.stderr
+
+
+@pytest.mark.parametrize(("words", "is_verbose"), [([], False), (["--verbose"], True)])
+def test_verbose_option_prints_the_log(
+    words: list[str], is_verbose: bool, capsys: pytest.CaptureFixture[str]
+) -> None:
+    log = logging.getLogger("trex_gui.tests")
+    with main.make_context("trexcmd", [*words, "list"]):
+        log.debug("opened")
+    log.debug("closed")
+    printed = capsys.readouterr().err
+    assert ("DEBUG trex_gui.tests: opened\n" in printed) is is_verbose
+    assert "closed" not in printed
 
 
 def test_version_option_prints_version() -> None:

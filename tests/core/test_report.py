@@ -5,8 +5,10 @@ from pathlib import Path
 
 import pytest
 
+from trex_gui.core import report
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import SettingsError
+from trex_gui.core.log_file import log_files, log_folder
 from trex_gui.core.report import Mask, ReportFile, make_report, save_report
 
 MASK = Mask("/home/mary", "mary", "Rover-Lab.example.org", ("A9007L6T", "0001", "7"))
@@ -75,6 +77,21 @@ def test_report_has_parts_and_says_what_failed(tmp_path: Path) -> None:
     with zipfile.ZipFile(path) as archive:
         assert archive.namelist() == [file.name for file in files]
         assert archive.read("log.txt") == b"by <user>\n"
+
+
+def test_report_has_the_end_of_the_log_over_its_files(monkeypatch: pytest.MonkeyPatch) -> None:
+    def program_log() -> str:
+        files = make_report({}, MASK)
+        return next((file.text for file in files if file.name == "program.txt"), "")
+
+    assert not program_log()
+    log_folder().mkdir(parents=True)
+    *_, older, newest = log_files()
+    older.write_text("by mary: 1\nby mary: 2\n", encoding="utf-8")
+    newest.write_text("by mary: 3\n", encoding="utf-8")
+    assert program_log() == "by <user>: 1\nby <user>: 2\nby <user>: 3\n"
+    monkeypatch.setattr(report, "_LARGEST_LOG", 15)
+    assert program_log() == ": 2\nby <user>: 3\n"
 
 
 def test_report_is_written_completely_or_not_at_all(tmp_path: Path) -> None:

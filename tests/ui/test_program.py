@@ -19,6 +19,7 @@ from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.composition import build
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.notifier import Remedy
 from trex_gui.ui.program import Program
 from trex_gui.ui.theme.style import theme_style
 from trex_gui.ui.theme.theme import theme
@@ -133,7 +134,7 @@ def test_first_use_of_another_kind_of_device_changes_nothing_shown(
     window.addDockWidget(left, panel)
     banner = window.findChild(QLabel, "bannerText")
     assert isinstance(banner, QLabel)
-    started.device_manager.stop_because("The computer was suspended", is_news=True)
+    started.device_manager.stop_because("The computer was suspended", (Remedy.REPORT,))
     qtbot.waitUntil(lambda: "suspended" in banner.text())
     assert len(started.workspaces) == 2
     assert window.dockWidgetArea(panel) is left

@@ -1,6 +1,7 @@
 """trexcmd: the commands of every device in one table, each loaded when it is called."""
 
 from collections.abc import Mapping
+from functools import partial
 from typing import TYPE_CHECKING
 
 import click
@@ -79,11 +80,32 @@ def _run_guardian(
         context.exit(run(list(arguments)))
 
 
+def _log_to_terminal(context: click.Context, _option: click.Parameter, verbose: bool) -> None:
+    if verbose and not context.resilient_parsing:
+        import logging  # noqa: PLC0415 - rarely needed
+
+        from trex_gui.core.log_file import terminal_handler  # noqa: PLC0415 - rarely needed
+
+        handler, root = terminal_handler(is_verbose=True), logging.getLogger()
+        own = logging.getLogger("trex_gui")
+        context.call_on_close(lambda: root.removeHandler(handler))
+        context.call_on_close(partial(own.setLevel, own.level))
+        root.addHandler(handler)
+        own.setLevel(logging.DEBUG)
+
+
 @click.group(
     cls=_Program,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
 @click.version_option(__version__, prog_name="trexcmd")
+@click.option(
+    "--verbose",
+    is_flag=True,
+    expose_value=False,
+    callback=_log_to_terminal,
+    help="Print what the program logs, too: connections, attempts, the guardian.",
+)
 @click.option(
     "--guardian", nargs=4, hidden=True, is_eager=True, expose_value=False, callback=_run_guardian
 )

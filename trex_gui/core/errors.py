@@ -41,6 +41,10 @@ class BadReply(StudioError):  # noqa: N818
     """The received bytes cannot be the reply: wrong CRC, length, echo or content."""
 
 
+class InternalError(StudioError):
+    """The program itself failed; its log has the traceback."""
+
+
 class CodedError(StudioError):
     """An error with a code, whose value is the text with a place for each field.
 

@@ -10,6 +10,7 @@ import socket
 import sys
 import zipfile
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
@@ -19,10 +20,13 @@ from serial.tools import list_ports
 from trex_gui import __version__
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import open_ordinary, save
-from trex_gui.core.guardian.log import log_file
+from trex_gui.core.guardian import log as guardian
+from trex_gui.core.log_file import log_files
+from trex_gui.core.run_file import crash_file
 
 _PACKAGES = ("PySide6-Essentials", "pyserial", "numpy", "pyqtgraph", "ruamel.yaml", "pygame-ce")
-_LARGEST_LOG = 65536  # bytes of the guardian's log, the newest
+_LARGEST_GUARDIAN_LOG = 65536  # bytes, the newest
+_LARGEST_LOG = 262144
 _SHORTEST_NAME = 3  # characters of a user or computer name that is masked: shorter ones are words
 _SHORTEST_SERIAL = 5  # characters; shorter ones, such as 0001, belong to many adapters
 _SHARED_NAMES = frozenset({"root", "admin", "administrator", "user", "pi", "localhost"})
@@ -120,7 +124,13 @@ def make_report(
     It lists ports and reads files, so it may take a while. A part that fails says so in its file.
     """
     mask = mask or Mask.of_this_computer()
-    own = {"versions.txt": _versions, "ports.txt": _ports, "guardian.txt": _guardian}
+    own: dict[str, Callable[[], str]] = {
+        "versions.txt": _versions,
+        "ports.txt": _ports,
+        "guardian.txt": lambda: _end_of(_LARGEST_GUARDIAN_LOG, guardian.log_file()),
+        "program.txt": lambda: _end_of(_LARGEST_LOG, *log_files()),
+        "crash.txt": lambda: _end_of(_LARGEST_LOG, crash_file()),
+    }
     files = (ReportFile(name, mask.clean(_text(part))) for name, part in {**own, **parts}.items())
     return tuple(file for file in files if file.text)
 
@@ -172,11 +182,12 @@ def _ports() -> str:
     return "".join(f"{port.device}: {port.description} [{port.hwid}]\n" for port in ports)
 
 
-def _guardian() -> str:
-    try:
-        with open_ordinary(log_file()) as file:
-            size = file.seek(0, os.SEEK_END)
-            file.seek(max(0, size - _LARGEST_LOG))
-            return file.read(_LARGEST_LOG).decode(errors="replace")
-    except FileNotFoundError:
-        return ""
+def _end_of(most: int, *paths: Path) -> str:
+    """Return the last `most` bytes of files, the newest of which is the last."""
+    data = b""
+    for path in reversed(paths):
+        with suppress(FileNotFoundError), open_ordinary(path) as file:
+            left = most - len(data)
+            file.seek(max(0, file.seek(0, os.SEEK_END) - left))
+            data = file.read(left) + data
+    return data.decode(errors="replace")

@@ -1,5 +1,6 @@
 """The log of a workspace: messages and events with their times, and the page of it."""
 
+import logging
 import time
 from collections import deque
 from collections.abc import Callable
@@ -22,6 +23,8 @@ from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.behaviour import only_when_visible
+
+log = logging.getLogger(__name__)
 
 MOST_ENTRIES = 2000  # kept; the oldest are dropped
 _LONGEST = 2000  # characters of one entry
@@ -73,6 +76,7 @@ class Log(QObject):
         sign = f"{_SIGN} " if is_problem else ""
         whole = f"{moment:%Y-%m-%d %H:%M:%S}  {sign}{line}"
         self.entries.append(LogEntry(moment, line, is_problem, whole))
+        log.info("%s%s", sign, line)
         self.added.emit(self.entries[-1])
 
     @Slot(object)

@@ -5,7 +5,7 @@ from enum import Enum, auto
 
 from PySide6.QtCore import QObject, Qt, Signal, Slot
 
-from trex_gui.core.errors import PortUnavailable
+from trex_gui.core.errors import InternalError, PortUnavailable
 from trex_gui.core.transport.settings import PortSettings
 
 
@@ -22,6 +22,8 @@ class Remedy(Enum):
     """Let the board detect errors on the line."""
     CHECK_BOARD = auto()
     """Show what to look at on a board that does not respond."""
+    REPORT = auto()
+    """Show the report for support: the message is about the program and outlives connections."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,6 +48,8 @@ def remedies_of(error: BaseException, *, may_be_found: bool = False) -> Remedies
 
     `may_be_found`: a board may be there, at other settings.
     """
+    if isinstance(error, InternalError):
+        return (Remedy.REPORT,)
     if not isinstance(error, PortUnavailable):
         return (Remedy.FIND,) if may_be_found else ()
     if error.command:
@@ -58,12 +62,13 @@ class Notifier(QObject):
 
     info = Signal(str)  # what was done, in sentences for the user
     error = Signal(str)  # what was not done, and why
-    remedies_offered = Signal(object)  # the `Remedies` for the `error` that came just before
+    remedies_offered = Signal(object)  # the `Remedies` for the message that came just before
     resolved = Signal(object)  # a `Remedy` is no longer needed, nor a message that offers it
     # The same behind the event that is being handled: for messages that come with a report whose
     # handling clears the banner.
     delayed_info = Signal(str)
     delayed_error = Signal(str)
+    delayed_report = Signal(str, object)  # see `report`
     cleared = Signal()
     logged = Signal(str, bool)  # every message, and whether it is an error; see `log_also`
 
@@ -74,6 +79,7 @@ class Notifier(QObject):
         self.shows_problem = False
         self.delayed_info.connect(self.info, Qt.ConnectionType.QueuedConnection)
         self.delayed_error.connect(self.error, Qt.ConnectionType.QueuedConnection)
+        self.delayed_report.connect(self.report, Qt.ConnectionType.QueuedConnection)
         self.info.connect(self._log_news)
         self.error.connect(self._log_problem)
 
@@ -81,6 +87,7 @@ class Notifier(QObject):
         """Log the messages of another place in the program."""
         other.logged.connect(self.logged)
 
+    @Slot(str, object)
     def report(self, text: str, remedies: Remedies) -> None:
         """Emit an `error` with buttons."""
         self.error.emit(text)

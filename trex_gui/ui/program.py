@@ -16,7 +16,7 @@ from trex_gui.ui.devices.scanner import DeviceScanner
 from trex_gui.ui.files import end_background
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.workspace import FileKind, Workspace
-from trex_gui.ui.guardian_report import report_last_stop
+from trex_gui.ui.last_run import report_last_run
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.workers.threads import wait_for_orphans
 
@@ -115,13 +115,13 @@ class Program:
         suffix = path.suffix.lower()
         return next((found for found in kinds if suffix in found[1].suffixes), kinds[0])
 
-    def report_last_stop(self) -> None:
-        """Say whether the guardian stopped motors since the last start.
+    def report_last_run(self, *, has_crashed: bool = False) -> None:
+        """Say whether the last run crashed, or the guardian stopped motors since the last start.
 
         A connection that is being opened clears messages, so this waits for it.
         """
         manager = self.device_manager
-        report = partial(report_last_stop, self._notifier)
+        report = partial(report_last_run, self._notifier, has_crashed=has_crashed)
         if manager.is_idle or manager.current.link is ConnectionState.CONNECTED:
             report()
         else:

@@ -11,6 +11,7 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.device_manager import Controller, DeviceManager
 from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.devices.scanner import DeviceScanner
+from trex_gui.ui.notifier import Remedy
 
 
 class FakeDevice(QObject):
@@ -260,12 +261,12 @@ def test_stop_report_is_forwarded_only_for_the_current_device(
     assert reports == ["The first stands."]
 
 
-def test_unconnected_stop_is_reported_only_if_reason_is_news(
+def test_unconnected_stop_is_reported_only_with_remedies(
     board: DeviceManager, reports: list[str]
 ) -> None:
     board.stop_because("It rains")
     assert reports == []
-    board.stop_because("The roof fell in", is_news=True)
+    board.stop_because("The roof fell in", (Remedy.REPORT,))
     assert reports == ["The roof fell in."]
 
 

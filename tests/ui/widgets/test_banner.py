@@ -7,7 +7,7 @@ from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from tests.support.window import LEFT, WidgetDriver
-from trex_gui.core.errors import BadReply, PortUnavailable, StudioError
+from trex_gui.core.errors import BadReply, InternalError, PortUnavailable, StudioError
 from trex_gui.ui.notifier import CopyCommand, Notifier, Remedies, Remedy, remedies_of
 from trex_gui.ui.widgets.messages import Banner
 
@@ -40,13 +40,28 @@ def test_buttons_of_a_message_act_and_leave_with_it(qtbot: QtBot) -> None:
         assert banner.text == "Something else."
 
 
+def test_message_that_offers_a_report_outlives_a_connection(qtbot: QtBot) -> None:
+    notifier = Notifier()
+    banner = Banner(None, notifier)
+    qtbot.addWidget(banner)
+    driver = WidgetDriver(banner, qtbot)
+    for remedies, text in (((AGAIN,), ""), ((Remedy.REPORT,), "It failed.")):
+        notifier.report("It failed.", remedies)
+        notifier.cleared.emit()
+        assert banner.text == text
+    driver.click("bannerDismiss")
+    assert not banner.text
+    assert not driver.has("bannerReport")
+
+
 @pytest.mark.parametrize(
     ("error", "may_be_found", "remedies"),
     [
         (PortUnavailable("gone"), False, (AGAIN,)),
         (PortUnavailable("denied", command="sudo"), False, (CopyCommand("sudo"), AGAIN)),
         (BadReply("not like a TReX"), True, (FIND,)),
-        (StudioError("internal"), False, ()),
+        (StudioError("other"), False, ()),
+        (InternalError("internal"), True, (Remedy.REPORT,)),
     ],
 )
 def test_remedies_follow_from_the_error(

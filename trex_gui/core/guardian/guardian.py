@@ -108,6 +108,8 @@ class GuardianProcess:
 
     def _listen(self, process: "subprocess.Popen[bytes]") -> None:
         for line in process.stdout or ():
+            if line != b"read\n":
+                log.debug("guardian process %d: %r", process.pid, line)
             match line.strip():
                 case b"read":
                     self._unread = 0

@@ -143,6 +143,7 @@ class SerialTransport:
         self._name = settings.label
         self.clock = clock
         self._port = _open(settings, clock)
+        log.debug("opened %s", settings.text())
         self._guardian: GuardianProcess | None = None
         self.latency = latency_of(settings.url)
         # The rate behind a plain network port is set at its other end.
@@ -155,6 +156,7 @@ class SerialTransport:
         try:
             for name, value in _options(self._url, line).items():
                 if getattr(self._port, name) != value:
+                    log.debug("%s: %s is %s now", self._url, name, value)
                     setattr(self._port, name, value)
         except PORT_ERRORS as error:
             if isinstance(error, ValueError) or _errno(error) in {None, errno.EINVAL}:
@@ -232,6 +234,7 @@ class SerialTransport:
         if remote is not None:
             with contextlib.suppress(*PORT_ERRORS):
                 remote.close()
+        log.debug("closed %s", self._url)
 
     def _unreadable(self, error: Exception) -> PortUnavailable:
         """Tell a port that is gone from one whose bytes another program has just taken.

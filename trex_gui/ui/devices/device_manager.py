@@ -11,6 +11,7 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.controller import DeviceController
 from trex_gui.ui.devices.ports import Port
 from trex_gui.ui.devices.scanner import DeviceScanner
+from trex_gui.ui.notifier import Remedies
 
 Controller = DeviceController[Any]
 
@@ -21,7 +22,7 @@ class DeviceManager(QObject):
     changed = Signal()  # any property of `current`
     progressed = Signal(int, int, str)  # steps done, steps in all, the next step
     current_changed = Signal()  # `current` is another kind of device
-    # What an automatic stop means, in sentences; again when more is known.
+    # What an automatic stop means, in sentences; again when more is known. See `stop_remedies`.
     stop_reported = Signal(str)
 
     def __init__(
@@ -42,6 +43,7 @@ class DeviceManager(QObject):
         self.current = self.controller(next(iter(makers)))
         self._next: Callable[[], None] | None = None
         self.was_left = False  # the user has disconnected, and not connected since
+        self.stop_remedies: Remedies = ()  # what to offer with `stop_reported`
 
     def controller(self, device: str) -> Controller:
         """Return the controller of a kind of device by its key."""
@@ -130,18 +132,19 @@ class DeviceManager(QObject):
         for controller in self._controllers.values():
             controller.press_stop()
 
-    def stop_because(self, reason: str, *, is_news: bool = False) -> None:
+    def stop_because(self, reason: str, remedies: Remedies = ()) -> None:
         """Stop every device because of an event.
 
         Each device reports what that means, the one in use first. If none does, the reason alone
-        is reported if it `is_news`.
+        is reported if there are `remedies` to offer.
         """
+        self.stop_remedies = remedies
         texts = {
             controller.plugin.key: controller.stop_because(reason)
             for controller in self._controllers.values()
         }
         texts_to_show = [texts.pop(self.current.plugin.key), *texts.values()]
-        text = "\n".join(filter(None, texts_to_show)) or (f"{reason}." if is_news else "")
+        text = "\n".join(filter(None, texts_to_show)) or (f"{reason}." if remedies else "")
         if text:
             self.stop_reported.emit(text)
 

@@ -29,6 +29,7 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui import __version__
+from trex_gui.core.log_file import log_folder
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Port, Ports
@@ -157,7 +158,7 @@ class MainWindow(QMainWindow):
         self._connection.interruption_wanted.connect(self._on_interruption_wanted)
         self._manager.changed.connect(self._on_link_changed)
         self._manager.current_changed.connect(self._on_device_changed)
-        self._manager.stop_reported.connect(self._notifier.delayed_error)
+        self._manager.stop_reported.connect(self._on_stop_reported)
         self._notifier.logged.connect(self._log)
         app = QApplication.instance()
         if isinstance(app, QApplication):
@@ -231,6 +232,7 @@ class MainWindow(QMainWindow):
                 *shared(Menu.HELP),
                 Entry("guide", tr("Online &documentation…"), self._show_help, "F1", "help"),
                 Entry("report", tr("&Save report for support…"), self._show_report, "", "save"),
+                Entry("log_folder", tr("Open &log folder"), self._open_log_folder, "", "open"),
                 Entry("about", tr("&About…"), self._show_about, "", "info"),
             ),
         )
@@ -384,6 +386,10 @@ class MainWindow(QMainWindow):
             still=lambda: self._manager.current.is_busy,
         )
 
+    @Slot(str)
+    def _on_stop_reported(self, text: str) -> None:
+        self._notifier.delayed_report.emit(text, self._manager.stop_remedies)
+
     @Slot(str, bool)
     def _log(self, text: str, is_problem: bool) -> None:
         self._workspace.log.add(text, is_problem=is_problem)
@@ -399,6 +405,8 @@ class MainWindow(QMainWindow):
                 self._connection.reconnect()
             case Remedy.CHECK_BOARD:
                 self._workspace.trigger("check_board")
+            case Remedy.REPORT:
+                self._show_report()
             case Remedy.SET_UP_CRC:
                 self._workspace.set_up_crc()
 
@@ -422,6 +430,20 @@ class MainWindow(QMainWindow):
 
         dialog = self.findChild(ReportDialog) or ReportDialog(self._notifier, self)
         dialog.open_report(self._workspace.report_parts())
+
+    def _open_log_folder(self) -> None:
+        folder = log_folder()
+
+        def then(is_there: bool) -> None:
+            if not is_there:
+                text = self.tr("There is no log: {0} could not be written.")
+            elif not QDesktopServices.openUrl(QUrl.fromLocalFile(str(folder))):
+                text = self.tr("No program of this computer shows folders. The log is in {0}.")
+            else:
+                return
+            self._notifier.error.emit(text.format(folder))
+
+        in_background(self, folder.is_dir, then, lambda _: None)
 
     def _show_about(self) -> None:
         QMessageBox.about(

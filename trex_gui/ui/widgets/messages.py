@@ -82,7 +82,7 @@ class Banner(_MessageRow):
             notifier.error.connect(self.show_problem)
             notifier.remedies_offered.connect(self.show_remedies)
             notifier.resolved.connect(self._on_resolved)
-            notifier.cleared.connect(self.clear)
+            notifier.cleared.connect(self._on_cleared)
         self.clear()
 
     @Slot(str)
@@ -101,6 +101,11 @@ class Banner(_MessageRow):
             self.clear()
 
     @Slot()
+    def _on_cleared(self) -> None:
+        if Remedy.REPORT not in self._offered:
+            self.clear()
+
+    @Slot()
     def clear(self) -> None:
         self._show("")
 
@@ -116,6 +121,8 @@ class Banner(_MessageRow):
                     name, text = "bannerReconnect", self.tr("Reconnect")
                 case Remedy.CHECK_BOARD:
                     name, text = "bannerCheckBoard", self.tr("Check the board…")
+                case Remedy.REPORT:
+                    name, text = "bannerReport", self.tr("Save report…")
                 case ConnectWith():
                     name, text = "bannerConnectWith", self.tr("Connect with its settings")
                 case CopyCommand():

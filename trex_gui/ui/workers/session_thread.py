@@ -6,7 +6,7 @@ from typing import Protocol
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, Signal, Slot
 
-from trex_gui.core.errors import StudioError
+from trex_gui.core.errors import InternalError
 from trex_gui.core.session import Close, Closed, Outcome, RequestQueue
 from trex_gui.core.transport.traffic import TrafficLog
 from trex_gui.ui.runtime import runtime
@@ -196,7 +196,7 @@ class SessionThread(QObject):
         self._writes.clear()
 
     def _fault(self) -> Closed:
-        error = StudioError(self.tr("Internal error: the connection was closed."))
+        error = InternalError(self.tr("Internal error: the connection was closed."))
         return Closed(error, self._may_move)
 
     def _end(self, last: Closed) -> None:

@@ -2,7 +2,14 @@
 
 from enum import Enum, unique
 
-from trex_gui.core.errors import QT_TRANSLATE_NOOP, BadReply, BadRequest, CodedError, NoReply
+from trex_gui.core.errors import (
+    QT_TRANSLATE_NOOP,
+    BadReply,
+    BadRequest,
+    CodedError,
+    InternalError,
+    NoReply,
+)
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.protocol import commands
 
@@ -90,6 +97,10 @@ class RobotNoReplyError(RobotError, NoReply):
 
 class RobotBadReplyError(RobotError, BadReply):
     """Bytes arrived that are no reply to the command."""
+
+
+class RobotInternalError(RobotError, InternalError):
+    """The session failed; what is known of its error is the only field."""
 
 
 def is_echo(received: bytes) -> bool:

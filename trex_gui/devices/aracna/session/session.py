@@ -29,6 +29,7 @@ from trex_gui.devices.aracna.session.errors import (
     ErrorCode,
     RobotBusyError,
     RobotError,
+    RobotInternalError,
     RobotNoReplyError,
     diagnose,
     rejected_speeds,
@@ -99,7 +100,7 @@ class AracnaSession:
         Never raises. The port is always closed, and every request gets its outcome.
         """
         error = run_until_closed(
-            self._open, self._step, lambda detail: RobotError(ErrorCode.INTERNAL, detail)
+            self._open, self._step, lambda detail: RobotInternalError(ErrorCode.INTERNAL, detail)
         )
         if self._is_open:
             self._client.transport.close()

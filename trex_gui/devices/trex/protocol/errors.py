@@ -2,7 +2,14 @@
 
 from enum import Enum, IntEnum, unique
 
-from trex_gui.core.errors import QT_TRANSLATE_NOOP, BadReply, BadRequest, CodedError, NoReply
+from trex_gui.core.errors import (
+    QT_TRANSLATE_NOOP,
+    BadReply,
+    BadRequest,
+    CodedError,
+    InternalError,
+    NoReply,
+)
 from trex_gui.core.transport.settings import PortSettings
 
 
@@ -235,6 +242,10 @@ class BoardElsewhere(TrexNoReplyError):  # noqa: N818 - nothing went wrong with 
 
 class TrexBadReplyError(TrexError, BadReply):
     """The bytes that arrived are no reply, or the board reads back another value."""
+
+
+class TrexInternalError(TrexError, InternalError):
+    """The session failed; what is known of its error is the only field."""
 
 
 class OtherBoard(TrexError):  # noqa: N818 - nothing went wrong with the line

@@ -113,7 +113,7 @@ def _probe(client: TrexClient, place: ConnectionSettings) -> TrexClient | None:
     try:
         found = client_at(transport, place)
     except BadRequest as error:
-        log.info("%s: %s", place.text(), error)
+        log.debug("%s: %s", place.text(), error)
         found = None
     if found is None:
         # A stop must be sent at the settings at which the board last replied.

@@ -56,6 +56,7 @@ from trex_gui.devices.trex.protocol.errors import (
     Rejected,
     TrexBadReplyError,
     TrexError,
+    TrexInternalError,
     TrexNoReplyError,
     TrexRequestError,
 )
@@ -152,7 +153,7 @@ class TrexSession:
         every request gets its outcome.
         """
         error = run_until_closed(
-            self._open, self._step, lambda detail: TrexError(ErrorCode.INTERNAL, detail)
+            self._open, self._step, lambda detail: TrexInternalError(ErrorCode.INTERNAL, detail)
         )
         if self._client is not None:
             self._leave_safely(self._client)

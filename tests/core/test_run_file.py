@@ -1,0 +1,68 @@
+"""Whether the last run ended properly."""
+
+import os
+import signal
+import subprocess
+import sys
+
+import pytest
+
+from trex_gui.core.log_file import log_folder
+from trex_gui.core.run_file import RunFile, crash_file
+
+pytestmark = pytest.mark.realtime
+
+_SCRIPT = """
+import faulthandler, signal, sys, time
+from trex_gui.core.run_file import RunFile
+run_file = RunFile()
+print(run_file.found_crash, flush=True)
+def crash_here():
+    signal.raise_signal(signal.SIGSEGV)
+{"crash": crash_here, "close": run_file.close, "wait": lambda: time.sleep(60)}[sys.argv[1]]()
+"""
+
+
+def run(what: str) -> "subprocess.Popen[str]":
+    return subprocess.Popen(
+        [sys.executable, "-c", _SCRIPT, what], stdout=subprocess.PIPE, text=True
+    )
+
+
+def found_crash(what: str = "close") -> bool:
+    """Let a process run to its end; return whether it found that another one had crashed."""
+    with run(what) as process:
+        return process.communicate(timeout=60)[0] == "True\n"
+
+
+def test_proper_end_leaves_nothing() -> None:
+    assert [found_crash(), found_crash()] == [False, False]
+    assert list(log_folder().iterdir()) == []
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
+def test_crash_is_found_once_with_its_traceback() -> None:
+    assert not found_crash("crash")
+    assert [found_crash(), found_crash()] == [True, False]
+    assert list(log_folder().iterdir()) == [crash_file()]
+    text = crash_file().read_text(encoding="utf-8")
+    assert text.startswith("TReX Studio ")
+    assert "Fatal Python error: Segmentation fault" in text
+    assert "in crash_here" in text
+
+
+def test_run_that_goes_on_is_no_crash_until_it_is_killed() -> None:
+    with run("wait") as process:
+        assert process.stdout is not None
+        assert process.stdout.readline() == "False\n"
+        assert not found_crash()
+        os.kill(process.pid, signal.SIGTERM)
+    assert found_crash()
+
+
+def test_folder_that_cannot_be_written_is_no_crash() -> None:
+    log_folder().write_text("mine", encoding="utf-8")
+    run_file = RunFile()
+    run_file.close()
+    assert not run_file.found_crash
+    assert log_folder().read_text(encoding="utf-8") == "mine"

@@ -1,0 +1,134 @@
+"""After an error of the program, and after a crash, a report for support is offered."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QUrl
+from PySide6.QtGui import QDesktopServices
+from PySide6.QtWidgets import QApplication, QListWidget, QPlainTextEdit
+from pytestqt.qtbot import QtBot
+
+from tests.support.causes import watched
+from tests.support.pages.motors import is_stopped
+from tests.support.simulator import SimulatedDevice
+from tests.support.window import WidgetDriver, WindowDriver
+from trex_gui.core.log_file import ProgramLog, log_file, log_folder
+
+ROOT = Path(__file__).parents[2]
+
+
+def read(dialog: WidgetDriver, name: str) -> str:
+    """Return a file of the report, as it is shown."""
+    files = dialog.find(QListWidget, "reportFiles")
+    dialog.wait(lambda: files.count() > 0)
+    names = [files.item(row).text().split()[0] for row in range(files.count())]
+    files.setCurrentRow(names.index(name))
+    return dialog.find(QPlainTextEdit, "reportText").toPlainText()
+
+
+def test_error_stops_motors_and_offers_report_with_its_traceback(
+    connected_window: WindowDriver,
+    quick_simulator: SimulatedDevice,
+    qtbot: QtBot,
+    qapp: QApplication,
+) -> None:
+    window = connected_window
+    program_log = ProgramLog(log_file())
+    try:
+        with watched(window.program, qtbot, qapp) as causes:
+            window.motors.arm()
+            window.motors.set_speed(1, 60)
+            window.wait(lambda: quick_simulator.show()["motors"][0]["speed"] == 60)
+            causes.make_a_mistake()
+            window.wait_for_text("bannerText", "Internal error (ValueError), so the motors were")
+            assert is_stopped(quick_simulator)
+    finally:
+        assert program_log.close()
+    window.disconnect()
+    window.connect(quick_simulator.url)
+    window.click("bannerReport")
+    text = read(window.dialog("reportDialog"), "program.txt")
+    assert "CRITICAL trex_gui.supervisor: uncaught exception\nTraceback" in text
+    assert "ValueError: on purpose\n" in text
+    assert "INFO trex_gui.ui.log: ⚠ Internal error (ValueError), so the motors were" in text
+
+
+def test_help_menu_opens_the_log_folder(
+    window: WindowDriver, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    opened: list[str] = []
+    has_program = True
+
+    def open_url(url: QUrl) -> bool:
+        opened.append(url.toLocalFile())
+        return has_program
+
+    monkeypatch.setattr(QDesktopServices, "openUrl", open_url)
+    window.trigger("log_folder")
+    window.wait_for_text("bannerText", "There is no log")
+    assert not opened
+    log_folder().mkdir(parents=True)
+    window.click("bannerDismiss")
+    for has_program in (True, False):
+        window.trigger("log_folder")
+        window.wait_for_files()
+        assert window.has("bannerText") is not has_program
+    assert opened == [str(log_folder())] * 2
+    assert str(log_folder()) in window.text("bannerText")
+
+
+_SCRIPT = """
+import os, signal, sys
+from PySide6.QtCore import QCoreApplication, QTimer
+from PySide6.QtWidgets import QLabel
+from trex_gui import app, composition
+build = composition.build
+
+def built(*_):
+    program = build()
+
+    def look():
+        print(program.window.findChild(QLabel, "bannerText").text(), flush=True)
+        if sys.argv[1] == "crash":
+            os.kill(os.getpid(), signal.SIGTERM if os.name == "nt" else signal.SIGKILL)
+        program.end()
+
+    report = program.report_last_run
+    def report_last_run(**found):
+        report(**found)
+        QTimer.singleShot(0, wait)
+
+    def wait():
+        from trex_gui.ui.files import background
+        QTimer.singleShot(20, wait) if background else look()
+
+    program.report_last_run = report_last_run
+    return program
+
+composition.build = built
+sys.exit(app.main([]))
+"""
+
+
+@pytest.mark.realtime
+def test_crash_is_reported_at_the_next_start_only(tmp_path: Path) -> None:
+    def banner_of(what: str) -> str:
+        command = [sys.executable, "-c", _SCRIPT, what]
+        environment = {"XDG_CONFIG_HOME": str(tmp_path)}
+        done = subprocess.run(
+            command,
+            cwd=ROOT,
+            env={**os.environ, **environment},
+            capture_output=True,
+            text=True,
+            check=False,
+            timeout=60,
+        )
+        return done.stdout.strip()
+
+    assert banner_of("crash") == ""
+    assert "did not end properly the last time" in banner_of("end")
+    assert banner_of("end") == ""

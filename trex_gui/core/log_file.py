@@ -1,0 +1,145 @@
+"""The log file of the program: bounded, and written by a thread of its own.
+
+A disk that is slow, full or read-only loses lines of the log, and nothing else.
+"""
+
+import logging
+import queue
+import sys
+import threading
+from contextlib import suppress
+from io import TextIOWrapper
+from logging.handlers import QueueHandler, QueueListener, RotatingFileHandler
+from pathlib import Path
+
+from trex_gui.core.files import check_ordinary, data_folder
+
+_LARGEST = 512 * 1024  # bytes of one file
+_OLDER = 3  # files that are kept beside the newest
+_LONGEST = 20_000  # characters of one entry, with its traceback
+_MOST_WAITING = 10_000  # entries that a slow disk has not taken yet
+_REPEATED_S = 60.0
+"""Seconds in which the same entry again is only counted: an error in what runs thirty times a
+second would push everything else out."""
+
+
+def log_folder() -> Path:
+    return data_folder() / "log"
+
+
+def log_file() -> Path:
+    return log_folder() / "trex-gui.log"
+
+
+def log_files() -> list[Path]:
+    """Return where the log may be, the newest last."""
+    path = log_file()
+    return [*(path.with_name(f"{path.name}.{age}") for age in range(_OLDER, 0, -1)), path]
+
+
+class ProgramLog:
+    """Writes what the program logs to a file, and warnings to the terminal, until it is closed.
+
+    An entry with the attribute `printed` is on the terminal already.
+    """
+
+    def __init__(self, path: Path, *, is_verbose: bool = False) -> None:
+        """`is_verbose`: down to the level DEBUG, and all of it to the terminal, too."""
+        self._level = logging.getLogger("trex_gui").level
+        logging.getLogger("trex_gui").setLevel(logging.DEBUG if is_verbose else logging.INFO)
+        self._file = _LogFile(path)
+        self._file.setFormatter(_Formatter("%(asctime)s %(levelname)s %(name)s: %(message)s"))
+        handlers: list[logging.Handler] = [self._file]
+        if sys.stderr is not None:  # a program with a window has none on Windows
+            handlers.append(terminal_handler(is_verbose=is_verbose))
+        entries: queue.SimpleQueue[logging.LogRecord] = queue.SimpleQueue()
+        self._entrance = _Entrance(entries)
+        self._listener = QueueListener(entries, *handlers, respect_handler_level=True)
+        self._listener.start()
+        logging.getLogger().addHandler(self._entrance)
+
+    def close(self, timeout: float = 2.0) -> bool:
+        """Write what is left; return whether that ended within so many seconds.
+
+        If not, Python would wait for the disk at its end: only `os._exit` ends the process.
+        """
+        logging.getLogger().removeHandler(self._entrance)
+        logging.getLogger("trex_gui").setLevel(self._level)
+        ending = threading.Thread(target=self._end, daemon=True)
+        ending.start()
+        ending.join(timeout)
+        return not ending.is_alive()
+
+    def _end(self) -> None:
+        self._listener.stop()
+        self._entrance.close()
+        with suppress(OSError):
+            self._file.close()
+
+
+def terminal_handler(*, is_verbose: bool) -> logging.Handler:
+    """Return what prints warnings to the terminal, or everything with its time and its source."""
+    handler = logging.StreamHandler()
+    handler.setLevel(logging.DEBUG if is_verbose else logging.WARNING)
+    if is_verbose:
+        handler.setFormatter(_Formatter("%(asctime)s %(levelname)s %(name)s: %(message)s"))
+    handler.addFilter(lambda record: not hasattr(record, "printed"))
+    return handler
+
+
+class _Entrance(QueueHandler):
+    """Never waits; its queue takes an entry while another one of this thread is put into it."""
+
+    def __init__(self, entries: "queue.SimpleQueue[logging.LogRecord]") -> None:
+        super().__init__(entries)
+        self._entries = entries
+
+    def enqueue(self, record: logging.LogRecord) -> None:
+        if self._entries.qsize() < _MOST_WAITING:
+            self._entries.put(record)
+
+    def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802 - Python's name
+        """Leave out an entry that cannot be made into text."""
+
+
+class _Formatter(logging.Formatter):
+    def format(self, record: logging.LogRecord) -> str:
+        text = super().format(record)
+        return text if len(text) <= _LONGEST else f"{text[:_LONGEST]} …"
+
+
+class _LogFile(RotatingFileHandler):
+    def __init__(self, path: Path) -> None:
+        super().__init__(
+            path,
+            maxBytes=_LARGEST,
+            backupCount=_OLDER,
+            encoding="utf-8",
+            errors="backslashreplace",
+            delay=True,  # in the thread that writes
+        )
+        self._last, self._since, self._repeats = "", 0.0, 0
+
+    def _open(self) -> TextIOWrapper:
+        path = Path(self.baseFilename)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with suppress(FileNotFoundError):
+            check_ordinary(path)  # a pipe would never end
+        return super()._open()
+
+    def emit(self, record: logging.LogRecord) -> None:
+        text = record.getMessage()
+        if text == self._last and record.created - self._since < _REPEATED_S:
+            self._repeats += 1
+            return
+        if self._repeats:
+            said = {"msg": f"the last entry came {self._repeats} times more", "name": __name__}
+            super().emit(logging.makeLogRecord({"levelname": "INFO", **said}))
+        self._last, self._since, self._repeats = text, record.created, 0
+        super().emit(record)
+
+    def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802 - Python's name
+        """Lose the entry, and open the file again for the next one."""
+        del record
+        with suppress(OSError):
+            self.close()

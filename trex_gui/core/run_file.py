@@ -1,0 +1,74 @@
+"""Whether the program ended properly: a file that exists while it runs."""
+
+import faulthandler
+import os
+import sys
+import time
+from contextlib import suppress
+from pathlib import Path
+from typing import TextIO
+
+from trex_gui import __version__
+from trex_gui.core.files import open_ordinary
+from trex_gui.core.log_file import log_folder
+
+if sys.platform != "win32":
+    import fcntl
+
+
+def crash_file() -> Path:
+    """Return what the last run left that did not end properly: its start, and where it crashed."""
+    return log_folder() / "crash.txt"
+
+
+class RunFile:
+    """The file of this process, which takes the stack of each thread if it crashes.
+
+    Without a folder that can be written there is none, and no crash is noticed.
+
+    Attributes:
+        found_crash: a run before this one did not end properly; its file is `crash_file` now.
+    """
+
+    def __init__(self) -> None:
+        self.found_crash = _take_abandoned()
+        self._file: TextIO | None = None
+        name = f"run-{os.getpid()}-{os.urandom(4).hex()}.txt"
+        with suppress(OSError):
+            log_folder().mkdir(parents=True, exist_ok=True)
+            self._file = (log_folder() / name).open("x", encoding="utf-8")
+            if sys.platform != "win32":
+                fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            self._file.write(f"TReX Studio {__version__}, started {time.ctime()}\n")
+            self._file.flush()
+            faulthandler.enable(self._file)
+
+    def close(self) -> None:
+        """Remove the file: the program has ended properly."""
+        if self._file is not None:
+            faulthandler.disable()
+            with suppress(OSError):
+                self._file.close()
+                Path(self._file.name).unlink()
+
+
+def _take_abandoned() -> bool:
+    """Make the files of processes that are gone into the one of the last crash."""
+    found = False
+    for path in log_folder().glob("run-*.txt"):
+        with suppress(OSError):  # on Windows a file that is open cannot be renamed
+            if not _is_locked(path):
+                path.replace(crash_file())
+                found = True
+    return found
+
+
+def _is_locked(path: Path) -> bool:
+    """Whether the process that made a file runs; on Windows that is not asked."""
+    if sys.platform != "win32":
+        with open_ordinary(path) as file:
+            try:
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError:
+                return True
+    return False
