@@ -255,6 +255,7 @@ VALID: dict[str, object] = {
     "files/recent": "trex settings /tmp/a.txt",
     "files/default_folder": "/tmp",
     "connection/automatic": True,
+    "window/device": "aracna",
     "trex/page": 2,
     "aracna/page": 1,
     "ports/typed": f"{URL}\nsocket://host:1",

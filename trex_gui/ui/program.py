@@ -14,7 +14,7 @@ from trex_gui.ui.devices.device_manager import Controller, DeviceManager
 from trex_gui.ui.devices.ports import Ports
 from trex_gui.ui.devices.scanner import DeviceScanner
 from trex_gui.ui.files import end_background
-from trex_gui.ui.frame.main_window import MainWindow
+from trex_gui.ui.frame.main_window import MainWindow, last_device
 from trex_gui.ui.frame.workspace import FileKind, Workspace
 from trex_gui.ui.last_run import report_last_run
 from trex_gui.ui.notifier import Notifier
@@ -32,13 +32,17 @@ class Program:
         self._notifier = notifier = Notifier()
         self.ports = Ports(plugins)
         self._scanner = scanner = DeviceScanner(plugins, timeouts=self.timeouts)
-        makers = {plugin.key: partial(self._make_controller, plugin) for plugin in plugins}
+        last = last_device()
+        makers = {
+            plugin.key: partial(self._make_controller, plugin)
+            for plugin in sorted(plugins, key=lambda plugin: plugin.key != last)
+        }
         self.device_manager = manager = DeviceManager(makers, scanner)
         # Before the window is told: it wants the workspace of the device.
         manager.changed.connect(self.complete)
         manager.current_changed.connect(self.complete)
-        self.window = MainWindow(manager, self.ports, notifier, lambda: self.workspaces)
         self._workspaces: dict[str, Workspace] = {}
+        self.window = MainWindow(manager, self.ports, notifier, lambda: self.workspaces)
         self._add_workspace(manager.current)
 
         self._auto_connect = AutoConnect(self.ports, manager, notifier, manager)
@@ -66,7 +70,8 @@ class Program:
 
         Call it once the window is painted; it is also called as soon as a device is used.
         """
-        self.workspace(self.device_manager.current.plugin.key).make_pages()
+        if self._workspaces:  # the window itself is there: making it chooses line settings
+            self.workspace(self.device_manager.current.plugin.key).make_pages()
 
     def make_plots(self) -> None:
         """Make the plots of pages that were not shown yet, so that showing one takes no longer."""

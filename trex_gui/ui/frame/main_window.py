@@ -64,6 +64,14 @@ _LOG_OUT_S = 60.0
 """Seconds after the start of a log-out within which closing the window is part of it."""
 
 
+_DEVICE = "window/device"
+
+
+def last_device() -> str:
+    """Return the key of the kind of device whose workspace was shown last; empty at first."""
+    return Preferences().text(_DEVICE)
+
+
 class MainWindow(QMainWindow):
     """Shows the workspace of the device that is connected, or was last."""
 
@@ -325,6 +333,7 @@ class MainWindow(QMainWindow):
     def _on_device_changed(self) -> None:
         self._help.close()
         self._notifier.cleared.emit()
+        self._store.set(_DEVICE, self._manager.current.plugin.key)
         self._show_current()
 
     def _show_current(self) -> None:
@@ -459,6 +468,7 @@ class MainWindow(QMainWindow):
     def _restore(self, added: Workspace) -> None:
         page = self._store.integer(f"{added.key}/page", 0, 0, added.pages.count() - 1)
         added.pages.setCurrentIndex(page)
+        added.pages.currentChanged.connect(partial(self._store.set, f"{added.key}/page"))
         for workspace in self._workspaces:
             workspace.take_actions(self._actions)
 
@@ -490,7 +500,6 @@ class MainWindow(QMainWindow):
             return
         self._store.set("window/state", state)
         for workspace in self._workspaces:
-            self._store.set(f"{workspace.key}/page", workspace.pages.currentIndex())
             workspace.prepare_to_close()
         self._connection.close_dialogs()
         self._help.close()
