@@ -155,12 +155,12 @@ _ORGANIZATION, _APPLICATION = "TReX Studio tests", "TReX Studio"
 @pytest.fixture(scope="session")
 def _settings_root(tmp_path_factory: pytest.TempPathFactory) -> Path:
     root = tmp_path_factory.mktemp("settings")
-    _remember_usual_boards(root / "system")
+    _remember_usual_state(root / "system")
     return root
 
 
-def _remember_usual_boards(folder: Path) -> None:
-    """Let boards with the usual number drive at full speed, as after the first drive."""
+def _remember_usual_state(folder: Path) -> None:
+    """Let boards with the usual number drive at full speed, and no start be the first."""
     boards = [
         f"{prefix}{model.key}-{firmware}-7"
         for prefix in ("", "demo-")
@@ -170,7 +170,8 @@ def _remember_usual_boards(folder: Path) -> None:
     file = folder / _ORGANIZATION / f"{_APPLICATION}.ini"
     file.parent.mkdir(parents=True)
     lines = (f"ceilings\\{board}={FULL_SCALE}\n" for board in boards)
-    file.write_text(f"[motors]\n{''.join(lines)}", encoding="utf-8")
+    welcomed = "[start]\nwelcomed=true\n"
+    file.write_text(f"[motors]\n{''.join(lines)}{welcomed}", encoding="utf-8")
     QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.SystemScope, str(folder))
 
 

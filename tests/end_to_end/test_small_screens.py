@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QPoint, QRect, QSize
+from PySide6.QtCore import QPoint, QRect, QSettings, QSize
 from PySide6.QtGui import QScreen
 from PySide6.QtWidgets import QAbstractButton, QDialog, QDockWidget, QTabWidget, QWidget
 
@@ -56,6 +56,13 @@ def check_pages(window: WindowDriver, screen: QRect, stop: str, panel: str) -> N
             assert content is not None
             needed = content.minimumSizeHint().width()
             assert box.viewport().width() >= needed, content.objectName()
+
+
+def test_first_start_fits(screen: QRect, request: pytest.FixtureRequest) -> None:
+    QSettings().setValue("start/welcomed", False)
+    window: WindowDriver = request.getfixturevalue("window")
+    assert window.has("welcome")
+    check_window(window.window, screen, window.button("stopButton"))
 
 
 def test_windows_of_trex_fit(screen: QRect, window: WindowDriver, tmp_path: Path) -> None:

@@ -6,6 +6,7 @@ import pytest
 from PySide6.QtWidgets import QPushButton, QSpinBox, QWidget
 from serial.tools.list_ports_common import ListPortInfo
 
+from tests.support.keyboard import check_keyboard
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.window import WindowDriver
 from trex_gui.ui.devices.connection import ConnectionState
@@ -33,6 +34,25 @@ def test_panel_is_shown_while_nothing_is_connected(window: WindowDriver) -> None
 
     window.disconnect()
     assert status.find(QWidget, "startPanel").isVisible()
+
+
+def test_each_wiring_has_steps_and_pictures(window: WindowDriver) -> None:
+    for way, (said, wires) in enumerate(
+        (
+            ("TTL levels", "TX of the adapter to SI"),
+            ("SI and SO free", "TX of the RS-232 port (pin 3 of nine) to RX"),
+            ("mode jumper on RC", "channels 1 and 2 of the receiver to channels 1 and 2"),
+        ),
+        start=1,
+    ):
+        window.click(f"startWay{way}")
+        check_keyboard(window.window)
+        shown = [number for number in (1, 2, 3) if window.has(f"startSteps{number}")]
+        assert shown == [way]
+        assert said in window.text(f"startSteps{way}")
+        sketch = window.find(QWidget, f"wiringSketch{way}")
+        assert sketch.isVisible()
+        assert wires in sketch.accessibleName()
 
 
 def test_port_that_is_plugged_in_is_offered_and_connected(
@@ -108,7 +128,7 @@ def test_panel_of_the_robot_leads_to_robots(
     window.program.device_manager.switch_to("aracna", lambda: None)
     panel = window.find(QWidget, "aracna_startPanel")
     assert panel.isVisible()
-    assert "servo power" in window.text("aracna_startSteps")
+    assert "servo power" in window.text("aracna_startSteps1")
     assert not window.has("aracnaSlider1")
     window.click("aracna_start_aracna_offline")
     assert not panel.isVisible()

@@ -4,10 +4,11 @@ from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, contextmanager
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QRect
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QByteArray, QCoreApplication, QRect, QSettings
+from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
+from tests.support.keyboard import check_keyboard
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
 from trex_gui.composition import build
@@ -35,6 +36,50 @@ def start(qtbot: QtBot, qapp: QApplication) -> Start:
             assert program.close(), "a thread of the program lives on"
 
     return started
+
+
+@pytest.fixture
+def _first_start() -> None:
+    QSettings().setValue("start/welcomed", False)
+
+
+@pytest.mark.usefixtures("_first_start")
+def test_only_first_start_shows_welcome(start: Start) -> None:
+    with start() as window:
+        assert window.has("welcome")
+        assert not window.has("startDemo")
+        check_keyboard(window.window)
+        window.open_page("channelsPage")
+        window.open_page("statusPage")
+        assert window.has("welcome")
+        window.click("welcomeConnect")
+        assert not window.has("welcome")
+        assert window.has("startDemo")
+        assert window.find(QWidget, "startWay1").hasFocus()
+    with start() as window:  # the window was not closed
+        assert window.has("startDemo")
+        assert not window.has("welcome")
+
+
+@pytest.mark.usefixtures("_first_start")
+def test_welcome_is_over_once_the_demo_was_tried(window: WindowDriver) -> None:
+    window.click("welcomeFind")
+    dialog = window.dialog("findDialog").root
+    window.wait(dialog.isVisible)
+    dialog.close()
+    window.click("welcomeDemo")
+    window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
+    window.disconnect()
+    assert window.has("startDemo")
+    assert not window.has("welcome")
+
+
+@pytest.mark.usefixtures("_first_start")
+def test_who_has_used_the_program_is_not_welcomed(start: Start) -> None:
+    QSettings().setValue("window/state", QByteArray(b"x"))
+    with start() as window:
+        assert window.has("startDemo")
+        assert not window.has("welcome")
 
 
 @pytest.mark.parametrize("is_closed", [True, False])

@@ -256,6 +256,7 @@ VALID: dict[str, object] = {
     "files/default_folder": "/tmp",
     "connection/automatic": True,
     "window/device": "aracna",
+    "start/welcomed": True,
     "trex/page": 2,
     "aracna/page": 1,
     "ports/typed": f"{URL}\nsocket://host:1",

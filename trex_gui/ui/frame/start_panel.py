@@ -6,10 +6,12 @@ from functools import partial
 from itertools import zip_longest
 
 from PySide6.QtCore import Qt, Slot
-from PySide6.QtWidgets import QPushButton, QWidget
+from PySide6.QtGui import QHideEvent
+from PySide6.QtWidgets import QAbstractButton, QPushButton, QStackedWidget, QWidget
 
 from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.frame.main_window import MainWindow
+from trex_gui.ui.frame.welcome import Welcome, is_first_start
 from trex_gui.ui.frame.wiring_sketch import Wiring, WiringSketch
 from trex_gui.ui.frame.workspace import Workspace
 from trex_gui.ui.theme.theme import follow_theme
@@ -22,29 +24,32 @@ _MOST_FILES = 3
 
 
 @dataclass(frozen=True, slots=True)
+class StartWay:
+    """One way to wire a device."""
+
+    steps: str  # rich text
+    wiring: Wiring
+    name: str = ""  # to choose it by, with a free letter, if there are several
+    jumpers: QWidget | None = None  # a picture, for below that of the wires
+
+
+@dataclass(frozen=True, slots=True)
 class StartTexts:
     """What the panel says about one kind of device."""
 
     title: str
-    steps: str  # rich text
-    wiring: Wiring
+    ways: Sequence[StartWay]
     none: str  # heading of what needs no hardware
     demo: str  # on the button, as the texts of files with a free letter
     files: Sequence[tuple[str, str, str]]  # action that opens a file, text, icon
     prefix: str = ""  # starts object names
+    welcome: str = ""  # what the very first start says of the program; empty: nothing
 
 
 class StartPanel(QWidget):
     """Leads to a first connection with the kind of device that a workspace is for."""
 
-    def __init__(
-        self,
-        texts: StartTexts,
-        frame: MainWindow,
-        workspace: Workspace,
-        jumpers: QWidget | None = None,
-    ) -> None:
-        """`jumpers` is a picture that is shown below that of the wires."""
+    def __init__(self, texts: StartTexts, frame: MainWindow, workspace: Workspace) -> None:
         super().__init__(workspace)
         self.setObjectName(f"{texts.prefix}startPanel")
         self._device = workspace.key
@@ -52,7 +57,19 @@ class StartPanel(QWidget):
         self._frame = frame
 
         hardware = ui.GroupBox(texts.title, self)
-        steps = ui.label(hardware, f"{texts.prefix}startSteps", texts.steps, wrap=True)
+        pictures, steps = QStackedWidget(hardware), QStackedWidget(hardware)
+        choices: list[QAbstractButton] = []
+        for number, way in enumerate(texts.ways, start=1):
+            pictures.addWidget(self._picture(way, number, hardware))
+            text = ui.label(steps, f"{texts.prefix}startSteps{number}", way.steps, wrap=True)
+            text.setAlignment(Qt.AlignmentFlag.AlignTop)
+            steps.addWidget(text)
+            if way.name:
+                choice = ui.radio_button(hardware, f"{texts.prefix}startWay{number}", way.name)
+                choice.setChecked(number == 1)
+                choice.clicked.connect(partial(pictures.setCurrentIndex, number - 1))
+                choice.clicked.connect(partial(steps.setCurrentIndex, number - 1))
+                choices.append(choice)
         self._ports = [
             self._button(hardware, "startPort", "", "connect", partial(self._on_port_clicked, at))
             for at in range(_MOST_PORTS)
@@ -72,9 +89,9 @@ class StartPanel(QWidget):
         )
         find.setToolTip(self.tr("Search every port and baud rate; no motor moves"))
         begin = ui.column(steps, self._none, *_left(*self._ports, find), 1)
-        sketch = WiringSketch(texts.wiring, f"{texts.prefix}wiringSketch", hardware)
-        pictures = ui.column(sketch, *([jumpers] if jumpers else []), 1, margins=0)
-        ui.row(pictures, (begin, 1), into=hardware)
+        top = (pictures, 0, Qt.AlignmentFlag.AlignTop)
+        both = ui.row(top, (begin, 1), margins=0)
+        ui.column(*([ui.row(*choices, 1, margins=0)] if choices else []), both, into=hardware)
 
         other = ui.GroupBox(texts.none, self)
         demo = self._button(other, "startDemo", texts.demo, "run", self._connect_to_demo)
@@ -97,18 +114,45 @@ class StartPanel(QWidget):
         ui.column(*_left(*self._files), into=self._recent)
         content = QWidget(self)
         ui.column(hardware, other, self._recent, into=content, margins=0)
-        ui.column((ui.row((content, 1)), 0), 1, into=self, margins=0)
-        follow_theme(
-            content,
-            "widest",
-            lambda: content.setMaximumWidth(
-                content.fontMetrics().averageCharWidth() * _WIDEST_LINES
-            ),
-        )
+        shown = [content]
+        self._content, self._first = content, choices[0] if choices else find
+        self._welcome: Welcome | None = None
+        if texts.welcome and is_first_start():
+            find_board = partial(workspace.trigger, "find")
+            self._welcome = Welcome(texts.welcome, find_board, self._connect_to_demo, self)
+            self._welcome.connect_chosen.connect(self._end_welcome)
+            content.hide()
+            shown.append(self._welcome)
+        for each in shown:
+            follow_theme(each, "widest", partial(self._limit_width, each))
+        ui.column(*(ui.row((each, 1)) for each in shown), 1, into=self, margins=0)
         frame.ports.changed.connect(self._on_ports_changed)
         frame.recent.changed.connect(self._on_recent_changed)
         self._on_ports_changed()
         self._on_recent_changed()
+
+    def _picture(self, way: StartWay, number: int, parent: QWidget) -> QWidget:
+        picture = QWidget(parent)
+        sketch = WiringSketch(way.wiring, f"{self._prefix}wiringSketch{number}", picture)
+        ui.column(sketch, *([way.jumpers] if way.jumpers else []), 1, into=picture, margins=0)
+        return picture
+
+    def _limit_width(self, part: QWidget) -> None:
+        part.setMaximumWidth(self.fontMetrics().averageCharWidth() * _WIDEST_LINES)
+
+    @Slot()
+    def _end_welcome(self) -> None:
+        if self._welcome is not None:
+            self._welcome.hide()
+            self._content.show()
+            self._first.setFocus()
+            self._welcome.deleteLater()
+            self._welcome = None
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        if self.isHidden():  # a device is being connected, rather than another page shown
+            self._end_welcome()
 
     def _button(
         self, parent: QWidget, name: str, text: str, icon: str, act: Callable[[], object]

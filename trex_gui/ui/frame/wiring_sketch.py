@@ -1,4 +1,4 @@
-"""Picture of the wires between an adapter and a board."""
+"""Picture of the wires between an adapter, or a receiver, and a board."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -9,6 +9,9 @@ from PySide6.QtWidgets import QWidget
 
 from trex_gui.ui.theme.theme import follow_theme, theme
 
+_GAP = 12  # characters between the boxes
+_LEAST_BOX = 11
+_MARGIN = 8  # pixels beside the name of a pin
 _WIRE_COLORS = ("motor1", "motor2", "muted")
 
 
@@ -20,11 +23,10 @@ class Wiring:
     # Names of the pins at the adapter and at the board, from top to bottom; at most three.
     wires: Sequence[tuple[str, str]]
     text: str  # the wires in words
+    adapter: str = ""  # name of what the board is wired to, if it is no adapter
 
 
 class WiringSketch(QWidget):
-    """The wires between an adapter and the board."""
-
     def __init__(self, wiring: Wiring, name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName(name)
@@ -37,19 +39,29 @@ class WiringSketch(QWidget):
         self.update()
 
     def sizeHint(self) -> QSize:
-        line = self.fontMetrics().height()
-        return QSize(self.fontMetrics().averageCharWidth() * 34, line * 9)
+        metrics = self.fontMetrics()
+        gap = metrics.averageCharWidth() * _GAP
+        return QSize(2 * self._box_width() + gap, metrics.height() * 9)
+
+    def _box_width(self) -> int:
+        metrics = self.fontMetrics()
+        pins = [pin for wire in self._wiring.wires for pin in wire]
+        widths = [metrics.horizontalAdvance(text) for text in (*pins, *self._titles())]
+        return max(metrics.averageCharWidth() * _LEAST_BOX, max(widths) + 2 * _MARGIN)
+
+    def _titles(self) -> tuple[str, str]:
+        return self._wiring.adapter or self.tr("Adapter"), self._wiring.board
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         line = self.fontMetrics().height()
-        box = QRectF(0.5, 1.5 * line, self.width() * 0.32, 6 * line)
+        box = QRectF(0.5, 1.5 * line, self._box_width(), 6 * line)
         board = box.translated(self.width() - box.width() - 1, 0)
         text = theme().color("window_text")
         painter.setPen(QPen(text, 1))
-        for place, title in ((box, self.tr("Adapter")), (board, self._wiring.board)):
+        for place, title in zip((box, board), self._titles(), strict=True):
             painter.drawRoundedRect(place, 6, 6)
             above = QRectF(place.left(), 0, place.width(), 1.4 * line)
             painter.drawText(above, Qt.AlignmentFlag.AlignCenter, title)
@@ -64,8 +76,8 @@ class WiringSketch(QWidget):
                 painter.drawEllipse(pin, 3, 3)
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.setPen(text)
-            room = QRectF(0, y - line / 2, box.width() - 8, line)
+            room = QRectF(0, y - line / 2, box.width() - _MARGIN, line)
             middle = Qt.AlignmentFlag.AlignVCenter
             painter.drawText(room, middle | Qt.AlignmentFlag.AlignRight, left)
-            room.moveLeft(board.left() + 8)
+            room.moveLeft(board.left() + _MARGIN)
             painter.drawText(room, middle | Qt.AlignmentFlag.AlignLeft, right)

@@ -24,7 +24,7 @@ from trex_gui.devices.aracna.views.poses.page import PosesPage
 from trex_gui.devices.aracna.views.robot.page import RobotPage
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.frame.main_window import MainWindow
-from trex_gui.ui.frame.start_panel import StartPanel, StartTexts
+from trex_gui.ui.frame.start_panel import StartPanel, StartTexts, StartWay
 from trex_gui.ui.frame.wiring_sketch import Wiring
 from trex_gui.ui.frame.workspace import (
     SEPARATOR,
@@ -133,20 +133,24 @@ class AracnaWorkspace(Workspace):
         tr = self.tr
         texts = StartTexts(
             title=tr("Connect my Aracna"),
-            steps=tr(
-                "<ol style='margin-left: -20px'>"
-                "<li>Wire an FTDI cable to the header of the ArbotiX board, or put an XBee radio "
-                "into its socket. Both share one line: use only one of them.</li>"
-                "<li>Give the legs room. This robot has no stop: a motion ends by itself, or when "
-                "its servo power is cut.</li>"
-                "<li>Switch on the board and the servo power, without which the first move never "
-                "ends, and connect. Nothing moves until you choose Move.</li>"
-                "</ol>"
-            ),
-            wiring=Wiring(
-                tr("ArbotiX"),
-                (("TX", "RX"), ("RX", "TX"), ("GND", "GND")),
-                tr("Wiring: TX of the adapter to RX, RX to TX, GND to GND of the board"),
+            ways=(
+                StartWay(
+                    tr(
+                        "<ol style='margin-left: -20px'>"
+                        "<li>Wire an FTDI cable to the header of the ArbotiX board, or put an XBee "
+                        "radio into its socket. Both share one line: use only one of them.</li>"
+                        "<li>Give the legs room. This robot has no stop: a motion ends by itself, "
+                        "or when its servo power is cut.</li>"
+                        "<li>Switch on the board and the servo power, without which the first move "
+                        "never ends, and connect. Nothing moves until you choose Move.</li>"
+                        "</ol>"
+                    ),
+                    Wiring(
+                        tr("ArbotiX"),
+                        (("TX", "RX"), ("RX", "TX"), ("GND", "GND")),
+                        tr("Wiring: TX of the adapter to RX, RX to TX, GND to GND of the board"),
+                    ),
+                ),
             ),
             none=tr("No robot at hand?"),
             demo=tr("Tr&y the demo"),

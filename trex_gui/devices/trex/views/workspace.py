@@ -29,7 +29,6 @@ from trex_gui.devices.trex.views.boards import BoardPanel
 from trex_gui.devices.trex.views.close_prompt import ClosePrompt
 from trex_gui.devices.trex.views.demo_panel import DemoPanel
 from trex_gui.devices.trex.views.history_dialog import HistoryDialog
-from trex_gui.devices.trex.views.jumper_sketch import JumperPlaces, JumperSketch
 from trex_gui.devices.trex.views.learning.dialog import LearnDialog
 from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
 from trex_gui.devices.trex.views.pages.channels import ChannelsPage
@@ -40,6 +39,7 @@ from trex_gui.devices.trex.views.review.defaults_dialog import DefaultsDialog
 from trex_gui.devices.trex.views.review.power_cycle import PowerCycleDialog
 from trex_gui.devices.trex.views.review.review_dialog import ReviewDialog
 from trex_gui.devices.trex.views.settings_files import SettingsFiles
+from trex_gui.devices.trex.views.start_ways import start_ways
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.start_panel import StartPanel, StartTexts
 from trex_gui.ui.frame.wiring_sketch import Wiring
@@ -176,27 +176,20 @@ class TrexWorkspace(Workspace):
         tr = self.tr
         texts = StartTexts(
             title=tr("Connect my TReX"),
-            steps=tr(
-                "<ol style='margin-left: -20px'>"
-                "<li>Switch the board off. Remove the mode jumper: then it starts in serial mode, "
-                "which is needed to drive it and to change settings from here. Remove the SO–G "
-                "jumper, too.</li>"
-                "<li>Wire a USB-serial adapter with TTL levels as shown. A real RS-232 port goes "
-                "to the board's RS-232 pins: its voltages can damage SI and SO.</li>"
-                "<li>Lift the wheels off the ground, switch the board on, and connect:</li>"
-                "</ol>"
-            ),
-            wiring=self._wiring,
+            ways=start_ways(self._wiring, self),
             none=tr("No board at hand?"),
             demo=tr("&Try the demo"),
             files=(
                 ("open", tr("Open &settings file…"), "open"),
                 ("open_recording", tr("&Open recording…"), "plot"),
             ),
+            welcome=tr(
+                "Set up, calibrate, drive and understand a Pololu TReX or TReX Jr. You need the "
+                "board with its supply, and a serial adapter with three wires. No motor moves "
+                "before you click Run motor, and Esc stops the motors in every window."
+            ),
         )
-        jumpers = JumperSketch(self)
-        jumpers.show_boards(JumperPlaces(tr("Jumpers to connect"), "", None))
-        start = StartPanel(texts, self._frame, self, jumpers)
+        start = StartPanel(texts, self._frame, self)
         page = StatusPage(self._device, self._safe_start, start, self)
         page.setup_requested.connect(self._set_up)
         return page
