@@ -5,6 +5,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QSlider, QTableView, QWidget
 
+from tests.support.accessible_names import spoken_state
 from tests.support.pages.parameters import ParametersPage
 from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice
@@ -96,9 +97,9 @@ def test_pages_show_board_data_until_disconnect(
     simulator.do("channel 1 1800us")
     channels.wait(lambda: channels.text("channel1Input") == "1800 µs (4500)")
     bar, output = channels.find(QWidget, "channel1Bar"), channels.find(QWidget, "channel1Output")
-    channels.wait(lambda: "1800 µs" in bar.accessibleDescription())
+    channels.wait(lambda: "1800 µs" in spoken_state(bar))
     remapped = simulator.show()["channels"][0]["remapped"]
-    channels.wait(lambda: str(remapped) in output.accessibleDescription())
+    channels.wait(lambda: str(remapped) in spoken_state(output))
     simulator.do("channel 2 invalid")
     channels.wait(lambda: channels.text("channel2Input") == "no signal")
 

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from tests.devices.trex.session.helpers import moving
+from tests.support.accessible_names import spoken_state
 from tests.support.pages.motors import BRAKE, FULL, Gesture, MotorsPage
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WidgetDriver, WindowDriver
@@ -441,7 +442,7 @@ def test_pad_drives_while_held(armed: MotorsPage) -> None:
     armed.release_pad()
     armed.wait_for_brake()
     assert armed.is_armed()
-    assert "At rest" in armed.pad.accessibleDescription()
+    assert "At rest" in spoken_state(armed.pad)
 
     finger = QTest.createTouchDevice()
     assert isinstance(finger, QPointingDevice)
@@ -496,7 +497,7 @@ def test_keys_drive_in_pad_and_if_enabled_elsewhere(armed: MotorsPage) -> None:
     armed.pad.setFocus()
     armed.press_key(Qt.Key.Key_Down)
     armed.wait_for_targets(BACK, BACK)
-    assert "back 100%" in armed.pad.accessibleDescription()
+    assert "back 100%" in spoken_state(armed.pad)
     armed.release_key(Qt.Key.Key_Down)
     armed.wait_for_brake()
 
@@ -554,7 +555,7 @@ def test_messages_move_nothing_while_motors_are_armed(armed: MotorsPage) -> None
 
 def test_pad_shows_held_keys_only(keys: MotorsPage) -> None:
     def shown() -> str:
-        return keys.pad.accessibleDescription().split(".")[0]
+        return spoken_state(keys.pad).split(".")[0]
 
     keys.motors.lockout = 0
     ends: dict[str, Gesture] = {

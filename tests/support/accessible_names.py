@@ -4,6 +4,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAccessible
 from PySide6.QtWidgets import QAbstractScrollArea, QHeaderView, QScrollArea, QWidget
 
+from trex_gui.ui.widgets.accessible import Spoken
+
 _OFTEN_SILENT = {"bannerText"}
 """Empty most of the time, and can take the focus at any time."""
 
@@ -54,3 +56,9 @@ def nameless(root: QWidget) -> list[str]:
 def assert_named(root: QWidget) -> None:
     found = nameless(root)
     assert not found, "\n".join(found)
+
+
+def spoken_state(widget: QWidget) -> str:
+    """Return what a screen reader is told of the state of a painted widget."""
+    assert isinstance(widget, Spoken)
+    return widget.spoken_state()

@@ -9,6 +9,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QListWidget, QTabBar, QWidget
 from pytestqt.qtbot import QtBot
 
+from tests.support.accessible_names import spoken_state
 from tests.support.window import LEFT, TIMEOUT_MS, WidgetDriver
 from trex_gui.devices.trex.model.calibration_moves import Handle
 from trex_gui.devices.trex.model.device import Device
@@ -60,7 +61,7 @@ class CalibrationPage(WidgetDriver):
     @property
     def live(self) -> str:
         """What is said of the live input."""
-        return self.find(QWidget, "curveLegend").accessibleDescription()
+        return spoken_state(self.find(QWidget, "curveLegend"))
 
     @property
     def marked_handle(self) -> str:

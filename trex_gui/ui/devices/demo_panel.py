@@ -22,7 +22,7 @@ from trex_gui.ui.devices.simulator import DemoDevice, SnapshotT
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.labels import LiveLabel, Note
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 from trex_gui.ui.widgets.sliders import StickSlider
 
@@ -120,6 +120,7 @@ class Rows(ui.GroupBox, Generic[SnapshotT]):
         first = round(lowest * steps)
         made = StickSlider(first, round(highest * steps), first, color, self)
         ui.named(made, name, accessible=accessible, tip=tip)
+        made.positions_per_unit = steps
 
         def move(position: int) -> None:
             show(position / steps)
@@ -164,6 +165,8 @@ class Rows(ui.GroupBox, Generic[SnapshotT]):
         """
         row_number = self._next()
         made = ui.label(self, text=name, buddy=slider)
+        if isinstance(slider, StickSlider):
+            slider.value_label = value
         value.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         for column, widget in enumerate((made, slider, value)):
             self._grid.addWidget(widget, row_number, column)
@@ -229,7 +232,7 @@ def cable_rows(
         device.set_mute,
         lambda snapshot: snapshot.line.mute,
     )
-    share = ui.label(rows, f"{prefix}NoiseValue")
+    share = LiveLabel(f"{prefix}NoiseValue", _tr("Noise on the line"), rows)
     noise = rows.slider(
         f"{prefix}Noise",
         tr("Noise on the line"),

@@ -8,6 +8,7 @@ from PySide6.QtGui import QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.ui.theme.theme import follow_theme, theme
+from trex_gui.ui.widgets.accessible import Spoken
 
 _GAP = 12  # characters between the boxes
 _LEAST_BOX = 11
@@ -26,7 +27,9 @@ class Wiring:
     adapter: str = ""  # name of what the board is wired to, if it is no adapter
 
 
-class WiringSketch(QWidget):
+class WiringSketch(QWidget, Spoken):
+    """The wires between an adapter and the board."""
+
     def __init__(self, wiring: Wiring, name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName(name)

@@ -1,12 +1,14 @@
 """A position in a recording, moved by the user or by playing, and its controls."""
 
 from PySide6.QtCore import QLocale, QObject, QSignalBlocker, Qt, Signal, Slot
-from PySide6.QtWidgets import QSlider, QWidget
+from PySide6.QtGui import QAccessible
+from PySide6.QtWidgets import QLabel, QSlider, QWidget
 
 from trex_gui.core.timing import FRAME_MS
 from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.widgets import builders
+from trex_gui.ui.widgets.accessible import Spoken, SpokenRange
 
 SPEEDS = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
 
@@ -69,6 +71,25 @@ class PlaybackCursor(QObject):
         self.advance(self._last_frame - before)
 
 
+class _TimeSlider(QSlider, Spoken):
+    """Is read in seconds, and as the time that is shown beside it."""
+
+    spoken_role = QAccessible.Role.Slider
+
+    def __init__(self, shown: QLabel, parent: QWidget) -> None:
+        super().__init__(Qt.Orientation.Horizontal, parent)
+        self._shown = shown
+
+    def spoken_state(self) -> str:
+        return self._shown.text()
+
+    def spoken_range(self) -> SpokenRange:
+        return SpokenRange(0, self.value() / _PER_SECOND, self.maximum() / _PER_SECOND)
+
+    def set_spoken_value(self, value: float) -> None:
+        self.setValue(round(value * _PER_SECOND))
+
+
 class TransportBar(QWidget):
     """Moves the position of a recording.
 
@@ -80,14 +101,14 @@ class TransportBar(QWidget):
         self._playback = playback
 
         self._play = builders.button(self, "playButton", on_click=self.toggle)
+        self._time = builders.label(self, "timeLabel")
         self._slider = builders.named(
-            QSlider(Qt.Orientation.Horizontal, self),
+            _TimeSlider(self._time, self),
             "timeSlider",
             accessible=self.tr("Time in the recording"),
         )
         self._slider.setSingleStep(_PER_SECOND)
         self._slider.setPageStep(10 * _PER_SECOND)
-        self._time = builders.label(self, "timeLabel")
         self._speed = builders.combo_box(
             self,
             "speedCombo",

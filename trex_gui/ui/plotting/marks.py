@@ -12,6 +12,7 @@ from trex_gui.ui.plotting.axes import clock_text, spread
 from trex_gui.ui.plotting.history import Statistics
 from trex_gui.ui.plotting.traces import TraceInfo, Traces
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.accessible import Spoken
 from trex_gui.ui.widgets.bar import MINUS, NO_VALUE
 
 EVENT_COLORS: dict[EventKind, str] = {
@@ -55,7 +56,7 @@ def charge_text(found: Statistics) -> str:
     return text.replace("-", MINUS)
 
 
-class EventMarks(QWidget):
+class EventMarks(QWidget, Spoken):
     """The strip above the plot with a word for each event; the tool tip has all of it."""
 
     chosen = Signal(object)  # the `Event` that was clicked
@@ -129,12 +130,13 @@ def _left_ends(centres: Sequence[float], widths: Sequence[float], room: float) -
     return []
 
 
-class CurveTags(QWidget):
+class CurveTags(QWidget, Spoken):
     """The strip right of the plot with the tag of each curve at its newest value."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self._traces: dict[str, TraceInfo] = {}
+        self.setAccessibleName(self.tr("Names of the curves"))
         self._heights: dict[str, float] = {}
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
@@ -142,6 +144,9 @@ class CurveTags(QWidget):
 
     def set_traces(self, traces: Sequence[TraceInfo]) -> None:
         self._traces = {trace.name: trace for trace in traces if trace.tag}
+
+    def spoken_state(self) -> str:
+        return ", ".join(self._traces[name].label for name in self._heights if name in self._traces)
 
     def set_heights(self, heights: dict[str, float]) -> None:
         if heights != self._heights:

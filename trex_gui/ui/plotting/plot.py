@@ -9,7 +9,7 @@ from typing import TypeVar
 
 import numpy as np
 from PySide6.QtCore import QEvent, QSize, Qt, Signal, Slot
-from PySide6.QtGui import QFontMetrics, QKeyEvent
+from PySide6.QtGui import QAccessible, QFontMetrics, QKeyEvent
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.ui.event_log import Event
@@ -24,6 +24,7 @@ from trex_gui.ui.plotting.marks import (
     Readout,
 )
 from trex_gui.ui.plotting.traces import TraceInfo, Traces
+from trex_gui.ui.widgets.accessible import Spoken
 from trex_gui.ui.widgets.bar import MINUS
 from trex_gui.ui.widgets.builders import column, named
 from trex_gui.ui.widgets.labels import Muted
@@ -37,13 +38,15 @@ _NEAR_MARK = 6  # pixels
 FloatsT = TypeVar("FloatsT", float, Floats)
 
 
-class TracePlot(QWidget):
+class TracePlot(QWidget, Spoken):
     """Curves on up to two axes, limits, events, a cursor and a mark.
 
     Curves of the source's first unit are on the left axis, all others on the right one, drawn in
     values of the left axis: a second view box would cost as much as a second plot. x is seconds
     from the right edge, so that nothing but the curves moves while live.
     """
+
+    spoken_role = QAccessible.Role.Chart
 
     view_changed = Signal()  # another span is shown, or it is live again or no longer
     cursor_changed = Signal()  # `cursor_time` or `mark_time`

@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from PySide6.QtCore import QEvent, QPointF, QRect, QRectF, QSize, Qt, Slot
 from PySide6.QtGui import (
+    QAccessible,
     QColor,
     QFont,
     QFontMetrics,
@@ -18,6 +19,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from trex_gui.ui.theme.theme import scaled_font, theme
+from trex_gui.ui.widgets.accessible import Spoken, SpokenRange
 
 NO_VALUE = "\N{EN DASH}"
 MINUS = "\N{MINUS SIGN}"
@@ -68,12 +70,14 @@ class Marks(NamedTuple):
     muted: QColor
 
 
-class Bar(QWidget):
+class Bar(QWidget, Spoken):
     """A horizontal bar that is grey without a connection and hatched without a signal.
 
     What changes seldom is painted into a pixmap; a new value costs a copy of it, a rectangle,
-    a few lines and a number.
+    a few lines and a number. Screen readers find its value when they look for it.
     """
+
+    spoken_role = QAccessible.Role.ProgressBar
 
     def __init__(self, fill: str, negative: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -125,6 +129,9 @@ class Bar(QWidget):
     def _spoken_value(self) -> str:
         raise NotImplementedError
 
+    def spoken_range(self) -> SpokenRange:
+        raise NotImplementedError
+
     def _widest_value(self) -> str:
         raise NotImplementedError
 
@@ -160,12 +167,9 @@ class Bar(QWidget):
             self.state = BarState.WAITING
         else:
             self.state = BarState.LIVE if self._has_signal() else BarState.NO_SIGNAL
-        spoken = self._spoken()
-        if spoken != self.accessibleDescription():
-            self.setAccessibleDescription(spoken)
         self.update()
 
-    def _spoken(self) -> str:
+    def spoken_state(self) -> str:
         if self.state is BarState.DISCONNECTED:
             return self.tr("not connected")
         return self._caption() or self._spoken_value()

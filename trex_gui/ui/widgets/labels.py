@@ -1,11 +1,12 @@
 """Labels: notes, elided and muted text, signs, legend keys."""
 
 from PySide6.QtCore import QPointF, QSize, Qt
-from PySide6.QtGui import QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QAccessible, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 from trex_gui.ui.theme.icons import set_sign
 from trex_gui.ui.theme.theme import follow_theme, set_text_color, theme
+from trex_gui.ui.widgets.accessible import Spoken
 
 _SIGN_ROOM = 2  # pixels beyond the height of a line
 
@@ -92,10 +93,36 @@ class Sign(QLabel):
         self.setFixedSize(side, side)
 
     def show_sign(self, name: str, color: str = "icon") -> None:
+        spoken = {
+            "error": self.tr("Error"),
+            "info": self.tr("Information"),
+            "ok": self.tr("OK"),
+            "run": self.tr("Now"),
+            "todo": self.tr("Not done"),
+            "warning": self.tr("Warning"),
+        }
+        self.setAccessibleName(spoken.get(name, ""))
         if name:
             set_sign(self, name, color, _SIGN_ROOM)
         else:
             follow_theme(self, "sign", self.clear)
+
+
+class LiveLabel(QLabel, Spoken):
+    """Shows a value that changes all the time; a screen reader hears `accessibleName: text`.
+
+    Other labels send an event with each text, or hide their text behind an accessible name.
+    """
+
+    spoken_role = QAccessible.Role.StaticText
+
+    def __init__(self, name: str, accessible: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName(name)
+        self.setAccessibleName(accessible)
+
+    def spoken_name(self) -> str:
+        return self.tr("{0}: {1}").format(self.accessibleName(), self.text())
 
 
 class Muted(QLabel):

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.accessible import Spoken
 from trex_gui.ui.widgets.builders import row
 
 _FRAME_MS = 40
@@ -32,7 +33,7 @@ def is_lit(pattern: str, seconds: float, *, second: bool = False) -> bool:
     return (phase < 0.5) is not (second and found[1] == "alternate")
 
 
-class Lamp(QWidget):
+class Lamp(QWidget, Spoken):
     """One LED; `color` is a name of the theme."""
 
     def __init__(self, color: str, parent: QWidget | None = None) -> None:

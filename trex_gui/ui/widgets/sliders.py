@@ -2,20 +2,25 @@
 
 from PySide6.QtCore import QRect, QSignalBlocker, QSize, Qt, Signal, Slot
 from PySide6.QtGui import (
+    QAccessible,
     QMouseEvent,
     QPainter,
     QPaintEvent,
     QPen,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QSlider, QStyle, QStyleOptionSlider, QWidget
+from PySide6.QtWidgets import QLabel, QSlider, QStyle, QStyleOptionSlider, QWidget
 
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.accessible import Spoken, SpokenRange
 from trex_gui.ui.widgets.behaviour import PressMonitor
 
 
-class PaintedSlider(QSlider):
+class PaintedSlider(QSlider, Spoken):
     """Horizontal; subclasses paint the groove, and the area below the handle."""
+
+    spoken_role = QAccessible.Role.Slider
+    positions_per_unit = 1.0  # of the unit in which users and screen readers see the value
 
     def __init__(self, lowest: int, highest: int, parent: QWidget | None = None) -> None:
         super().__init__(Qt.Orientation.Horizontal, parent)
@@ -32,6 +37,13 @@ class PaintedSlider(QSlider):
 
     def paint_below(self, painter: QPainter, handle: QRect) -> None:
         """Paint the area below the handle; nothing by default."""
+
+    def spoken_range(self) -> SpokenRange:
+        positions = self.minimum(), self.value(), self.maximum()
+        return SpokenRange(*(each / self.positions_per_unit for each in positions))
+
+    def set_spoken_value(self, value: float) -> None:
+        self.setValue(round(value * self.positions_per_unit))
 
     def initStyleOption(self, option: QStyleOptionSlider) -> None:
         """Keep groove and handle, painted or clicked on, above the area below."""
@@ -128,7 +140,11 @@ class StickSlider(PaintedSlider):
         super().__init__(lowest, highest, parent)
         self._rest = rest
         self._color = color
+        self.value_label: QLabel | None = None  # shows the value with its unit
         self.setValue(rest)
+
+    def spoken_state(self) -> str:
+        return "" if self.value_label is None else self.value_label.text()
 
     def set_scale(self, lowest: int, highest: int, rest: int) -> None:
         """Change the range; nothing is announced."""

@@ -5,6 +5,7 @@ from PySide6.QtGui import QColor, QImage
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from tests.support.accessible_names import spoken_state
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.views.bars import ChannelBar, CurrentBar, OutputBar
@@ -76,7 +77,7 @@ def test_fill_within_the_deadband_is_neutral(bar: ChannelBar) -> None:
     assert colours(bar, bar.x_of(3750), bar.x_of(4200)) == {named("neutral")}
     shown = colours(bar, bar.x_of(2000), bar.x_of(5500))
     assert shown.isdisjoint({named("bar"), named("bar_negative")})
-    assert bar.accessibleDescription() == "1680 µs, neutral"
+    assert spoken_state(bar) == "1680 µs, neutral"
 
 
 def test_deadband_above_neutral_is_shaded(bar: ChannelBar) -> None:
@@ -111,7 +112,7 @@ def test_disconnected_bar_shows_no_value(bar: ChannelBar, raw: int | None) -> No
     assert bar.state is BarState.DISCONNECTED
     shown = colours(bar, bar.x_of(2000), bar.x_of(5500))
     assert shown == {named("track_off"), named("mark")}
-    assert bar.accessibleDescription() == "not connected"
+    assert spoken_state(bar) == "not connected"
 
 
 def test_new_connection_starts_without_a_value(bar: ChannelBar) -> None:
@@ -119,14 +120,14 @@ def test_new_connection_starts_without_a_value(bar: ChannelBar) -> None:
     bar.set_connected(False)
     bar.set_connected(True)
     assert bar.state is BarState.WAITING
-    assert bar.accessibleDescription() == "no data yet"
+    assert spoken_state(bar) == "no data yet"
 
 
 def test_missing_signal_is_hatched_and_described(bar: ChannelBar) -> None:
     bar.set_raw(4000)
     bar.set_raw(None)
     assert bar.state is BarState.NO_SIGNAL
-    assert bar.accessibleDescription() == "no signal"
+    assert spoken_state(bar) == "no signal"
     shown = colours(bar, bar.x_of(2600), bar.x_of(3200))
     assert len(shown) > 2
     assert shown.isdisjoint({named("bar"), named("bar_negative"), named("track")})
@@ -164,14 +165,14 @@ def test_voltages_have_their_own_axis(bar: ChannelBar) -> None:
     assert bar.state is BarState.WAITING
     bar.set_raw(1023)
     assert bar.axis == (0, 1023)
-    assert bar.accessibleDescription() == "5.00 V, 2.50 V above neutral"
+    assert spoken_state(bar) == "5.00 V, 2.50 V above neutral"
 
 
 def test_accessible_description_names_the_direction(bar: ChannelBar) -> None:
     bar.set_raw(2500)
-    assert bar.accessibleDescription() == "1000 µs, 500 µs below neutral"
+    assert spoken_state(bar) == "1000 µs, 500 µs below neutral"
     bar.set_calibration(None)
-    assert bar.accessibleDescription() == "1000 µs"
+    assert spoken_state(bar) == "1000 µs"
 
 
 @pytest.mark.parametrize("width", [1, 60, 120, 200, 2000])
@@ -248,7 +249,7 @@ def test_zero_output_has_no_fill(output: OutputBar) -> None:
 )
 def test_output_is_described_for_screen_readers(output: OutputBar, value: int, spoken: str) -> None:
     output.set_value(value)
-    assert output.accessibleDescription() == spoken
+    assert spoken_state(output) == spoken
 
 
 def test_output_without_signal_has_no_value(output: OutputBar) -> None:
@@ -278,13 +279,13 @@ def test_current_has_a_line_at_its_limit(qtbot: QtBot) -> None:
     current.set_value(3.0)
     assert colours(current, current.x_of(0), current.x_of(3)) == {named("bar")}
     assert colours(current, current.x_of(3), current.x_of(15)) == {named("track")}
-    assert current.accessibleDescription() == "3.00 A"
+    assert spoken_state(current) == "3.00 A"
 
     current.set_scale(15.0, 5.0)
     assert current.x_of(10) == current._track().left() + current._track().width()
     current.set_value(2.0)
     assert named("limit") in colours(current, current.x_of(3), current.x_of(7))
-    assert current.accessibleDescription() == "2.00 A, limit 5.00 A"
+    assert spoken_state(current) == "2.00 A, limit 5.00 A"
     before = current.x_of(5)
     current.set_value(20.0)
     assert current.x_of(5) < before, "the scale widens for a greater current"
@@ -308,6 +309,6 @@ def test_current_near_its_limit_has_a_sign(
     current.set_connected(True)
     current.set_scale(15.0, 5.0)
     current.set_value(amps)
-    assert current.accessibleDescription() == spoken
+    assert spoken_state(current) == spoken
     assert ("⚠" in current._value_text()) == (color != "bar")
     assert named(color) in colours(current, current.x_of(0), current.x_of(amps))

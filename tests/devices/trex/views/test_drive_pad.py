@@ -9,6 +9,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QHBoxLayout, QPushButton, QWidget
 from pytestqt.qtbot import QtBot
 
+from tests.support.accessible_names import spoken_state
 from tests.support.window import LEFT, WidgetDriver
 from trex_gui.devices.trex.views.pages.motors.drive_control import SpeedEntry, SpeedSlider
 from trex_gui.devices.trex.views.pages.motors.drive_pad import DrivePad
@@ -132,7 +133,7 @@ def test_pad_is_released_once_and_then_ignores_the_mouse(
     count = len(controls.setpoints)
     QTest.mouseMove(controls.pad, QPoint(20, 20))
     assert len(controls.setpoints) == count
-    assert "At rest" in controls.pad.accessibleDescription()
+    assert "At rest" in spoken_state(controls.pad)
 
 
 @pytest.mark.parametrize(

@@ -8,6 +8,7 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QApplication, QGroupBox, QSpinBox, QWidget
 from pytestqt.qtbot import QtBot
 
+from tests.support.accessible_names import spoken_state
 from tests.support.colours import contrast
 from tests.support.simulator import StartSimulator
 from tests.support.window import WidgetDriver
@@ -65,14 +66,14 @@ def test_page_says_why_the_ceiling_is_low(
     page.connect(start_simulator("--unpaced", "--device", "9").url)
     assert entry.text() == "38 (30 %)"
     assert page.text("ceilingNote").startswith("New board")
-    assert "30 % of full speed" in page.pad.accessibleDescription()
+    assert "30 % of full speed" in spoken_state(page.pad)
     assert page.find(QSpinBox, "motor1Entry").maximum() == 38
     assert "the speed ceiling" in page.find(QSpinBox, "motor1Entry").toolTip()
 
     page.type_into("ceilingEntry", "127")
     assert page.device.motors.ceiling == 127
     assert page.text("ceilingNote") == "Remembered for this board."
-    assert "full speed" not in page.pad.accessibleDescription()
+    assert "full speed" not in spoken_state(page.pad)
     assert page.find(QSpinBox, "motor1Entry").maximum() == 127
 
 
@@ -125,14 +126,14 @@ def test_currents_are_shown_with_their_limits(
     simulator.do("current 2 4.5")
     page.connect(simulator.url)
     first, second = (page.find(CurrentBar, f"motor{motor}Current") for motor in (1, 2))
-    page.wait(lambda: second.accessibleDescription() == "4.50 A, limit 6.00 A")
-    assert first.accessibleDescription() == "3.00 A"
+    page.wait(lambda: spoken_state(second) == "4.50 A, limit 6.00 A")
+    assert spoken_state(first) == "3.00 A"
     assert first.accessibleName() == "Motor 1, current"
     simulator.do("current 2 5.4")
-    page.wait(lambda: second.accessibleDescription() == "5.40 A, near the limit of 6.00 A")
+    page.wait(lambda: spoken_state(second) == "5.40 A, near the limit of 6.00 A")
     assert not page.has("auxCurrent")
     page.device.disconnect_line()
-    page.wait(lambda: first.accessibleDescription() == "not connected")
+    page.wait(lambda: spoken_state(first) == "not connected")
 
 
 def test_focus_of_a_slider_is_seen_in_every_theme(qtbot: QtBot, qapp: QApplication) -> None:

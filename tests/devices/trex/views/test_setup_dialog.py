@@ -9,6 +9,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QWidget
 from pytestqt.qtbot import QtBot
 
+from tests.support.accessible_names import spoken_state
 from tests.support.keyboard import check_keyboard
 from tests.support.pages.every_window import stop_button
 from tests.support.robots import Robot
@@ -134,7 +135,7 @@ def test_stick_that_is_not_seen_is_named_beside_its_input(assistant: Assistant) 
     assert "near its middle" in assistant.text("setupStick2Note")
     assert "Is the transmitter on?" in assistant.text("setupStick2Note")
     bar = assistant.find(ChannelBar, "setupChannel1Bar")
-    assistant.wait(lambda: bar.accessibleDescription().startswith("2000 µs"))
+    assistant.wait(lambda: spoken_state(bar).startswith("2000 µs"))
     robot.simulator.do("channel 2 silent")
     assistant.wait(lambda: robot.device.telemetry.raw_of(2) is None)
     assistant.click("setupForwardButton")

@@ -1,7 +1,7 @@
 """The dock of the Demo Aracna: a simulated robot that can be operated like a real one."""
 
 from PySide6.QtCore import QPointF, QRectF, QSize
-from PySide6.QtGui import QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QAccessible, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QStyle, QWidget
 
 from trex_gui.core.translation import tr
@@ -18,7 +18,9 @@ from trex_gui.ui.devices.demo_panel import (
     cable_rows,
 )
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.accessible import Spoken, SpokenRange
 from trex_gui.ui.widgets.builders import button, label, named, row
+from trex_gui.ui.widgets.labels import LiveLabel
 from trex_gui.ui.widgets.leds import Lamp
 
 RobotRows = Rows[RobotSnapshot]
@@ -135,7 +137,7 @@ def _add_servo_row(motor: int, robot: DemoRobot, rows: RobotRows) -> None:
     joint = spoken_joint(motor)
     spoken = tr("{0}: real position").format(joint)
     gauge = named(ServoGauge(rows), f"aracnaDemoGauge{motor}", accessible=spoken)
-    where = named(label(rows), f"aracnaDemoWhere{motor}", accessible=spoken)
+    where = LiveLabel(f"aracnaDemoWhere{motor}", spoken, rows)
 
     def show_load(per_cent: float) -> None:
         text = tr("It loses {0} % of its speed; at the right end it stops").format(round(per_cent))
@@ -185,7 +187,6 @@ def _add_servo_row(motor: int, robot: DemoRobot, rows: RobotRows) -> None:
         text = servo_text(servo, snapshot.servo_power)
         for widget in (gauge, where):
             widget.setToolTip(text)
-            widget.setAccessibleDescription(text)
 
     rows.on_snapshot(update)
 
@@ -216,8 +217,10 @@ def _cable_rows(robot: DemoRobot, columns: Columns, parent: QWidget) -> RobotRow
     return cable_rows(robot, "aracnaDemo", columns, texts, cause=robot.lose, parent=parent)
 
 
-class ServoGauge(QWidget):
+class ServoGauge(QWidget, Spoken):
     """A disc at the position, a line at the goal; the disc is hollow without torque."""
+
+    spoken_role = QAccessible.Role.ProgressBar
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -229,6 +232,9 @@ class ServoGauge(QWidget):
     def position(self) -> int:
         """Position in units."""
         return self._shown[0]
+
+    def spoken_range(self) -> SpokenRange:
+        return SpokenRange(0, self.position, HIGHEST)
 
     def show_servo(self, position: int, goal: int, *, holds: bool) -> None:
         """Show position and goal in units, 0-1023, and whether the servo has torque."""

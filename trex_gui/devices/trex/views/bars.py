@@ -10,6 +10,7 @@ from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.plotting.axes import Labels, spread, ticks, value_labels
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.accessible import SpokenRange
 from trex_gui.ui.widgets.bar import (
     WARNING_SIGN,
     Bar,
@@ -150,6 +151,11 @@ class ChannelBar(Bar):
         else:
             text = self.tr("{value}, {distance} below neutral")
         return text.format(value=value, distance=distance)
+
+    def spoken_range(self) -> SpokenRange:
+        """Return µs or V."""
+        low, high = self.axis
+        return SpokenRange(*map(self._source.physical, (low, self._raw or low, high)))
 
     def _widest_value(self) -> str:
         return self._source.text(_WIDEST[self._source][1])
@@ -295,6 +301,10 @@ class _FilledBar(Bar):
 
     def _axis(self) -> tuple[float, float]:
         raise NotImplementedError
+
+    def spoken_range(self) -> SpokenRange:
+        low, high = self._axis()
+        return SpokenRange(low, self.value or 0, high)
 
     def _clear(self) -> None:
         self.value = None

@@ -24,7 +24,8 @@ from trex_gui.ui.devices.demo_panel import (
     Rows,
     cable_rows,
 )
-from trex_gui.ui.widgets.builders import button, label, named
+from trex_gui.ui.widgets.builders import button, named
+from trex_gui.ui.widgets.labels import LiveLabel
 from trex_gui.ui.widgets.leds import Leds
 
 BoardRows = Rows[DemoSnapshot]
@@ -216,7 +217,7 @@ def _supply_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRo
         board.power_cycle,
         icon="power",
     )
-    volts = label(rows, "demoBatteryValue")
+    volts = LiveLabel("demoBatteryValue", tr("Battery voltage"), rows)
     battery = rows.slider(
         "demoBattery",
         tr("Battery voltage"),
@@ -229,7 +230,7 @@ def _supply_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRo
         tip=tr("A weak battery sags when the motors start, and the board resets"),
     )
     battery.setSingleStep(5)
-    supply = label(rows, "demoSupply")
+    supply = LiveLabel("demoSupply", tr("Supply"), rows)
     mode = rows.combo_box(
         "demoMode",
         tr("Mode jumper"),
@@ -305,7 +306,7 @@ def _input_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRow
 
 def _add_input_row(channel: int, board: DemoBoard, rows: BoardRows) -> None:
     source = InputSource.RC
-    value = label(rows, f"demoValue{channel}")
+    value = LiveLabel(f"demoValue{channel}", tr("Input {0}").format(channel), rows)
 
     def show(position: float) -> None:
         decimals = 0 if source is InputSource.RC else 2
@@ -314,6 +315,7 @@ def _add_input_row(channel: int, board: DemoBoard, rows: BoardRows) -> None:
     def set_scale() -> None:
         low, high = (round(end * _STEPS[source]) for end in STICK_ENDS[source])
         slider.set_scale(low, high, (low + high) // 2)
+        slider.positions_per_unit = _STEPS[source]
         slider.setSingleStep(_SINGLE_STEP[source])
         slider.setPageStep((high - low) // 10)
 
@@ -368,8 +370,9 @@ def _motor_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRow
 
 def _add_motor_row(number: int, board: DemoBoard, rows: BoardRows) -> None:
     steps = 10  # slider positions per ampere
-    value = label(rows, f"demoLoadValue{number}")
-    state = label(rows, f"demoMotor{number}")
+    motor_name = tr("Motor {0}").format(number)
+    value = LiveLabel(f"demoLoadValue{number}", tr("Load of motor {0}").format(number), rows)
+    state = LiveLabel(f"demoMotor{number}", motor_name, rows)
 
     def update(snapshot: DemoSnapshot) -> None:
         motor = snapshot.motors[number - 1]
@@ -401,7 +404,7 @@ def _add_motor_row(number: int, board: DemoBoard, rows: BoardRows) -> None:
         lambda snapshot: snapshot.motors[number - 1].fault,
         accessible=tr("Driver fault of motor {0}").format(number),
     )
-    rows.add_row(tr("Motor {0}").format(number), load, value, (fault,))
+    rows.add_row(motor_name, load, value, (fault,))
     rows.add_text(state)
 
 

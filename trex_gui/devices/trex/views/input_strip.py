@@ -9,13 +9,14 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.accessible import Spoken
 
 STRIP_SECONDS = 10.0
 _MAX_GAP = 0.5  # seconds without a sample that interrupt the line
 _MARGIN = 0.03  # of the height, above and below: lines at the ends of the axis remain visible
 
 
-class InputStrip(QWidget):
+class InputStrip(QWidget, Spoken):
     """Draws raw counts upwards and time to the right, where the newest sample is.
 
     Qt keeps the points: a frame adds the new samples and costs a twentieth of a millisecond.
@@ -65,6 +66,12 @@ class InputStrip(QWidget):
         self.lines.clear()
         self._newest, self._is_broken = -math.inf, True
         self.update()
+
+    def spoken_state(self) -> str:
+        counts = [point.y() for line in self.lines for point in line.toList()]
+        if not counts:
+            return self.tr("no signal")
+        return self.tr("{0:.0f} to {1:.0f} counts").format(min(counts), max(counts))
 
     def sizeHint(self) -> QSize:
         return QSize(self.fontMetrics().averageCharWidth() * 30, self.fontMetrics().height() * 3)

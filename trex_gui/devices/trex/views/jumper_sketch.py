@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from trex_gui.ui.theme.theme import follow_theme, theme
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.accessible import Spoken
 
 _PIN = 2.5  # radius of a pin, in pixels
 _BOARD_WIDTH = 25  # characters
@@ -34,7 +35,7 @@ class JumperPlaces:
     next_one: str = ""
 
 
-class JumperSketch(QWidget):
+class JumperSketch(QWidget, Spoken):
     """The mode, mix and SO–G jumpers, schematically, of boards side by side."""
 
     def __init__(self, parent: QWidget | None = None) -> None:

@@ -17,6 +17,7 @@ from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.model.texts import position_text, spoken_joint
 from trex_gui.devices.aracna.protocol.joints import JOINTS, Side, degrees
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.accessible import Spoken
 
 _OUTWARD = {
     Side.RIGHT_FRONT: 45.0,
@@ -71,7 +72,7 @@ def _along(start: Point, angle: float, length: float) -> Point:
     return start[0] + length * math.cos(turn), start[1] - length * math.sin(turn)
 
 
-class RobotDrawing(QWidget):
+class RobotDrawing(QWidget, Spoken):
     """Shows which joint is which and how it turns; takes no focus."""
 
     pointed = Signal(int)  # the motor whose joint the mouse points at; -1 for none
@@ -81,6 +82,11 @@ class RobotDrawing(QWidget):
         super().__init__(parent)
         self.setObjectName("aracnaDrawing")
         self.setAccessibleName(self.tr("The robot from above"))
+        self.setAccessibleDescription(
+            self.tr(
+                "Legs at their reported positions, goals dashed; the table says both in numbers."
+            )
+        )
         self._state = state
         self._goals: tuple[int, ...] = ()
         self._marked = -1

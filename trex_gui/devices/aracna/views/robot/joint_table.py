@@ -19,6 +19,7 @@ from trex_gui.devices.aracna.views.robot.joint_widgets import JointSlider, Speed
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.labels import LiveLabel
 
 _LEG, _NAME, _SLIDER, _UNITS, _DEGREES, _PRESENT, _STATE, _SPEED, _LOW, _HIGH = range(10)
 _ALTERNATING = (_SPEED, _LOW, _HIGH)
@@ -59,12 +60,12 @@ class JointRow(QObject):
             suffix="°",
         )
         self._degrees.setButtonSymbols(QSpinBox.ButtonSymbols.NoButtons)
-        self._present = ui.label(parent, f"aracnaPresent{motor}")
-        self._present.setAccessibleName(name(self.tr("present position")))
+        present = name(self.tr("present position"))
+        self._present = LiveLabel(f"aracnaPresent{motor}", present, parent)
         widest = self._present.fontMetrics().horizontalAdvance(position_text(HIGHEST))
         self._present.setMinimumWidth(widest + 4)
-        self._state = ui.label(parent, f"aracnaState{motor}", bold=True)
-        self._state.setAccessibleName(name(self.tr("state")))
+        self._state = LiveLabel(f"aracnaState{motor}", name(self.tr("state")), parent)
+        ui.set_bold(self._state)
         widest = self._state.fontMetrics().horizontalAdvance(self.tr("no reply (−1)"))
         self._state.setMinimumWidth(widest + 4)
         self.speed = SpeedBox(f"aracnaSpeed{motor}", name(self.tr("speed")), parent)

@@ -29,6 +29,11 @@ class JointSlider(PressSlider):
         self.setPageStep(50)
         self.valueChanged.connect(self._on_value_changed)
 
+    def spoken_state(self) -> str:
+        if self._present is None:
+            return self.tr("Present position unknown")
+        return self.tr("Present position {0}").format(self._present)
+
     def set_limits(self, limits: Limits) -> None:
         if limits != self._limits:
             self._limits = limits

@@ -7,12 +7,14 @@ import math
 
 import numpy as np
 from PySide6.QtCore import QSize, Qt, Slot
+from PySide6.QtGui import QAccessible
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.trex.bench.run import Profile, Run
 from trex_gui.ui.plotting.axes import count_labels, round_up, ticks, value_labels
 from trex_gui.ui.plotting.canvas import PlotCanvas
 from trex_gui.ui.plotting.history import Floats
+from trex_gui.ui.widgets.accessible import Spoken
 from trex_gui.ui.widgets.bar import MINUS, NO_VALUE
 from trex_gui.ui.widgets.builders import column, label, row
 from trex_gui.ui.widgets.labels import LegendKey
@@ -28,12 +30,15 @@ _MAX_SECONDS_LABELS = 8
 _MAX_CURRENT_LABELS = 4
 
 
-class BenchPlot(QWidget):
+class BenchPlot(QWidget, Spoken):
     """A test, the one it is compared with, and the profile of the next one."""
+
+    spoken_role = QAccessible.Role.Chart
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("benchPlot")
+        self.setAccessibleDescription(self.tr("The table of figures has the results as numbers."))
         self.setAccessibleName(self.tr("Speed setpoint and current drawn, against time"))
         self._run: Run | None = None
         self._before: Run | None = None

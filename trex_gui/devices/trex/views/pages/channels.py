@@ -18,6 +18,7 @@ from trex_gui.ui.theme.theme import follow_theme
 from trex_gui.ui.units import units
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import only_when_visible
+from trex_gui.ui.widgets.labels import LiveLabel
 
 _STRIP_INTERVAL = 0.06  # seconds: every second frame
 
@@ -84,14 +85,15 @@ class ChannelsPage(QWidget):
 
     def _add_row(self, channel: int) -> _Row:
         name = ui.label(self, "", self.tr("Channel {0}").format(channel), bold=True)
-        value = ui.label(self, f"channel{channel}Input")
+        raw_input = self.tr("Raw input of channel {0}").format(channel)
+        value = LiveLabel(f"channel{channel}Input", raw_input, self)
         row = _Row(
             ui.label(self, f"channel{channel}Function", wrap=True),
             value,
             ui.named(
                 ChannelBar(self),
                 f"channel{channel}Bar",
-                accessible=self.tr("Raw input of channel {0}").format(channel),
+                accessible=raw_input,
             ),
             ui.named(
                 InputStrip(self),

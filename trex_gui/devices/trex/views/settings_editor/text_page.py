@@ -282,6 +282,7 @@ class _Numbers(QWidget):
     def __init__(self, text: NumberedText) -> None:
         super().__init__(text)
         self._text = text
+        self.setAccessibleName(self.tr("Line numbers"))
 
     def paintEvent(self, event: QPaintEvent) -> None:
         self._text.paint_numbers(QPainter(self), event.rect())

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 from PySide6.QtCore import QSize, Qt, Signal, Slot
-from PySide6.QtGui import QBrush, QPen, QResizeEvent
+from PySide6.QtGui import QAccessible, QBrush, QPen, QResizeEvent
 from PySide6.QtWidgets import QGraphicsEllipseItem, QGraphicsItem, QWidget
 
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
@@ -20,6 +20,7 @@ from trex_gui.ui.plotting.axes import Labels, count_labels
 from trex_gui.ui.plotting.canvas import PlotCanvas
 from trex_gui.ui.plotting.history import Floats
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.accessible import Spoken
 from trex_gui.ui.widgets.builders import column
 
 TRACE_SECONDS = 10.0
@@ -36,11 +37,13 @@ _ROOM = {InputSource.RC: 125, InputSource.ANALOG: 0}
 """Counts beyond a handle that the axis shows, to drag it on."""
 
 
-class CurvePlot(QWidget):
+class CurvePlot(QWidget, Spoken):
     """Shows the output of a channel for each input, with handles to drag its calibration.
 
     The stored curve remains visible, dashed, below the edited one.
     """
+
+    spoken_role = QAccessible.Role.Chart
 
     previewed = Signal(object)  # the calibration as the held handle would leave it
     released = Signal()  # no handle is held any more, whether or not one was moved
@@ -56,6 +59,9 @@ class CurvePlot(QWidget):
         self._preview: ChannelCurve | None = None
         self._raw: int | None = None
         self.setAccessibleName(self.tr("Curve of the channel"))
+        self.setAccessibleDescription(
+            self.tr("Its handles can be dragged; the fields below set the same values.")
+        )
 
         self._canvas = PlotCanvas(self.accessibleName(), self)
         self._canvas.viewport.setObjectName("curveViewport")

@@ -1,7 +1,7 @@
 """Choice of channel and input source, with what is known of both; legend of the curve."""
 
 from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal, Slot
-from PySide6.QtGui import QIcon, QPixmap
+from PySide6.QtGui import QAccessible, QIcon, QPixmap
 from PySide6.QtWidgets import QListWidget, QListWidgetItem, QSizePolicy, QTabBar, QWidget
 
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
@@ -12,6 +12,7 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.board_records import Known
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import follow_theme
+from trex_gui.ui.widgets.accessible import Spoken
 from trex_gui.ui.widgets.builders import button, column, label, named, row
 from trex_gui.ui.widgets.labels import ElidedLabel, LegendKey, Note
 
@@ -215,8 +216,10 @@ class OtherSource(QWidget):
         self._cycle.setEnabled(self._device.is_connected)
 
 
-class CurveLegend(QWidget):
+class CurveLegend(QWidget, Spoken):
     """One row: the live dot with its value, the curve, and the stored one while it differs."""
+
+    spoken_role = QAccessible.Role.Grouping
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -228,9 +231,11 @@ class CurveLegend(QWidget):
         self._live.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         row((self._live, 1), self._curve, self._stored, into=self, margins=0, spacing=16)
 
+    def spoken_state(self) -> str:
+        return self._live.text()
+
     def set_live(self, text: str) -> None:
         self._live.setText(text)
-        self.setAccessibleDescription(text)
 
     def set_curves(self, known: bool, *, differs: bool, live: bool) -> None:
         """Name the curves: none, one, or a dashed second one that is stored."""

@@ -265,9 +265,12 @@ class DriveControl(QWidget):
     def set_ceiling(self, ceiling: int) -> None:
         """Offer no speed beyond this one, 1-127, either way."""
         self.slider.set_ceiling(ceiling)
-        tip = ""
         if ceiling < FULL_SCALE:
             tip = self.tr("Up to {0}, the speed ceiling above").format(ceiling)
+        elif self._two_way:
+            tip = self.tr("From −127, full speed back, to 127, full speed forward")
+        else:
+            tip = self.tr("From 0 to 127, full speed")
         for widget in (self.slider, self._entry):
             widget.setToolTip(tip)
         self._entry.set_limits(-ceiling if self._two_way else 0, ceiling)

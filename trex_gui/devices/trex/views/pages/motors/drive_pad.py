@@ -2,6 +2,7 @@
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal, Slot
 from PySide6.QtGui import (
+    QAccessible,
     QEventPoint,
     QFont,
     QFontMetrics,
@@ -16,6 +17,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.ui.theme.theme import scaled_font, theme
+from trex_gui.ui.widgets.accessible import Spoken
 from trex_gui.ui.widgets.behaviour import PressMonitor
 
 _STRAIGHT = 0.06
@@ -28,12 +30,14 @@ _LARGEST_SHARE = 0.4
 """Share of its parent's width that it takes at most."""
 
 
-class DrivePad(QWidget):
+class DrivePad(QWidget, Spoken):
     """Steers while a mouse button or a finger is down in it.
 
     The hold ends when the button or finger goes up, anywhere, and when `PressMonitor` reports a
     loss. Keys belong to `KeyDriver`. `held` is whether a button or finger is down in it.
     """
+
+    spoken_role = QAccessible.Role.Canvas
 
     steered = Signal(float, float)  # forward and turn, -1 to 1 each; forward and right are positive
     released = Signal()
@@ -51,7 +55,6 @@ class DrivePad(QWidget):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAttribute(Qt.WidgetAttribute.WA_AcceptTouchEvents)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Expanding)
-        self._describe()
 
         self._watch.lost.connect(self.release)
         theme().changed.connect(self.update)
@@ -60,14 +63,12 @@ class DrivePad(QWidget):
         if can_turn != self._can_turn:
             self._can_turn = can_turn
             self.release()
-            self._describe()
             self.update()
 
     def set_ceiling(self, ceiling: int) -> None:
         """Show which speed, 1-127, full deflection gives."""
         if ceiling != self._ceiling:
             self._ceiling = ceiling
-            self._describe()
             self.update()
 
     @Slot(float, float)
@@ -158,10 +159,9 @@ class DrivePad(QWidget):
 
     def _put(self, forward: float, turn: float) -> None:
         self._forward, self._turn = forward, turn if self._can_turn else 0.0
-        self._describe()
         self.update()
 
-    def _describe(self) -> None:
+    def spoken_state(self) -> str:
         use = self.tr("Hold an arrow key to drive while the pad has the focus.")
         if not self._can_turn:
             use = self.tr("Hold Up or Down to drive; the motors cannot turn separately.")
@@ -176,7 +176,7 @@ class DrivePad(QWidget):
         if self._ceiling < FULL_SCALE:
             share = 100 * self._ceiling / FULL_SCALE
             parts.append(self.tr("Full deflection is {0:.0f} % of full speed.").format(share))
-        self.setAccessibleDescription(" ".join(parts))
+        return " ".join(parts)
 
     def sizeHint(self) -> QSize:
         """Return a square of its height, which the page gives; the sliders need the rest."""

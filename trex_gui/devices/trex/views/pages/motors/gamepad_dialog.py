@@ -20,6 +20,7 @@ from trex_gui.gamepad.profile import (
     default_profile,
 )
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.accessible import SpokenRange
 from trex_gui.ui.widgets.bar import with_sign
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.labels import Note
@@ -42,6 +43,9 @@ class PartBar(OutputBar):
 
     def _spoken_value(self) -> str:
         return self._value_text()
+
+    def spoken_range(self) -> SpokenRange:
+        return SpokenRange(-100, round(100 * (self.value or 0) / FULL_SCALE), 100)
 
     def _widest_value(self) -> str:
         return f"{with_sign(-100)} %"

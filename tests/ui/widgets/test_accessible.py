@@ -1,0 +1,114 @@
+"""What screen readers find in painted widgets."""
+
+import gc
+
+import pytest
+from PySide6.QtCore import QCoreApplication, QEvent
+from PySide6.QtGui import QAccessible, QAccessibleInterface
+from PySide6.QtWidgets import QLabel, QWidget
+from pytestqt.qtbot import QtBot
+
+from trex_gui.devices.trex.views.bars import OutputBar
+from trex_gui.ui.widgets.labels import LiveLabel, Sign
+from trex_gui.ui.widgets.leds import Lamp
+from trex_gui.ui.widgets.sliders import StickSlider
+
+Role, Text = QAccessible.Role, QAccessible.Text
+
+
+def interface_of(widget: QWidget) -> QAccessibleInterface:
+    found = QAccessible.queryAccessibleInterface(widget)
+    assert found is not None
+    return found
+
+
+def test_bar_has_role_value_and_range(qtbot: QtBot) -> None:
+    bar = OutputBar()
+    qtbot.addWidget(bar)
+    bar.set_connected(True)
+    bar.set_value(-64)
+    interface = interface_of(bar)
+    assert interface.role() is Role.ProgressBar
+    assert interface.text(Text.Value) == "-64"
+    assert interface.text(Text.Description) == "−64 of 127"
+    value = interface.valueInterface()
+    assert value is not None
+    assert (value.minimumValue(), value.currentValue(), value.maximumValue()) == (-127, -64, 127)
+
+
+def test_bar_announces_no_samples(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Qt announces each change of a name and a description, if a screen reader runs."""
+    bar = OutputBar()
+    qtbot.addWidget(bar)
+    for announcing in ("setAccessibleName", "setAccessibleDescription"):
+        monkeypatch.setattr(OutputBar, announcing, None)
+    bar.set_connected(True)
+    for value in range(20):
+        bar.set_value(value)
+    assert interface_of(bar).text(Text.Description) == "+19 of 127"
+
+
+def test_tool_tip_follows_the_state(qtbot: QtBot) -> None:
+    bar = OutputBar()
+    qtbot.addWidget(bar)
+    bar.setToolTip("What the board makes of it")
+    assert interface_of(bar).text(Text.Description) == "not connected\nWhat the board makes of it"
+
+
+def test_slider_is_read_and_set_in_the_unit_that_is_shown(qtbot: QtBot) -> None:
+    slider = StickSlider(40, 160, 40, "bar")
+    qtbot.addWidget(slider)
+    slider.positions_per_unit = 10
+    slider.value_label = QLabel("12.0 V", slider)
+    slider.setValue(120)
+    interface = interface_of(slider)
+    value = interface.valueInterface()
+    assert value is not None
+    assert (value.minimumValue(), value.currentValue(), value.maximumValue()) == (4, 12, 16)
+    assert interface.role() is Role.Slider
+    assert interface.text(Text.Description) == "12.0 V"
+    value.setCurrentValue(13.5)
+    assert slider.value() == 135
+
+
+def test_live_label_is_read_with_its_name(qtbot: QtBot) -> None:
+    label = LiveLabel("value", "Input 1")
+    qtbot.addWidget(label)
+    label.setText("1500 µs")
+    assert interface_of(label).text(Text.Name) == "Input 1: 1500 µs"
+    assert interface_of(label).role() is Role.StaticText
+
+
+def test_sign_is_read_while_there_is_one(qtbot: QtBot) -> None:
+    sign = Sign()
+    qtbot.addWidget(sign)
+    sign.show_sign("warning", "warning")
+    assert interface_of(sign).text(Text.Name) == "Warning"
+    sign.show_sign("")
+    assert not interface_of(sign).text(Text.Name)
+
+
+@pytest.mark.parametrize("has_value", [True, False])
+def test_other_interfaces_are_absent(has_value: bool, qtbot: QtBot) -> None:
+    widget = OutputBar() if has_value else Lamp("led_red")
+    qtbot.addWidget(widget)
+    interface = interface_of(widget)
+    assert interface.textInterface() is None
+    assert interface.selectionInterface() is None
+    assert (interface.valueInterface() is not None) is has_value
+
+
+def test_interfaces_outlive_neither_widgets_nor_garbage(qtbot: QtBot) -> None:
+    parent = QWidget()
+    qtbot.addWidget(parent)
+    lasting = OutputBar(parent)
+    interface_of(lasting)
+    for _ in range(50):
+        passing = OutputBar(parent)
+        interface_of(passing)
+        passing.deleteLater()
+        del passing
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+        gc.collect()
+        assert interface_of(lasting).text(Text.Description) == "not connected"
+    assert parent.findChildren(OutputBar) == [lasting]

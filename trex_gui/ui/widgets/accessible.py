@@ -1,0 +1,102 @@
+"""What painted widgets tell screen readers: their role, and their state when it is asked for."""
+
+from typing import Any, NamedTuple
+
+from PySide6.QtCore import QObject
+from PySide6.QtGui import QAccessible, QAccessibleInterface, QAccessibleValueInterface
+from PySide6.QtWidgets import QAccessibleWidget, QWidget
+from shiboken6.Shiboken import VoidPtr, getCppPointer
+
+
+class SpokenRange(NamedTuple):
+    """A value between two ends, in the unit that the user sees."""
+
+    lowest: float
+    value: float
+    highest: float
+
+
+class Spoken:
+    """Mixed into a widget whose state is read when a screen reader asks for it.
+
+    Qt's own properties send an event with each change, which is one for each sample here. The
+    state is the description; what `accessibleDescription` or the tool tip say follows it.
+    """
+
+    spoken_role = QAccessible.Role.Graphic
+
+    def spoken_name(self) -> str:
+        """Return a name that changes; empty: `accessibleName` is the name."""
+        return ""
+
+    def spoken_state(self) -> str:
+        """Return what the widget shows now."""
+        return ""
+
+    def spoken_range(self) -> SpokenRange | None:
+        """Return the value of a widget that is not a text only."""
+        return None
+
+    def set_spoken_value(self, value: float) -> None:
+        """Take a value from a screen reader; what only shows something ignores it."""
+
+
+class _Interface(QAccessibleWidget):
+    """Belongs to its widget, which it holds no reference to."""
+
+    def text(self, kind: QAccessible.Text, /) -> str:
+        said, widget = super().text(kind), self.widget()
+        if not isinstance(widget, Spoken):
+            return said
+        if kind is QAccessible.Text.Name:
+            return widget.spoken_name() or said
+        if kind is QAccessible.Text.Value:
+            shown = widget.spoken_range()
+            return f"{shown.value:g}" if shown else widget.spoken_state()
+        if kind is QAccessible.Text.Description:
+            return "\n".join(part for part in (widget.spoken_state(), said) if part)
+        return said
+
+
+class _RangeInterface(_Interface, QAccessibleValueInterface):
+    def __init__(self, widget: QWidget, role: QAccessible.Role) -> None:
+        _Interface.__init__(self, widget, role)
+        QAccessibleValueInterface.__init__(self)
+
+    def interface_cast(self, kind: QAccessible.InterfaceType, /) -> Any:
+        """Return a pointer; what the stubs name, and `None` for a null pointer, crash Qt."""
+        if kind is QAccessible.InterfaceType.ValueInterface:
+            return VoidPtr(getCppPointer(self)[-1])
+        return super().interface_cast(kind) or VoidPtr(0)
+
+    def _range(self) -> SpokenRange:
+        widget = self.widget()
+        shown = widget.spoken_range() if isinstance(widget, Spoken) else None
+        return shown or SpokenRange(0, 0, 0)
+
+    def currentValue(self) -> float:
+        return self._range().value
+
+    def minimumValue(self) -> float:
+        return self._range().lowest
+
+    def maximumValue(self) -> float:
+        return self._range().highest
+
+    def minimumStepSize(self) -> float:
+        return 0.0
+
+    def setCurrentValue(self, value: object, /) -> None:
+        widget = self.widget()
+        if isinstance(widget, Spoken) and isinstance(value, int | float):
+            widget.set_spoken_value(value)
+
+
+def _make_interface(_class_name: str, widget: QObject) -> QAccessibleInterface | None:
+    if not (isinstance(widget, QWidget) and isinstance(widget, Spoken)):
+        return None
+    has_range = type(widget).spoken_range is not Spoken.spoken_range
+    return (_RangeInterface if has_range else _Interface)(widget, widget.spoken_role)
+
+
+QAccessible.installFactory(_make_interface)
