@@ -2,7 +2,7 @@
 """Set the project up in `.venv/`, then show it, check it or measure it.
 
     python3 packaging/bootstrap.py setup | demo | test [--all] | bench | soak | mutate |
-                                    translations
+                                    translations | pictures
 
 Needs nothing but Python's standard library. The syntax stays readable to older Pythons, so that
 they get as far as the sentence about their age.
@@ -42,6 +42,7 @@ PACKAGING = ROOT / "packaging"
 CONSTRAINTS = PACKAGING / "constraints.txt"
 BENCHMARKS = ROOT / "tests" / "benchmarks"
 MUTATE = PACKAGING / "mutate.py"
+PICTURES = PACKAGING / "pictures.py"
 
 CORES = max(2, min(4, os.cpu_count() or 1))
 VIRTUAL = ("-m", "not realtime", "-n", str(CORES), "--dist", "worksteal")
@@ -675,6 +676,15 @@ def command_translations() -> int:
     return run_in_sight([str(venv_python()), str(PACKAGING / "translations.py")], {})
 
 
+def command_pictures() -> int:
+    """Make the pictures of the help with the window of a user who has chosen nothing."""
+    set_up()
+    with tempfile.TemporaryDirectory() as home:
+        folders = {f"XDG_{kind}_HOME": home for kind in ("CONFIG", "DATA", "CACHE")}
+        env = {**OFFSCREEN, **folders, "LC_ALL": "C.UTF-8"}
+        return run_in_sight([str(venv_python()), str(PICTURES)], env)
+
+
 # --- The command line --------------------------------------------------------------------------
 
 
@@ -714,6 +724,7 @@ def make_parser() -> argparse.ArgumentParser:
     soak.add_argument("--seed", metavar="N", type=int, help="repeats a run; it prints its seed")
     add("mutate", "set up if needed and measure what the tests catch", for_mutate)
     add("translations", "set up if needed, update the translation files and compile them")
+    add("pictures", "set up if needed and make the pictures of the help")
     return parser
 
 
@@ -747,6 +758,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return command_mutate(for_pytest)
         if command == "translations":
             return command_translations()
+        if command == "pictures":
+            return command_pictures()
         return command_bench(for_pytest, options.compare)
     except BootstrapError as error:
         print(error, file=sys.stderr)

@@ -1,5 +1,6 @@
 """The command trex-gui: what it says without a window, and the tour that needs nobody."""
 
+import json
 import platform
 import signal
 import subprocess
@@ -18,6 +19,8 @@ from trex_gui.core.log_file import log_file, log_folder
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.ui.program import Program
 from trex_gui.ui.tour import Tour
+
+PICTURES = Path(__file__).parents[1] / "resources" / "help" / "pictures"
 
 
 def run(*arguments: str, timeout: float = 50) -> subprocess.CompletedProcess[str]:
@@ -71,6 +74,12 @@ def test_tour_writes_every_page_and_the_wizard(
     names = {path.name for path in tmp_path.glob("*.png")}
     assert names == {f"{page}-dark.png" for page in tour_pages()}
     assert all(path.stat().st_size > 10_000 for path in tmp_path.glob("*.png"))
+    shown = json.loads((PICTURES / "digests.json").read_text(encoding="utf-8"))
+    old = [name for name, digest in shown.items() if tour.digests[name] != digest]
+    assert not old, (
+        "the window has changed since these pictures of the help were made; "
+        "make them again: python3 packaging/bootstrap.py pictures"
+    )
 
 
 def tour_pages() -> list[str]:

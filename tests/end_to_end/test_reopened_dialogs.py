@@ -8,7 +8,6 @@ from PySide6.QtWidgets import QDialog, QPushButton
 from tests.support.window import WindowDriver
 from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
 from trex_gui.devices.trex.views.review.power_cycle import PowerCycleDialog
-from trex_gui.ui.frame.main_window import HelpDialog
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 
 
@@ -19,7 +18,7 @@ def openers(window: WindowDriver) -> dict[str, Callable[[], object]]:
         "defaultsDialog": lambda: window.trigger("defaults"),
         "findDialog": lambda: window.click("findButton"),
         "gamepadDialog": window.find_only(GamepadPanel)._on_set_up_clicked,
-        "helpDialog": lambda: window.find_only(HelpDialog).show_text("Help", "Text"),
+        "helpDialog": lambda: window.window.show_help("safety.md"),
         "historyDialog": lambda: window.trigger("history"),
         "learnDialog": lambda: window.trigger("learn"),
         "powerCycleDialog": window.find_only(PowerCycleDialog).guide,

@@ -126,5 +126,5 @@ def test_windows_of_aracna_fit(screen: QRect, window: WindowDriver) -> None:
     window.open_page("aracnaRobotPage")
     window.click("aracnaLimitsBox")
     check_keyboard(window.window)
-    window.trigger("guide")
+    window.trigger("help")
     check_window(window.find(QDialog, "helpDialog"), screen, None)

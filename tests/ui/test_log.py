@@ -10,6 +10,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.window import WidgetDriver
 from trex_gui.ui.event_log import EventKind, EventLog
+from trex_gui.ui.help.messages import MessageHelp
 from trex_gui.ui.log import MOST_ENTRIES, Log, LogPage
 from trex_gui.ui.notifier import Notifier
 
@@ -90,7 +91,7 @@ def test_lines_are_filtered_copied_and_saved(
     qtbot: QtBot, clocks: Clocks, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     log, notifier = clocks.log(), Notifier()
-    page = LogPage(log, "trex", notifier)
+    page = LogPage(log, "trex", notifier, MessageHelp({}))
     qtbot.addWidget(page)
     driver = WidgetDriver(page, qtbot)
     text = driver.find(QPlainTextEdit, "trexLog")

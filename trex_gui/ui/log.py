@@ -17,6 +17,7 @@ from trex_gui.core.errors import StudioError
 from trex_gui.core.files import save
 from trex_gui.ui.event_log import Event, EventLog
 from trex_gui.ui.files import in_background
+from trex_gui.ui.help.messages import MessageHelp
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import now
 from trex_gui.ui.translations import error_sentence
@@ -87,11 +88,19 @@ class Log(QObject):
 class LogPage(QWidget):
     """The entries, newest at the bottom; can be searched, copied and saved."""
 
+    help_wanted = Signal(str)  # the topic of the line with the cursor
+
     def __init__(
-        self, log: Log, key: str, notifier: Notifier, parent: QWidget | None = None
+        self,
+        log: Log,
+        key: str,
+        notifier: Notifier,
+        message_help: MessageHelp,
+        parent: QWidget | None = None,
     ) -> None:
         """`key` begins the object names and the proposed file name."""
         super().__init__(parent)
+        self._message_help = message_help
         self.setObjectName(f"{key}LogPage")
         self._log = log
         self._key = key
@@ -101,6 +110,14 @@ class LogPage(QWidget):
         )
         self._problems = ui.check_box(
             self, f"{key}LogProblems", self.tr("O&nly problems"), on_toggle=self._fill
+        )
+        self._help = ui.button(
+            self,
+            f"{key}LogHelp",
+            self.tr("E&xplain"),
+            icon="help",
+            tip=self.tr("Show the help on the message in the line with the cursor"),
+            on_click=self._on_help_clicked,
         )
         copy = ui.button(
             self,
@@ -125,7 +142,8 @@ class LogPage(QWidget):
         self._text.setPlaceholderText(
             self.tr("Messages, stops, lost connections and written settings will be listed here.")
         )
-        above = ui.row((self._search, 1), self._problems, copy, save_button)
+        self._text.cursorPositionChanged.connect(self._on_cursor_moved)
+        above = ui.row((self._search, 1), self._problems, self._help, copy, save_button)
         self.rows = ui.column(above, (self._text, 1), into=self)
 
         self._search.textChanged.connect(self._fill)
@@ -154,6 +172,19 @@ class LogPage(QWidget):
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         self._fill()
+
+    @property
+    def _topic(self) -> str:
+        return self._message_help.topic(self._text.textCursor().block().text())
+
+    @Slot()
+    @only_when_visible
+    def _on_cursor_moved(self) -> None:
+        self._help.setEnabled(bool(self._topic))
+
+    @Slot()
+    def _on_help_clicked(self) -> None:
+        self.help_wanted.emit(self._topic)
 
     @Slot()
     def _copy(self) -> None:

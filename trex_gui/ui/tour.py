@@ -1,20 +1,32 @@
 """Screenshots of every page and dialog, light and dark, without a user."""
 
+import hashlib
+import re
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QSize, Qt, Signal
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QAbstractButton, QTabWidget, QWidget
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QDockWidget,
+    QGroupBox,
+    QHeaderView,
+    QLabel,
+    QStackedWidget,
+    QTabBar,
+    QTabWidget,
+    QWidget,
+)
 
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.program import Program
 from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.theme.theme import Scheme, theme
 
-_SIZE = (1440, 800)  # room for a page as it is, and for the panel of the simulated device
+_SIZE = QSize(1440, 800)  # room for a page as it is, and for the panel of the simulated device
 _SETTLE_MS = 2500
 _STEP_MS = 200
 _STOP_MS = 100  # for the stop to be sent
@@ -27,17 +39,30 @@ Do = Callable[[], object]
 class Tour(QObject):
     """Connects to each simulated device, runs the steps of its plugin, writes PNG files.
 
-    `folder` is made when it is missing.
+    `folder` is made when it is missing. `digests` has one of what each picture shows, by the name
+    of its file without the scheme.
     """
 
     # Whether all pictures are written; else a device did not connect, or a step could not be done.
     finished = Signal(bool)
 
     def __init__(
-        self, program: Program, folder: Path, schemes: Sequence[Scheme] = ("light", "dark")
+        self,
+        program: Program,
+        folder: Path,
+        schemes: Sequence[Scheme] = ("light", "dark"),
+        *,
+        size: QSize = _SIZE,
+        wanted: Collection[str] | None = None,
+        shows_docks: bool = True,
     ) -> None:
+        """`size` is that of the window, `wanted` the pictures without their schemes, if not all."""
         super().__init__()
+        self.digests: dict[str, str] = {}
         self._schemes = schemes
+        self._size = size
+        self._wanted = wanted
+        self._shows_docks = shows_docks
         self._program = program
         self._folder = folder
         self._steps = self._make_steps()
@@ -50,7 +75,7 @@ class Tour(QObject):
 
     def start(self) -> None:
         self._folder.mkdir(parents=True, exist_ok=True)
-        self._program.window.resize(*_SIZE)
+        self._program.window.resize(self._size)
         self._step()
 
     def _step(self) -> None:
@@ -91,14 +116,14 @@ class Tour(QObject):
                 yield partial(tabs.setCurrentIndex, index)
                 page = tabs.widget(index)
                 name = page.objectName().removesuffix("PageArea") if page else str(index)
-                yield partial(self._write, window, f"{name}{state}-{scheme}.png")
+                yield partial(self._write, window, f"{name}{state}", scheme)
 
     def look_at(self, dialog: str, name: str) -> Iterator[Do]:
         widget = self._program.window.findChild(QWidget, dialog)
         for scheme in self._schemes:
             yield partial(theme().set_scheme, scheme)
             if widget is not None:
-                yield partial(self._write, widget, f"{name}-{scheme}.png")
+                yield partial(self._write, widget, name, scheme)
 
     def choose(self, action: str) -> bool:
         found = self._program.window.findChild(QAction, action)
@@ -125,7 +150,49 @@ class Tour(QObject):
         found = self._program.window.findChild(QWidget, widget)
         return found is not None and found.isVisible()
 
-    def _write(self, widget: QWidget, name: str) -> None:
-        path = self._folder / name
+    def _write(self, widget: QWidget, name: str, scheme: Scheme) -> None:
+        if self._wanted is not None and name not in self._wanted:
+            return
+        if not self._shows_docks:
+            for dock in widget.findChildren(QDockWidget):
+                dock.hide()
+        text = "\n".join(sorted(fixed_texts(widget)))
+        self.digests[name] = hashlib.sha256(text.encode()).hexdigest()[:16]
+        path = self._folder / f"{name}-{scheme}.png"
         if widget.grab().save(str(path)):
             sys.stdout.write(f"{path}\n")
+
+
+def fixed_texts(widget: QWidget) -> Iterator[str]:
+    """Yield what a widget shows at any time: names of its parts, texts of labels and buttons.
+
+    Measurements are left out: labels with a name, numbers. Of pages in one place only the current
+    one counts, and neither docks nor dialogs do.
+    """
+    if widget.objectName() and not widget.objectName().startswith("qt_"):
+        yield f"{type(widget).__name__} {widget.objectName()}"
+    yield from filter(None, (re.sub(r"[^\w ]|\d", "", text).strip() for text in _texts(widget)))
+    # Not `children`: it ends the wrappers of actions.
+    direct = Qt.FindChildOption.FindDirectChildrenOnly
+    for child in widget.findChildren(QWidget, options=direct):
+        if child.isWindow() or isinstance(child, QDockWidget) or child.objectName() == "focusFrame":
+            continue
+        if isinstance(widget, QStackedWidget) and child is not widget.currentWidget():
+            continue
+        yield from fixed_texts(child)
+
+
+def _texts(widget: QWidget) -> Iterator[str]:
+    match widget:
+        case QLabel() if not widget.objectName():
+            yield widget.text()
+        case QAbstractButton():
+            yield widget.text()
+        case QGroupBox():
+            yield widget.title()
+        case QTabBar():
+            yield from map(widget.tabText, range(widget.count()))
+        case QHeaderView() if (model := widget.model()) is not None:
+            for section in range(widget.count()):
+                if widget.orientation() is Qt.Orientation.Horizontal:
+                    yield str(model.headerData(section, widget.orientation()) or "")

@@ -232,7 +232,7 @@ def cable_rows(
         device.set_mute,
         lambda snapshot: snapshot.line.mute,
     )
-    share = LiveLabel(f"{prefix}NoiseValue", _tr("Noise on the line"), rows)
+    share = LiveLabel(f"{prefix}NoiseValue", tr("Noise on the line"), rows)
     noise = rows.slider(
         f"{prefix}Noise",
         tr("Noise on the line"),

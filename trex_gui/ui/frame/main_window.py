@@ -4,11 +4,10 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QObject, Qt, QTimer, QUrl, Signal, Slot
+from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal, Slot
 from PySide6.QtGui import (
     QAction,
     QCloseEvent,
-    QDesktopServices,
     QGuiApplication,
     QKeyEvent,
     QKeySequence,
@@ -18,13 +17,11 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QApplication,
-    QDialogButtonBox,
     QMainWindow,
     QMenu,
     QMessageBox,
     QStackedWidget,
     QTabWidget,
-    QTextBrowser,
     QWidget,
 )
 
@@ -47,6 +44,7 @@ from trex_gui.ui.frame.workspace import (
     entries_of,
     fill_menu_bar,
 )
+from trex_gui.ui.help.pages import INDEX
 from trex_gui.ui.notifier import ConnectWith, Notifier, Remedy
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.recent_files import RecentFile, RecentFiles
@@ -55,13 +53,19 @@ from trex_gui.ui.theme.icons import DialogIcons, application_icon
 from trex_gui.ui.theme.theme import restore_choices
 from trex_gui.ui.units import restore_units
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.file_drop import FileDrop
 from trex_gui.ui.widgets.messages import Banner, InlinePrompt, MessageRoom, PromptAnswer
 from trex_gui.ui.widgets.placement import keep_on_screen, restore_geometry, save_geometry
 
 _LOG_OUT_S = 60.0
 """Seconds after the start of a log-out within which closing the window is part of it."""
+
+_HELP_TOPICS = {
+    "findDialog": "connecting.md#find",
+    "preferencesDialog": "window.md#preferences",
+    "reportDialog": "traffic.md#report-for-support",
+    "helpDialog": INDEX,
+}
 
 
 _DEVICE = "window/device"
@@ -101,8 +105,9 @@ class MainWindow(QMainWindow):
         self._connection = ConnectionBar(device_manager, ports, self._line_choices, frame)
         self.question = InlinePrompt(frame)  # for questions of the window and of the workspaces
         self._stack = QStackedWidget(frame)
-        banner = Banner(frame, notifier)
+        banner = Banner(frame, notifier, self._topic_of)
         banner.chosen.connect(self._on_remedy_chosen)
+        banner.help_wanted.connect(self.show_help)
         self._messages = MessageRoom(frame, banner, self.question)
         below = ui.column(self._messages, (self._stack, 1), spacing=0)
         ui.column(self._connection, (below, 1), into=frame)
@@ -115,7 +120,6 @@ class MainWindow(QMainWindow):
         self._recent_menu = QMenu(self.tr("Recent &files"), self)
         self._recent_menu.setToolTipsVisible(True)
         self._was_connected = False
-        self._help = HelpDialog(self)
         self._warning = UnconfirmedStopWarning(device_manager, self.question, self)
         # After the event: a question about the file must not block the program it comes from.
         drop = FileDrop(self)
@@ -156,6 +160,7 @@ class MainWindow(QMainWindow):
         self._fill_recent()
         # Whatever window is in front; the others have their own keys.
         self._actions["stop"].setShortcutContext(Qt.ShortcutContext.ApplicationShortcut)
+        self._actions["help"].setShortcutContext(Qt.ShortcutContext.ApplicationShortcut)
         self._actions["stop"].setAutoRepeat(False)  # Esc that closed a menu may still be held
 
     def _connect(self) -> None:
@@ -237,8 +242,9 @@ class MainWindow(QMainWindow):
         yield (
             tr("&Help"),
             (
+                Entry("help", tr("&Help"), self._show_help, "F1", "help"),
+                SEPARATOR,
                 *shared(Menu.HELP),
-                Entry("guide", tr("Online &documentation…"), self._show_help, "F1", "help"),
                 Entry("report", tr("&Save report for support…"), self._show_report, "", "save"),
                 Entry("log_folder", tr("Open &log folder"), self._open_log_folder, "", "open"),
                 Entry("about", tr("&About…"), self._show_about, "", "info"),
@@ -331,7 +337,6 @@ class MainWindow(QMainWindow):
 
     @Slot()
     def _on_device_changed(self) -> None:
-        self._help.close()
         self._notifier.cleared.emit()
         self._store.set(_DEVICE, self._manager.current.plugin.key)
         self._show_current()
@@ -339,7 +344,6 @@ class MainWindow(QMainWindow):
     def _show_current(self) -> None:
         self._stack.setCurrentWidget(self._workspace)
         self._actions["stop"].setText(self._workspace.stop_text)
-        self._actions["guide"].setText(self._workspace.help_title)
         for workspace in self._workspaces:
             for entry in entries_of(workspace.menus()):
                 self._actions[entry.key].setVisible(workspace is self._workspace)
@@ -428,11 +432,32 @@ class MainWindow(QMainWindow):
         dialog.open_preferences()
 
     def _show_help(self) -> None:
-        workspace = self._workspace
-        if workspace.help_url:
-            QDesktopServices.openUrl(QUrl(workspace.help_url))
-        else:
-            self._help.show_text(workspace.help_title, workspace.help_text())
+        self.show_help(self._topic_in_front())
+
+    @Slot(str)
+    def show_help(self, topic: str) -> None:
+        """Show a page of the help beside the window, or a section: `page.md#anchor`."""
+        from trex_gui.ui.help.dialog import HelpDialog  # noqa: PLC0415 - not at the start
+
+        dialog = self.findChild(HelpDialog) or HelpDialog(self)
+        dialog.show_topic(topic)
+
+    def _topic_of(self, message: str) -> str:
+        return self._workspace.message_help.topic(message) if self._workspaces else ""
+
+    def _topic_in_front(self) -> str:
+        """Return the help on what has the focus, or on the page that is shown."""
+        topics = dict(_HELP_TOPICS)
+        for workspace in self._workspaces:
+            topics |= workspace.help_topics
+        widget = QApplication.focusWidget() or QApplication.activeWindow()
+        while widget is not None:
+            if widget.objectName() in topics:
+                return topics[widget.objectName()]
+            widget = None if widget.isWindow() else widget.parentWidget()
+        page = self.pages.currentWidget()
+        name = page.objectName().removesuffix("Area") if page is not None else ""
+        return topics.get(name, INDEX)
 
     def _show_report(self) -> None:
         from trex_gui.ui.frame.report_dialog import ReportDialog  # noqa: PLC0415 - rarely needed
@@ -502,37 +527,10 @@ class MainWindow(QMainWindow):
         for workspace in self._workspaces:
             workspace.prepare_to_close()
         self._connection.close_dialogs()
-        self._help.close()
         save_geometry(self, "window")
         for workspace in self._workspaces:
             workspace.finish()
         super().closeEvent(event)
-
-
-class HelpDialog(ReusedDialog):
-    """Help beside the window, so that it can be tried while it is read."""
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("helpDialog")
-        self.resize(560, 620)
-        self._shown = ""
-        self._text = ui.named(QTextBrowser(self), "helpText", accessible=self.tr("Help"))
-        self._text.setOpenExternalLinks(True)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close, self)
-        buttons.button(QDialogButtonBox.StandardButton.Close).setObjectName("helpClose")
-        ui.column((self._text, 1), buttons, into=self)
-        buttons.rejected.connect(self.close)
-
-    def show_text(self, title: str, text: str) -> None:
-        """Show rich text; `title` as a menu names it."""
-        title = title.replace("&", "").removesuffix("…")
-        self.setWindowTitle(title)
-        if text != self._shown:  # else it keeps its scroll position
-            self._text.setHtml(text)
-            self._shown = text
-        self.show_in_front()
-        self._text.setFocus(Qt.FocusReason.PopupFocusReason)
 
 
 class EscapeWatch(QObject):

@@ -10,6 +10,7 @@ from PySide6.QtCore import QSignalBlocker, Signal
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabWidget, QWidget
 
+from trex_gui.ui.help.messages import MessageHelp
 from trex_gui.ui.log import Log
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.plotting.page import PlotPage
@@ -92,8 +93,9 @@ class Workspace(QWidget):
         self.key = key
         self.log = Log(self)  # of messages in the window while this workspace is shown, and more
         self.stop_text = self.tr("&Stop motors")  # menu entry of Esc
-        self.help_title = self.tr("Online &documentation…")  # menu entry of F1
-        self.help_url = ""  # opens the documentation; without one, `help_text` is shown
+        # Topics of the help by the object names of pages, docks and dialogs; see `HelpDialog`.
+        self.help_topics: Mapping[str, str] = {}
+        self.message_help = MessageHelp({})
         # Files that are opened here when they are dropped or named at the start.
         self.file_kinds: Sequence[FileKind] = ()
         # What opens its recent files again, by the key of their kind.
@@ -166,9 +168,6 @@ class Workspace(QWidget):
             )
             for number, info in enumerate(self._infos, start=1)
         ]
-
-    def help_text(self) -> str:
-        return ""
 
     def report_parts(self) -> dict[str, Callable[[], str]]:
         """Return what makes the files of a report for support, called in another thread.

@@ -67,11 +67,23 @@ class Banner(_MessageRow):
     """Shows the newest message of a notifier, or of its owner; hidden while there is none."""
 
     chosen = Signal(object)  # the `Remedy` or `ConnectWith` whose button was pressed
+    help_wanted = Signal(str)  # the topic of the message
 
-    def __init__(self, parent: QWidget | None = None, notifier: Notifier | None = None) -> None:
+    def __init__(
+        self,
+        parent: QWidget | None = None,
+        notifier: Notifier | None = None,
+        help_topic: Callable[[str], str] = lambda _: "",
+    ) -> None:
+        """`help_topic` returns the topic of the help on a message; empty without help."""
         super().__init__("banner", parent, selectable=True)
+        self._help_topic = help_topic
         self._notifier = notifier
         self._offered: Remedies = ()
+        self._help = ui.button(
+            self, "bannerHelp", self.tr("Help"), default=False, on_click=self._on_help_clicked
+        )
+        self._layout.addWidget(self._help)
         self._dismiss = ui.tool_button(
             self, "bannerDismiss", self.tr("Dismiss"), on_click=self.clear
         )
@@ -127,8 +139,12 @@ class Banner(_MessageRow):
                     name, text = "bannerConnectWith", self.tr("Connect with its settings")
                 case CopyCommand():
                     name, text = "bannerCopy", self.tr("Copy command")
-            button = self._add_button(name, text, self._dismiss)
+            button = self._add_button(name, text, self._help)
             button.clicked.connect(partial(self._on_chosen, button, remedy))
+
+    @Slot()
+    def _on_help_clicked(self) -> None:
+        self.help_wanted.emit(self._help_topic(self.text))
 
     def _on_chosen(self, button: QPushButton, remedy: Remedy | CopyCommand | ConnectWith) -> None:
         if isinstance(remedy, CopyCommand):
@@ -143,6 +159,7 @@ class Banner(_MessageRow):
         if self._notifier is not None:
             self._notifier.shown, self._notifier.shows_problem = text, is_problem
         self._text.setText(text)
+        self._help.setVisible(bool(text and self._help_topic(text)))
         # Screen readers need a name while there is no message.
         self._text.setAccessibleName("" if text else self.tr("No message"))
         self.setVisible(bool(text))

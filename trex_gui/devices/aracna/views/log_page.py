@@ -6,14 +6,17 @@ from PySide6.QtWidgets import QFormLayout, QWidget
 
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.help.messages import MessageHelp
 from trex_gui.ui.log import Log, LogPage
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import only_when_visible
 
 
 class RobotLogPage(LogPage):
-    def __init__(self, robot: Robot, log: Log, parent: QWidget | None = None) -> None:
-        super().__init__(log, "aracna", robot.notifier, parent)
+    def __init__(
+        self, robot: Robot, log: Log, message_help: MessageHelp, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(log, "aracna", robot.notifier, message_help, parent)
         self._robot = robot
         line = ui.GroupBox(self.tr("Line"), self)
         self._traffic, self._failures = (

@@ -18,7 +18,7 @@ from trex_gui.devices.aracna.poses.ppr import SUFFIX
 from trex_gui.devices.aracna.recording import FORMAT, Header, Record
 from trex_gui.devices.aracna.views.action_bar import ActionBar
 from trex_gui.devices.aracna.views.demo import RobotPanel
-from trex_gui.devices.aracna.views.help import help_text
+from trex_gui.devices.aracna.views.help import TOPICS, message_help
 from trex_gui.devices.aracna.views.log_page import RobotLogPage
 from trex_gui.devices.aracna.views.poses.page import PosesPage
 from trex_gui.devices.aracna.views.robot.page import RobotPage
@@ -80,6 +80,7 @@ class AracnaWorkspace(Workspace):
         super().__init__(controller.plugin.key, robot.notifier, frame)
         self._robot = robot
         self._controller = controller
+        self.help_topics, self.message_help = TOPICS, message_help()
         self.log.follow(robot.events)
         self.library = Library(robot)
         self._shown: tuple[Mapping[str, bool], bool] = ({}, False)
@@ -97,7 +98,7 @@ class AracnaWorkspace(Workspace):
             (
                 PageInfo("robot", self.tr("R&obot"), lambda: page),
                 PageInfo("poses", self.tr("Pos&es"), lambda: self._poses),
-                PageInfo("log", self.tr("Lo&g"), lambda: RobotLogPage(robot, self.log, self)),
+                PageInfo("log", self.tr("Lo&g"), self._make_log_page),
                 PageInfo("transcript", self.tr("&Traffic"), lambda: traffic),
             )
         )
@@ -108,7 +109,6 @@ class AracnaWorkspace(Workspace):
         ui.column((tabs, 1), self.recordings.indicator, bar, into=self, margins=0)
         self._demo = RobotPanel(controller, frame)
         self.stop_text = self.tr("&Stop sequence")  # this robot has no stop
-        self.help_title = self.tr("&Help on the Aracna…")  # there is no documentation to link to
         self.docks = (self._demo,)
         pose_files = self._poses.files
         pose_files.opened.connect(lambda: self.show_page("poses"))
@@ -162,9 +162,6 @@ class AracnaWorkspace(Workspace):
             prefix="aracna_",
         )
         return StartPanel(texts, self._frame, self)
-
-    def help_text(self) -> str:
-        return help_text(self.menus(), self._actions)
 
     def report_parts(self) -> dict[str, Callable[[], str]]:
         robot = self._robot
@@ -245,6 +242,11 @@ class AracnaWorkspace(Workspace):
                 Entry("aracna_demo", tr("&Demo Aracna panel"), self._demo.toggle, checkable=True),
             ),
         }
+
+    def _make_log_page(self) -> QWidget:
+        page = RobotLogPage(self._robot, self.log, self.message_help, self)
+        page.help_wanted.connect(self._frame.show_help)
+        return page
 
     def take_actions(self, actions: Mapping[str, QAction]) -> None:
         super().take_actions(actions)

@@ -6,8 +6,8 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Signal, Slot
-from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtCore import QObject, QUrl, Signal, Slot
+from PySide6.QtGui import QAction, QDesktopServices, QKeySequence
 from PySide6.QtWidgets import QWidget
 from shiboken6 import Shiboken
 
@@ -28,6 +28,7 @@ from trex_gui.devices.trex.views.bench.dialog import BenchDialog
 from trex_gui.devices.trex.views.boards import BoardPanel
 from trex_gui.devices.trex.views.close_prompt import ClosePrompt
 from trex_gui.devices.trex.views.demo_panel import DemoPanel
+from trex_gui.devices.trex.views.help import GUIDE, TOPICS, message_help
 from trex_gui.devices.trex.views.history_dialog import HistoryDialog
 from trex_gui.devices.trex.views.learning.dialog import LearnDialog
 from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
@@ -85,6 +86,7 @@ class TrexWorkspace(Workspace):
         )
         self._safe_start = SafeStartWatch(device, self)
         self._offered_losses: set[ComparisonRow] = set()  # lost settings
+        self.help_topics, self.message_help = TOPICS, message_help()
         self.log.follow(device.events)
 
         self._boards = boards = BoardList(device, self)
@@ -114,7 +116,6 @@ class TrexWorkspace(Workspace):
         ui.column((beside, 1), self.recordings.indicator, bar, into=self, margins=0)
         self._demo = DemoPanel(controller, frame)
         self.files = files = SettingsFiles(device, frame)
-        self.help_url = "https://www.pololu.com/docs/0J1"
         self.docks = (self._demo,)
         name, suffixes = self.tr("a settings file of a TReX"), {".txt", ".yaml", ".yml"}
         self.file_kinds = (FileKind(suffixes, name, files.open_file, files.edit_file),)
@@ -245,7 +246,9 @@ class TrexWorkspace(Workspace):
         return ErrorsPage(self._device, self)
 
     def _make_log_page(self) -> QWidget:
-        return LogPage(self.log, self.key, self.notifier, self)
+        page = LogPage(self.log, self.key, self.notifier, self.message_help, self)
+        page.help_wanted.connect(self._frame.show_help)
+        return page
 
     def _make_traffic_page(self) -> QWidget:
         from trex_gui.devices.trex.model.packet_sender import TrexPacketSender  # noqa: PLC0415
@@ -394,6 +397,11 @@ class TrexWorkspace(Workspace):
             ),
             Menu.HELP: (
                 Entry("check_board", tr("&Board does not respond…"), self._check_board, "", "find"),
+                Entry(
+                    "guide",
+                    tr("&User's guide of the maker (online)…"),
+                    lambda: QDesktopServices.openUrl(QUrl(GUIDE)),
+                ),
                 SEPARATOR,
             ),
         }

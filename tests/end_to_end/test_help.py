@@ -1,0 +1,164 @@
+"""F1 opens the help on what is in front, and messages lead to theirs."""
+
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt, QUrl
+from PySide6.QtGui import QDesktopServices, QTextCursor
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QDialog, QMenu, QPlainTextEdit, QTextBrowser, QWidget
+
+from tests.support.pages.every_window import WINDOWS_WITH_STOP
+from tests.support.window import WindowDriver
+from trex_gui.devices.aracna.session.errors import ErrorCode as RobotErrorCode
+from trex_gui.devices.aracna.views import help as aracna
+from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
+from trex_gui.devices.trex.views import help as trex
+from trex_gui.ui.frame.main_window import _HELP_TOPICS
+from trex_gui.ui.help.pages import pages
+from trex_gui.ui.translations import error_sentence
+
+
+def topic_shown(window: WindowDriver) -> str:
+    source = window.find(QTextBrowser, "helpText").source()
+    return f"{source.fileName()}#{source.fragment()}".removesuffix("#")
+
+
+def press_f1(window: WindowDriver, widget: QWidget) -> str:
+    """Press F1 in a window; return the topic that the help then shows, and close it."""
+    widget.activateWindow()
+    window.wait(widget.window().isActiveWindow)
+    QTest.keyClick(widget.window().windowHandle(), Qt.Key.Key_F1)
+    dialog = window.find(QDialog, "helpDialog")
+    window.wait(dialog.isVisible)
+    topic = topic_shown(window)
+    dialog.close()
+    return topic
+
+
+def test_topics_exist() -> None:
+    anchors = {one.topic for page in pages() for one in page.sections}
+    names = {page.name for page in pages()}
+    for topic in (*trex.TOPICS.values(), *aracna.TOPICS.values(), *_HELP_TOPICS.values()):
+        assert topic in names | anchors, topic
+
+
+def test_f1_opens_help_on_each_page(window: WindowDriver) -> None:
+    assert window.action("help").shortcut().toString() == "F1"
+    spaces = window.program.workspaces
+    for key, topics in (("trex", trex.TOPICS), ("aracna", aracna.TOPICS)):
+        window.program.device_manager.switch_to(key, lambda: None)
+        spaces[key].make_pages()
+        tabs = spaces[key].pages
+        for index in range(tabs.count()):
+            tabs.setCurrentIndex(index)
+            page = tabs.widget(index)
+            assert page is not None
+            name = page.objectName().removesuffix("Area")
+            assert press_f1(window, window.window) == topics[name], name
+
+
+def test_f1_opens_help_on_the_window_in_front(
+    connected_window: WindowDriver, tmp_path: Path
+) -> None:
+    window = connected_window
+    for open_window in WINDOWS_WITH_STOP:
+        opened = open_window(window, tmp_path)
+        window.wait(opened.isVisible)
+        assert press_f1(window, opened) == trex.TOPICS[opened.objectName()], opened.objectName()
+        opened.close()
+    for key, name in (("preferences", "preferencesDialog"), ("report", "reportDialog")):
+        window.trigger(key)
+        dialog = window.find(QDialog, name)
+        window.wait(dialog.isVisible)
+        assert press_f1(window, dialog) == _HELP_TOPICS[name]
+        dialog.close()
+    window.trigger("check_board")
+    assert press_f1(window, window.find(QDialog, "checkBoardDialog")) == "lost_settings.md"
+
+
+def test_every_dialog_has_a_topic(connected_window: WindowDriver) -> None:
+    window = connected_window
+    for name in ("setup", "check_board", "preferences", "report", "help"):
+        window.trigger(name)
+    names = {each.objectName() for each in window.find_all(QDialog)}
+    assert len(names) > 10
+    assert names <= trex.TOPICS.keys() | _HELP_TOPICS.keys()
+
+
+def test_message_with_a_code_offers_its_help(connected_window: WindowDriver) -> None:
+    window = connected_window
+    window.device.notifier.error.emit("The file was not saved.")
+    assert window.has("banner")
+    assert not window.has("bannerHelp")
+    window.device.notifier.error.emit(error_sentence(TrexError(ErrorCode.STOP_UNCONFIRMED)))
+    window.click("bannerHelp")
+    dialog = window.find(QDialog, "helpDialog")
+    window.wait(dialog.isVisible)
+    section = "the-stop-was-sent-but-the-board-does-not-confirm-it"
+    assert topic_shown(window) == f"messages.md#{section}"
+
+
+def check_log(window: WindowDriver, key: str, code: ErrorCode | RobotErrorCode, topic: str) -> None:
+    """Log two messages; the one with a code is explained."""
+    log = window.program.workspaces[key].log
+    log.add("Saved.")
+    log.add(str(code.value), is_problem=True)
+    window.program.workspaces[key].show_page("log")
+    text = window.find(QPlainTextEdit, f"{key}Log")
+    window.wait(text.isVisible)
+    text.moveCursor(QTextCursor.MoveOperation.End)
+    window.click(f"{key}LogHelp")
+    assert topic_shown(window) == topic
+    text.moveCursor(QTextCursor.MoveOperation.Up)
+    assert not window.is_enabled(f"{key}LogHelp")
+
+
+def test_log_explains_the_line_with_the_cursor(window: WindowDriver) -> None:
+    check_log(window, "trex", ErrorCode.OVERTAKEN_BY_STOP, "messages.md#a-stop-came-first")
+    window.program.device_manager.switch_to("aracna", lambda: None)
+    stuck = "messages.md#the-robot-is-stuck"
+    check_log(window, "aracna", RobotErrorCode.STUCK, stuck)
+
+
+def test_help_menu_opens_the_guide_of_the_maker(
+    window: WindowDriver, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    opened: list[str] = []
+
+    def open_url(url: QUrl) -> bool:
+        opened.append(url.toString())
+        return True
+
+    monkeypatch.setattr(QDesktopServices, "openUrl", open_url)
+    window.trigger("guide")
+    assert opened == [trex.GUIDE]
+    window.program.device_manager.switch_to("aracna", lambda: None)
+    assert not window.action("guide").isVisible()
+
+
+def test_escape_in_the_help_stops_the_motors(connected_window: WindowDriver) -> None:
+    window = connected_window
+    window.device.motors.arm()
+    window.trigger("help")
+    dialog = window.find(QDialog, "helpDialog")
+    window.wait(dialog.isVisible)
+    dialog.activateWindow()
+    window.wait(dialog.isActiveWindow)
+    QTest.keyClick(dialog.windowHandle(), Qt.Key.Key_Escape)
+    assert not window.device.motors.armed
+
+
+def test_keys_page_lists_every_shortcut(window: WindowDriver) -> None:
+    window.program.workspaces  # noqa: B018 - makes the menus of both devices
+    (page,) = (page for page in pages() if page.name == "window.md")
+    written, count = page.text, 0
+    for menu in window.window.menuBar().findChildren(QMenu):
+        for action in menu.actions():
+            keys = action.shortcut().toString()
+            if keys:
+                count += 1
+                title = action.text().replace("&", "").removesuffix("…")
+                assert keys in written, keys
+                assert title in written, title
+    assert count > 30

@@ -1,0 +1,142 @@
+"""The help window: pages, links, history, search and pictures, without the rest of the window."""
+
+import pytest
+from PySide6.QtCore import QUrl
+from PySide6.QtGui import QColor, QDesktopServices, QTextDocument
+from PySide6.QtWidgets import QApplication, QListWidget, QTextBrowser
+from pytestqt.qtbot import QtBot
+
+from tests.support.keyboard import check_keyboard
+from tests.support.window import WidgetDriver
+from trex_gui.ui.help.dialog import HelpDialog
+from trex_gui.ui.help.pages import pages
+from trex_gui.ui.theme.theme import theme
+
+
+class HelpDriver(WidgetDriver):
+    def __init__(self, qtbot: QtBot) -> None:
+        self.dialog = HelpDialog()
+        qtbot.addWidget(self.dialog)
+        super().__init__(self.dialog, qtbot)
+        self.text_browser = self.find(QTextBrowser, "helpText")
+        self.list = self.find(QListWidget, "helpPages")
+
+    @property
+    def shown(self) -> str:
+        source = self.text_browser.source()
+        return f"{source.fileName()}#{source.fragment()}".removesuffix("#")
+
+    @property
+    def top_line(self) -> str:
+        """The first line of the text that can be seen."""
+        cursor = self.text_browser.cursorForPosition(self.text_browser.viewport().rect().topLeft())
+        return cursor.block().text()
+
+    @property
+    def entries(self) -> list[str]:
+        return [self.list.item(row).text() for row in range(self.list.count())]
+
+    def follow(self, target: str) -> None:
+        self.text_browser.setSource(QUrl(target))  # as a click on a link does
+
+
+@pytest.fixture
+def help_window(qtbot: QtBot, qapp: QApplication) -> HelpDriver:
+    theme().install(qapp)
+    theme().set_scheme("light")
+    theme().set_font_size(100)
+    return HelpDriver(qtbot)
+
+
+def test_every_page_is_listed_and_shown(help_window: HelpDriver) -> None:
+    help_window.dialog.show_topic("README.md")
+    assert help_window.entries == [page.title for page in pages()]
+    for row, page in enumerate(pages()):
+        help_window.list.setCurrentRow(row)
+        assert help_window.shown == page.name
+        document = help_window.text_browser.document()
+        assert document.firstBlock().text() == page.title
+        assert document.firstBlock().blockFormat().headingLevel() == 1
+
+
+def test_topic_scrolls_to_its_section(help_window: HelpDriver) -> None:
+    help_window.dialog.show_topic("messages.md#no-reply-to-")
+    assert help_window.top_line == "No reply to …"
+    help_window.dialog.show_topic("messages.md")
+    assert help_window.shown == "messages.md"
+
+
+def test_links_and_history_lead_through_pages(help_window: HelpDriver) -> None:
+    help_window.dialog.show_topic("first_steps.md")
+    assert not help_window.is_enabled("helpBack")
+    help_window.follow("messages.md#no-reply-to-")
+    assert help_window.top_line == "No reply to …"
+    assert help_window.list.currentItem().text() == "Messages"
+    help_window.follow("#stopping")
+    assert help_window.top_line == "Stopping"
+    help_window.click("helpBack")
+    assert help_window.shown == "messages.md#no-reply-to-"
+    help_window.click("helpBack")
+    assert help_window.shown == "first_steps.md"
+    assert help_window.list.currentItem().text() == "First steps with a board"
+    help_window.click("helpForward")
+    assert help_window.shown == "messages.md#no-reply-to-"
+
+
+def test_link_out_of_the_help_is_left_to_the_desktop(
+    help_window: HelpDriver, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    opened: list[str] = []
+
+    def open_url(url: QUrl) -> bool:
+        opened.append(url.toString())
+        return True
+
+    monkeypatch.setattr(QDesktopServices, "openUrl", open_url)
+    help_window.dialog.show_topic("library.md")
+    help_window.follow("../examples/drive.py")
+    assert opened[0].endswith("/examples/drive.py")
+    help_window.follow("https://example.org/")
+    assert opened[1] == "https://example.org/"
+    assert help_window.shown == "library.md"
+
+
+def test_search_lists_sections_and_shows_them(help_window: HelpDriver) -> None:
+    help_window.dialog.show_topic("README.md")
+    help_window.type_into("helpSearch", "jumper hand-shake", enter=False)
+    assert help_window.entries[0] == "3. The jumper hand-shake\nLost serial settings"
+    help_window.list.setCurrentRow(0)
+    assert help_window.top_line == "3. The jumper hand-shake"
+    assert help_window.list.currentRow() == 0
+    help_window.type_into("helpSearch", "zeppelin", enter=False)
+    assert help_window.entries == ["Nothing was found."]
+    help_window.dialog.show_topic("safety.md")
+    assert help_window.entries == [page.title for page in pages()]
+    assert help_window.list.currentItem().text() == "Safety"
+
+
+def picture(browser: QTextBrowser, name: str) -> QColor:
+    """Return the colour of the corner of a picture in the text."""
+    url = browser.source().resolved(QUrl(f"pictures/{name}-light.png"))
+    image = browser.loadResource(QTextDocument.ResourceType.ImageResource.value, url)
+    assert 0 < image.width() <= browser.viewport().width()
+    return QColor(image.pixelColor(2, image.height() - 2))
+
+
+def test_pictures_and_text_follow_theme_and_font(help_window: HelpDriver) -> None:
+    dialog, browser = help_window.dialog, help_window.text_browser
+    dialog.show_topic("status.md")
+    assert picture(browser, "status").lightness() > 200
+    before = browser.document().size().height()
+    theme().set_scheme("dark")
+    assert picture(browser, "status").lightness() < 60
+    assert help_window.shown == "status.md"
+    theme().set_scheme("light")
+    theme().set_font_size(150)
+    assert browser.document().size().height() > before
+    theme().set_font_size(100)
+
+
+def test_every_control_is_reached_by_keyboard(help_window: HelpDriver) -> None:
+    help_window.dialog.show_topic("safety.md")
+    check_keyboard(help_window.dialog)

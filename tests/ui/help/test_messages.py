@@ -1,0 +1,99 @@
+"""Every message with a code has a section in the help, and every such section a message."""
+
+from PySide6.QtCore import QCoreApplication, QTranslator
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from trex_gui.devices.aracna.session.errors import ErrorCode as RobotErrorCode
+from trex_gui.devices.aracna.views import help as aracna
+from trex_gui.devices.trex.driving.blockers import DriveBlocker, Reason
+from trex_gui.devices.trex.protocol.errors import ErrorCode, Rejected, ResultCode, TrexError
+from trex_gui.devices.trex.settings.rules import _MESSAGES
+from trex_gui.devices.trex.views import help as trex
+from trex_gui.ui.help.messages import MESSAGES, heading_of, texts_of
+from trex_gui.ui.help.pages import anchor_of, pages
+from trex_gui.ui.translations import error_sentence
+
+
+def explained() -> set[str]:
+    """Return the headings of the sections on messages: those of the third level."""
+    (page,) = (page for page in pages() if page.name == MESSAGES)
+    lines = page.text.splitlines()
+    return {line.removeprefix("### ") for line in lines if line.startswith("### ")}
+
+
+def coded() -> set[str]:
+    texts = [*texts_of(ErrorCode), *texts_of(RobotErrorCode), *_MESSAGES.values()]
+    texts += [blocker.text for blocker in DriveBlocker]
+    return {heading for text in texts if (heading := heading_of(text))}
+
+
+def test_every_message_is_explained() -> None:
+    assert not coded() - explained()
+
+
+def test_every_explanation_has_a_message() -> None:
+    assert not explained() - coded()
+
+
+def test_explanation_has_two_or_more_sentences() -> None:
+    (page,) = (page for page in pages() if page.name == MESSAGES)
+    short = [
+        section.title
+        for section in page.sections
+        if section.title in explained() and len(section.text) < 30
+    ]
+    assert not short
+
+
+def test_heading_is_the_first_clause() -> None:
+    assert heading_of("{0}: the board rejects this (code 2)") == "The board rejects this (code 2)"
+    assert heading_of("No reply to {0}.") == "No reply to …"
+    assert heading_of("{name} is {now:.2f} V; reduce it.") == "… is … V"
+    assert not heading_of("{0}")
+
+
+def topic(text: str) -> str:
+    return trex.message_help().topic(text)
+
+
+def test_message_leads_to_its_section(qtbot: QtBot) -> None:
+    error = TrexError(ErrorCode.NO_REPLY, "C1 02")
+    assert topic(error_sentence(error)) == "messages.md#no-reply-to-"
+    line = f"2026-11-23 12:00:00  ⚠ Reading again failed. {error_sentence(error)}"
+    assert topic(line) == "messages.md#no-reply-to-"
+    rejected = Rejected("Serial Timeout", ResultCode.BAD_VALUE)
+    assert topic(error_sentence(rejected)) == "messages.md#the-board-rejects-this-value-code-2"
+    blocked = Reason(DriveBlocker.CHANNEL_ABOVE, (1, "12 %", "3 %")).text()
+    assert topic(blocked) == f"messages.md#{anchor_of('Channel … is … above neutral')}"
+    robot = aracna.message_help().topic("The robot is stuck: nothing was sent.")
+    assert robot == "messages.md#the-robot-is-stuck"
+
+
+def test_message_that_contains_another_leads_to_its_own_section(qtbot: QtBot) -> None:
+    inner = TrexError(ErrorCode.NO_REPLY, "C1 02")
+    outer = TrexError(ErrorCode.STRAY_WRITE, "Serial Timeout", inner)
+    assert topic(error_sentence(outer)).startswith("messages.md#the-line-corrupted-bytes-while")
+
+
+def test_message_without_a_code_has_no_section(qtbot: QtBot) -> None:
+    assert not topic("The log was written to /tmp/log.txt.")
+    assert not topic("")
+
+
+class _Shouting(QTranslator):
+    """A language in which every text is in capital letters."""
+
+    def translate(self, context: str, text: str, comment: str | None = None, n: int = -1) -> str:
+        return text.upper() if context == TrexError.context else ""
+
+
+def test_translated_message_leads_to_its_section(qtbot: QtBot, qapp: QApplication) -> None:
+    language = _Shouting()
+    assert QCoreApplication.installTranslator(language)
+    try:
+        text = error_sentence(TrexError(ErrorCode.OVERTAKEN_BY_STOP))
+        assert text == "A STOP CAME FIRST; NOTHING WAS SENT."
+        assert topic(text) == "messages.md#a-stop-came-first"
+    finally:
+        QCoreApplication.removeTranslator(language)

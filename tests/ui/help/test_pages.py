@@ -1,0 +1,75 @@
+"""The help pages: every link leads somewhere, every page is listed, the search finds."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from trex_gui.ui.help.pages import INDEX, Page, anchor_of, pages, search
+
+ROOT = Path(__file__).parents[3]
+HELP = ROOT / "resources" / "help"
+LINK = re.compile(r"\[[^\]]*\]\((?P<target>[^)]+)\)")
+
+
+@pytest.mark.parametrize("page", pages(), ids=lambda page: page.name)
+def test_links_of_page_lead_somewhere(page: Page) -> None:
+    check_links(page.text, HELP / page.name)
+
+
+@pytest.mark.parametrize("name", ["README.md", "CONTRIBUTING.md", "trex_gui/README.md"])
+def test_links_of_document_lead_somewhere(name: str) -> None:
+    check_links((ROOT / name).read_text(encoding="utf-8"), ROOT / name)
+
+
+def check_links(text: str, path: Path) -> None:
+    anchors = {page.name: {one.anchor for one in page.sections} for page in pages()}
+    for target in LINK.findall(text):
+        if target.startswith("http"):
+            continue
+        name, _, anchor = target.partition("#")
+        file = (path.parent / name).resolve() if name else path
+        assert file.exists(), target
+        if anchor:
+            assert file.parent == HELP, target
+            assert anchor in anchors[file.name], target
+
+
+def test_index_lists_every_page_once() -> None:
+    names = [page.name for page in pages()]
+    assert names[0] == INDEX
+    assert sorted(names) == sorted(path.name for path in HELP.glob("*.md"))
+
+
+@pytest.mark.parametrize("page", pages(), ids=lambda page: page.name)
+def test_page_has_title_and_different_headings(page: Page) -> None:
+    assert page.text.startswith(f"# {page.title}\n")
+    anchors = [section.anchor for section in page.sections]
+    assert len(anchors) == len(set(anchors))
+
+
+def test_anchor_is_that_of_forges() -> None:
+    assert anchor_of("Edit, review, apply") == "edit-review-apply"
+    assert anchor_of("1. Look at the LEDs") == "1-look-at-the-leds"
+    assert anchor_of("No reply to …") == "no-reply-to-"
+
+
+def test_section_has_plain_text_and_no_heading_of_code() -> None:
+    (library,) = (page for page in pages() if page.name == "library.md")
+    assert [section.title for section in library.sections] == [library.title]
+    assert "**" not in library.sections[0].text
+    (cli,) = (page for page in pages() if page.name == "command_line.md")
+    assert "snapshot, write, verify" in cli.sections[0].text, "a comment is no heading"
+
+
+def test_search_lists_headings_first() -> None:
+    found = search("Guardian")
+    assert found[0].topic == "safety.md#the-guardian"
+    assert len(found) > 1
+    assert all("guardian" in f"{one.title} {one.text}".casefold() for one in found)
+
+
+def test_search_wants_every_word() -> None:
+    topics = [one.topic for one in search("jumper hand-shake")]
+    assert topics[0] == "lost_settings.md#3-the-jumper-hand-shake"
+    assert not search("jumper zeppelin")

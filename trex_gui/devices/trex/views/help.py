@@ -1,0 +1,52 @@
+"""Which part of the help is about which page, dialog and message of a TReX."""
+
+from trex_gui.devices.trex.driving.blockers import TEXT_CONTEXT, DriveBlocker
+from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
+from trex_gui.ui.help.messages import MessageHelp, texts_of
+
+GUIDE = "https://www.pololu.com/docs/0J1"
+
+TOPICS = {
+    "statusPage": "status.md",
+    "channelsPage": "channels.md",
+    "calibrationPage": "calibration.md",
+    "motorsPage": "driving.md",
+    "gamepadPanel": "driving.md#gamepad",
+    "currentsPage": "currents.md",
+    "parametersPage": "settings.md#parameters",
+    "errorsPage": "status.md#errors",
+    "trexLogPage": "traffic.md#log",
+    "transcriptPage": "traffic.md",
+    "demoPanel": "simulators.md",
+    "boardPanel": "connecting.md#several-boards-on-one-line",
+    # Dialogs and other windows
+    "applyToBoardsDialog": "connecting.md#several-boards-on-one-line",
+    "benchDialog": "currents.md#bench-test",
+    "checkBoardDialog": "lost_settings.md",
+    "compareDialog": "settings.md#settings-files",
+    "convertDialog": "settings.md#settings-files",
+    "defaultsDialog": "settings.md#factory-defaults",
+    "gamepadDialog": "driving.md#gamepad",
+    "historyDialog": "settings.md#history",
+    "learnDialog": "calibration.md#learn-channels",
+    "lineSettingsDialog": "connecting.md#line-settings",
+    "loadSettingsDialog": "settings.md#settings-files",
+    "numberDialog": "connecting.md#several-boards-on-one-line",
+    "playbackWindow": "currents.md#recordings",
+    "plotWindow": "currents.md",
+    "powerCycleDialog": "settings.md#edit-review-apply",
+    "reviewDialog": "settings.md#edit-review-apply",
+    "settingsEditor": "settings.md#settings-files",
+    "setupDialog": "first_steps.md#set-up-the-robot",
+    "wireDialog": "settings.md#limits-that-are-inferred",
+}
+"""Topics by object names."""
+
+
+def message_help() -> MessageHelp:
+    return MessageHelp(
+        {
+            TrexError.context: texts_of(ErrorCode),
+            TEXT_CONTEXT: [blocker.text for blocker in DriveBlocker],
+        }
+    )

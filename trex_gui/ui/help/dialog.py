@@ -1,0 +1,236 @@
+"""Help beside the window, so that it can be tried while it is read."""
+
+from typing import Any
+
+from PySide6.QtCore import QSignalBlocker, Qt, QUrl, Slot
+from PySide6.QtGui import (
+    QDesktopServices,
+    QImage,
+    QResizeEvent,
+    QTextBlock,
+    QTextCursor,
+    QTextDocument,
+    QTextFrameFormat,
+    QTextTable,
+)
+from PySide6.QtWidgets import (
+    QDialogButtonBox,
+    QListWidget,
+    QListWidgetItem,
+    QSplitter,
+    QTextBrowser,
+    QWidget,
+)
+
+from trex_gui.core.resource_files import resource
+from trex_gui.ui.help.pages import Page, anchor_of, pages, search
+from trex_gui.ui.runtime import new_timer
+from trex_gui.ui.theme.theme import follow_theme, theme
+from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.behaviour import ReusedDialog
+
+_RESIZED_MS = 150
+_SPACE = 14  # pixels above headings
+_TOPIC = Qt.ItemDataRole.UserRole
+
+
+def page_url(topic: str) -> QUrl:
+    name, _, anchor = topic.partition("#")
+    url = QUrl.fromLocalFile(str(resource(f"help/{name}")))
+    url.setFragment(anchor)
+    return url
+
+
+class HelpDialog(ReusedDialog):
+    """The pages at the left, or what was found in them; at the right the text."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("helpDialog")
+        self.setWindowTitle(self.tr("Help"))
+        self.resize(900, 640)
+        self._search = ui.search_field(
+            self, "helpSearch", self.tr("Search the help"), self.tr("Search the help (Ctrl+F)")
+        )
+        self._list = ui.named(
+            QListWidget(self), "helpPages", accessible=self.tr("Pages of the help")
+        )
+        self._list.setWordWrap(True)
+        self._list.setSpacing(2)
+        self._text = _Browser(self)
+        back = ui.button(
+            self,
+            "helpBack",
+            self.tr("&Back"),
+            icon="undo",
+            default=False,
+            on_click=self._text.backward,
+        )
+        forward = ui.button(
+            self,
+            "helpForward",
+            self.tr("&Forward"),
+            icon="redo",
+            default=False,
+            on_click=self._text.forward,
+        )
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close, self)
+        buttons.button(QDialogButtonBox.StandardButton.Close).setObjectName("helpClose")
+        buttons.rejected.connect(self.close)
+
+        left = QWidget(self)
+        ui.column(self._search, (self._list, 1), into=left, margins=0)
+        splitter = QSplitter(Qt.Orientation.Horizontal, self)
+        splitter.addWidget(left)
+        splitter.addWidget(self._text)
+        splitter.setStretchFactor(1, 1)
+        splitter.setSizes([230, 670])
+        splitter.setChildrenCollapsible(False)
+        ui.column((splitter, 1), ui.row(back, forward, 1, buttons, margins=0), into=self)
+        for button, available in (
+            (back, self._text.backwardAvailable),
+            (forward, self._text.forwardAvailable),
+        ):
+            button.setEnabled(False)
+            available.connect(button.setEnabled)
+        self._search.textChanged.connect(self._fill)
+        self._list.currentItemChanged.connect(self._on_chosen)
+        self._text.sourceChanged.connect(self._select)
+        self._fill()
+
+    def show_topic(self, topic: str) -> None:
+        """Show a page, or a section of it: `page.md#anchor`."""
+        self.show_in_front()
+        self._search.clear()
+        self._text.setSource(page_url(topic))
+        self._text.setFocus(Qt.FocusReason.PopupFocusReason)
+
+    @Slot()
+    def _fill(self) -> None:
+        words = self._search.text().strip()
+        with QSignalBlocker(self._list):
+            self._list.clear()
+            if not words:
+                for page in pages():
+                    self._add(page.title, page.name)
+            titles = {page.name: page.title for page in pages()}
+            for section in search(words) if words else ():
+                title = titles[section.page]
+                self._add(
+                    title if section.title == title else f"{section.title}\n{title}", section.topic
+                )
+            if words and not self._list.count():
+                self._list.addItem(self.tr("Nothing was found."))
+                self._list.item(0).setFlags(Qt.ItemFlag.NoItemFlags)
+        self._select(self._text.source())
+
+    def _add(self, text: str, topic: str) -> None:
+        item = QListWidgetItem(text, self._list)
+        item.setData(_TOPIC, topic)
+
+    @Slot(QListWidgetItem)
+    def _on_chosen(self, item: QListWidgetItem | None) -> None:
+        if item is not None:
+            self._text.setSource(page_url(item.data(_TOPIC)))
+
+    @Slot(QUrl)
+    def _select(self, shown: QUrl) -> None:
+        """Select the page that is shown, wherever it was opened from."""
+        if not self._search.text().strip():
+            name = shown.fileName()  # `source` is the one before, until the signal is handled
+            names = [page.name for page in pages()]
+            with QSignalBlocker(self._list):
+                self._list.setCurrentRow(names.index(name) if name in names else -1)
+
+
+class _Browser(QTextBrowser):
+    """Shows a page; follows links to others, and leaves the rest to the desktop."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        ui.named(self, "helpText", accessible=self.tr("Help"))
+        # Always: pictures get the width that is left.
+        self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOn)
+        self._resized = new_timer(self, _RESIZED_MS, self.reload, single_shot=True)
+        follow_theme(self, "help", self.reload)
+
+    def doSetSource(  # noqa: N802 - of Qt
+        self,
+        name: QUrl | str,
+        type: QTextDocument.ResourceType = QTextDocument.ResourceType.UnknownResource,  # noqa: A002
+    ) -> None:
+        del type  # pages are shown as HTML
+        url = QUrl(name)
+        if url.isEmpty():
+            return
+        whole = self.source().resolved(url)
+        if any(page_url(page.name).path() == whole.path() for page in pages()):
+            super().doSetSource(whole, QTextDocument.ResourceType.HtmlResource)
+        else:
+            QDesktopServices.openUrl(whole)
+
+    def loadResource(self, kind: int, name: QUrl | str) -> Any:  # noqa: N802 - of Qt
+        whole = self.source().resolved(QUrl(name))
+        if kind == QTextDocument.ResourceType.HtmlResource.value:
+            (page,) = (page for page in pages() if page.name == whole.fileName())
+            return self._html(page)
+        if kind == QTextDocument.ResourceType.ImageResource.value:
+            return self._picture(whole.toLocalFile())
+        return super().loadResource(kind, name)
+
+    def _html(self, page: Page) -> str:
+        """Convert a page; its headings become anchors, which Markdown of Qt does not know."""
+        document = QTextDocument()
+        document.setDefaultFont(self.font())
+        document.setMarkdown(page.text, QTextDocument.MarkdownFeature.MarkdownDialectGitHub)
+        block = document.begin()
+        while block.isValid():
+            if block.blockFormat().headingLevel():
+                _make_anchor(block)
+            block = block.next()
+        for frame in document.rootFrame().childFrames():
+            if isinstance(frame, QTextTable):
+                _draw_lines(frame)
+        return document.toHtml()
+
+    def _picture(self, path: str) -> QImage:
+        """Return a picture in the colours of the theme, as wide as the text at most."""
+        dark = theme().color("window").lightness() < 128
+        image = QImage(path.replace("-light.", "-dark.") if dark else path)
+        width = self.viewport().width() - 2 * round(self.document().documentMargin())
+        ratio = self.devicePixelRatioF()
+        if image.width() > width * ratio > 0:
+            image = image.scaledToWidth(
+                round(width * ratio), Qt.TransformationMode.SmoothTransformation
+            )
+            image.setDevicePixelRatio(ratio)
+        return image
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if event.size().width() != event.oldSize().width():
+            self._resized.start()
+
+
+def _make_anchor(heading: QTextBlock) -> None:
+    cursor = QTextCursor(heading)
+    cursor.movePosition(QTextCursor.MoveOperation.EndOfBlock, QTextCursor.MoveMode.KeepAnchor)
+    form = cursor.charFormat()
+    form.setAnchor(True)
+    form.setAnchorNames([anchor_of(heading.text())])
+    cursor.mergeCharFormat(form)
+    spaced = heading.blockFormat()
+    spaced.setTopMargin(_SPACE)
+    cursor.setBlockFormat(spaced)
+
+
+def _draw_lines(table: QTextTable) -> None:
+    form = table.format()
+    form.setBorder(1)
+    form.setBorderCollapse(True)
+    form.setBorderStyle(QTextFrameFormat.BorderStyle.BorderStyle_Solid)
+    form.setBorderBrush(theme().color("muted"))
+    form.setCellPadding(4)
+    form.setTopMargin(_SPACE / 2)
+    form.setBottomMargin(_SPACE / 2)
+    table.setFormat(form)

@@ -1,0 +1,52 @@
+"""Which section of the help explains a message that has a code."""
+
+import re
+from collections.abc import Iterable, Mapping
+from enum import Enum
+
+from PySide6.QtCore import QCoreApplication
+
+from trex_gui.ui.help.pages import anchor_of
+
+MESSAGES = "messages.md"
+_FIELD = re.compile(r"\{\w*(?::[^}]*)?\}")
+
+
+def heading_of(text: str) -> str:
+    """Return the heading of the section on a message: its first clause, with … for each field.
+
+    It is empty if the message has no words of its own.
+    """
+    whole = re.sub(r"^(…: |… (?=[A-Z]))", "", _FIELD.sub("…", text))
+    clause = re.split(r"[.:;](?:\s|$)", whole)[0].strip()
+    return clause[:1].upper() + clause[1:] if clause != "…" else ""
+
+
+class MessageHelp:
+    """Finds the help of the messages of a device, in the language of the window."""
+
+    def __init__(self, texts: Mapping[str, Iterable[str]]) -> None:
+        """`texts`: in English with a place for each field, by the context of their translation."""
+        self._texts = [(context, text) for context, some in texts.items() for text in some]
+
+    def topic(self, message: str) -> str:
+        """Return the topic of the coded text in a message or a line of the log; empty if none.
+
+        Of several texts in it the longest counts: it contains the others.
+        """
+        found = max(((size, topic) for size, topic in self._matches(message)), default=(0, ""))
+        return found[1]
+
+    def _matches(self, message: str) -> Iterable[tuple[int, str]]:
+        line = " ".join(message.split())
+        for context, text in self._texts:
+            shown = " ".join(QCoreApplication.translate(context, text).split()).rstrip(". ")
+            parts = _FIELD.split(shown)
+            size = sum(map(len, parts))
+            if heading_of(text) and re.search(".+?".join(map(re.escape, parts)), line):
+                yield size, f"{MESSAGES}#{anchor_of(heading_of(text))}"
+
+
+def texts_of(codes: Iterable[Enum]) -> list[str]:
+    """Return the texts of codes whose values they are."""
+    return [str(code.value) for code in codes]
