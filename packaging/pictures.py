@@ -18,6 +18,7 @@ from trex_gui import composition
 from trex_gui.app import complete
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.tour import Tour
+from trex_gui.ui.translations import ENGLISH, install_translations
 from trex_gui.ui.workers.threads import GuiThreadCollector
 
 HELP = Path(__file__).resolve().parent.parent / "resources" / "help"
@@ -59,6 +60,7 @@ def with_few_colours(image: QImage) -> QImage:
 def main() -> int:
     names = wanted_pictures()
     app = QApplication([])
+    install_translations(app, ENGLISH)
     theme().install(app)
     collector = GuiThreadCollector(app)
     collector.setObjectName("collector")

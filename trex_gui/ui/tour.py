@@ -113,10 +113,15 @@ class Tour(QObject):
             yield partial(theme().set_scheme, scheme)
             tabs = window.pages
             for index in range(1 if first_only else tabs.count()):
-                yield partial(tabs.setCurrentIndex, index)
+                yield partial(self._show_page, tabs, index)
                 page = tabs.widget(index)
                 name = page.objectName().removesuffix("PageArea") if page else str(index)
                 yield partial(self._write, window, f"{name}{state}", scheme)
+
+    def _show_page(self, tabs: QTabWidget, index: int) -> None:
+        tabs.setCurrentIndex(index)
+        for dock in () if self._shows_docks else self._program.window.findChildren(QDockWidget):
+            dock.hide()
 
     def look_at(self, dialog: str, name: str) -> Iterator[Do]:
         widget = self._program.window.findChild(QWidget, dialog)
@@ -153,9 +158,6 @@ class Tour(QObject):
     def _write(self, widget: QWidget, name: str, scheme: Scheme) -> None:
         if self._wanted is not None and name not in self._wanted:
             return
-        if not self._shows_docks:
-            for dock in widget.findChildren(QDockWidget):
-                dock.hide()
         text = "\n".join(sorted(fixed_texts(widget)))
         self.digests[name] = hashlib.sha256(text.encode()).hexdigest()[:16]
         path = self._folder / f"{name}-{scheme}.png"

@@ -6,6 +6,8 @@ from trex_gui.ui.help.messages import MessageHelp, texts_of
 
 GUIDE = "https://www.pololu.com/docs/0J1"
 
+_FINDINGS = "messages.md#findings-about-settings"
+
 TOPICS = {
     "statusPage": "status.md",
     "channelsPage": "channels.md",
@@ -19,7 +21,12 @@ TOPICS = {
     "transcriptPage": "traffic.md",
     "demoPanel": "simulators.md",
     "boardPanel": "connecting.md#several-boards-on-one-line",
+    "calibrationFindings": _FINDINGS,
+    "parameterFindings": _FINDINGS,
     # Dialogs and other windows
+    "boardsFindings": _FINDINGS,
+    "findingsPanel": _FINDINGS,
+    "reviewFindings": _FINDINGS,
     "applyToBoardsDialog": "connecting.md#several-boards-on-one-line",
     "benchDialog": "currents.md#bench-test",
     "checkBoardDialog": "lost_settings.md",

@@ -399,7 +399,7 @@ class TrexWorkspace(Workspace):
                 Entry("check_board", tr("&Board does not respond…"), self._check_board, "", "find"),
                 Entry(
                     "guide",
-                    tr("&User's guide of the maker (online)…"),
+                    tr("&User's guide of the board (online)…"),
                     lambda: QDesktopServices.openUrl(QUrl(GUIDE)),
                 ),
                 SEPARATOR,
