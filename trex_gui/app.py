@@ -6,6 +6,7 @@ import math
 import os
 import platform
 import sys
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,6 +16,7 @@ from trex_gui.core.run_file import RunFile
 from trex_gui.core.transport.settings import url_problem
 
 if TYPE_CHECKING:
+    from trex_gui.ui.devices.ports import Port
     from trex_gui.ui.program import Program
     from trex_gui.ui.workers.threads import GuiThreadCollector
 
@@ -88,6 +90,7 @@ def _arguments(argv: list[str]) -> argparse.Namespace:
         help="write more into the log file, and all of it to the terminal",
     )
     parser.add_argument("--version", action="version", version=f"trex-gui {__version__}")
+    parser.set_defaults(is_again=False)  # the window was closed to be opened again
     return parser.parse_args(argv)
 
 
@@ -104,14 +107,48 @@ def complete(
     program.report_last_run(has_crashed=has_crashed)
 
 
+def begin(program: "Program", arguments: argparse.Namespace) -> None:
+    """Do what the command line wants, once the event loop runs."""
+    from PySide6.QtCore import QCoreApplication, QTimer  # noqa: PLC0415
+
+    if arguments.tour is not None:
+        from trex_gui.ui.tour import Tour  # noqa: PLC0415
+
+        tour = Tour(program, arguments.tour)
+        tour.finished.connect(lambda ok: program.end() if ok else QCoreApplication.exit(1))
+        QTimer.singleShot(0, tour.start)
+    else:
+        QTimer.singleShot(0, lambda: connect(program, arguments))
+    if arguments.settings is not None:
+        is_connecting = bool(arguments.demo or arguments.port) or arguments.tour is not None
+        QTimer.singleShot(
+            0, lambda: program.open_named(arguments.settings, connecting=is_connecting)
+        )
+
+
 def connect(program: "Program", arguments: argparse.Namespace) -> None:
     """Connect to what the user named, or to a board that is known."""
-    is_named = arguments.demo or bool(arguments.port)
+    is_named = arguments.demo or bool(arguments.port) or arguments.is_again
     program.connect_automatically(at_once=not is_named)  # an adapter may be pulled out later
     if arguments.demo:
         program.connect_to_demo(arguments.device or program.plugins[0].key)
     elif arguments.port:
         program.connect_to_port(arguments.port, arguments.device)
+
+
+def again(arguments: argparse.Namespace, port: "Port | None") -> argparse.Namespace:
+    """Return arguments that open the window as it was, connected to this port."""
+    return argparse.Namespace(
+        **{
+            **vars(arguments),
+            "is_again": True,
+            "tour": None,
+            "settings": None,
+            "demo": port is not None and not port.url,
+            "port": None if port is None else port.url,
+            "device": None if port is None else port.device,
+        }
+    )
 
 
 def main(argv: list[str] | None = None) -> int:
@@ -140,13 +177,13 @@ def main(argv: list[str] | None = None) -> int:
 
 def _run(arguments: argparse.Namespace, program_log: ProgramLog) -> int:
     # Qt is imported only now: --help, --version and the simulator do without it.
-    from PySide6.QtCore import QLocale, Qt, QTimer, qVersion  # noqa: PLC0415
+    from PySide6.QtCore import Qt, QTimer, qVersion  # noqa: PLC0415
     from PySide6.QtWidgets import QApplication  # noqa: PLC0415
 
     from trex_gui.core.timing import Timeouts  # noqa: PLC0415
     from trex_gui.supervisor import UNCONFIRMED_STOP, SafetySupervisor  # noqa: PLC0415
     from trex_gui.ui.theme.theme import theme  # noqa: PLC0415
-    from trex_gui.ui.translations import install_translations  # noqa: PLC0415
+    from trex_gui.ui.translations import chosen_locale, install_translations  # noqa: PLC0415
     from trex_gui.ui.workers.threads import GuiThreadCollector  # noqa: PLC0415
 
     system = f"{platform.platform()}, Python {platform.python_version()}, Qt {qVersion()}"
@@ -159,48 +196,40 @@ def _run(arguments: argparse.Namespace, program_log: ProgramLog) -> int:
     # A native dialog takes Esc for itself, and Esc has to stop the motors there too.
     QApplication.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
     app = QApplication(["trex-gui"])
-    install_translations(app, QLocale())
     theme().install(app)
     collector = GuiThreadCollector(app)
     collector.setObjectName("collector")
-    program = composition.build(Timeouts(extra=arguments.timeout))
-    program.window.show()
-    watching = SafetySupervisor(program, app, end_log=program_log.close)
-
-    QTimer.singleShot(
-        _FIRST_PAINT_MS,
-        lambda: complete(program, collector, has_crashed=run_file.found_crash),
-    )
-
-    if arguments.tour is not None:
-        from trex_gui.ui.tour import Tour  # noqa: PLC0415
-
-        tour = Tour(program, arguments.tour)
-        tour.finished.connect(lambda ok: program.end() if ok else app.exit(1))
-        QTimer.singleShot(0, tour.start)
-    else:
-        QTimer.singleShot(0, lambda: connect(program, arguments))
-    if arguments.settings is not None:
-        is_connecting = bool(arguments.demo or arguments.port) or arguments.tour is not None
-        QTimer.singleShot(
-            0, lambda: program.open_named(arguments.settings, connecting=is_connecting)
-        )
-    code = app.exec()
-    # Closing the line or a recording may take seconds.
-    for window in app.topLevelWidgets():
-        window.hide()
-    have_ended = program.shut_down()
-    run_file.close()
-    if watching.report_unconfirmed_stop():
-        code = code or UNCONFIRMED_STOP
-    if not have_ended:
-        if sys.stderr is not None:
-            sys.stderr.write("A port or a disk does not respond: a file may not be saved.\n")
-            sys.stderr.flush()
-        log.error("a port or a disk does not respond: ended with exit code %d", code)
-        program_log.close()
-        # Qt would abort on destroying a thread that runs.
-        os._exit(code)
-    watching.close()
-    program.destroy()
-    return code
+    while True:
+        translators = install_translations(app, chosen_locale())
+        program = composition.build(Timeouts(extra=arguments.timeout))
+        program.window.show()
+        watching = SafetySupervisor(program, app, end_log=program_log.close)
+        later = partial(complete, program, collector, has_crashed=run_file.found_crash)
+        QTimer.singleShot(_FIRST_PAINT_MS, later)
+        begin(program, arguments)
+        code = app.exec()
+        # Closing the line or a recording may take seconds.
+        for window in app.topLevelWidgets():
+            window.hide()
+        have_ended = program.shut_down()
+        if watching.report_unconfirmed_stop():
+            code = code or UNCONFIRMED_STOP
+        if not have_ended:
+            run_file.close()
+            if sys.stderr is not None:
+                sys.stderr.write("A port or a disk does not respond: a file may not be saved.\n")
+                sys.stderr.flush()
+            log.error("a port or a disk does not respond: ended with exit code %d", code)
+            program_log.close()
+            # Qt would abort on destroying a thread that runs.
+            os._exit(code)
+        watching.close()
+        reopens, port = program.window.reopens, program.window.port_to_reopen
+        program.destroy()
+        if not reopens:
+            run_file.close()
+            return code
+        for translator in translators:
+            app.removeTranslator(translator)
+        run_file.found_crash = False
+        arguments = again(arguments, port)

@@ -221,7 +221,7 @@ LARGEST_FILE = 256 * 1024  # bytes; a complete settings file has about 3000
 
 def load(path: Path, content: str = "settings", largest: int = LARGEST_FILE) -> bytes:
     """Return the bytes of a text file; `content` (plural) says what it holds, for messages."""
-    with _sentences(path, "read"), open_ordinary(path) as file:
+    with _sentences(path, tr("it cannot be read")), open_ordinary(path) as file:
         data = file.read(largest + 1)
     check_size(data, str(path), content, largest)
     return data
@@ -251,7 +251,7 @@ def decode(data: bytes, name: str) -> str:
 
 def save(path: Path, content: str | bytes) -> None:
     """Write a file, text as UTF-8; after a SettingsError the old one is there, complete."""
-    with _sentences(path, "written"):
+    with _sentences(path, tr("it cannot be written")):
         target = path.resolve()
         if target.is_file() and not os.access(target, os.W_OK):
             raise SettingsError.of(path, tr("it cannot be written: permission denied"))
@@ -282,7 +282,7 @@ def _differs(path: Path, known: bytes) -> bool:
 
 
 def save_new(path: Path, text: str) -> bool:
-    with _sentences(path, "written"):
+    with _sentences(path, tr("it cannot be written")):
         try:
             with atomic_file(path, overwrite=False) as file:
                 file.write(text.encode("utf-8"))
@@ -292,7 +292,7 @@ def save_new(path: Path, text: str) -> bool:
 
 
 @contextlib.contextmanager
-def _sentences(path: Path, verb: str) -> Iterator[None]:
+def _sentences(path: Path, failure: str) -> Iterator[None]:
     try:
         yield
     except FileNotFoundError:
@@ -300,12 +300,8 @@ def _sentences(path: Path, verb: str) -> Iterator[None]:
     except NotOrdinaryFileError as error:
         raise SettingsError.of(path, error.reason) from None
     except PermissionError:
-        raise SettingsError.of(
-            path, tr("it cannot be {0}: permission denied").format(verb)
-        ) from None
+        raise SettingsError.of(path, f"{failure}: {tr('permission denied')}") from None
     except OSError as error:
-        raise SettingsError.of(
-            path, tr("it cannot be {0}: {1}").format(verb, error.strerror or error)
-        ) from None
+        raise SettingsError.of(path, f"{failure}: {error.strerror or error}") from None
     except ValueError as error:  # a name with a NUL in it; text that is not Unicode
-        raise SettingsError.of(path, tr("it cannot be {0}: {1}").format(verb, error)) from None
+        raise SettingsError.of(path, f"{failure}: {error}") from None

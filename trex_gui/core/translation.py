@@ -8,6 +8,7 @@ P = ParamSpec("P")
 T = TypeVar("T")
 
 _translate: Callable[[str], str] = str
+_decimal_point = "."
 _clear_caches: list[Callable[[], None]] = []
 
 
@@ -28,9 +29,21 @@ def cached_text(function: Callable[P, T]) -> Callable[P, T]:
     return cast("Callable[P, T]", cached)
 
 
-def use_translations(translate: Callable[[str], str]) -> None:
+class Number(float):
+    """A number that is formatted with the decimal point of the language: `1,5` in German."""
+
+    def __format__(self, spec: str) -> str:
+        return with_decimal_point(super().__format__(spec))
+
+
+def with_decimal_point(number: str) -> str:
+    """Return a formatted number with the decimal point of the language."""
+    return number.replace(".", _decimal_point)
+
+
+def use_translations(translate: Callable[[str], str], decimal_point: str = ".") -> None:
     """Translate with this function from now on."""
-    global _translate  # noqa: PLW0603 - the program has one language
-    _translate = translate
+    global _translate, _decimal_point
+    _translate, _decimal_point = translate, decimal_point
     for clear in _clear_caches:
         clear()

@@ -9,11 +9,18 @@ from PySide6.QtWidgets import QApplication
 from trex_gui.core.errors import CodedError, describe
 from trex_gui.core.resource_files import resource
 from trex_gui.core.translation import use_translations
+from trex_gui.ui.preferences import Preferences
 
 CONTEXT = "trex_gui"
 """The one context of the files: a text has the same translation wherever it is used."""
 
 ENGLISH = QLocale(QLocale.Language.English)
+
+LANGUAGES = {"en": "English", "de": "Deutsch", "fr": "Français"}
+"""The languages of the window by code, each by its own name."""
+
+AS_THE_SYSTEM = "system"
+_KEY = "window/language"
 
 
 class _Catalog(QTranslator):
@@ -27,10 +34,29 @@ class _Catalog(QTranslator):
         return super().translate(CONTEXT, source, disambiguation, n) or None
 
 
+def chosen_language() -> str:
+    """Return the code of the language that the user wants, or `AS_THE_SYSTEM`."""
+    wanted = Preferences().text(_KEY, AS_THE_SYSTEM)
+    return wanted if wanted in LANGUAGES else AS_THE_SYSTEM
+
+
+def choose_language(code: str) -> None:
+    """Use a language from the next opening of the window on."""
+    Preferences().set(_KEY, code)
+
+
+def chosen_locale() -> QLocale:
+    """Return language and number formats of the window; those of the country if it has both."""
+    system, code = QLocale.system(), chosen_language()
+    is_of_system = code in {AS_THE_SYSTEM, system.name().partition("_")[0]}
+    return system if is_of_system else QLocale(code)
+
+
 def install_translations(app: QApplication, locale: QLocale) -> list[QTranslator]:
     """Use the plural forms of English and the language of `locale`, as far as they are there.
 
-    Numbers and dates follow. What was translated before stays as it is.
+    Numbers and dates follow. Texts that were made before stay as they are. Remove what is returned
+    before another language is installed.
     """
     folder = str(resource("translations"))
     wanted: list[tuple[QTranslator, QLocale, str, str]] = [
@@ -43,7 +69,10 @@ def install_translations(app: QApplication, locale: QLocale) -> list[QTranslator
     installed = [one for one, language, name, at in wanted if one.load(language, name, "_", at)]
     for translator in installed:
         app.installTranslator(translator)
-    use_translations(partial(QCoreApplication.translate, CONTEXT))
+    is_translated = locale.language() == ENGLISH.language() or wanted[-1][0] in installed
+    formats = locale if is_translated else ENGLISH
+    QLocale.setDefault(formats)
+    use_translations(partial(QCoreApplication.translate, CONTEXT), formats.decimalPoint())
     return installed
 
 

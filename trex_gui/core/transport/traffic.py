@@ -11,6 +11,7 @@ from enum import Enum, auto
 from typing import Protocol
 
 from trex_gui.core.errors import StudioError, sentence
+from trex_gui.core.translation import tr
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
@@ -146,7 +147,7 @@ def logged(
         except StudioError as error:
             log.note(TrafficEvent(clock(), TrafficDirection.LINE, text=sentence(error)))
             raise
-        text = f"Opened {settings.text()}."
+        text = tr("Opened {0}.").format(settings.text())
         log.note(TrafficEvent(clock(), TrafficDirection.LINE, text=text, settings=settings))
         return LoggingTransport(below, settings, log)
 

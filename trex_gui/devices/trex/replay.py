@@ -7,7 +7,6 @@ from pathlib import Path
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files import SettingsError, load
 from trex_gui.core.simulator.line import SimulatedLine
-from trex_gui.core.texts import counted
 from trex_gui.core.translation import tr
 from trex_gui.core.transport.traffic import Transaction
 from trex_gui.core.transport.transcript import LARGEST, TranscriptRow, read_transcript
@@ -148,7 +147,8 @@ class RecordedTraffic:
         board = (
             tr("TReX 1.2, as no signature was read") if self.signature is None else self.signature
         )
-        known = counted(len(self.parameters), tr("stored value"))
+        count = len(self.parameters)
+        known = tr("1 stored value") if count == 1 else tr("{0} stored values").format(count)
         return tr("{0}, {1} from the file, others as from the factory").format(board, known)
 
     def meaning(self, row: TranscriptRow, reply: bytes) -> str:

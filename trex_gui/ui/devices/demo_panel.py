@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import Number, tr
 from trex_gui.ui.devices.controller import DeviceController
 from trex_gui.ui.devices.simulator import DemoDevice, SnapshotT
 from trex_gui.ui.preferences import Preferences
@@ -240,7 +240,7 @@ def cable_rows(
         steps=_NOISE_STEPS,
         on_move=lambda per_cent: device.set_noise(per_cent / 100),
         read=lambda snapshot: snapshot.line.noise * 100,
-        show=lambda per_cent: share.setText(f"{per_cent:.1f}\u00a0%"),
+        show=lambda per_cent: share.setText(f"{Number(per_cent):.1f}\u00a0%"),
         tip=texts.noise,
     )
     noise.setPageStep(_NOISE_STEPS)

@@ -121,6 +121,9 @@ class MainWindow(QMainWindow):
         self._recent_menu = QMenu(self.tr("Recent &files"), self)
         self._recent_menu.setToolTipsVisible(True)
         self._was_connected = False
+        self._is_reopening = False
+        self.reopens = False  # once it is closed: it was closed to be opened again,
+        self.port_to_reopen: Port | None = None  # and connected to this port
         self._warning = UnconfirmedStopWarning(device_manager, self.question, self)
         # After the event: a question about the file must not block the program it comes from.
         drop = FileDrop(self)
@@ -429,8 +432,21 @@ class MainWindow(QMainWindow):
     def _show_preferences(self) -> None:
         from trex_gui.ui.frame.preferences_dialog import PreferencesDialog  # noqa: PLC0415
 
-        dialog = self.findChild(PreferencesDialog) or PreferencesDialog(self)
+        dialog = self.findChild(PreferencesDialog)
+        if dialog is None:
+            dialog = PreferencesDialog(self)
+            dialog.language_chosen.connect(self.reopen, Qt.ConnectionType.QueuedConnection)
         dialog.open_preferences()
+
+    @Slot()
+    def reopen(self) -> None:
+        """Close the window to be opened again, connected as it is; asks what closing asks."""
+        is_connected = self._manager.current.link is ConnectionState.CONNECTED
+        port = self._manager.current.port if is_connected else None
+        self._is_reopening = True
+        if self.close():
+            self.reopens, self.port_to_reopen = True, port
+        self._is_reopening = False
 
     def _show_help(self) -> None:
         self.show_help(self._topic_in_front())
@@ -514,7 +530,8 @@ class MainWindow(QMainWindow):
         if self._manager.is_armed:  # whatever is asked first, and however long the answer takes
             self._manager.stop_because(self.tr("The window was to be closed"))
         if not self._warning.given and not all(
-            workspace.may_close(self.close) for workspace in self._workspaces
+            workspace.may_close(self.reopen if self._is_reopening else self.close)
+            for workspace in self._workspaces
         ):
             event.ignore()
             return

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QSignalBlocker, Slot
+from PySide6.QtCore import QSignalBlocker, Signal, Slot
 from PySide6.QtWidgets import QDialogButtonBox, QFileDialog, QFormLayout, QWidget
 
 from trex_gui.ui.devices.auto_connect import connects_automatically, set_automatic
@@ -14,6 +14,7 @@ from trex_gui.ui.theme.theme import (
     choose_scheme,
     theme,
 )
+from trex_gui.ui.translations import AS_THE_SYSTEM, LANGUAGES, choose_language, chosen_language
 from trex_gui.ui.units import choose_units, units
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
@@ -26,6 +27,8 @@ _LEAST_PATH = "/home/someone/robots"
 
 
 class PreferencesDialog(ReusedDialog):
+    language_chosen = Signal()  # another one than before
+
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("preferencesDialog")
@@ -42,6 +45,15 @@ class PreferencesDialog(ReusedDialog):
             self.tr("Theme"),
             items=[(names[scheme], scheme) for scheme in SCHEMES],
             on_activate=self._on_scheme_chosen,
+        )
+        self._language = ui.combo_box(
+            self,
+            "languageBox",
+            self.tr("Language"),
+            items=[(self.tr("As the system"), AS_THE_SYSTEM)]
+            + [(name, code) for code, name in LANGUAGES.items()],
+            tip=self.tr("The window opens again; motors stop, and the board is connected again"),
+            on_activate=self._on_language_chosen,
         )
         self._font_size = ui.combo_box(
             self,
@@ -95,6 +107,7 @@ class PreferencesDialog(ReusedDialog):
         form = QFormLayout()
         form.addRow(self.tr("&Theme:"), self._scheme)
         form.addRow(self.tr("&Font size:"), self._font_size)
+        form.addRow(self.tr("&Language:"), self._language)
         form.addRow(self.tr("&Units:"), self._units)
         reset = ui.button(
             self,
@@ -132,6 +145,7 @@ class PreferencesDialog(ReusedDialog):
         with QSignalBlocker(self._scheme), QSignalBlocker(self._font_size):
             self._scheme.setCurrentIndex(self._scheme.findData(theme().choice))
             self._font_size.setCurrentIndex(self._font_size.findData(theme().font_size))
+        self._language.setCurrentIndex(self._language.findData(chosen_language()))
         self._units.setCurrentIndex(self._units.findData(units().own_first))
         folder = file_questions.default_folder()
         self._own_folder.setChecked(folder is not None)
@@ -154,6 +168,13 @@ class PreferencesDialog(ReusedDialog):
     @Slot(int)
     def _on_font_size_chosen(self, index: int) -> None:
         choose_font_size(FONT_SIZES[index])
+
+    @Slot(int)
+    def _on_language_chosen(self, index: int) -> None:
+        code = self._language.itemData(index)
+        if code != chosen_language():
+            choose_language(code)
+            self.language_chosen.emit()
 
     @Slot(bool)
     def _on_own_folder_clicked(self, wanted: bool) -> None:

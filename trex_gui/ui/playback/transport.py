@@ -5,6 +5,7 @@ from PySide6.QtGui import QAccessible
 from PySide6.QtWidgets import QLabel, QSlider, QWidget
 
 from trex_gui.core.timing import FRAME_MS
+from trex_gui.core.translation import Number
 from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.widgets import builders
@@ -113,7 +114,7 @@ class TransportBar(QWidget):
             self,
             "speedCombo",
             self.tr("Playback speed"),
-            items=[(f"{speed:g} ×", speed) for speed in SPEEDS],
+            items=[(f"{Number(speed):g} ×", speed) for speed in SPEEDS],
         )
         self._speed.setCurrentIndex(SPEEDS.index(1.0))
         builders.row(self._play, (self._slider, 1), self._time, self._speed, into=self, margins=0)

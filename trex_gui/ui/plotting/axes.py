@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QCoreApplication
 
+from trex_gui.core.translation import Number
 from trex_gui.ui.widgets.bar import MINUS
 
 Labels = list[tuple[float, str]]  # values of an axis and their texts
@@ -135,7 +136,7 @@ def count_labels() -> Labels:
 
 def value_labels(values: Sequence[float], unit: str) -> Labels:
     """Label these values; the last has the unit."""
-    texts = [f"{value:g}".replace("-", MINUS) for value in values]
+    texts = [f"{Number(value):g}".replace("-", MINUS) for value in values]
     if texts:
         texts[-1] = f"{texts[-1]} {unit}".strip()
     return list(zip(values, texts, strict=True))
@@ -154,11 +155,11 @@ def ago_labels(length: float) -> Labels:
         if abs(x) < 1e-9:
             text = translate("axes", "now")
         elif length >= 3600 and round(-x, 6) % 3600 == 0:
-            text = translate("axes", "{n} h").format(n=f"{-x / 3600:g}")
+            text = translate("axes", "{n} h").format(n=f"{Number(-x / 3600):g}")
         elif length >= 120 and round(-x, 6) % 60 == 0:
-            text = translate("axes", "{n} min").format(n=f"{-x / 60:g}")
+            text = translate("axes", "{n} min").format(n=f"{Number(-x / 60):g}")
         else:
-            text = translate("axes", "{n} s").format(n=f"{-x:g}")
+            text = translate("axes", "{n} s").format(n=f"{Number(-x):g}")
         labels.append((x, text))
     return labels
 

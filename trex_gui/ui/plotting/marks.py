@@ -7,6 +7,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QHelpEvent, QMouseEvent, QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import QLabel, QSizePolicy, QToolTip, QWidget
 
+from trex_gui.core.translation import Number
 from trex_gui.ui.event_log import Event, EventKind
 from trex_gui.ui.plotting.axes import clock_text, spread
 from trex_gui.ui.plotting.history import Statistics
@@ -36,7 +37,7 @@ def value_text(value: float, unit: str) -> str:
     """Return a value with two decimals and its unit; plain counts whole, with a sign."""
     if not math.isfinite(value):
         return NO_VALUE
-    text = f"{value:.2f} {unit}" if unit else f"{value:+.0f}" if round(value) else "0"
+    text = f"{Number(value):.2f} {unit}" if unit else f"{value:+.0f}" if round(value) else "0"
     return text.replace("-", MINUS)
 
 
@@ -44,7 +45,7 @@ def mean_text(value: float, unit: str) -> str:
     """Return a value that is known better than a single sample."""
     if not math.isfinite(value):
         return NO_VALUE
-    return (f"{value:.3f} {unit}" if unit else f"{value:.1f}").replace("-", MINUS)
+    return (f"{Number(value):.3f} {unit}" if unit else f"{Number(value):.1f}").replace("-", MINUS)
 
 
 def charge_text(found: Statistics) -> str:
@@ -52,7 +53,7 @@ def charge_text(found: Statistics) -> str:
     if not found.seconds:
         return NO_VALUE
     charge = found.integral / 3600
-    text = f"{charge:.3f} Ah" if abs(charge) >= 1 else f"{charge * 1000:.2f} mAh"
+    text = f"{Number(charge):.3f} Ah" if abs(charge) >= 1 else f"{Number(charge * 1000):.2f} mAh"
     return text.replace("-", MINUS)
 
 
@@ -200,7 +201,7 @@ class Readout(QLabel):
         """Show the values at a time, which counts from `origin`."""
         lines = [clock_text(time - origin)]
         if mark is not None:
-            since = f"{time - mark:+.3f} s".replace("-", MINUS)
+            since = f"{Number(time - mark):+.3f} s".replace("-", MINUS)
             lines[0] = self.tr("{0} ({1} from the mark)").format(lines[0], since)
         for trace in source.traces:
             value = source.value_at(trace.name, time)

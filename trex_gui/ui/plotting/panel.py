@@ -6,6 +6,7 @@ Importing it loads pyqtgraph: do so when a plot is to be shown.
 from PySide6.QtCore import QEvent, QPoint, Qt, Slot
 from PySide6.QtWidgets import QSplitter, QWidget
 
+from trex_gui.core.translation import Number
 from trex_gui.ui.event_log import Event
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.plotting.axes import MAX_SPAN, MIN_SPAN
@@ -152,10 +153,10 @@ class TracePanel(QWidget):
 
     def _length_text(self, seconds: float) -> str:
         if seconds < 60:
-            return self.tr("{n} s").format(n=f"{seconds:.3g}")
+            return self.tr("{n} s").format(n=f"{Number(seconds):.3g}")
         if seconds < 3600:
-            return self.tr("{n} min").format(n=f"{seconds / 60:.3g}")
-        return self.tr("{n} h").format(n=f"{seconds / 3600:.3g}")
+            return self.tr("{n} min").format(n=f"{Number(seconds / 60):.3g}")
+        return self.tr("{n} h").format(n=f"{Number(seconds / 3600):.3g}")
 
     @Slot(int)
     def _on_window_chosen(self, index: int) -> None:
@@ -176,7 +177,7 @@ class TracePanel(QWidget):
     def _show_top(self, amps: float) -> None:
         self.plot.set_top(amps or None)
         self._top.setCurrentIndex(self._top.findData(amps))
-        self._top.setPlaceholderText(f"0–{amps:g} A")
+        self._top.setPlaceholderText(f"0–{Number(amps):g} A")
 
     @Slot()
     def _on_shown_changed(self) -> None:

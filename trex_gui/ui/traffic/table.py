@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from trex_gui.core.translation import Number
 from trex_gui.core.transport.traffic import Transaction
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import fixed_font, follow_theme, theme
@@ -186,7 +187,7 @@ class TrafficTable(QAbstractTableModel):
             case 2:  # RECEIVED
                 return self._decoder.shown(row.received)
             case 3:  # TOOK
-                return "" if row.seconds is None else f"{row.seconds * 1e3:.1f}"
+                return "" if row.seconds is None else f"{Number(row.seconds * 1e3):.1f}"
         return self._decoder.decoded(row).text
 
     def _font(self, row: Transaction, column: int) -> QFont | None:
@@ -318,6 +319,6 @@ class RowDetails(QPlainTextEdit):
                 "took      {0:.1f} ms; %n byte(s) need {1:.1f} ms on this wire", "", count
             )
             wire = settings.line.seconds(count)
-            lines.append(text.format(row.seconds * 1e3, wire * 1e3))
+            lines.append(text.format(Number(row.seconds * 1e3), Number(wire * 1e3)))
         lines.append(self._decoder.decoded(row).text)
         return lines

@@ -17,6 +17,7 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QFont
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.aracna.model.library import ItemKey, ItemKind, Library
 from trex_gui.devices.aracna.poses.gaits import GAITS, Gait
 from trex_gui.devices.aracna.poses.project import LONGEST_MS, SHORTEST_MS, SequenceStep
@@ -74,12 +75,13 @@ class NameModel(QAbstractListModel):
         played = self._library.playable(key)
         if isinstance(played, Gait):
             ours = self.tr("Uses the authors' poses, but was not made by them.")
-            return f"{played.about} {ours}" if played.ours else played.about
+            about = tr(played.about)
+            return f"{about} {ours}" if played.ours else about
         if played is None:
             return ""
         if missing := played.missing(self._library.project.pose_names):
             return self.tr("Undefined poses: {0}").format(", ".join(missing))
-        return self.tr("%n step(s), {0:g} s", "", len(played.steps)).format(played.seconds)
+        return self.tr("%n step(s), {0:g} s", "", len(played.steps)).format(Number(played.seconds))
 
     def flags(self, index: _Index) -> Qt.ItemFlag:
         key = self.key(index.row()) if index.isValid() else None

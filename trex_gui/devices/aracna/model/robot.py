@@ -7,6 +7,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.errors import BadRequest, StudioError
 from trex_gui.core.session import Close, Outcome
+from trex_gui.core.translation import Number
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.robot_state import Rate, RobotState
 from trex_gui.devices.aracna.model.setpoints import JointLimits, Targets
@@ -306,7 +307,9 @@ class Robot(DeviceConnection[PortSettings]):
         self.dragging = False
         text = self.tr("Stopped: nothing more is sent.")
         if (left := self.remaining()) > 0:
-            more = self.tr("The running motion ends by itself in about {0:.1f} s.").format(left)
+            more = self.tr("The running motion ends by itself in about {0:.1f} s.").format(
+                Number(left)
+            )
             text = f"{text} {more}"
         self.events.add(EventKind.STOP, text)
         self.halted.emit()

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.aracna.model.robot_state import MissedGoal, RobotState
 from trex_gui.devices.aracna.protocol.joints import (
     JOINTS,
@@ -56,7 +56,7 @@ def spoken_joint(motor: int) -> str:
 
 def position_text(position: int | None) -> str:
     """Return a position in units and degrees, such as `512 = 150.1°`."""
-    return "–" if position is None else f"{position} = {degrees(position):.1f}°"
+    return "–" if position is None else f"{position} = {Number(degrees(position)):.1f}°"
 
 
 def signed(number: int) -> str:

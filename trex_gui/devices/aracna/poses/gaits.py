@@ -12,6 +12,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+from trex_gui.core.translation import tr_noop
 from trex_gui.devices.aracna.poses.project import SHORTEST_MS, Pose, SequenceStep
 from trex_gui.devices.aracna.protocol.joints import MOTORS, crop, factory_limits
 
@@ -126,7 +127,9 @@ def _star(swung: int) -> Gait:
             GaitStage(pose("swing back", swinging, -1), 0.5),
             GaitStage(pose("change back", standing, 0), 0.2),
         ),
-        "Lifts two opposite legs, swings the other two, changes over and swings them back.",
+        tr_noop(
+            "Lifts two opposite legs, swings the other two, changes over and swings them back."
+        ),
     )
 
 
@@ -137,29 +140,33 @@ def _sine(time: float) -> tuple[float, ...]:
 STAND_UP = Gait(
     "stand up",
     (GaitStage(FLAT, SLOW_SECONDS), GaitStage(STAND, SLOW_SECONDS)),
-    "Lies down flat in 3 s and stands up in 3 s, from any position.",
+    tr_noop("Lies down flat in 3 s and stands up in 3 s, from any position."),
     cyclic=False,
 )
 
 GAITS = (
     STAND_UP,
     *(_star(leg) for leg in range(4)),
-    sampled("sine", _sine, 2 * math.pi, 16, "All motors together, 100 units about the centre."),
+    sampled(
+        "sine", _sine, 2 * math.pi, 16, tr_noop("All motors together, 100 units about the centre.")
+    ),
     Gait(
         "self-test",
         (GaitStage(SELF_TEST_A, 1.0), GaitStage(SELF_TEST_B, 1.0)),
-        "To and fro between two poses; motors that stay more than 50 units off are suspect.",
+        tr_noop(
+            "To and fro between two poses; motors that stay more than 50 units off are suspect."
+        ),
     ),
     Gait(
         "push-ups",
         (GaitStage(HALF_STAND, 1.0), GaitStage(STAND, 1.0)),
-        "Down to half-stand and up again.",
+        tr_noop("Down to half-stand and up again."),
         ours=True,
     ),
     Gait(
         "lie down",
         (GaitStage(HALF_STAND, 2.0), GaitStage(FLAT, 2.0)),
-        "By way of half-stand to flat, from any position.",
+        tr_noop("By way of half-stand to flat, from any position."),
         cyclic=False,
         ours=True,
     ),

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from trex_gui.core.errors import BadRequest, StudioError
 from trex_gui.core.session import Outcome
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.aracna.protocol.joints import HIGHEST
 from trex_gui.devices.aracna.session.messages import (
     Ending,
@@ -66,7 +66,7 @@ def check_play(play: Play, motors: int) -> None:
             )
         if not (math.isfinite(step.seconds) and step.seconds > 0):
             raise BadRequest(
-                tr("A step{0} takes more than 0 s, not {1:g} s.").format(name, step.seconds)
+                tr("A step{0} takes more than 0 s, not {1:g} s.").format(name, Number(step.seconds))
             )
 
 
@@ -74,7 +74,9 @@ def check_scale(scale: float) -> None:
     low, high = _SCALES
     if not low <= scale <= high:
         raise BadRequest(
-            tr("The time scale is {0:g} to {1:g}, not {2:g}.").format(low, high, scale)
+            tr("The time scale is {0:g} to {1:g}, not {2:g}.").format(
+                Number(low), Number(high), Number(scale)
+            )
         )
 
 

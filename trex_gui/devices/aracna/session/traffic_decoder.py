@@ -1,6 +1,5 @@
 """Decodes the lines between a host and an Aracna for the traffic log."""
 
-from trex_gui.core.texts import counted
 from trex_gui.core.translation import tr
 from trex_gui.core.transport.traffic import Decoded, Decoder, Transaction
 from trex_gui.devices.aracna.protocol.replies import (
@@ -65,7 +64,7 @@ class AracnaDecoder(Decoder):
         texts = [self._reply(reply) for reply in replies]
         if not transaction.sent:
             texts += [tr("incomplete line: {0}").format(self.shown(rest))] if rest else []
-            return Decoded("unsolicited: " + "; ".join(texts), is_fault or bool(rest))
+            return Decoded(tr("unsolicited: {0}").format("; ".join(texts)), is_fault or bool(rest))
         command = _command(transaction.sent)
         if not self.is_whole(transaction) and transaction.sent.strip():
             if not transaction.is_over:
@@ -88,7 +87,8 @@ class AracnaDecoder(Decoder):
             case Hello():
                 return tr("the robot has started, busy for a second")
             case Version(version=version, motors=int(motors)):
-                return tr("firmware {0}, {1}").format(version, counted(motors, "motor"))
+                count = tr("1 motor") if motors == 1 else tr("{0} motors").format(motors)
+                return tr("firmware {0}, {1}").format(version, count)
             case Version(version=version):
                 return tr("firmware {0}").format(version)
             case Speeds(values=values):
@@ -96,7 +96,7 @@ class AracnaDecoder(Decoder):
             case Positions(values=values):
                 return tr("at {0}").format(_values(values))
             case Led(on=on):
-                return tr("the LED is {0}").format("on" if on else "off")
+                return tr("the LED is on") if on else tr("the LED is off")
             case Unrecognized(line=line):
                 return tr("not a reply of an Aracna: {0}").format(self.shown(line))
 

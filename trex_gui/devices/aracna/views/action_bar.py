@@ -3,6 +3,7 @@
 from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QWidget
 
+from trex_gui.core.translation import Number
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.session.messages import Play, StepBegun
 from trex_gui.ui.devices.connection import ConnectionState
@@ -123,7 +124,7 @@ class ActionBar(QWidget):
         if state.moving is None:
             return ""
         if left > 0:
-            return self.tr("The motion ends by itself in about {0:.1f} s.").format(left)
+            return self.tr("The motion ends by itself in about {0:.1f} s.").format(Number(left))
         return self.tr("Waiting for motor {0} to arrive …").format(state.awaited_motor)
 
     def _playing_text(self, play: Play, step: StepBegun | None) -> str:

@@ -4,7 +4,7 @@ from PySide6.QtCore import QPointF, QRectF, QSize
 from PySide6.QtGui import QAccessible, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QStyle, QWidget
 
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.aracna.model.controller import AracnaController
 from trex_gui.devices.aracna.model.demo import DemoRobot, DemoServo, FirmwareState, RobotSnapshot
 from trex_gui.devices.aracna.model.texts import spoken_joint
@@ -304,7 +304,7 @@ def power_text(snapshot: RobotSnapshot) -> tuple[str, bool]:
 
 def servo_text(servo: DemoServo, powered: bool) -> str:
     """Return position and state of a servo: `512 = 150.1°, moving to 600`."""
-    where = f"{servo.position} = {degrees(servo.position):.1f}°"
+    where = f"{servo.position} = {Number(degrees(servo.position)):.1f}°"
     if not powered:
         doing = tr("no power")
     elif servo.dead:

@@ -4,6 +4,7 @@ from PySide6.QtCore import Slot
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QFormLayout, QWidget
 
+from trex_gui.core.translation import Number
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.help.messages import MessageHelp
@@ -41,7 +42,7 @@ class RobotLogPage(LogPage):
         if is_valid:
             finished = stats.replies + stats.timeouts + stats.corrupted
             traffic = self.tr("{0} replies to {1} requests ({2:.2f} %)").format(
-                stats.replies, finished, 100 * stats.replies / max(finished, 1)
+                stats.replies, finished, Number(100 * stats.replies / max(finished, 1))
             )
             failures = self.tr(
                 "Timeouts: {0}, corrupted: {1}, unrecognized lines: {2}, restarts: {3}; slowest "

@@ -4,7 +4,7 @@ from PySide6.QtCore import QCoreApplication, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QColor, QIcon, QPixmap
 from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QSizePolicy, QWidget
 
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.aracna.model.recordings import COLORS, RobotPlayback
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.robot_state import RobotState
@@ -209,7 +209,7 @@ def activity_text(state: RobotState, time: float) -> tuple[str, bool]:
     if state.moving is not None:
         begun, expected = state.moving.time, state.moving.expected
         text = tr("Moving for {0:.1f} s of about {1:.1f} s; motor {2} is waited for.").format(
-            max(time - begun, 0.0), expected, state.awaited_motor
+            Number(max(time - begun, 0.0)), Number(expected), state.awaited_motor
         )
         return _with_step(text, state.step), False
     if state.uncertain:

@@ -8,7 +8,7 @@ from datetime import datetime
 from enum import Enum
 from operator import itemgetter
 
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 
 SHORTEST = 0.2  # seconds that a test or a period lasts at least: ten steps of the profile
@@ -56,13 +56,13 @@ class Profile:
         if not SHORTEST <= self.duration <= LONGEST:
             raise ValueError(
                 tr("a bench test lasts {0:g} to {1:g} s, not {2:g} s").format(
-                    SHORTEST, LONGEST, self.duration
+                    Number(SHORTEST), Number(LONGEST), Number(self.duration)
                 )
             )
         if self.shape.has_period and not SHORTEST <= self.period <= LONGEST:
             raise ValueError(
                 tr("the period of a bench test is {0:g} to {1:g} s, not {2:g} s").format(
-                    SHORTEST, LONGEST, self.period
+                    Number(SHORTEST), Number(LONGEST), Number(self.period)
                 )
             )
 

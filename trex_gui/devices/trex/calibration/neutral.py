@@ -6,6 +6,7 @@ from itertools import groupby, pairwise
 from math import ceil, pi, sqrt
 from statistics import median
 
+from trex_gui.core.translation import Number
 from trex_gui.devices.trex.calibration.problems import Problem, ProblemKind
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
 from trex_gui.devices.trex.protocol.flags import InputSource
@@ -102,7 +103,7 @@ def deadband_floor(source: InputSource) -> int:
 def swing_text(counts: float, source: InputSource) -> str:
     """Return a small swing to both sides, with the decimals that it needs: `±2.0 µs`, `±15 mV`."""
     if source is InputSource.RC:
-        return f"±{source.physical(counts):.1f} µs"
+        return f"±{Number(source.physical(counts)):.1f} µs"
     return f"±{1000 * source.physical(counts):.0f} mV"
 
 

@@ -78,10 +78,17 @@ def _ends_reason(neutral: Neutral, travel: Travel) -> str:
     inside = swing_text(max(margins), neutral.source).removeprefix("±")
     text = tr("The measured ends are up to {0} further out.").format(inside)
     if (idle := travel.idle) is not None:
-        where, name = ("above", "maximum") if idle is Way.UP else ("below", "minimum")
-        text += tr(
-            " It never goes {0} its rest position, so {1} is set to the limit of the input."
-        ).format(where, name)
+        text += " " + (
+            tr(
+                "It never goes above its rest position, so maximum is set to the limit of the "
+                "input."
+            )
+            if idle is Way.UP
+            else tr(
+                "It never goes below its rest position, so minimum is set to the limit of the "
+                "input."
+            )
+        )
     return text
 
 
@@ -94,18 +101,21 @@ def _reversal(travel: Travel, *, reversed_now: bool) -> tuple[bool, str]:
     match travel.task:
         case Task.STICK if travel.first is not None:
             wanted = travel.first is Way.DOWN
-            way = "fell" if wanted else "rose"
-            words = tr("The value {0} when the stick went forward or right first").format(way)
+            words = (
+                tr("The value fell when the stick went forward or right first")
+                if wanted
+                else tr("The value rose when the stick went forward or right first")
+            )
         case Task.SWITCH if travel.reached(Way.UP) != travel.reached(Way.DOWN):
             wanted = travel.reached(Way.UP)
-            where = "above" if wanted else "below"
-            words = tr("The other position is {0} the one at rest, which should be off").format(
-                where
+            words = (
+                tr("The other position is above the one at rest, which should be off")
+                if wanted
+                else tr("The other position is below the one at rest, which should be off")
             )
         case _:
             return reversed_now, ""
     if wanted == reversed_now:
         return wanted, ""
-    return wanted, tr("{0}: {1} is suggested.").format(
-        words, "reversed" if wanted else "not reversed"
-    )
+    text = tr("{0}: reversed is suggested.") if wanted else tr("{0}: not reversed is suggested.")
+    return wanted, text.format(words)

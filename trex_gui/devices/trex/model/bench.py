@@ -6,6 +6,7 @@ from enum import Enum, auto
 
 from PySide6.QtCore import QObject, Qt, Signal, Slot
 
+from trex_gui.core.translation import Number
 from trex_gui.devices.trex.bench.run import End, Plan, Run
 from trex_gui.devices.trex.client.telemetry import Currents, LatchedStatus
 from trex_gui.devices.trex.model.device import Device
@@ -203,7 +204,7 @@ class Bench(QObject):
         elif past >= run.profile.duration:
             self._end(End.COMPLETE)
         elif now() - self._last_reading > (gap := self._device.timeouts.current_gap):
-            self.abort(self.tr("No current was read for {0:g} s.").format(gap))
+            self.abort(self.tr("No current was read for {0:g} s.").format(Number(gap)))
         else:
             speed = run.profile.speed_at(past)
             if not self._setpoints or self._setpoints[-1][1] != speed:
@@ -227,7 +228,7 @@ class Bench(QObject):
                     text = self.tr(
                         "Motor {0} drew {1:.2f} A, more than the abort current of {2:g} A."
                     )
-                    self.abort(text.format(run.motor, amps, run.abort_current))
+                    self.abort(text.format(run.motor, Number(amps), Number(run.abort_current)))
             elif isinstance(sample, LatchedStatus):
                 self._check_status(run.motor, sample)
 

@@ -3,6 +3,7 @@
 from PySide6.QtCore import QCoreApplication
 
 from trex_gui.core.errors import QT_TRANSLATE_NOOP, StudioError
+from trex_gui.core.translation import Number, tr, tr_noop, with_decimal_point
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
@@ -11,10 +12,19 @@ from trex_gui.devices.trex.settings.board_records import Known
 from trex_gui.ui.translations import error_sentence, local_time
 from trex_gui.ui.units import units
 
-CHANNEL_NAMES = {1: "Motor 1", 2: "Motor 2", 3: "Auxiliary", 4: "Flip", 5: "Override"}
+CHANNEL_NAMES = {
+    1: tr_noop("Motor 1"),
+    2: tr_noop("Motor 2"),
+    3: tr_noop("Auxiliary"),
+    4: tr_noop("Flip"),
+    5: tr_noop("Override"),
+}
 """Short names of what each channel does in RC and analog mode."""
 
-SOURCE_NAMES = {InputSource.RC: "RC pulses", InputSource.ANALOG: "analog voltages"}
+SOURCE_NAMES = {
+    InputSource.RC: tr_noop("RC pulses"),
+    InputSource.ANALOG: tr_noop("analog voltages"),
+}
 
 _TASKS = {
     1: QT_TRANSLATE_NOOP("ChannelText", "drives motor 1; with the mix jumper on it steers"),
@@ -155,7 +165,7 @@ def source_instructions(source: InputSource, mode: Mode) -> str:
             "The board reads {0} now, and only shows and accepts calibrations for them. To see "
             "these: switch it off, put the mode jumper to analog, switch it on.",
         )
-    return text.format(SOURCE_NAMES[mode.source], SOURCE_NAMES[source])
+    return text.format(tr(SOURCE_NAMES[mode.source]), tr(SOURCE_NAMES[source]))
 
 
 def known_text(known: Known) -> str:
@@ -253,8 +263,9 @@ def beyond_input(calibration: Calibration, source: InputSource) -> str:
 def _exactly(count: int, source: InputSource) -> str:
     """Return a count as text that differs from its neighbours."""
     if source is InputSource.RC:
-        return f"{source.physical(count):.1f}".removesuffix(".0") + " µs"
-    return f"{source.physical(count):.3f} V"
+        number = f"{source.physical(count):.1f}".removesuffix(".0")
+        return f"{with_decimal_point(number)} µs"
+    return f"{Number(source.physical(count)):.3f} V"
 
 
 def concern(calibration: Calibration, source: InputSource) -> str:

@@ -4,7 +4,7 @@ import math
 from collections import deque
 from dataclasses import dataclass
 
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.client.client import Counters
 
 _WINDOW = 10.0  # seconds that count, on the session's clock
@@ -107,4 +107,4 @@ def quality_text(quality: ConnectionQuality) -> str:
     text = tr("noisy: {0:.1f} % of the requests of the last {1:.0f} s answered")
     if not quality.is_noisy:
         text = tr("good: {0:.1f} % of the requests of the last {1:.0f} s answered")
-    return text.format(100 * (1 - quality.lost), quality.seconds)
+    return text.format(Number(100 * (1 - quality.lost)), quality.seconds)

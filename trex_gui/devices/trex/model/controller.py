@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Slot
 from trex_gui.core.errors import BadRequest, NoReply, StudioError
 from trex_gui.core.plugin import DevicePlugin
 from trex_gui.core.timing import Timeouts
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import Number, tr
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.trex.model.demo import DemoBoard
 from trex_gui.devices.trex.model.device import Device
@@ -140,7 +140,7 @@ class TrexController(DeviceController[ConnectionSettings]):
             return LineQuality()
         if not quality.is_noisy:
             return LineQuality(self.tr("Line: good"))
-        lost = self.tr("{0:.1f} % lost").format(100 * quality.lost)
+        lost = self.tr("{0:.1f} % lost").format(Number(100 * quality.lost))
         if device.settings is not None and device.settings.line.has_crc:
             text = self.tr("{0}: noisy; shorten cable, check ground")
             return LineQuality(text.format(lost), is_bad=True)

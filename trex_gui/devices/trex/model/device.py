@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 from trex_gui.core.errors import StudioError
 from trex_gui.core.session import Closed, Outcome
 from trex_gui.core.timing import Timeouts
+from trex_gui.core.translation import Number
 from trex_gui.devices.trex.client.reading import DeviceState, may_be_same_board
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import WriteResult
@@ -527,7 +528,9 @@ class Device(QObject):
         if not self.is_connected or not self.quality.take(time, batch.counters):
             return
         if self.quality.is_noisy and not was_noisy:
-            text = self.tr("The line is noisy: {0:.1f} % lost").format(100 * self.quality.lost)
+            text = self.tr("The line is noisy: {0:.1f} % lost").format(
+                Number(100 * self.quality.lost)
+            )
             self.events.add(EventKind.LINK, text, time, is_problem=True)
         elif was_noisy and not self.quality.is_noisy:
             self.events.add(EventKind.LINK, self.tr("The line is good again"), time)

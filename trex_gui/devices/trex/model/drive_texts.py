@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import Number, tr
 from trex_gui.core.transport.serial_port import latency_of
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.errors import bit_text
@@ -118,15 +118,15 @@ def timeout_warning_on(
             "The guardian process could not be started: if this program fails, motors keep turning "
             "for the serial timeout of {0:g} s."
         )
-        return TimeoutWarning(text.format(timeout), None)
+        return TimeoutWarning(text.format(Number(timeout)), None)
     elif "://" in settings.url:
         text = tr(
             "Serial timeout of {0:g} s is short for a network port: one late reply stops the "
             "motors while you drive. Set a longer one, or connect the board to this computer."
-        ).format(timeout)
+        ).format(Number(timeout))
     else:
         text = tr(
             "Serial timeout of {0:g} s is short for {1} baud: one lost reply stops the motors "
             "while you drive. Set a longer one, or a faster baud rate."
-        ).format(timeout, settings.line.baud)
+        ).format(Number(timeout), settings.line.baud)
     return TimeoutWarning(text, better)

@@ -3,9 +3,9 @@
 from collections.abc import Mapping
 from typing import Any
 
-from trex_gui.core.translation import tr, tr_noop
+from trex_gui.core.translation import Number, tr, tr_noop
 from trex_gui.devices.trex.protocol import commands as c
-from trex_gui.devices.trex.protocol.calibration import CALIBRATION_FIELDS, Calibration
+from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ResultCode
@@ -18,6 +18,13 @@ from trex_gui.devices.trex.protocol.flags import (
     channels_in,
 )
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameters_of
+
+_FIELD_TEXTS = {
+    "minimum": tr_noop("minimum"),
+    "neutral": tr_noop("neutral"),
+    "maximum": tr_noop("maximum"),
+    "deadband": tr_noop("deadband"),
+}
 
 _QUERIES: dict[type[c.Command[Any]], str] = {
     c.GetSignature: tr_noop("get signature"),
@@ -168,11 +175,12 @@ def _by_channel(values: Mapping[int, int | None]) -> str:
 def _current(motor: int, count: int, board: c.Signature | None) -> str:
     if board is None:
         return tr("motor {0}: {1} counts").format(motor, count)
-    return tr("motor {0}: {1:.2f} A").format(motor, count * board.model.current_unit)
+    return tr("motor {0}: {1:.2f} A").format(motor, Number(count * board.model.current_unit))
 
 
 def _calibration(calibration: Calibration) -> str:
-    return ", ".join(f"{tr(name)} {getattr(calibration, name)}" for name in CALIBRATION_FIELDS)
+    texts = _FIELD_TEXTS.items()
+    return ", ".join(f"{tr(text)} {getattr(calibration, name)}" for name, text in texts)
 
 
 def _channels(channels: tuple[int, ...]) -> str:

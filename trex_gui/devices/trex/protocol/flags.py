@@ -8,7 +8,7 @@ from enum import Enum, IntFlag
 from functools import cache
 
 from trex_gui.core.errors import QT_TRANSLATE_NOOP, BadRequest
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import Number, tr
 
 CHANNELS = (1, 2, 3, 4, 5)
 ALL_CHANNELS = 0x1F
@@ -194,7 +194,7 @@ class InputSource(Enum):
         """A raw count in physical units, such as `1500 µs` or `2.50 V`."""
         if self is InputSource.RC:
             return f"{self.physical(count):.0f} µs"
-        return f"{self.physical(count):.2f} V"
+        return f"{Number(self.physical(count)):.2f} V"
 
 
 class Mode(Enum):

@@ -8,7 +8,6 @@ from functools import cache
 from typing import Generic
 
 from trex_gui.core.errors import BadReply, BadRequest
-from trex_gui.core.texts import counted
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.commands import COMMANDS, Command, ReplyT_co
 from trex_gui.devices.trex.protocol.flags import seven_bits
@@ -216,7 +215,7 @@ class ReplyParser(Generic[ReplyT_co]):
             return NeedData(total - len(raw))
         if len(raw) > total:
             surplus = len(raw) - total
-            bytes_ = counted(surplus, "byte")
+            bytes_ = tr("1 byte") if surplus == 1 else tr("{0} bytes").format(surplus)
             return Malformed(raw, tr("{0} more than the reply has").format(bytes_))
         payload = answer[:size]
         if size and self.framing.polynomial is not None:

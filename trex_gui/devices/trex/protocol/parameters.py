@@ -13,7 +13,7 @@ from functools import cache
 from typing import Any
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.translation import cached_text, tr, tr_noop
+from trex_gui.core.translation import cached_text, tr, tr_noop, with_decimal_point
 from trex_gui.devices.trex.protocol.device_table import (
     HIGHEST_WIRE,
     Model,
@@ -98,7 +98,9 @@ def acceleration_wire(seconds: float) -> int:
 def ramp_seconds(wire: int) -> str:
     """Return the shortest number of seconds to full speed that means this wire value."""
     texts = (f"{FULL_SPEED_S / wire:.{decimals}f}" for decimals in range(1, 5))
-    return next(text for text in texts if acceleration_wire(float(text)) == wire)
+    return with_decimal_point(
+        next(text for text in texts if acceleration_wire(float(text)) == wire)
+    )
 
 
 _TIME = re.compile(r"(\d+(?:[.,]\d*)?|[.,]\d+)\s*(m?)s(?:\s+to full speed)?", re.IGNORECASE)
@@ -256,7 +258,7 @@ class ParameterSpec:
         number = f"{wire * self.scale:.{self.decimals}f}"
         if "." in number:
             number = number.rstrip("0").rstrip(".")
-        return f"{number} {self.unit}".rstrip()
+        return f"{with_decimal_point(number)} {self.unit}".rstrip()
 
     def wire(self, text: str) -> int:
         """Return the wire value for `text` ("1.5 s", "1.5", "off"); BadRequest names the limits.

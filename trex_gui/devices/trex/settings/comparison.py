@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
-from trex_gui.core.translation import cached_text, tr
+from trex_gui.core.translation import cached_text, tr, tr_noop
 from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_FIELDS,
     CALIBRATION_KEYS,
@@ -15,7 +15,7 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKind, ParameterSp
 from trex_gui.devices.trex.settings.document import Settings, specs_for
 from trex_gui.devices.trex.settings.writer import calibration_text
 
-_NOT_GIVEN = "not given"
+_NOT_GIVEN = tr_noop("not given")
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,9 +98,9 @@ class Comparison:
         """Return the counts, such as `29 parameters: 4 will change, 25 match`."""
         parameters = [row for row in self.rows if not row.is_calibration]
         calibrations = [row for row in self.rows if row.is_calibration]
-        parts = [_counts("parameter", parameters)]
+        parts = [_counts(parameters, tr("1 parameter"), tr("{0} parameters"))]
         if calibrations:
-            parts.append(_counts("calibration", calibrations))
+            parts.append(_counts(calibrations, tr("1 calibration"), tr("{0} calibrations")))
         if self.left_out:
             parts.append(tr("{0} cannot be carried over").format(len(self.left_out)))
         return "; ".join(parts)
@@ -206,7 +206,7 @@ def _calibration_rows(before: Settings, after: Settings) -> Iterator[ComparisonR
             yield ComparisonRow(key, name, old, new, old_text, new_text, None, *notes)
 
 
-def _counts(noun: str, rows: list[ComparisonRow]) -> str:
+def _counts(rows: list[ComparisonRow], one: str, many: str) -> str:
     changed = sum(row.changed for row in rows)
     missing = sum(row.is_missing for row in rows)
     parts = [
@@ -214,8 +214,8 @@ def _counts(noun: str, rows: list[ComparisonRow]) -> str:
         tr("{0} match").format(len(rows) - changed - missing),
     ]
     if missing:
-        parts.append(f"{missing} {_NOT_GIVEN}")
-    return f"{len(rows)} {noun}{'' if len(rows) == 1 else 's'}: {', '.join(parts)}"
+        parts.append(f"{missing} {tr(_NOT_GIVEN)}")
+    return f"{(one if len(rows) == 1 else many).format(len(rows))}: {', '.join(parts)}"
 
 
 def _cells(row: ComparisonRow) -> Iterator[tuple[str, str, str]]:
@@ -240,8 +240,8 @@ def _value_cells(row: ComparisonRow) -> Iterator[tuple[str, str, str]]:
             texts = f"{row.key.source.text(old)} → {row.key.source.text(new)}"
             yield f"{row.key} {name}", f"{old} → {new}", texts
         return
-    wires = f"{wire_text(row.before, _NOT_GIVEN)} → {wire_text(row.after, _NOT_GIVEN)}"
-    texts = f"{row.text_before or _NOT_GIVEN} → {row.text_after or _NOT_GIVEN}"
+    wires = f"{wire_text(row.before, tr(_NOT_GIVEN))} → {wire_text(row.after, tr(_NOT_GIVEN))}"
+    texts = f"{row.text_before or tr(_NOT_GIVEN)} → {row.text_after or tr(_NOT_GIVEN)}"
     yield row.key, wires, "" if texts == wires else texts
 
 

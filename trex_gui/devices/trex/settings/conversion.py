@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from enum import StrEnum
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.protocol.device_table import Model
 from trex_gui.devices.trex.protocol.line_settings import LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, ParameterSpec
@@ -106,7 +106,7 @@ def _wire(old: ParameterSpec, new: ParameterSpec, wire: int, product: Model) -> 
         return wire, ""
     steps = wire * old.scale / new.scale
     wanted = min(max(int(steps + 1e-6), 1), new.maximum)
-    step = f"{new.scale:g} {new.unit}"
+    step = f"{Number(new.scale):g} {new.unit}"
     if steps > new.maximum + 1e-6:
         return wanted, tr("A {0} has at most {1}.").format(product.name, new.text(new.maximum))
     if steps < 1 - 1e-6:

@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtGui import QCursor
 from PySide6.QtWidgets import QPushButton, QWidget
 
+from trex_gui.core.translation import Number
 from trex_gui.devices.trex.driving.blockers import DriveBlocker
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import (
@@ -63,7 +64,7 @@ class TimeoutNotice(QWidget):
         self._button.setVisible(can_set)
         if warning.seconds is None:
             return
-        seconds = f"{warning.seconds:g}"
+        seconds = f"{Number(warning.seconds):g}"
         self._button.setText(self.tr("Set &{0} s").format(seconds))
         self._button.setAccessibleName(self.tr("Set the serial timeout to {0} s").format(seconds))
         self._button.setToolTip(

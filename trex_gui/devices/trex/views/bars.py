@@ -6,6 +6,7 @@ from PySide6.QtCore import QRect, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QWidget
 
+from trex_gui.core.translation import Number
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.plotting.axes import Labels, spread, ticks, value_labels
@@ -405,7 +406,7 @@ class CurrentBar(_FilledBar):
         return sign + self._amps()
 
     def _amps(self) -> str:
-        return "" if self.value is None else f"{self.value:.2f} A"
+        return "" if self.value is None else f"{Number(self.value):.2f} A"
 
     def _spoken_value(self) -> str:
         if self._limit is None:
@@ -415,7 +416,7 @@ class CurrentBar(_FilledBar):
             LimitState.NEAR: self.tr("{value}, near the limit of {limit:.2f} A"),
             LimitState.OVER: self.tr("{value}, over the limit of {limit:.2f} A"),
         }[self.limit_state]
-        return text.format(value=self._amps(), limit=self._limit)
+        return text.format(value=self._amps(), limit=Number(self._limit or 0))
 
     def _widest_value(self) -> str:
         return f"{WARNING_SIGN} 00.00 A"

@@ -15,6 +15,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QLineEdit, QSpinBox, QStyledItemDelegate, QWidget
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import with_decimal_point
 from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.theme.icons import set_icon
@@ -181,7 +182,7 @@ class CountEditor(UnitSpinBox):
     def _physical(self, val: int) -> str:
         decimals = 1 if self._source is InputSource.RC else 3
         number = f"{self._source.physical(val):.{decimals}f}".removesuffix(".0")
-        return f"{number} {self._source.unit}"
+        return f"{with_decimal_point(number)} {self._source.unit}"
 
     def parse(self, text: str) -> int:
         found = _NUMBER.fullmatch(text)

@@ -3,7 +3,7 @@
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtWidgets import QWidget
 
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.driving.blockers import TEXT_CONTEXT
 from trex_gui.devices.trex.driving.board_reasons import LED_TEXTS, PACKETS
 from trex_gui.devices.trex.model.controller import TrexController
@@ -155,7 +155,7 @@ def motor_text(motor: DemoMotor) -> str:
         "brake": tr("brake") if motor.speed else tr("coast"),
     }.get(motor.direction, motor.direction)
     speed = f" {motor.speed}" if motor.speed else ""
-    return f"{direction}{speed}, {motor.current:.1f}\u00a0A"
+    return f"{direction}{speed}, {Number(motor.current):.1f}\u00a0A"
 
 
 class DemoPanel(DemoDock):
@@ -225,7 +225,7 @@ def _supply_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRo
         steps=10,
         on_move=board.set_battery,
         read=lambda snapshot: snapshot.battery,
-        show=lambda value: volts.setText(f"{value:.1f}\u00a0V"),
+        show=lambda value: volts.setText(f"{Number(value):.1f}\u00a0V"),
         lowest=_LOWEST,
         tip=tr("A weak battery sags when the motors start, and the board resets"),
     )
@@ -254,7 +254,7 @@ def _supply_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRo
     )
 
     def update(snapshot: DemoSnapshot) -> None:
-        text = tr("{0:.1f}\u00a0V at the board").format(snapshot.supply)
+        text = tr("{0:.1f}\u00a0V at the board").format(Number(snapshot.supply))
         supply.setText(text if snapshot.power else tr("switched off"))
         index = mode.findData(snapshot.jumpers.mode)
         if index != mode.currentIndex() and not mode.view().isVisible():
@@ -310,7 +310,7 @@ def _add_input_row(channel: int, board: DemoBoard, rows: BoardRows) -> None:
 
     def show(position: float) -> None:
         decimals = 0 if source is InputSource.RC else 2
-        value.setText(f"{position / _STEPS[source]:.{decimals}f}\u00a0{source.unit}")
+        value.setText(f"{Number(position / _STEPS[source]):.{decimals}f}\u00a0{source.unit}")
 
     def set_scale() -> None:
         low, high = (round(end * _STEPS[source]) for end in STICK_ENDS[source])
@@ -387,7 +387,7 @@ def _add_motor_row(number: int, board: DemoBoard, rows: BoardRows) -> None:
         steps=steps,
         on_move=lambda amperes: board.set_load(number, amperes),
         read=lambda snapshot: snapshot.motors[number - 1].load,
-        show=lambda amperes: value.setText(f"{amperes:.1f}\u00a0A"),
+        show=lambda amperes: value.setText(f"{Number(amperes):.1f}\u00a0A"),
         color=f"motor{number}",
         tip=tr(
             "The current that motor {0} draws at full speed; at the right end it stalls, which "

@@ -3,6 +3,7 @@
 from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtWidgets import QLabel, QWidget
 
+from trex_gui.core.translation import Number
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.playback import Playback
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
@@ -127,7 +128,7 @@ class ValuesPanel(QWidget):
         for motor in (1, 2):
             text = NO_VALUE
             if state.currents is not None:
-                text = f"{state.currents[motor - 1] * unit:.2f} A"
+                text = f"{Number(state.currents[motor - 1] * unit):.2f} A"
             self._set(f"motor{motor}Current", text)
             self._set(f"motor{motor}Setpoint", self._drive_text(state.setpoints.get(motor)))
         auxiliary = state.auxiliary

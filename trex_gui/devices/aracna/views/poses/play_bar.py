@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt, Slot
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.aracna.model.library import ItemKey, Library
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.poses.gaits import Gait
@@ -245,7 +245,7 @@ def _notes(late: Many[LateMotor], limited: Many[tuple[int, int]]) -> dict[int, s
         slow = [one for one in late if one.step == step]
         motors = ", ".join(str(one.motor) for one in slow)
         text = tr("needs {0:.2f} s: motor {1}")
-        found[step].append(text.format(max(one.needed for one in slow), motors))
+        found[step].append(text.format(Number(max(one.needed for one in slow)), motors))
     for step in sorted({step for step, _ in limited}):
         motors = ", ".join(str(motor) for number, motor in limited if number == step)
         found[step].append(tr("limited: motor {0}").format(motors))
@@ -264,6 +264,6 @@ def _length_text(steps: int, seconds: float, rounds: int) -> str:
 
 def _duration(seconds: float) -> str:
     if seconds < _MINUTE:
-        return tr("{0:.1f} s").format(seconds)
+        return tr("{0:.1f} s").format(Number(seconds))
     minutes, rest = divmod(round(seconds), 60)
     return tr("{0} min {1:02d} s").format(minutes, rest)

@@ -4,6 +4,7 @@ from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QPushButton, QSizePolicy, QWidget
 
+from trex_gui.core.translation import Number
 from trex_gui.devices.aracna.model.robot import FIRST_SPEED, Robot
 from trex_gui.devices.aracna.model.texts import (
     assumed_text,
@@ -289,4 +290,4 @@ class Controls(QWidget):
         self._rate.setText("" if robot.rate is None else self._rate_text(robot.rate))
 
     def _rate_text(self, rate: float) -> str:
-        return self.tr("{0:.1f} commands/s").format(rate)
+        return self.tr("{0:.1f} commands/s").format(Number(rate))

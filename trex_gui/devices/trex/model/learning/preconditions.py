@@ -3,6 +3,7 @@
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.errors import StudioError
+from trex_gui.core.translation import Number
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.devices.connection import ConnectionState
@@ -164,7 +165,7 @@ class StandstillCheck(QObject):
     @Slot()
     def _on_timeout(self) -> None:
         drawing = [
-            self.tr("motor {0} draws {1:.1f} A").format(motor, readings[-1])
+            self.tr("motor {0} draws {1:.1f} A").format(motor, Number(readings[-1]))
             for motor, readings in enumerate(self._last(), 1)
             if readings and max(readings) > self._limit
         ]

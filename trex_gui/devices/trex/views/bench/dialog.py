@@ -8,6 +8,7 @@ from PySide6.QtGui import QCloseEvent, QImage, QShowEvent
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.timing import FRAME_MS
+from trex_gui.core.translation import Number
 from trex_gui.devices.trex.bench.figures import BAND
 from trex_gui.devices.trex.bench.run import End, Run
 from trex_gui.devices.trex.model.bench import Bench, Phase
@@ -181,7 +182,7 @@ class BenchDialog(ReusedDialog):
         bench = self.bench
         if bench.is_driving and (run := bench.current) is not None:
             text = self.tr("Motor {0} is running: {1:.1f} of {2:g} s.")
-            return text.format(run.motor, run.ended, run.profile.duration)
+            return text.format(run.motor, Number(run.ended), Number(run.profile.duration))
         next_step = blocker or self.tr(
             "Armed. Hold the button: the motor runs only while it is held."
         )
@@ -191,9 +192,9 @@ class BenchDialog(ReusedDialog):
     def _end_text(self, run: Run) -> str:
         match run.end:
             case End.ABORTED:
-                return self.tr("Aborted after {0:.2f} s: {1}").format(run.ended, run.reason)
+                return self.tr("Aborted after {0:.2f} s: {1}").format(Number(run.ended), run.reason)
             case End.RELEASED:
-                return self.tr("Released after {0:.2f} s.").format(run.ended)
+                return self.tr("Released after {0:.2f} s.").format(Number(run.ended))
             case End.COMPLETE:
                 return self.tr("The test is complete.")
 

@@ -10,6 +10,7 @@ from PySide6.QtCore import QSize, Qt, Slot
 from PySide6.QtGui import QAccessible
 from PySide6.QtWidgets import QWidget
 
+from trex_gui.core.translation import Number
 from trex_gui.devices.trex.bench.run import Profile, Run
 from trex_gui.ui.plotting.axes import count_labels, round_up, ticks, value_labels
 from trex_gui.ui.plotting.canvas import PlotCanvas
@@ -98,10 +99,10 @@ class BenchPlot(QWidget, Spoken):
             self._profile = profile
             self._planned.set_points(*_arrays(profile.course()))
         self._abort_line.set_value(abort)
-        self._abort_key.setText(self.tr("Abort {0:g} A").format(abort))
+        self._abort_key.setText(self.tr("Abort {0:g} A").format(Number(abort)))
         self._limit_line.set_value(limit)
         self._limit_key.setVisible(limit is not None)
-        self._limit_key.setText(self.tr("Limit {0:g} A").format(limit or 0))
+        self._limit_key.setText(self.tr("Limit {0:g} A").format(Number(limit or 0)))
 
     def show_runs(self, run: Run | None, before: Run | None) -> None:
         """Show a test, which may still run, and the one it is compared with."""
@@ -133,7 +134,7 @@ class BenchPlot(QWidget, Spoken):
         self._currents.set_axes(
             x,
             (-margin, self.highest + margin),
-            [(at, f"{at:g} s") for at in marks],
+            [(at, f"{Number(at):g} s") for at in marks],
             value_labels(ticks(0, self.highest, step), self.tr("A")),
         )
 
@@ -147,7 +148,7 @@ class BenchPlot(QWidget, Spoken):
         for cursor in self._cursors:
             cursor.set_value(at)
         parts = [
-            self.tr("{0:.2f} s").format(at),
+            self.tr("{0:.2f} s").format(Number(at)),
             f"{self._run.setpoint_at(at):+d}".replace("-", MINUS),
             _amps_at(self._run, at),
         ]
@@ -164,7 +165,7 @@ class BenchPlot(QWidget, Spoken):
 
 def _amps_at(run: Run, at: float) -> str:
     amps = run.current_at(at)
-    return f"{NO_VALUE} A" if amps is None else f"{amps:.2f} A"
+    return f"{NO_VALUE} A" if amps is None else f"{Number(amps):.2f} A"
 
 
 def _arrays(points: object) -> tuple[Floats, Floats]:

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import reason_of, save
+from trex_gui.core.translation import Number
 from trex_gui.devices.trex.bench.figures import BAND, Figures, figures
 from trex_gui.devices.trex.bench.files import load_run, to_csv
 from trex_gui.devices.trex.bench.run import Run
@@ -111,7 +112,7 @@ class FiguresTable(QTableWidget):
 def _text(value: float | None, unit: str, sign: str = "") -> str:
     if value is None:
         return NO_VALUE
-    number = f"{1000 * value:{sign}.0f}" if unit == "ms" else f"{value:{sign}.2f}"
+    number = f"{1000 * value:{sign}.0f}" if unit == "ms" else f"{Number(value):{sign}.2f}"
     return f"{number.replace('-', MINUS)} {unit}"
 
 

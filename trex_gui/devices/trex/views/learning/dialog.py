@@ -6,6 +6,7 @@ from PySide6.QtCore import QEvent, QSize, Qt, Slot
 from PySide6.QtGui import QCloseEvent, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QVBoxLayout, QWidget
 
+from trex_gui.core.translation import Number
 from trex_gui.devices.trex.model.learning.learning import Learning, LearningStep
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.views.learning.live_pages import (
@@ -369,7 +370,7 @@ class LearnDialog(ReusedDialog):
     def _rest_text(self) -> str:
         learning = self._learning
         if learning.sampling:
-            return self.tr("Hands off. Sampling … {0:.1f} s").format(learning.seconds_left)
+            return self.tr("Hands off. Sampling … {0:.1f} s").format(Number(learning.seconds_left))
         if not learning.has_sampled:
             return self.tr(
                 "The motors are stopped. Release every stick and set every switch to off. Then "
@@ -399,7 +400,7 @@ class LearnDialog(ReusedDialog):
         )
         hold = max(travel.hold_seconds for travel in slow)
         rate = 1 / max(travel.interval for travel in slow)
-        return f"{text} {reason.format(hold, self._learning.baud, rate)}"
+        return f"{text} {reason.format(Number(hold), self._learning.baud, Number(rate))}"
 
     def _review_texts(self) -> tuple[str, str]:
         """Return the text of the head and the tip of the button that uses the values."""

@@ -7,6 +7,7 @@ from PySide6.QtCore import QCoreApplication, QMargins, QSize, Qt, Slot
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
+from trex_gui.core.translation import Number
 from trex_gui.core.translation import tr as translated
 from trex_gui.devices.trex.calibration.neutral import no_signal
 from trex_gui.devices.trex.calibration.travel import Task, Travel, Way
@@ -276,7 +277,7 @@ class TravelRow(ChannelRow):
         }
         for way, text in passed.items():
             if travel.reached(way) and not travel.held(way):
-                return text.format(travel.hold_seconds)
+                return text.format(Number(travel.hold_seconds))
         match travel.held(Way.DOWN), travel.held(Way.UP):
             case True, True:
                 return tr("Both ends reached: {0} and {1}.").format(low, high)

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QFileDialog, QMenu, QWidget
 
 from trex_gui.core.errors import BadRequest, StudioError
 from trex_gui.core.files import load
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.calibration_moves import symmetric, why_not_symmetric
 from trex_gui.devices.trex.model.channel_text import CHANNEL_NAMES
 from trex_gui.devices.trex.model.device import Device
@@ -40,7 +41,7 @@ class ChangeMenu(QMenu):
         self._copies = self.addMenu(self.tr("&Copy to"))
         set_icon(self._copies.menuAction(), "copy")
         for channel in CHANNELS:
-            text = self.tr("Channel {0} ({1})").format(channel, CHANNEL_NAMES[channel])
+            text = self.tr("Channel {0} ({1})").format(channel, tr(CHANNEL_NAMES[channel]))
             copy = partial(self._copy_to, (channel,))
             self._add(self._copies, f"copyTo{channel}Action", text, copy)
         self._copies.addSeparator()

@@ -4,6 +4,7 @@ from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QAccessible, QIcon, QPixmap
 from PySide6.QtWidgets import QListWidget, QListWidgetItem, QSizePolicy, QTabBar, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model import channel_text
 from trex_gui.devices.trex.model.device import Device
@@ -66,7 +67,7 @@ class ChannelList(QListWidget):
     def _show_text(self, channel: int) -> None:
         edited, problem = self._marks[channel]
         mark = self.tr(", problem") if problem else self.tr(", edited") if edited else ""
-        name = f"{channel}  {channel_text.CHANNEL_NAMES[channel]}{mark}"
+        name = f"{channel}  {tr(channel_text.CHANNEL_NAMES[channel])}{mark}"
         self.item(CHANNELS.index(channel)).setText(f"{name}\n{self._inputs[channel]}")
 
     @Slot()
@@ -118,7 +119,7 @@ class ChannelHeading(QWidget):
         `edited`: Apply would change its calibration. `mixed`: whether the mix jumper is on.
         """
         state, active = self._device.state, self._device.calibrations.source
-        name = channel_text.CHANNEL_NAMES[channel]
+        name = tr(channel_text.CHANNEL_NAMES[channel])
         self._title.setText(self.tr("Channel {0}: {1}").format(channel, name))
         self._show_sources(source, active)
         self._learned.setVisible(source is active)
@@ -196,7 +197,7 @@ class OtherSource(QWidget):
             self._switch.hide()
             self._cycle.hide()
             return
-        name, wire = channel_text.SOURCE_NAMES[source], int(source is InputSource.ANALOG)
+        name, wire = tr(channel_text.SOURCE_NAMES[source]), int(source is InputSource.ANALOG)
         is_serial = state.mode.is_serial
         is_edited = parameters.value_of(_KEY) == wire
         is_stored = parameters.stored_of(_KEY) == wire

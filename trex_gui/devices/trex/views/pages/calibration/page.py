@@ -7,6 +7,7 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model import channel_text
 from trex_gui.devices.trex.model.calibration_moves import Handle
@@ -208,7 +209,7 @@ class CalibrationPage(PlotPage):
     def _other_set_text(self) -> str:
         """Return the calibration for the input source that is not shown, on one line."""
         source = InputSource.ANALOG if self.source is InputSource.RC else InputSource.RC
-        name, calibrations = channel_text.SOURCE_NAMES[source], self._device.calibrations
+        name, calibrations = tr(channel_text.SOURCE_NAMES[source]), self._device.calibrations
         since = ""
         if source is calibrations.source:
             calibration = calibrations.shown(self.channel)
@@ -236,8 +237,8 @@ class CalibrationPage(PlotPage):
     def _show_actions(self) -> None:
         is_connected, reason = self._device.is_connected, self._device.settings_blocker
         if not self._is_active:
-            read = channel_text.SOURCE_NAMES[self._device.calibrations.source]
-            shown = channel_text.SOURCE_NAMES[self.source]
+            read = tr(channel_text.SOURCE_NAMES[self._device.calibrations.source])
+            shown = tr(channel_text.SOURCE_NAMES[self.source])
             reason = self.tr(
                 "The board reads {0} now. Open their tab, or make the board read {1} first, as "
                 "described above."

@@ -7,6 +7,7 @@ from PySide6.QtCore import QObject, QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QSizePolicy, QSlider, QWidget
 
+from trex_gui.core.translation import Number
 from trex_gui.devices.trex.model.motors import LONGEST, Motors, remember_lockout
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.views.pages.motors.drive_control import SpeedEntry
@@ -225,7 +226,7 @@ class Options(ui.GroupBox):
         tip = self.tr(
             "How long Run motor stays locked after Stop or Esc, so that a slider or key still held "
             "cannot restart a motor (0 to {0:g} s)"
-        ).format(LONGEST)
+        ).format(Number(LONGEST))
         lock = ui.named(
             SpeedEntry(self),
             "lockoutEntry",

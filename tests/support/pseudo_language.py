@@ -1,0 +1,183 @@
+"""A language for tests: accented, a third longer, and marked, so that other texts stand out.
+
+Only texts that `packaging/translations.py` extracts are translated.
+"""
+
+import re
+from collections.abc import Iterator
+
+from PySide6.QtCore import (
+    QAbstractItemModel,
+    QAbstractListModel,
+    QModelIndex,
+    Qt,
+    QTranslator,
+)
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractItemView,
+    QComboBox,
+    QDockWidget,
+    QDoubleSpinBox,
+    QGroupBox,
+    QLabel,
+    QLineEdit,
+    QMenuBar,
+    QPlainTextEdit,
+    QSpinBox,
+    QTabBar,
+    QTextBrowser,
+    QWidget,
+)
+
+from tests.support.scripts import load_script
+from trex_gui.ui.widgets.labels import ElidedLabel
+
+BEGIN, END = "⟦", "⟧"
+_ACCENTS = str.maketrans("aceinouyACEINOUY", "áçéíñóúýÁÇÉÍÑÓÚÝ")
+_KEPT = re.compile(
+    r"\{[^{}]*\}|%n|%L?\d|&\w|<[^>]*>|\*\.\w+|;;|&lt;|&gt;|&amp;|&nbsp;|https?://\S+|style='[^']*'"
+)
+_HTML = re.compile(r"<[^>]*>|&#?\w+;")
+_WORD = re.compile(r"[A-Za-z]{2,}")
+_NOT_TRANSLATED = re.compile(
+    r"TReX|Jr|Demo|DMC0\d|Aracna|Pololu|Studio|UART|CRC|PWM|RS|TTL|SI|SO|TX|RX|GND|Mix|LED|RC|SO–G"
+    r"|[kmM]?(?:Hz|s|ms|V|A|Ah|mAh|mA|min|h|µs)|MiB|Ctrl|Alt|Shift|Esc|Enter|baud|max|min|[A-F0-9]{2}|0x[0-9a-fA-F]+"
+    r"|/[\w./-]+|[a-z0-9]+_[a-z0-9_]+|\S+\.(?:txt|log|trexrec|csv|ppr|toml|yaml)|(?:socket|rfc2217)://\S+"
+)
+
+
+_OWN_WORDS = {
+    "languageBox",  # each language by its own name
+    "helpText",  # the help is in English
+    "helpPages",
+    "aracnaPoses",  # names in files
+    "aracnaSteps",
+}
+
+
+def pseudo(text: str) -> str:
+    """Return a text in the language; places, tags and the letter for Alt stay as they are."""
+    parts, end = [], 0
+    for kept in _KEPT.finditer(text):
+        parts += [text[end : kept.start()].translate(_ACCENTS), kept[0]]
+        end = kept.end()
+    parts.append(text[end:].translate(_ACCENTS))
+    return f"{BEGIN}{''.join(parts)}{'~' * (len(text) // 3)}{END}"
+
+
+class PseudoTranslator(QTranslator):
+    """Translates what a language file would have a translation of."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        texts = load_script("translations").program_texts()
+        self._texts = {(text.source, text.comment) for text in texts}
+
+    def isEmpty(self) -> bool:  # noqa: N802
+        return False
+
+    def translate(
+        self, context: str, source: str, disambiguation: str | None = None, n: int = -1
+    ) -> str | None:
+        del context
+        if (source, disambiguation or "") not in self._texts:
+            return None
+        translated = pseudo(source)
+        return translated.replace("%n", str(n)) if n >= 0 else translated
+
+
+def untranslated(text: str) -> str:
+    """Return what of a text is not translated, apart from names, units and numbers."""
+    plain = _HTML.sub(" ", text).replace("&", "")
+    while BEGIN in plain and (inner := re.search(rf"{BEGIN}[^{BEGIN}{END}]*{END}", plain)):
+        plain = plain.replace(inner[0], " ")
+    words = [word for word in plain.split() if not _NOT_TRANSLATED.fullmatch(word.strip(".,:;()…"))]
+    return plain.strip() if any(map(_WORD.search, words)) else ""
+
+
+def shown_texts(root: QWidget) -> Iterator[tuple[str, str]]:
+    """Yield each text of the visible widgets below `root`, and where it is."""
+    for widget in [root, *root.findChildren(QWidget)]:
+        is_of_qt = widget.objectName().startswith(("qt_", "Scroll"))  # translated by Qt
+        if not widget.isVisible() or is_of_qt or widget.objectName() in _OWN_WORDS:
+            continue
+        where = f"{widget.objectName() or widget.metaObject().className()}"
+        for kind, text in _texts_of(widget):
+            if text:
+                yield f"{where} {kind}", text
+
+
+def _texts_of(widget: QWidget) -> Iterator[tuple[str, str]]:
+    yield "tool tip", widget.toolTip()
+    yield "name", widget.accessibleName()
+    yield "description", widget.accessibleDescription()
+    if widget.isWindow() or isinstance(widget, QDockWidget):
+        yield "title", widget.windowTitle()
+    match widget:
+        case QLabel() | QAbstractButton():
+            yield "text", widget.text()
+        case QGroupBox():
+            yield "title", widget.title()
+        case QComboBox():
+            yield from (("entry", widget.itemText(index)) for index in range(widget.count()))
+        case QTabBar():
+            yield from (("tab", widget.tabText(index)) for index in range(widget.count()))
+        case QTextBrowser():
+            yield "text", widget.toPlainText()
+        case QLineEdit() | QPlainTextEdit():
+            yield "placeholder", widget.placeholderText()
+        case QSpinBox() | QDoubleSpinBox():
+            yield "suffix", widget.suffix()
+        case QMenuBar():
+            for menu in widget.actions():
+                yield "menu", menu.text()
+                inner = menu.menu()
+                yield from (("entry", each.text()) for each in getattr(inner, "actions", list)())
+        case QAbstractItemView():
+            yield from _texts_of_model(widget.model())
+
+
+def _texts_of_model(model: QAbstractItemModel | None) -> Iterator[tuple[str, str]]:
+    if model is None:
+        return
+    if isinstance(model, QAbstractListModel):
+        columns = 1
+    else:
+        columns = model.columnCount()
+        for section in range(columns):
+            header = model.headerData(section, Qt.Orientation.Horizontal)
+            yield "header", header if isinstance(header, str) else ""
+    yield from _texts_of_rows(model, QModelIndex(), columns)
+
+
+def _texts_of_rows(
+    model: QAbstractItemModel, parent: QModelIndex, columns: int
+) -> Iterator[tuple[str, str]]:
+    for row in range(model.rowCount(parent)):
+        for column in range(columns):
+            index = model.index(row, column, parent)
+            for role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.ToolTipRole):
+                text = model.data(index, role)
+                yield f"cell {role.name}", text if isinstance(text, str) else ""
+        if columns > 1:
+            yield from _texts_of_rows(model, model.index(row, 0, parent), columns)
+
+
+def cut_texts(root: QWidget) -> Iterator[str]:
+    """Yield the visible labels and buttons below `root` that are too small for their text."""
+    for widget in root.findChildren(QWidget):
+        if not widget.isVisible() or isinstance(widget, ElidedLabel):
+            continue
+        needed, has = widget.sizeHint(), widget.size()
+        match widget:
+            case QLabel() if widget.wordWrap():
+                is_cut = widget.heightForWidth(has.width()) > has.height()
+            case QLabel():
+                is_cut = bool(widget.text()) and needed.width() > has.width()
+            case QAbstractButton():
+                is_cut = bool(widget.text()) and needed.width() > has.width()
+            case _:
+                continue
+        if is_cut:
+            yield f"{widget.objectName()}: {widget.text()!r} needs {needed}, has {has}"
