@@ -102,11 +102,12 @@ def test_message_with_a_code_offers_its_help(connected_window: WindowDriver) -> 
 def check_log(window: WindowDriver, key: str, code: ErrorCode | RobotErrorCode, topic: str) -> None:
     """Log two messages; the one with a code is explained."""
     log = window.program.workspaces[key].log
-    log.add("Saved.")
-    log.add(str(code.value), is_problem=True)
     window.program.workspaces[key].show_page("log")
     text = window.find(QPlainTextEdit, f"{key}Log")
     window.wait(text.isVisible)
+    assert not window.is_enabled(f"{key}LogHelp")
+    log.add("Saved.")
+    log.add(str(code.value), is_problem=True)
     text.moveCursor(QTextCursor.MoveOperation.End)
     window.click(f"{key}LogHelp")
     assert topic_shown(window) == topic

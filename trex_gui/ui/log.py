@@ -163,6 +163,7 @@ class LogPage(QWidget):
     def _fill(self) -> None:
         self._text.setPlainText("\n".join(self._lines))
         self._text.moveCursor(QTextCursor.MoveOperation.End)
+        self._on_cursor_moved()
 
     @Slot(object)
     def _on_added(self, entry: LogEntry) -> None:

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from trex_gui.cli.program import COMMANDS
 from trex_gui.ui.help.pages import INDEX, Page, anchor_of, pages, search
 
 ROOT = Path(__file__).parents[3]
@@ -14,7 +15,8 @@ LINK = re.compile(r"\[[^\]]*\]\((?P<target>[^)]+)\)")
 
 @pytest.mark.parametrize("page", pages(), ids=lambda page: page.name)
 def test_links_of_page_lead_somewhere(page: Page) -> None:
-    check_links(page.text, HELP / page.name)
+    for file in check_links(page.text, HELP / page.name):
+        assert file.is_relative_to(ROOT / "resources"), "what else is there is not shipped"
 
 
 @pytest.mark.parametrize("name", ["README.md", "CONTRIBUTING.md", "trex_gui/README.md"])
@@ -22,7 +24,9 @@ def test_links_of_document_lead_somewhere(name: str) -> None:
     check_links((ROOT / name).read_text(encoding="utf-8"), ROOT / name)
 
 
-def check_links(text: str, path: Path) -> None:
+def check_links(text: str, path: Path) -> list[Path]:
+    """Check that files and anchors are there; return the files."""
+    files = []
     anchors = {page.name: {one.anchor for one in page.sections} for page in pages()}
     for target in LINK.findall(text):
         if target.startswith("http"):
@@ -30,9 +34,11 @@ def check_links(text: str, path: Path) -> None:
         name, _, anchor = target.partition("#")
         file = (path.parent / name).resolve() if name else path
         assert file.exists(), target
+        files.append(file)
         if anchor:
             assert file.parent == HELP, target
             assert anchor in anchors[file.name], target
+    return files
 
 
 def test_index_lists_every_page_once() -> None:
@@ -46,6 +52,13 @@ def test_page_has_title_and_different_headings(page: Page) -> None:
     assert page.text.startswith(f"# {page.title}\n")
     anchors = [section.anchor for section in page.sections]
     assert len(anchors) == len(set(anchors))
+
+
+def test_command_line_page_names_every_command() -> None:
+    (page,) = (page for page in pages() if page.name == "command_line.md")
+    rows = "\n".join(line for line in page.text.splitlines() if line.startswith("|"))
+    named = set(re.findall(r"`([\w-]+)`", rows))
+    assert named == COMMANDS.keys()
 
 
 def test_anchor_is_that_of_forges() -> None:
@@ -73,3 +86,10 @@ def test_search_wants_every_word() -> None:
     topics = [one.topic for one in search("jumper hand-shake")]
     assert topics[0] == "lost_settings.md#3-the-jumper-hand-shake"
     assert not search("jumper zeppelin")
+
+
+def test_search_finds_the_section_of_a_pasted_message() -> None:
+    assert search("error: No reply to C1 02.")[0].topic == "messages.md#no-reply-to-"
+    pasted = "Serial Timeout: the board rejects this value (code 2)"
+    assert search(pasted)[0].topic == "messages.md#the-board-rejects-this-value-code-2"
+    assert search("A stop came first; nothing was sent.")[0].title == "A stop came first"

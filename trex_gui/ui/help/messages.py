@@ -43,7 +43,8 @@ class MessageHelp:
             shown = " ".join(QCoreApplication.translate(context, text).split()).rstrip(". ")
             parts = _FIELD.split(shown)
             size = sum(map(len, parts))
-            if heading_of(text) and re.search(".+?".join(map(re.escape, parts)), line):
+            pattern = ".+?".join(map(re.escape, parts)).removeprefix(".+?").removesuffix(".+?")
+            if heading_of(text) and re.search(pattern, line):
                 yield size, f"{MESSAGES}#{anchor_of(heading_of(text))}"
 
 

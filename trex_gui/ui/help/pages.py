@@ -10,6 +10,9 @@ from trex_gui.core.resource_files import resource
 INDEX = "README.md"
 """The page that lists the others in their order."""
 
+_LEAST_OF_MESSAGE = 12
+"""Characters of a heading that is looked for in what was typed."""
+
 _HEADING = re.compile(r"#{1,6} +(?P<title>.+)")
 _LINK = re.compile(r"!?\[(?P<text>[^\]]*)\]\([^)]*\)")
 _PAGE_LINK = re.compile(r"\((?P<name>\w+\.md)\)")
@@ -77,7 +80,10 @@ def pages() -> Sequence[Page]:
 
 
 def search(words: str) -> list[Section]:
-    """Return the sections with all of these words, those with all in their heading first."""
+    """Return the sections with all of these words, those with all in their heading first.
+
+    `words` may also be a message: the section that it heads comes first.
+    """
     wanted = words.casefold().split()
 
     def has_all(text: str) -> bool:
@@ -85,5 +91,14 @@ def search(words: str) -> list[Section]:
         return all(word in folded for word in wanted)
 
     sections = [section for page in pages() for section in page.sections]
+    headed = [section for section in sections if _is_headed_by(words, section.title)]
     found = [section for section in sections if has_all(f"{section.title} {section.text}")]
-    return sorted(found, key=lambda section: not has_all(section.title))
+    found.sort(key=lambda section: not has_all(section.title))
+    return list(dict.fromkeys((*headed, *found)))
+
+
+def _is_headed_by(message: str, title: str) -> bool:
+    """Whether a title, in which … stands for anything, is part of a message."""
+    pattern = ".+?".join(map(re.escape, title.strip("… ").split("…")))
+    is_long = len(title.replace("…", "")) >= _LEAST_OF_MESSAGE
+    return is_long and re.search(pattern, message, re.IGNORECASE) is not None

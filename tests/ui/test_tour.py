@@ -1,0 +1,66 @@
+"""What the digest of a picture follows, and what it does not."""
+
+from PySide6.QtWidgets import QGroupBox, QLabel, QPushButton, QStackedWidget, QTabWidget, QWidget
+from pytestqt.qtbot import QtBot
+
+from trex_gui.ui.tour import fixed_texts
+from trex_gui.ui.widgets import builders as ui
+
+
+class Sample(QWidget):
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("samplePage")
+        self.label = ui.label(self, text="Speed:")
+        self.value = ui.label(self, "speedValue", "12 km/h")
+        self.button = ui.button(self, "goButton", "Go")
+        self.box = QGroupBox("Drive", self)
+        self.stack = QStackedWidget(self)
+        for text in ("First", "Second"):
+            self.stack.addWidget(QPushButton(text))
+        self.tabs = QTabWidget(self)
+        self.tabs.addTab(QLabel("In the tab"), "Errors")
+
+    @property
+    def digest(self) -> list[str]:
+        return sorted(fixed_texts(self))
+
+
+def test_fixed_texts_name_what_is_shown(qtbot: QtBot) -> None:
+    sample = Sample()
+    qtbot.addWidget(sample)
+    shown = sample.digest
+    for text in ("Speed", "Go", "Drive", "First", "Errors", "In the tab", "QLabel speedValue"):
+        assert text in shown
+    assert "Second" not in shown
+
+
+def test_fixed_texts_follow_texts_and_names(qtbot: QtBot) -> None:
+    sample = Sample()
+    qtbot.addWidget(sample)
+    changes = (
+        lambda: sample.label.setText("Velocity:"),
+        lambda: sample.button.setText("Start"),
+        lambda: sample.box.setTitle("Run"),
+        lambda: sample.tabs.setTabText(0, "Faults"),
+        lambda: sample.button.setObjectName("startButton"),
+        lambda: sample.stack.setCurrentIndex(1),
+        lambda: ui.button(sample, "stopButton", "Stop"),
+    )
+    for change in changes:
+        before = sample.digest
+        change()
+        assert sample.digest != before
+
+
+def test_fixed_texts_ignore_measurements_fonts_and_sizes(qtbot: QtBot) -> None:
+    sample = Sample()
+    qtbot.addWidget(sample)
+    before = sample.digest
+    sample.value.setText("99 km/h")
+    sample.tabs.setTabText(0, "Errors (3)")
+    sample.resize(2000, 2000)
+    font = sample.font()
+    font.setPointSize(40)
+    sample.setFont(font)
+    assert sample.digest == before
