@@ -512,6 +512,23 @@ def test_demo_without_display_lists_its_screenshots(
     assert "left-from-before" not in said
 
 
+def test_pictures_are_made_offscreen_with_no_settings_of_the_user(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def run(command: Sequence[str], extra_env: Mapping[str, str]) -> int:
+        assert command[-1] == str(bootstrap.PICTURES)
+        assert extra_env["QT_QPA_PLATFORM"] == "offscreen"
+        home = Path(extra_env["XDG_CONFIG_HOME"])
+        assert home.is_dir()
+        assert not list(home.iterdir())
+        return 3
+
+    monkeypatch.setattr(bootstrap, "set_up", lambda: False)
+    monkeypatch.setattr(bootstrap, "run_in_sight", run)
+    assert bootstrap.PICTURES.is_file()
+    assert bootstrap.main(["pictures"]) == 3
+
+
 # --- The files
 
 
