@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
     QDockWidget,
     QDoubleSpinBox,
     QGroupBox,
+    QHeaderView,
     QLabel,
     QLineEdit,
     QMenuBar,
@@ -134,7 +135,7 @@ def _texts_of(widget: QWidget) -> Iterator[tuple[str, str]]:
                 yield "menu", menu.text()
                 inner = menu.menu()
                 yield from (("entry", each.text()) for each in getattr(inner, "actions", list)())
-        case QAbstractItemView():
+        case QAbstractItemView() if not isinstance(widget, QHeaderView):
             yield from _texts_of_model(widget.model())
 
 
