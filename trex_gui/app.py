@@ -11,11 +11,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trex_gui import __version__, composition
-from trex_gui.core.log_file import ProgramLog, log_file
-from trex_gui.core.run_file import RunFile
 from trex_gui.core.transport.settings import url_problem
 
 if TYPE_CHECKING:
+    from trex_gui.core.log_file import ProgramLog
     from trex_gui.ui.devices.ports import Port
     from trex_gui.ui.program import Program
     from trex_gui.ui.workers.threads import GuiThreadCollector
@@ -164,10 +163,16 @@ def main(argv: list[str] | None = None) -> int:
         run_simulator(args=words[1:], prog_name="trex-sim")
         return 0
     arguments = _arguments(words)
+
+    from trex_gui.core.log_file import ProgramLog, log_file  # noqa: PLC0415
+
     program_log = ProgramLog(log_file(), is_verbose=arguments.verbose)
     code = 1
     try:
         code = _run(arguments, program_log)
+    except Exception:
+        log.critical("the program could not go on", exc_info=True, extra={"printed": True})
+        raise
     finally:
         log.info("ended with exit code %d", code)
         if not program_log.close():
@@ -175,20 +180,22 @@ def main(argv: list[str] | None = None) -> int:
     return code
 
 
-def _run(arguments: argparse.Namespace, program_log: ProgramLog) -> int:
+def _run(arguments: argparse.Namespace, program_log: "ProgramLog") -> int:
     # Qt is imported only now: --help, --version and the simulator do without it.
     from PySide6.QtCore import Qt, QTimer, qVersion  # noqa: PLC0415
     from PySide6.QtWidgets import QApplication  # noqa: PLC0415
 
+    from trex_gui.core.run_file import RunFile  # noqa: PLC0415
     from trex_gui.core.timing import Timeouts  # noqa: PLC0415
     from trex_gui.supervisor import UNCONFIRMED_STOP, SafetySupervisor  # noqa: PLC0415
     from trex_gui.ui.theme.theme import theme  # noqa: PLC0415
     from trex_gui.ui.translations import chosen_locale, install_translations  # noqa: PLC0415
     from trex_gui.ui.workers.threads import GuiThreadCollector  # noqa: PLC0415
 
-    system = f"{platform.platform()}, Python {platform.python_version()}, Qt {qVersion()}"
-    log.info("TReX Studio %s started on %s", __version__, system)
-    run_file = RunFile()
+    # Not `platform.platform()`, which takes 50 ms: the report has it.
+    system = f"{platform.system()} {platform.release()} {platform.machine()}"
+    python, qt = platform.python_version(), qVersion()
+    log.info("TReX Studio %s started on %s, Python %s, Qt %s", __version__, system, python, qt)
     QApplication.setApplicationName("TReX Studio")
     QApplication.setOrganizationName("TReX Studio")
     QApplication.setApplicationVersion(__version__)
@@ -196,6 +203,7 @@ def _run(arguments: argparse.Namespace, program_log: ProgramLog) -> int:
     # A native dialog takes Esc for itself, and Esc has to stop the motors there too.
     QApplication.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
     app = QApplication(["trex-gui"])
+    run_file = RunFile()  # not before: Qt aborts where there is no display
     theme().install(app)
     collector = GuiThreadCollector(app)
     collector.setObjectName("collector")

@@ -113,6 +113,32 @@ sys.exit(app.main([]))
 """
 
 
+_FAILING_SCRIPT = """
+import sys
+from trex_gui import app, composition
+composition.build = lambda *_: 1 / 0
+app.main([])
+"""
+
+
+@pytest.mark.realtime
+def test_error_at_the_start_is_in_the_log() -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", _FAILING_SCRIPT],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=60,
+    )
+    assert done.returncode == 1
+    assert done.stderr.count("ZeroDivisionError: division by zero") == 1
+    text = log_file().read_text(encoding="utf-8")
+    assert "CRITICAL trex_gui.app: the program could not go on\nTraceback" in text
+    assert "ZeroDivisionError: division by zero\n" in text
+    assert text.endswith("ended with exit code 1\n")
+
+
 @pytest.mark.realtime
 def test_crash_is_reported_at_the_next_start_only(tmp_path: Path) -> None:
     def banner_of(what: str) -> str:
