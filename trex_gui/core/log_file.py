@@ -139,7 +139,4 @@ class _LogFile(RotatingFileHandler):
         super().emit(record)
 
     def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802 - Python's name
-        """Lose the entry, and open the file again for the next one."""
-        del record
-        with suppress(OSError):
-            self.close()
+        """Lose an entry that the disk does not take."""
