@@ -136,7 +136,7 @@ class AracnaWorkspace(Workspace):
             ways=(
                 StartWay(
                     tr(
-                        "<ol style='margin-left: -20px'>"
+                        "<ol style='margin-left: -10px'>"
                         "<li>Wire an FTDI cable to the header of the ArbotiX board, or put an XBee "
                         "radio into its socket. Both share one line: use only one of them.</li>"
                         "<li>Give the legs room. This robot has no stop: a motion ends by itself, "

@@ -17,7 +17,7 @@ def start_ways(ttl: Wiring, parent: QWidget) -> tuple[StartWay, ...]:
         StartWay(
             _tr(
                 "You need a USB-serial adapter with TTL levels (5 V or 3.3 V) and three wires."
-                "<ol style='margin-left: -20px'>"
+                "<ol style='margin-left: -10px'>"
                 "<li>Switch the board off. Remove the mode jumper: then it starts in serial mode, "
                 "which is needed to drive it and to change settings from here. Remove the SO–G "
                 "jumper, too.</li>"
@@ -32,7 +32,7 @@ def start_ways(ttl: Wiring, parent: QWidget) -> tuple[StartWay, ...]:
         StartWay(
             _tr(
                 "You need an RS-232 port of the computer or an RS-232 adapter, and three wires."
-                "<ol style='margin-left: -20px'>"
+                "<ol style='margin-left: -10px'>"
                 "<li>Switch the board off. Remove the mode and SO–G jumpers, as for a TTL "
                 "adapter.</li>"
                 "<li>Wire the port to the RS-232 pins as shown, and leave SI and SO free: the "
@@ -56,7 +56,7 @@ def start_ways(ttl: Wiring, parent: QWidget) -> tuple[StartWay, ...]:
             _tr(
                 "You need an RC receiver with a servo cable for each channel, and an adapter to "
                 "connect the board to this computer."
-                "<ol style='margin-left: -20px'>"
+                "<ol style='margin-left: -10px'>"
                 "<li>Set the board up through the adapter first: with the mode jumper on, it "
                 "accepts no settings.</li>"
                 "<li>Switch the board off. Connect the receiver as shown: a servo cable has "
