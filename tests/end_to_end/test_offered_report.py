@@ -16,6 +16,7 @@ from tests.support.pages.motors import is_stopped
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
 from trex_gui.core.log_file import ProgramLog, log_file, log_folder
+from trex_gui.devices.trex.session.session import TrexSession
 
 ROOT = Path(__file__).parents[2]
 
@@ -54,6 +55,27 @@ def test_error_stops_motors_and_offers_report_with_its_traceback(
     assert "CRITICAL trex_gui.supervisor: uncaught exception\nTraceback" in text
     assert "ValueError: on purpose\n" in text
     assert "INFO trex_gui.ui.log: ⚠ Internal error (ValueError), so the motors were" in text
+
+
+def test_error_of_a_connection_offers_report(
+    connected_window: WindowDriver,
+    quick_simulator: SimulatedDevice,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    window = connected_window
+    window.motors.arm()
+    window.motors.set_speed(1, 60)
+    window.wait(lambda: quick_simulator.show()["motors"][0]["speed"] == 60)
+    program_log = ProgramLog(log_file())
+    try:
+        monkeypatch.setattr(TrexSession, "_report_guardian", lambda _: 1 // 0)
+        window.wait_for_text("bannerText", "Internal error in the connection")
+        assert is_stopped(quick_simulator)
+    finally:
+        assert program_log.close()
+    window.click("bannerReport")
+    text = read(window.dialog("reportDialog"), "program.txt")
+    assert "ERROR trex_gui.core.session: the line session failed\nTraceback" in text
 
 
 def test_help_menu_opens_the_log_folder(
@@ -140,7 +162,7 @@ def test_error_at_the_start_is_in_the_log() -> None:
 
 
 @pytest.mark.realtime
-def test_crash_is_reported_at_the_next_start_only(tmp_path: Path) -> None:
+def test_crash_is_reported_at_the_next_start(tmp_path: Path) -> None:
     def banner_of(what: str) -> str:
         command = [sys.executable, "-c", _SCRIPT, what]
         environment = {"XDG_CONFIG_HOME": str(tmp_path)}
@@ -157,4 +179,3 @@ def test_crash_is_reported_at_the_next_start_only(tmp_path: Path) -> None:
 
     assert banner_of("crash") == ""
     assert "did not end properly the last time" in banner_of("end")
-    assert banner_of("end") == ""

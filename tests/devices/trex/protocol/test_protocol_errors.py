@@ -10,6 +10,7 @@ from trex_gui.core.errors import (
     BadReply,
     BadRequest,
     CodedError,
+    InternalError,
     NoReply,
     PortShared,
     PortUnavailable,
@@ -27,6 +28,7 @@ from trex_gui.devices.trex.protocol.errors import (
     Skipped,
     TrexBadReplyError,
     TrexError,
+    TrexInternalError,
     TrexNoReplyError,
     TrexRequestError,
 )
@@ -38,12 +40,14 @@ EVERY_ERROR: list[StudioError] = [
     PortShared("another program reads /dev/ttyUSB0"),
     NoReply("2 of 7 bytes came"),
     BadReply("the CRC is 08, not 07"),
+    InternalError("the connection was closed"),
     *(Rejected("Serial Timeout", code) for code in ResultCode if code),
     CodedError(ErrorCode.INTERNAL, "a bug"),
     TrexError(ErrorCode.CLOSED),
     TrexRequestError(ErrorCode.LOCKED_OUT),
     TrexNoReplyError(ErrorCode.NO_REPLY, "81"),
     TrexBadReplyError(ErrorCode.OTHER_DEVICE, "COM3", "It is garbled."),
+    TrexInternalError(ErrorCode.INTERNAL, "KeyError(7)"),
     OtherBoard(ErrorCode.OTHER_VALUES),
     BoardElsewhere(
         ErrorCode.OTHER_BAUD, "COM3", "TReX 1.2", "9600", "19200", ConnectionSettings("COM3")
