@@ -1,9 +1,21 @@
 """Whether everything that a screen reader comes to has a name."""
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QAccessible
-from PySide6.QtWidgets import QAbstractScrollArea, QHeaderView, QScrollArea, QWidget
+import re
 
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAccessible, QTextDocumentFragment
+from PySide6.QtWidgets import (
+    QAbstractScrollArea,
+    QAbstractSlider,
+    QComboBox,
+    QHeaderView,
+    QLabel,
+    QProgressBar,
+    QScrollArea,
+    QWidget,
+)
+
+from trex_gui.devices.trex.views.learning.dialog import StepStrip
 from trex_gui.ui.widgets.accessible import Spoken
 
 _OFTEN_SILENT = {"bannerText"}
@@ -39,18 +51,74 @@ def takes_part(widget: QWidget) -> bool:
     return focusable or is_area or is_viewport or widget.objectName() in _OFTEN_SILENT
 
 
+def is_painted(widget: QWidget) -> bool:
+    """Return whether the program paints what a widget shows, which is not its text."""
+    return overrides(widget, "paintEvent") and not isinstance(widget, QLabel)
+
+
+def overrides(widget: QWidget, method: str) -> bool:
+    """Return whether a class of the program, not of Qt, has a method."""
+    kinds = [kind for kind in type(widget).__mro__ if kind.__module__.startswith("trex_gui.")]
+    return any(method in vars(kind) for kind in kinds)
+
+
+def said_of(widget: QWidget, kind: QAccessible.Text) -> str:
+    """Return what a screen reader is told."""
+    interface = QAccessible.queryAccessibleInterface(widget)
+    return interface.text(kind) if interface is not None else ""
+
+
+def path_of(widget: QWidget) -> str:
+    path = [each.objectName() or type(each).__name__ for each in _up_from(widget)[:5]]
+    return f"{type(widget).__name__}: {' < '.join(path)}"
+
+
 def nameless(root: QWidget) -> list[str]:
     """Return the widgets without an accessible name; names by buddy or text count."""
     found = []
     for widget in [root, *root.findChildren(QWidget)]:
-        if not takes_part(widget) or not widget.window().isVisible() or is_part(widget):
-            continue
-        interface = QAccessible.queryAccessibleInterface(widget)
-        name = interface.text(QAccessible.Text.Name) if interface is not None else ""
-        if not name.strip():
-            path = [each.objectName() or type(each).__name__ for each in _up_from(widget)[:5]]
-            found.append(f"{type(widget).__name__}: {' < '.join(path)}")
+        counts = takes_part(widget) and not is_part(widget)
+        if (
+            (counts or is_painted(widget))
+            and widget.window().isVisible()
+            and not said_of(widget, QAccessible.Text.Name).strip()
+        ):
+            found.append(path_of(widget))
     return sorted(set(found))
+
+
+def unspoken(root: QWidget) -> list[str]:
+    """Return the widgets of which a screen reader is not told what they show."""
+    found = []
+    shown = [each for each in root.findChildren(QWidget) if each.isVisibleTo(root)]
+    named = {each.buddy() for each in shown if isinstance(each, QLabel)}
+    for widget in shown:
+        name, description = (
+            " ".join(said_of(widget, kind).split())
+            for kind in (QAccessible.Text.Name, QAccessible.Text.Description)
+        )
+        match widget:
+            case StepStrip():  # its name is the step of now
+                continue
+            case QLabel() if plain_text(widget) not in f"{name} {description}":
+                found.append(f"its name hides its text: {path_of(widget)}")
+            # On Linux the name of a combo box is its text.
+            case QComboBox() if widget not in named and not description:
+                found.append(f"neither a label nor a description: {path_of(widget)}")
+            case QAbstractSlider() | QProgressBar() if is_painted(widget) and not description:
+                found.append(f"no description: {path_of(widget)}")
+            case Spoken() if widget.spoken_role is QAccessible.Role.Chart and not description:
+                found.append(f"no description: {path_of(widget)}")
+    return found
+
+
+def plain_text(label: QLabel) -> str:
+    text = label.text()
+    if label.buddy() is not None:
+        text = text.replace("&", "")
+    if re.search(r"<\w+[^<>]*>", text) and label.textFormat() is not Qt.TextFormat.PlainText:
+        text = QTextDocumentFragment.fromHtml(text).toPlainText()
+    return " ".join(text.split())
 
 
 def assert_named(root: QWidget) -> None:

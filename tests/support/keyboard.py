@@ -15,19 +15,30 @@ from PySide6.QtWidgets import (
     QDialogButtonBox,
     QDockWidget,
     QGroupBox,
+    QHeaderView,
     QLabel,
     QLineEdit,
     QMainWindow,
     QMenu,
     QPlainTextEdit,
+    QRadioButton,
     QScrollArea,
+    QScrollBar,
     QSplitter,
     QTabBar,
     QToolBar,
+    QToolButton,
     QWidget,
 )
 
-from tests.support.accessible_names import nameless
+from tests.support.accessible_names import (
+    is_painted,
+    is_part,
+    nameless,
+    overrides,
+    path_of,
+    unspoken,
+)
 from trex_gui.devices.trex.views.boards import BoardPanel
 from trex_gui.ui.devices.demo_panel import DemoDock
 from trex_gui.ui.widgets.behaviour import HoldButton
@@ -76,7 +87,9 @@ def check_keyboard(window: QWidget, *, note: str = "") -> None:
         *_repeated_letters(window),
         *_without_letter(window),
         *_out_of_order(window),
+        *_out_of_reach(window),
         *(f"no accessible name: {each}" for each in nameless(window)),
+        *unspoken(window),
         *(f"letter in a name: {name}" for name in _spoken(window) if letter(name)),
     ]
     assert not found, "\n".join([f"{window.objectName()} {note}", *found])
@@ -172,6 +185,61 @@ def _above(widget: QWidget) -> Iterator[QWidget]:
         if parent.isWindow():
             return
         parent = parent.parentWidget()
+
+
+# --- What can be reached ----------------------------------------------------------------
+
+_ELSEWHERE = {
+    "aracnaDrawing": {"aracnaSlider0", "aracnaCurveBox0"},  # its joints are rows of a table
+    "aracnaPosesDrawing": {"aracnaPosition0"},
+    "eventMarks": {"eventList"},
+}
+"""Takes the mouse only; by keyboard one of the others does the same."""
+
+_HANDS = "mousePressEvent", "mouseMoveEvent", "mouseReleaseEvent"
+
+
+def _out_of_reach(window: QWidget) -> Iterator[str]:
+    """Yield what takes the mouse but not the keyboard, or the focus for nothing."""
+    reached = tab_order(window)
+    names = {each.objectName() for each in reached}
+    for each in shown_in(window):
+        takes_tab = bool(each.focusPolicy() & Qt.FocusPolicy.TabFocus)
+        takes_hands = any(overrides(each, hand) for hand in _HANDS)
+        is_input = isinstance(each, (QAbstractButton, *_INPUTS))
+        if takes_hands and each not in reached and not _is_inside(each):
+            if names.isdisjoint(_ELSEWHERE.get(each.objectName(), ())):
+                yield f"only the mouse reaches it: {path_of(each)}"
+        elif is_input and not takes_tab and not _is_inside(each):
+            yield f"Tab does not reach it: {path_of(each)}"
+        elif isinstance(each, QLabel) and "<a " in each.text():
+            if not each.textInteractionFlags() & Qt.TextInteractionFlag.LinksAccessibleByKeyboard:
+                yield f"only the mouse reaches its links: {path_of(each)}"
+        elif (
+            is_painted(each)
+            and takes_tab
+            and not (takes_hands or is_input or overrides(each, "keyPressEvent"))
+        ):
+            yield f"takes the focus and no key: {path_of(each)}"
+
+
+def _is_inside(widget: QWidget) -> bool:
+    """Return whether a widget is a part of one that has its keys, or has a menu entry."""
+    parent = widget.parentWidget()
+    return (
+        is_part(widget)
+        or widget.focusProxy() is not None
+        or isinstance(widget, QScrollBar | QHeaderView)
+        or isinstance(parent, QAbstractSpinBox | QComboBox | QLineEdit | QTabBar)
+        or (isinstance(widget, QRadioButton) and not widget.isChecked())  # arrows go there
+        or (isinstance(parent, QToolBar) and _is_in_menu(widget))
+    )
+
+
+def _is_in_menu(button: QWidget) -> bool:
+    action = button.defaultAction() if isinstance(button, QToolButton) else None
+    menus = button.window().findChildren(QMenu)
+    return action is None or any(action in menu.actions() for menu in menus)
 
 
 # --- The order of Tab -------------------------------------------------------------------

@@ -3,13 +3,15 @@
 import gc
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent
-from PySide6.QtGui import QAccessible, QAccessibleInterface
-from PySide6.QtWidgets import QLabel, QWidget
+from PySide6.QtCore import QCoreApplication, QEvent, Qt
+from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QAccessibleInterface
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 from pytestqt.qtbot import QtBot
 
 from trex_gui.devices.trex.views.bars import OutputBar
-from trex_gui.ui.widgets.labels import LiveLabel, Sign
+from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.labels import LinkLabel, LiveLabel, Sign
 from trex_gui.ui.widgets.leds import Lamp
 from trex_gui.ui.widgets.sliders import StickSlider
 
@@ -112,3 +114,30 @@ def test_interfaces_outlive_neither_widgets_nor_garbage(qtbot: QtBot) -> None:
         gc.collect()
         assert interface_of(lasting).text(Text.Description) == "not connected"
     assert parent.findChildren(OutputBar) == [lasting]
+
+
+def test_tab_announces_each_link(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> None:
+    said: list[str] = []
+
+    def update(event: object) -> None:
+        assert isinstance(event, QAccessibleAnnouncementEvent)
+        said.append(event.message())
+
+    monkeypatch.setattr(QAccessible, "updateAccessibility", update)
+    window = QWidget()
+    qtbot.addWidget(window)
+    before, label, after = QPushButton(window), LinkLabel("links", window), QPushButton(window)
+    label.setText('<a href="1">one</a> and <a href="2">two</a>')
+    ui.column(before, label, after, into=window)
+    window.show()
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    before.setFocus()
+    for _ in range(3):  # to the label, and to each link
+        focused = window.focusWidget()
+        assert focused is not None
+        QTest.keyClick(focused, Qt.Key.Key_Tab)
+    assert label.hasFocus()
+    assert said == ["one", "two"]
+    QTest.keyClick(label, Qt.Key.Key_Tab)
+    assert after.hasFocus()

@@ -114,6 +114,7 @@ class TransportBar(QWidget):
             self,
             "speedCombo",
             self.tr("Playback speed"),
+            tip=self.tr("Playback speed"),
             items=[(f"{Number(speed):g} ×", speed) for speed in SPEEDS],
         )
         self._speed.setCurrentIndex(SPEEDS.index(1.0))

@@ -1,7 +1,13 @@
 """Labels: notes, elided and muted text, signs, legend keys."""
 
 from PySide6.QtCore import QPointF, QSize, Qt
-from PySide6.QtGui import QAccessible, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import (
+    QAccessible,
+    QAccessibleAnnouncementEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+)
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 from trex_gui.ui.theme.icons import set_sign
@@ -106,6 +112,26 @@ class Sign(QLabel):
             set_sign(self, name, color, _SIGN_ROOM)
         else:
             follow_theme(self, "sign", self.clear)
+
+
+class LinkLabel(QLabel):
+    """Wrapped text with links that Tab goes through, each of which is announced."""
+
+    def __init__(self, name: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName(name)
+        self.setWordWrap(True)
+        self.setTextInteractionFlags(
+            Qt.TextInteractionFlag.LinksAccessibleByMouse
+            | Qt.TextInteractionFlag.LinksAccessibleByKeyboard
+        )
+
+    def focusNextPrevChild(self, forward: bool) -> bool:
+        moved = super().focusNextPrevChild(forward)
+        if moved and self.hasSelectedText():  # the link
+            said = QAccessibleAnnouncementEvent(self, self.selectedText())
+            QAccessible.updateAccessibility(said)
+        return moved
 
 
 class LiveLabel(QLabel, Spoken):

@@ -93,9 +93,9 @@ class Leds(QWidget):
             name, meaning = self._names[index], meanings[index]
             self._words[index].setText(f"{name}: {words[index]}" if words[index] else name)
             spoken = self.tr("{0} LED: {1}").format(name, meaning or words[index])
+            self.lamps[index].setAccessibleName(spoken)
             for widget in (self.lamps[index], self._words[index]):
                 widget.setToolTip(spoken)
-                widget.setAccessibleName(spoken)
         self._on_frame()
         self._run()
 

@@ -53,9 +53,7 @@ class ActionBar(QWidget):
             on_click=robot.end_play,
         )
         self._end.setMinimumHeight(height)
-        self._activity = ui.named(
-            Note(1, self), "aracnaMotionLabel", accessible=self.tr("Activity of the robot")
-        )
+        self._activity = ui.named(Note(1, self), "aracnaMotionLabel")
         hint = self.tr(
             "This link has no stop: a running motion ends only by itself, or by cutting the servo "
             "power."

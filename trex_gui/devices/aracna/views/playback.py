@@ -45,9 +45,7 @@ class RobotPlaybackWindow(RecordingWindow):
         self.playback = playback
         state = playback.state()
 
-        self._activity = ui.named(
-            Note(3, self), "aracnaRecordedDoing", accessible=self.tr("Activity of the robot")
-        )
+        self._activity = ui.named(Note(3, self), "aracnaRecordedDoing")
         self._drawing = RobotDrawing(state, self)
         caption = ui.label(
             self,

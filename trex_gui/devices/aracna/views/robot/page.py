@@ -44,9 +44,7 @@ class RobotPage(QWidget):
         self._content = QWidget(self)
         self._sketch = Sketch(robot, self)
         table = JointTable(robot, self)
-        self._report = ui.named(
-            Note(2, self), "aracnaReport", accessible=self.tr("Report of the robot")
-        )
+        self._report = ui.named(Note(2, self), "aracnaReport")
         self.controls = Controls(robot, table, self)
         self._right = ui.column(table, self.controls, self._report, 1, spacing=10)
         self._sides = ui.row(

@@ -33,7 +33,11 @@ class GamepadPanel(ui.GroupBox):
             on_toggle=self._on_toggled,
         )
         self._pads = ui.combo_box(
-            self, "gamepadCombo", self.tr("Gamepad"), on_activate=self._on_pad_activated
+            self,
+            "gamepadCombo",
+            self.tr("Gamepad"),
+            tip=self.tr("Gamepad"),
+            on_activate=self._on_pad_activated,
         )
         self._pads.setSizeAdjustPolicy(
             NoWheelComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon

@@ -25,7 +25,7 @@ from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import only_when_visible
-from trex_gui.ui.widgets.labels import Note, Sign
+from trex_gui.ui.widgets.labels import LinkLabel, Note, Sign
 
 _AUXILIARY = 3
 """Number of the auxiliary motor among the controls: that of its channel."""
@@ -78,16 +78,8 @@ class MotorsPage(QWidget):
             ),
         }
         self._options = Options(device.motors, self)
-        self._stored = ui.label(
-            self,
-            "motorsStored",
-            tip=self.tr("Stored settings; click a value to open its parameter"),
-            wrap=True,
-        )
-        self._stored.setTextInteractionFlags(
-            Qt.TextInteractionFlag.LinksAccessibleByMouse
-            | Qt.TextInteractionFlag.LinksAccessibleByKeyboard
-        )
+        self._stored = LinkLabel("motorsStored", self)
+        self._stored.setToolTip(self.tr("Stored settings; click a value to open its parameter"))
         self._keys = KeyDriver(self._key_drive, device.motors, self, self._pad)
 
         head = ui.row(self._sign, (self._reason, 1), run, spacing=10)

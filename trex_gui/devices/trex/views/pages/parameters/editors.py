@@ -205,12 +205,14 @@ class LineSettingsEditor(QWidget):
             self,
             "baudField",
             self.tr("Baud rate"),
+            tip=self.tr("Baud rate"),
             items=[(self.tr("{0} baud").format(baud), baud) for baud in baud_rates()],
         )
         self._detection = combo_box(
             self,
             "detectionField",
             self.tr("Error detection"),
+            tip=self.tr("Error detection"),
             items=[
                 (self.tr("no error detection"), Detection.NONE),
                 (self.tr("CRC-7"), Detection.CRC7),
@@ -222,6 +224,7 @@ class LineSettingsEditor(QWidget):
             self,
             "stopBitsField",
             self.tr("Stop bits"),
+            tip=self.tr("Stop bits"),
             items=[(self.tr("1 stop bit"), 1), (self.tr("2 stop bits"), 2)],
         )
         self._fields = (self._baud, self._detection, self._stop_bits)

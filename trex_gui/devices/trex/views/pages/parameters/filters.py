@@ -106,7 +106,11 @@ class ParameterFilters(QWidget):
         hint = self.tr("Search names and descriptions (Ctrl+F)")
         self._words = search_field(self, "parameterSearch", self.tr("Search parameters"), hint)
         self._group = combo_box(
-            self, "parameterGroup", self.tr("Group of parameters"), on_change=self._on_changed
+            self,
+            "parameterGroup",
+            self.tr("Group of parameters"),
+            tip=self.tr("Group of parameters"),
+            on_change=self._on_changed,
         )
         self._group.setSizeAdjustPolicy(
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon

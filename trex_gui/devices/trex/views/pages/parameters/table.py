@@ -5,7 +5,7 @@ from html import escape
 
 from PySide6.QtCore import QModelIndex, Qt, Slot
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
@@ -18,6 +18,7 @@ from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 from trex_gui.ui.theme.theme import follow_theme, theme
 from trex_gui.ui.units import units
 from trex_gui.ui.widgets.builders import button, column, label, named, row
+from trex_gui.ui.widgets.labels import LinkLabel
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 _PANEL = 33
@@ -146,19 +147,15 @@ class ParameterTable(QWidget):
         self._view.update_actions()
 
 
-class ParameterHelp(QLabel):
+class ParameterHelp(LinkLabel):
     """Explains a value of the table."""
 
     def __init__(self, model: ParameterModel, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__("parameterHelp", parent)
         self._model = model
-        self.setObjectName("parameterHelp")
-        self.setWordWrap(True)
         self.setTextFormat(Qt.TextFormat.RichText)
         self.setTextInteractionFlags(
-            Qt.TextInteractionFlag.TextSelectableByMouse
-            | Qt.TextInteractionFlag.LinksAccessibleByMouse
-            | Qt.TextInteractionFlag.LinksAccessibleByKeyboard
+            self.textInteractionFlags() | Qt.TextInteractionFlag.TextSelectableByMouse
         )
         self.setOpenExternalLinks(True)
         self.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
