@@ -1,6 +1,25 @@
 """How well colours can be told apart."""
 
-from PySide6.QtGui import QColor
+import re
+from collections import Counter
+from collections.abc import Iterator
+
+from PySide6.QtCore import QAbstractListModel, QPoint, QRect, Qt
+from PySide6.QtGui import QBrush, QColor, QFontInfo, QImage, QPalette
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractItemView,
+    QAbstractSpinBox,
+    QComboBox,
+    QGroupBox,
+    QHeaderView,
+    QLabel,
+    QLineEdit,
+    QPlainTextEdit,
+    QPushButton,
+    QToolButton,
+    QWidget,
+)
 
 
 def luminance(color: QColor) -> float:
@@ -15,3 +34,87 @@ def luminance(color: QColor) -> float:
 def contrast(one: QColor, other: QColor) -> float:
     dark, light = sorted((luminance(one), luminance(other)))
     return (light + 0.05) / (dark + 0.05)
+
+
+def needed_for(font: QFontInfo) -> float:
+    """Return the least contrast of text in a font. Ref: WCAG 2.2, 1.4.3."""
+    points = font.pointSizeF()
+    return 3.0 if points >= 18 or (points >= 14 and font.bold()) else 4.5
+
+
+def weak_texts(window: QWidget) -> dict[str, float]:
+    """Return the texts that a window shows with too little contrast, disabled ones included."""
+    picture, weak = window.grab().toImage(), {}
+    for widget in window.findChildren(QWidget):
+        if not widget.isVisibleTo(window) or widget.window() is not window:
+            continue
+        place = QRect(widget.mapTo(window, QPoint()), widget.size()).intersected(window.rect())
+        if place.isEmpty():
+            continue
+        for what, text, behind in _texts(widget):
+            has_frame = isinstance(widget, _FRAMED)
+            found = behind or [_background(picture.copy(place), has_frame=has_frame)]
+            least = min(contrast(text, each) for each in found)
+            if least < needed_for(widget.fontInfo()):
+                weak[f"{widget.objectName() or type(widget).__name__} {what}"] = round(least, 2)
+    return weak
+
+
+def _background(picture: QImage, *, has_frame: bool) -> QColor:
+    """Return the colour behind a text: inside the frame below it, or the most frequent one."""
+    right, bottom = picture.width() - 1, picture.height() - 1
+    columns, rows = max(1, right // 24), max(1, bottom // 12)
+    points = [
+        QPoint(x, y) for x in range(0, right + 1, columns) for y in range(0, bottom + 1, rows)
+    ]
+    if has_frame:
+        points = [QPoint(x, max(bottom - 4, 0)) for x in range(right // 4, right - right // 4)]
+    return QColor(Counter(picture.pixel(point) for point in points).most_common(1)[0][0])
+
+
+_FRAMED = QPushButton, QToolButton, QComboBox, QAbstractSpinBox, QLineEdit, QPlainTextEdit
+_WITH_TEXT = QLabel, QAbstractButton, QComboBox, QAbstractSpinBox, QLineEdit, QGroupBox
+_INLINE = re.compile(r"color:\s*(#[0-9a-fA-F]{6})")
+
+
+def _texts(widget: QWidget) -> Iterator[tuple[str, QColor, list[QColor]]]:
+    """Yield what is written, its colour, and what is behind it if that is known."""
+    palette = widget.palette()
+    match widget:
+        case QAbstractItemView() if not isinstance(widget, QHeaderView):
+            yield from _cells(widget)
+        case QPlainTextEdit():
+            yield "text", palette.color(QPalette.ColorRole.Text), []
+        case QLabel() | QAbstractButton() if not widget.text():
+            return
+        case QLineEdit() if isinstance(widget.parentWidget(), QAbstractSpinBox | QComboBox):
+            return
+        case widget if isinstance(widget, _WITH_TEXT):
+            yield "text", palette.color(widget.foregroundRole()), []
+    if isinstance(widget, QLabel):
+        for color in _INLINE.findall(widget.text()):
+            yield color, QColor(color), []
+        if "<a " in widget.text():
+            yield "link", palette.color(QPalette.ColorRole.Link), []
+    if isinstance(widget, QLineEdit) and widget.placeholderText():
+        yield "placeholder", palette.color(QPalette.ColorRole.PlaceholderText), []
+
+
+def _cells(view: QAbstractItemView) -> Iterator[tuple[str, QColor, list[QColor]]]:
+    """Yield the rows that can be seen; the colours of a selection are one pair."""
+    model, palette, role = view.model(), view.palette(), QPalette.ColorRole
+    selected = palette.color(role.Highlight)
+    yield "selection", palette.color(role.HighlightedText), [selected]
+    rows = [palette.color(role.Base)]
+    if view.alternatingRowColors():
+        rows.append(palette.color(role.AlternateBase))
+    columns = 1 if isinstance(model, QAbstractListModel) else model.columnCount()
+    for row in range(min(model.rowCount(), 40)):
+        for column in range(columns):
+            index = model.index(row, column)
+            text, fill = (
+                index.data(kind)
+                for kind in (Qt.ItemDataRole.ForegroundRole, Qt.ItemDataRole.BackgroundRole)
+            )
+            color = QBrush(text).color() if text is not None else palette.color(role.Text)
+            yield f"{row}, {column}", color, rows if fill is None else [QBrush(fill).color()]

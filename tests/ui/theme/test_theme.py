@@ -40,7 +40,7 @@ def text_cases() -> list[tuple[str, str, str]]:
 
 
 def graphics_cases() -> list[tuple[str, str, str]]:
-    backgrounds = ("window", "track")
+    backgrounds = ("window", "track", "plot_background")
     return [(s, name, b) for s in SHOWN for name in tables(s)["graphics"] for b in backgrounds]
 
 
@@ -79,11 +79,28 @@ def test_graphics_have_enough_contrast(scheme: Scheme, name: str, background: st
         ("stop_text", "stop"),
         ("run_text", "run"),
         ("muted", "alternate_base"),
+        ("placeholder_text", "alternate_base"),
+        ("placeholder_text", "window"),
+        ("link", "alternate_base"),
+        ("link_visited", "window"),
+        ("plot_background", "motor1"),  # tags of curves
+        ("plot_background", "motor2"),
     ],
 )
 def test_palette_pairs_have_enough_contrast(scheme: Scheme, text: str, background: str) -> None:
     theme().set_scheme(scheme)
     assert contrast(theme().color(text), theme().color(background)) >= needed(4.5, scheme)
+
+
+@pytest.mark.parametrize("scheme", SHOWN)
+@pytest.mark.parametrize("role", ["window_text", "text", "button_text"])
+def test_disabled_text_can_be_read(scheme: Scheme, role: str) -> None:
+    """It says what is set, and what cannot be changed now."""
+    theme().set_scheme(scheme)
+    disabled = read_colours(scheme).disabled
+    backgrounds = map(theme().color, ("window", "base", "alternate_base", "track_off"))
+    assert all(contrast(disabled[role], each) >= 4.5 for each in backgrounds)
+    assert contrast(disabled["button_text"], disabled["button"]) >= 4.5
 
 
 @pytest.mark.parametrize("scheme", SHOWN)

@@ -301,6 +301,7 @@ class CheckBoardDialog(ReusedDialog):
         self.resize(860, 560)
         self._device = device
         self._tabs = QTabWidget(self)
+        self._tabs.setDocumentMode(True)  # else its background is brighter than muted text bears
         self._tabs.setObjectName("checkTabs")
         self._tabs.setAccessibleName(self.tr("Ways to a board that responds"))
         self._steps = HandShakePage(self._tabs)

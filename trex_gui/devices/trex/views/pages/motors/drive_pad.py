@@ -219,7 +219,8 @@ class DrivePad(QWidget, Spoken):
             painter.drawEllipse(middle, field.width() / 4, field.height() / 4)
 
     def _paint_words(self, painter: QPainter, frame: QRectF) -> None:
-        painter.setPen(theme().color("muted" if self.isEnabled() else "track_edge"))
+        disabled = self.palette().color(self.foregroundRole())
+        painter.setPen(theme().color("muted") if self.isEnabled() else disabled)
         painter.setFont(self._small_font())
         box = frame.adjusted(6, _MARGIN, -6, -_MARGIN)
         centred = Qt.AlignmentFlag.AlignHCenter
