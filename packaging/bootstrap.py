@@ -2,7 +2,7 @@
 """Set the project up in `.venv/`, then show it, check it or measure it.
 
     python3 packaging/bootstrap.py setup | demo | test [--all] | bench | soak | mutate |
-                                    translations | pictures
+                                    translations | pictures | package [--check] [KIND ...]
 
 Needs nothing but Python's standard library. The syntax stays readable to older Pythons, so that
 they get as far as the sentence about their age.
@@ -43,6 +43,7 @@ CONSTRAINTS = PACKAGING / "constraints.txt"
 BENCHMARKS = ROOT / "tests" / "benchmarks"
 MUTATE = PACKAGING / "mutate.py"
 PICTURES = PACKAGING / "pictures.py"
+PACKAGES = PACKAGING / "packages.py"
 
 CORES = max(2, min(4, os.cpu_count() or 1))
 VIRTUAL = ("-m", "not realtime", "-n", str(CORES), "--dist", "worksteal")
@@ -670,6 +671,12 @@ def command_mutate(arguments: Sequence[str]) -> int:
     return run_in_sight([str(venv_python()), str(MUTATE), *arguments], OFFSCREEN)
 
 
+def command_package(arguments: Sequence[str]) -> int:
+    """Make what users install, in `dist/`."""
+    set_up()
+    return run_in_sight([str(venv_python()), str(PACKAGES), *arguments], {})
+
+
 def command_translations() -> int:
     """Bring the translation files up to date with the texts of the program, and compile them."""
     set_up()
@@ -725,6 +732,9 @@ def make_parser() -> argparse.ArgumentParser:
     add("mutate", "set up if needed and measure what the tests catch", for_mutate)
     add("translations", "set up if needed, update the translation files and compile them")
     add("pictures", "set up if needed and make the pictures of the help")
+    package = add("package", "set up if needed and make what users install, in dist/")
+    package.add_argument("--check", action="store_true", help="try each package as a user does")
+    package.add_argument("kinds", nargs="*", metavar="KIND", help="see packaging/packages.py (all)")
     return parser
 
 
@@ -760,6 +770,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return command_translations()
         if command == "pictures":
             return command_pictures()
+        if command == "package":
+            return command_package([*(["--check"] if options.check else []), *options.kinds])
         return command_bench(for_pytest, options.compare)
     except BootstrapError as error:
         print(error, file=sys.stderr)

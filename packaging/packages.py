@@ -1,0 +1,813 @@
+"""Make what users install, in `dist/`, and try it as a user would.
+
+    python3 packaging/bootstrap.py package [--check] [wheel|frozen|deb ...]
+
+A kind of package is a row of `TARGETS`.
+"""
+
+import argparse
+import gzip
+import hashlib
+import io
+import json
+import os
+import platform
+import re
+import shutil
+import subprocess
+import sys
+import tarfile
+import tempfile
+import time
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+from email.utils import formatdate
+from importlib.metadata import Distribution, distribution
+from itertools import product
+from pathlib import Path
+
+from bootstrap import CONSTRAINTS, ROOT, BootstrapError, find_debian, say
+
+DIST = ROOT / "dist"
+BUILD = ROOT / "build" / "packages"
+HERE = ROOT / "packaging"
+FROZEN = BUILD / "frozen" / "trex-studio"
+PROGRAMS = ("trex-gui", "trexcmd", "trex-sim")
+CHECKSUMS = "SHA256SUMS"
+SYSTEM_PATH = "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin"
+
+Command = Sequence[str | Path]
+
+PATIENCE_S = 120.0
+"""Seconds for what takes some on a fast computer."""
+TOUR_S = 600.0
+"""Seconds for the pictures of every page, which take a minute or two."""
+
+
+def version() -> str:
+    """Return the version of the program from the one place that says it."""
+    text = (ROOT / "trex_gui" / "__init__.py").read_text(encoding="utf-8")
+    found = re.search(r'^__version__ = "([^"]+)"$', text, re.MULTILINE)
+    if found is None:
+        raise BootstrapError("trex_gui/__init__.py has no __version__.")
+    return found[1]
+
+
+def release_time() -> int:
+    """Return the time that files in packages have: that of the last commit, where one is known."""
+    if given := os.environ.get("SOURCE_DATE_EPOCH"):
+        return int(given)
+    git = ["git", "-C", str(ROOT), "log", "-1", "--format=%ct"]
+    done = subprocess.run(git, capture_output=True, text=True, check=False)
+    return (
+        int(done.stdout) if done.returncode == 0 else int((ROOT / "pyproject.toml").stat().st_mtime)
+    )
+
+
+def run(
+    command: Command,
+    env: Mapping[str, str] | None = None,
+    timeout: float | None = None,
+) -> str:
+    """Run a command and return what it writes.
+
+    Raises:
+        BootstrapError: it failed or took too long; holds the end of what it wrote.
+    """
+    words = [str(word) for word in command]
+    try:
+        done = subprocess.run(
+            words,
+            env=env,
+            cwd=ROOT if env is None else None,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            errors="replace",
+            timeout=timeout,
+            check=False,
+        )
+    except subprocess.TimeoutExpired as error:
+        raise BootstrapError(f"{' '.join(words)}: no end within {timeout:.0f} s") from error
+    if done.returncode != 0:
+        lines = (done.stdout + done.stderr).strip().splitlines()
+        raise BootstrapError(
+            "\n".join([f"{' '.join(words)}: status {done.returncode}", *lines[-20:]])
+        )
+    return done.stdout
+
+
+def require_programs(packages: Mapping[str, str]) -> None:
+    """Install the Debian packages of programs that are missing, where that can be done."""
+    debian = find_debian()
+    missing = [package for name, package in packages.items() if shutil.which(name) is None]
+    if debian and missing:
+        debian.supply(missing)
+    if left := [name for name in packages if shutil.which(name) is None]:
+        raise BootstrapError(f"These programs are missing: {', '.join(left)}")
+
+
+# --- Wheel and sdist ---------------------------------------------------------------------------
+
+
+def build_wheel() -> list[Path]:
+    """Make the wheel and the sdist."""
+    run([sys.executable, "-m", "hatchling", "build", "--directory", DIST])
+    return [
+        DIST / f"trex_gui-{version()}-py3-none-any.whl",
+        DIST / f"trex_gui-{version()}.tar.gz",
+    ]
+
+
+def pythons() -> list[Path]:
+    """Return one interpreter of each version that the program runs on, as far as they are here."""
+    pyenv = Path(os.environ.get("PYENV_ROOT") or Path.home() / ".pyenv")
+    found: dict[str, Path] = {}
+    folders = [*map(Path, os.get_exec_path()), *sorted(pyenv.glob("versions/*/bin"))]
+    for path in (path for folder in folders for path in sorted(folder.glob("python3.*"))):
+        name = re.fullmatch(r"python(3\.(\d+))", path.name)
+        if name and int(name[2]) >= 11 and name[1] not in found:
+            works = subprocess.run([path, "-c", "import venv"], capture_output=True, check=False)
+            if works.returncode == 0:  # not a shim of pyenv for a version that is off
+                found[name[1]] = path
+    return [found[key] for key in sorted(found, key=lambda key: int(key.partition(".")[2]))]
+
+
+def check_wheel(files: Sequence[Path], steps: "Steps") -> None:
+    """Install each file with pip into an environment far from the source, for every Python."""
+    for python, file in product(pythons(), files):
+        kind = "wheel" if file.suffix == ".whl" else "sdist"
+        with steps.place(f"{kind}, {python.name}") as folder:
+            environment = folder / "venv"
+            installed = Installed(environment / "bin", folder)
+            pip: Command = [environment / "bin/pip", "--disable-pip-version-check", "-q"]
+            with steps.required("install"):
+                run([python, "-m", "venv", environment], installed.environment)
+                run([*pip, "install", f"{file}[gamepad,mcap]"], installed.environment)
+            use(installed, steps)
+            with steps.step("remove"):
+                run([*pip, "uninstall", "--yes", "trex-gui"], installed.environment)
+                require_gone(installed.programs)
+                require_gone(environment.glob("lib/*/site-packages/trex_gui*"))
+
+
+# --- The frozen application --------------------------------------------------------------------
+
+
+def build_frozen() -> list[Path]:
+    """Make one folder with the three programs, and an archive of it."""
+    freeze()
+    file = DIST / f"trex-studio-{version()}-{sys.platform}-{platform.machine()}.tar.gz"
+    pack(FROZEN, file)
+    return [file]
+
+
+def freeze() -> None:
+    """Make the folder with PyInstaller, and add the licences."""
+    constraints: Command = ["--constraint", CONSTRAINTS]
+    run([sys.executable, "-m", "pip", "install", "-q", *constraints, "pyinstaller"])
+    if sys.platform == "linux":
+        require_programs({"objdump": "binutils"})
+    spec = HERE / "frozen" / "trex-studio.spec"
+    folders: Command = ["--distpath", FROZEN.parent, "--workpath", BUILD / "work"]
+    # Seed and time make the result the same each time.
+    fixed = {"PYTHONHASHSEED": "1", "SOURCE_DATE_EPOCH": str(release_time())}
+    say("Freezing the program; this takes half a minute.")
+    pyinstaller: Command = [sys.executable, "-m", "PyInstaller", "--noconfirm", "--log-level=WARN"]
+    run([*pyinstaller, *folders, spec], {**os.environ, **fixed})
+    if sys.platform == "linux":
+        remove_debug_symbols(FROZEN / "_internal")
+    copy_licences(FROZEN)
+    size = sum(path.lstat().st_size for path in FROZEN.rglob("*"))
+    say(f"The folder has {size / 1e6:.0f} MB.")
+
+
+def remove_debug_symbols(folder: Path) -> None:
+    """Remove what only a debugger reads from Python's own libraries and others: 30 MB."""
+    files = [
+        *folder.glob("libpython*"),
+        *folder.glob("python3*/lib-dynload/*.so"),
+        *(
+            file
+            for name in ("lz4", "pygame", "zstandard")
+            for file in folder.glob(f"{name}/**/*.so")
+        ),
+    ]
+    run(["strip", "--strip-unneeded", *files])
+
+
+def bundled_distributions() -> list[Distribution]:
+    """Return the Python packages in the frozen folder, as pip knows them."""
+    found: dict[str, Distribution] = {}
+    queue = ["trex-gui"]
+    while queue:
+        package = distribution(queue.pop())
+        name = package.metadata["Name"]
+        if name in found:
+            continue
+        found[name] = package
+        for line in package.requires or []:
+            requirement, _, marker = line.partition(";")
+            if "extra" not in marker or (name == "trex-gui" and "test" not in marker):
+                required = re.match(r"[\w.-]+", requirement)
+                if required and (required[0] != "colorama" or sys.platform == "win32"):
+                    queue.append(required[0])
+    return [found[name] for name in sorted(found, key=str.lower) if name != "trex-gui"]
+
+
+WITHOUT_LICENCE = {
+    "mcap": "mcap.txt",
+    "pyserial": "pyserial.txt",
+    "pygame-ce": "LGPL-2.1.txt",
+    "PySide6_Essentials": "LGPL-3.txt",
+    "shiboken6": "LGPL-3.txt",
+}
+"""Packages that bring no text of their licence, and the file in `licences/` that holds it."""
+
+
+def licence_texts(package: Distribution) -> str:
+    """Return the licences that a package brings."""
+    names = re.compile(r"(LICEN[CS]E|COPYING|NOTICE)[^/]*", re.IGNORECASE)
+    files = [file for file in package.files or [] if names.fullmatch(file.name)]
+    in_metadata = [file for file in files if ".dist-info" in str(file)]
+    return "\n\n".join(f"{file.read_text(encoding='utf-8')}" for file in in_metadata)
+
+
+def copy_licences(folder: Path) -> None:
+    """Fill the folder `licences`: of everything that is in the frozen folder."""
+    licences = folder / "licences"
+    shutil.copytree(HERE / "licences", licences)
+    shutil.copy(ROOT / "LICENSE", licences / "TReX-Studio.txt")
+    versions = [f"Python {platform.python_version()}"]
+    for package in bundled_distributions():
+        name = package.metadata["Name"]
+        versions.append(f"{name} {package.version}")
+        if text := licence_texts(package):
+            (licences / f"{name}.txt").write_text(text, encoding="utf-8")
+        elif name not in WITHOUT_LICENCE:
+            raise BootstrapError(f"{name} brings no licence; add it to packaging/licences.")
+    (licences / "versions.txt").write_text("\n".join(versions) + "\n", encoding="utf-8")
+    standard = Path(os.__file__).parent
+    texts = [
+        path
+        for path in (standard / "LICENSE.txt", standard.parents[1] / "LICENSE.txt")
+        if path.exists()
+    ]
+    debian = Path(f"/usr/share/doc/python3.{sys.version_info.minor}/copyright")
+    shutil.copy([*texts, debian][0], licences / "Python.txt")
+    if sys.platform == "linux":
+        for package_name in set(debian_libraries(folder).values()):
+            text_file = Path(f"/usr/share/doc/{package_name}/copyright")
+            shutil.copy(text_file, licences / f"Debian-{package_name}.txt")
+
+
+def pack(folder: Path, file: Path) -> None:
+    """Write an archive of a folder that is the same for the same content."""
+    fixed = release_time()
+
+    def plain(member: tarfile.TarInfo) -> tarfile.TarInfo:
+        member.uid = member.gid = 0
+        member.uname = member.gname = "root"
+        member.mtime = fixed
+        return member
+
+    with (
+        file.open("wb") as raw,
+        gzip.GzipFile("", "wb", 6, raw, fixed) as packed,
+        tarfile.open(fileobj=packed, mode="w") as archive,
+    ):
+        archive.add(folder, f"{folder.name}-{version()}", filter=plain)
+
+
+def check_frozen(files: Sequence[Path], steps: "Steps") -> None:
+    """Unpack the archive elsewhere and use it there."""
+    for file in files:
+        with steps.place("frozen") as folder:
+            target = make(folder / "programs")
+            installed = Installed(target / f"{FROZEN.name}-{version()}", folder)
+            with steps.required("unpack"):
+                run(["tar", "-C", target, "-xf", file])
+            use(installed, steps)
+            with steps.step("remove"):
+                shutil.rmtree(target)
+
+
+# --- The Debian package ------------------------------------------------------------------------
+
+
+def debian_packages(libraries: Iterable[str]) -> dict[str, str]:
+    """Return the Debian package of each library that is one of this system, by its file name."""
+    patterns = [f"{folder}/*/{name}" for name in libraries for folder in ("/lib", "/usr/lib")]
+    search = ["dpkg-query", "--search", *patterns]
+    done = subprocess.run(search, capture_output=True, text=True, check=False)  # some are not
+    found = (line.rpartition(": ") for line in done.stdout.splitlines())
+    in_folder = re.compile(r"(/usr)?/lib/[^/]+/([^/]+)")
+    return {
+        match[2]: packages.partition(":")[0]
+        for packages, _, path in found
+        if (match := in_folder.fullmatch(path))
+    }
+
+
+def debian_libraries(folder: Path) -> dict[str, str]:
+    """Return which libraries in the frozen folder are Debian's, and the package of each."""
+    names = {path.name for path in (folder / "_internal").glob("lib*.so*") if not path.is_symlink()}
+    return debian_packages(name for name in names if not name.startswith("libpython"))
+
+
+def needed_packages(folder: Path) -> list[str]:
+    """Return the Debian packages that hold the libraries which a folder needs and has not."""
+    libraries = list(folder.rglob("*.so*"))
+    needed: set[str] = set()
+    for path in [*libraries, *(folder / name for name in PROGRAMS)]:
+        if not path.is_symlink() and "printersupport" not in path.name:  # that is recommended
+            listing = run(["objdump", "-p", path])
+            needed.update(re.findall(r"^\s+NEEDED\s+(\S+)$", listing, re.MULTILINE))
+    return sorted(set(debian_packages(needed - {path.name for path in libraries}).values()))
+
+
+def command_help(*words: str) -> str:
+    """Return what a program of the environment says about its use, 80 columns wide."""
+    program = Path(sys.executable).with_name(words[0])
+    return run(
+        [program, *words[1:], "--help"], {**os.environ, "COLUMNS": "80", "LC_ALL": "C.UTF-8"}
+    )
+
+
+SUMMARIES = {
+    "trex-gui": "set up, calibrate and drive a Pololu TReX motor controller",
+    "trexcmd": "inspect, set up and drive a Pololu TReX from the shell",
+    "trex-sim": "simulate a Pololu TReX on a pseudo-terminal or a TCP port",
+}
+
+
+def manual_page(program: str) -> str:
+    """Return the manual page of a program, made from what it says about its use."""
+    commands = [""]
+    text = command_help(program)
+    if "\nCommands:\n" in text:
+        commands += re.findall(r"^  ([\w-]+)  ", text.partition("\nCommands:\n")[2], re.MULTILINE)
+    date = time.strftime("%Y-%m-%d", time.gmtime(release_time()))
+    others = ", ".join(f".BR {roff(name)} (1)" for name in PROGRAMS if name != program)
+    lines = [
+        f'.TH {program.upper()} 1 "{date}" "TReX Studio {version()}" "User Commands"',
+        ".SH NAME",
+        rf"{roff(program)} \- {SUMMARIES[program]}",
+    ]
+    for command in commands:
+        words = [program, command] if command else [program]
+        title = " ".join(words).upper() if command else "DESCRIPTION"
+        lines += [f'.SH "{title}"', ".nf", roff(command_help(*words).strip()), ".fi"]
+    lines += [".SH SEE ALSO", *others.replace(", ", ",\n").splitlines()]
+    return "\n".join(lines) + "\n"
+
+
+def roff(text: str) -> str:
+    """Return a text that roff prints as it is."""
+    text = text.replace("\\", r"\e").replace("-", r"\-")
+    return re.sub(r"^(?=[.'])", r"\\&", text, flags=re.MULTILINE)
+
+
+def write(path: Path, text: str | bytes) -> None:
+    """Write a file of a package, compressed where its name ends so."""
+    make(path.parent)
+    data = text.encode() if isinstance(text, str) else text
+    if path.suffix == ".gz":
+        packed = io.BytesIO()
+        with gzip.GzipFile("", "wb", 9, packed, release_time()) as file:
+            file.write(data)
+        data = packed.getvalue()
+    path.write_bytes(data)
+
+
+def make(folder: Path) -> Path:
+    """Make a folder, and return it."""
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder
+
+
+def linux_file(name: str) -> str:
+    """Return a file of `linux/` with version and date in their places."""
+    date = time.strftime("%Y-%m-%d", time.gmtime(release_time()))
+    text = (HERE / "linux" / name).read_text(encoding="utf-8")
+    return text.replace("@VERSION@", version()).replace("@DATE@", date)
+
+
+def lay_out(tree: Path) -> None:
+    """Put every file of the Debian package where it is installed."""
+    shutil.copytree(FROZEN, tree / "usr/lib/trex-studio", symlinks=True)
+    program_folder = tree / "usr/lib/trex-studio"
+    for name in debian_libraries(program_folder):
+        (program_folder / "_internal" / name).unlink()
+    for path in program_folder.glob("licences/Debian-*"):
+        path.unlink()  # of those libraries
+    for name in PROGRAMS:
+        make(tree / "usr/bin").joinpath(name).symlink_to(f"../lib/trex-studio/{name}")
+        write(tree / f"usr/share/man/man1/{name}.1.gz", manual_page(name))
+    share = tree / "usr/share"
+    write(share / "applications/trex-studio.desktop", linux_file("trex-studio.desktop"))
+    write(share / "metainfo/trex-studio.metainfo.xml", linux_file("trex-studio.metainfo.xml"))
+    icon = (ROOT / "resources/icons/trex-studio.svg").read_bytes()
+    write(share / "icons/hicolor/scalable/apps/trex-studio.svg", icon)
+    write(tree / "lib/udev/rules.d/60-trex-studio.rules", linux_file("60-trex-studio.rules"))
+    write(share / "lintian/overrides/trex-studio", linux_file("lintian-overrides"))
+    documents = share / "doc/trex-studio"
+    write(documents / "copyright", linux_file("copyright"))
+    write(documents / "changelog.gz", (ROOT / "CHANGELOG.md").read_bytes())
+    maintainer = re.search(r"^Maintainer: (.+)$", linux_file("control"), re.MULTILINE)
+    entry = f"trex-studio ({version()}-1) unstable; urgency=medium\n\n  * See changelog.gz.\n\n"
+    entry += f" -- {maintainer[1] if maintainer else ''}  {formatdate(release_time())}\n"
+    write(documents / "changelog.Debian.gz", entry)
+
+
+def build_deb() -> list[Path]:
+    """Make the Debian package from the frozen folder, without the libraries that Debian has."""
+    require_programs({"dpkg-deb": "dpkg", "objdump": "binutils"})
+    if "frozen" not in BUILT:
+        freeze()
+    tree = BUILD / "deb"
+    shutil.rmtree(tree, ignore_errors=True)
+    lay_out(tree)
+    files = [path for path in tree.rglob("*") if path.is_file() and not path.is_symlink()]
+    for path in tree.rglob("*"):
+        if not path.is_symlink():
+            program = path.parent.name == "trex-studio" and path.name in PROGRAMS
+            path.chmod(0o755 if path.is_dir() or program else 0o644)
+    architecture = run(["dpkg", "--print-architecture"]).strip()
+    control = linux_file("control").replace("@ARCHITECTURE@", architecture)
+    control = control.replace("@SIZE@", str(sum(path.stat().st_size for path in files) // 1024))
+    depends = ", ".join(needed_packages(tree / "usr/lib/trex-studio"))
+    write(tree / "DEBIAN/control", control.replace("@DEPENDS@", depends))
+    sums = [
+        f"{hashlib.md5(path.read_bytes(), usedforsecurity=False).hexdigest()}  {name}\n"
+        for name, path in sorted((str(path.relative_to(tree)), path) for path in files)
+    ]
+    write(tree / "DEBIAN/md5sums", "".join(sums))
+    file = DIST / f"trex-studio_{version()}-1_{architecture}.deb"
+    fixed = {"SOURCE_DATE_EPOCH": str(release_time())}
+    say("Packing the Debian package.")
+    run(
+        ["dpkg-deb", "--root-owner-group", "-Zxz", "-z3", "--build", tree, file],
+        {**os.environ, **fixed},
+    )
+    return [file]
+
+
+CHROOT = """
+mount -t proc proc "$0/proc" && mount --bind /dev "$0/dev" && mount --bind /dev/pts "$0/dev/pts" &&
+exec chroot "$0" "$@"
+"""
+"""Run a command in the root $0. The mounts end with it: they are in a name space of their own."""
+
+
+def check_deb(files: Sequence[Path], steps: "Steps") -> None:
+    """Validate the package; install, use and remove it in a bare Debian."""
+    require_programs(
+        {
+            "lintian": "lintian",
+            "desktop-file-validate": "desktop-file-utils",
+            "appstreamcli": "appstream",
+            "debootstrap": "debootstrap",
+            "man": "man-db",
+        }
+    )
+    system = Path("/etc/os-release").read_text(encoding="utf-8")
+    release = re.search(r"^VERSION_CODENAME=(\S+)$", system, re.MULTILINE)
+    if os.geteuid() != 0 or release is None:
+        raise BootstrapError("Only root can make a bare Debian, and only on Debian.")
+    for file in files:
+        with steps.place("deb") as folder:
+            tree, root = BUILD / "deb", folder / "root"
+            desktop_file = tree / "usr/share/applications/trex-studio.desktop"
+            with steps.step("lintian"):
+                run(["lintian", "--fail-on=error,warning", "--allow-root", file])
+            with steps.step("desktop-file-validate"):
+                run(["desktop-file-validate", desktop_file])
+            with steps.step("appstreamcli"):
+                run(["appstreamcli", "validate-tree", "--no-net", tree])
+            with steps.required("make a bare Debian"):
+                run(["debootstrap", "--variant=minbase", release[1], root])
+            prefix = ("unshare", "--mount", "sh", "-c", CHROOT, str(root))
+            installed = Installed(root / "usr/bin", root / "root", root, prefix)
+            environment = {**installed.environment, "DEBIAN_FRONTEND": "noninteractive"}
+            apt = [*prefix, "apt-get", "--quiet", "--yes", "--no-install-recommends"]
+            with steps.required("install"):
+                shutil.copy(file, root)
+                run([*apt, "install", f"/{file.name}"], environment)
+            use(installed, steps)
+            with steps.step("remove"):
+                run([*apt, "purge", "trex-studio"], environment)
+                require_gone(installed.programs)
+                require_gone([root / "usr/lib/trex-studio", root / desktop_file.relative_to(tree)])
+
+
+# --- What a user does --------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Installed:
+    """Installed programs and how to run them.
+
+    Attributes:
+        folder: holds the programs.
+        home: an empty folder of the user, where they may write.
+        root: the root folder that they see.
+        prefix: runs a command in that root.
+    """
+
+    folder: Path
+    home: Path
+    root: Path = Path("/")
+    prefix: tuple[str, ...] = ()
+
+    @property
+    def environment(self) -> dict[str, str]:
+        """What the programs find in their environment: nothing of this one."""
+        return {
+            "HOME": self.path_inside(self.home),
+            "LANG": "C.UTF-8",
+            "PATH": SYSTEM_PATH,
+            "QT_QPA_PLATFORM": "offscreen",
+        }
+
+    def path_inside(self, path: Path) -> str:
+        return str(Path("/") / path.relative_to(self.root))
+
+    @property
+    def programs(self) -> list[Path]:
+        return [self.folder / name for name in PROGRAMS]
+
+    def command(self, program: str, *arguments: str | Path) -> list[str]:
+        """Return the command that runs a program; paths are written as it sees them."""
+        words = [self.folder / program, *arguments]
+        return [
+            *self.prefix,
+            *(self.path_inside(word) if isinstance(word, Path) else word for word in words),
+        ]
+
+    def run(self, program: str, *arguments: str | Path, timeout: float = PATIENCE_S) -> str:
+        return run(self.command(program, *arguments), self.environment, timeout)
+
+    @contextmanager
+    def start(self, program: str, *arguments: str | Path) -> Iterator["subprocess.Popen[str]"]:
+        """Run a program beside the steps."""
+        pipe = subprocess.PIPE
+        with subprocess.Popen(
+            self.command(program, *arguments),
+            env=self.environment,
+            stdin=pipe,
+            stdout=pipe,
+            stderr=subprocess.DEVNULL,
+            text=True,
+        ) as process:
+            try:
+                yield process
+            finally:
+                process.kill()
+
+
+class StepFailedError(Exception):
+    """The steps that follow cannot be done."""
+
+
+class Steps:
+    """Runs the steps of a check and says how each has ended."""
+
+    def __init__(self) -> None:
+        self.failed: list[str] = []
+        self._place = ""
+
+    @contextmanager
+    def place(self, name: str) -> Iterator[Path]:
+        """Give a new folder to install into; a required step that fails ends the block."""
+        self._place = name
+        say(f"\n{name}")
+        temporary = tempfile.TemporaryDirectory(prefix="trex-package-")
+        with temporary as folder, suppress(StepFailedError):
+            yield Path(folder)
+
+    @contextmanager
+    def step(self, name: str) -> Iterator[None]:
+        """Report how the block ends; after an error the next step follows."""
+        started = time.monotonic()
+        try:
+            yield
+        except (BootstrapError, OSError) as error:
+            self.failed.append(f"{self._place}: {name}")
+            say(f"  FAILED  {name}\n{error}")
+        else:
+            say(f"  ok      {name} ({time.monotonic() - started:.0f} s)")
+
+    @contextmanager
+    def required(self, name: str) -> Iterator[None]:
+        """Report how the block ends; after an error the other steps are left out."""
+        failures = len(self.failed)
+        with self.step(name):
+            yield
+        if len(self.failed) > failures:
+            raise StepFailedError
+
+
+def require(fact: object, text: str) -> None:
+    if not fact:
+        raise BootstrapError(text)
+
+
+def require_gone(paths: Iterable[Path]) -> None:
+    left = [str(path) for path in paths if path.exists() or path.is_symlink()]
+    require(not left, f"left behind: {', '.join(left)}")
+
+
+def wait_until(fact: Callable[[], object], text: str, seconds: float = PATIENCE_S) -> None:
+    end = time.monotonic() + seconds
+    while not fact():
+        require(time.monotonic() < end, f"{text} within {seconds:.0f} s")
+        time.sleep(0.1)
+
+
+class SimulatedBoard:
+    """The simulated board of `trex-sim`, by its control lines."""
+
+    def __init__(self, writing: io.TextIOBase, reading: io.TextIOBase) -> None:
+        self._writing, self._reading = writing, reading
+
+    @property
+    def is_at_rest(self) -> bool:
+        """Whether no motor is driven."""
+        self._writing.write("show\n")
+        self._writing.flush()
+        while line := self._reading.readline():
+            if line.startswith("ok {"):
+                motors = json.loads(line[3:])["motors"]
+                return all(motor["direction"] == "brake" or not motor["speed"] for motor in motors)
+        raise BootstrapError("The simulator has ended.")
+
+
+@contextmanager
+def simulator(installed: Installed, *arguments: str) -> Iterator[tuple[str, SimulatedBoard]]:
+    """Run `trex-sim`; gives the port and the board."""
+    with installed.start("trex-sim", *arguments) as process:
+        assert process.stdin is not None
+        assert process.stdout is not None
+        line = process.stdout.readline()
+        require(line.startswith("ready "), "trex-sim does not start")
+        board = SimulatedBoard(process.stdin, process.stdout)  # type: ignore[arg-type]
+        yield line.removeprefix("ready ").strip(), board
+
+
+def use(installed: Installed, steps: Steps) -> None:
+    """Do what a user does, with the simulated board."""
+    with steps.step("versions and help"):
+        for program in PROGRAMS:
+            require(version() in installed.run(program, "--version"), f"{program} is another one")
+            installed.run(program, "--help")
+    with steps.step("start the simulated board"), simulator(installed) as (port, board):
+        use_board(installed, steps, port, board)
+    for name, option in (("TCP", "--tcp"), ("RFC 2217", "--rfc2217")):
+        with (
+            steps.step(f"connect over {name}"),
+            simulator(installed, option, "127.0.0.1:0") as (port, _),
+        ):
+            require("TReX" in installed.run("trexcmd", "status", "--port", port), "no TReX")
+    with steps.step("demonstration in the window"):
+        pictures = installed.home / "pictures"
+        installed.run("trex-gui", "--tour", pictures, timeout=TOUR_S)
+        names = {path.name for path in pictures.glob("*.png")}
+        require({"motors-light.png", "aracna-dark.png"} <= names, f"only {sorted(names)}")
+    with steps.step("the window is killed: the motors stop"):
+        kill_window(installed, installed.home / "other_pictures")
+
+
+def use_board(installed: Installed, steps: Steps, port: str, board: SimulatedBoard) -> None:
+    """Do with the command line what a user does who has connected a board."""
+    settings, recording = installed.home / "board.txt", installed.home / "recording.csv"
+    to_board = ("--port", port)
+    with steps.step("connect over a pseudo-terminal and read"):
+        require('"TReX"' in installed.run("trexcmd", "status", *to_board, "--json"), "no TReX")
+    with steps.step("change a parameter"):
+        installed.run("trexcmd", "set", *to_board, "serial_timeout", "0.5 s")
+        value = installed.run("trexcmd", "get", *to_board, "serial_timeout")
+        require("0.5 s" in value, f"serial_timeout is {value}")
+    with steps.step("save settings"):
+        installed.run("trexcmd", "get-settings", *to_board, settings)
+        installed.run("trexcmd", "check-settings", settings)
+        installed.run("trexcmd", "set-settings", *to_board, "--dry-run", settings)
+    with steps.step("record"):
+        installed.run("trexcmd", "stream", *to_board, "--limit", "5", "--csv", recording)
+        rows = len(recording.read_text(encoding="utf-8").splitlines())
+        require(rows == 6, f"{rows} rows instead of 6")
+    with steps.step("drive"):
+        installed.run("trexcmd", "motor", *to_board, "1", "40", "--seconds", "1")
+        require(board.is_at_rest, "motor 1 was not stopped")
+    with (
+        steps.step("trexcmd is killed: the motors stop"),
+        installed.start("trexcmd", "motor", *to_board, "1", "40") as process,
+    ):
+        wait_until(lambda: not board.is_at_rest, "motor 1 does not run")
+        process.kill()
+        wait_until(lambda: board.is_at_rest, "motor 1 was not stopped")
+
+
+def kill_window(installed: Installed, pictures: Path) -> None:
+    """Kill the window while the motors of its demonstration run, and look at the board then.
+
+    The simulator would end with the window: the pipe to it is kept open here.
+    """
+    log_before = guardian_log(installed)
+    with installed.start("trex-gui", "--tour", pictures) as window:
+        wait_until(lambda: list(pictures.glob("*.png")), "no picture is written", TOUR_S)
+        found = [pid for pid in children(window.pid) if "simulator" in command_line(pid)]
+        require(found, "the window has no simulator")
+        files = Path("/proc") / str(found[0]) / "fd"
+        with (files / "0").open("w") as writing, (files / "1").open() as reading:
+            window.kill()
+            board = SimulatedBoard(writing, reading)
+            wait_until(lambda: board.is_at_rest, "the motors were not stopped")
+            wait_until(
+                lambda: " confirmed:" in guardian_log(installed).removeprefix(log_before),
+                "the guardian confirms no stop",
+            )
+
+
+def guardian_log(installed: Installed) -> str:
+    """Return which motors the guardian processes have stopped, in lines."""
+    return "".join(path.read_text() for path in installed.home.rglob("guardian.log"))
+
+
+def children(parent: int) -> list[int]:
+    """Return the processes that a process has started."""
+    task = Path(f"/proc/{parent}/task")
+    return [int(word) for path in task.glob("*/children") for word in path.read_text().split()]
+
+
+def command_line(pid: int) -> str:
+    return Path(f"/proc/{pid}/cmdline").read_bytes().replace(b"\0", b" ").decode()
+
+
+# --- The command -------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Target:
+    """A kind of package.
+
+    Attributes:
+        build: makes its files in `dist/` and returns them.
+        check: installs, uses and removes them, step by step.
+        system: the beginning of `sys.platform` where it is made.
+    """
+
+    build: Callable[[], list[Path]]
+    check: Callable[[Sequence[Path], Steps], None]
+    system: str = ""
+
+
+TARGETS = {
+    "wheel": Target(build_wheel, check_wheel),
+    "frozen": Target(build_frozen, check_frozen),
+    "deb": Target(build_deb, check_deb, "linux"),
+}
+
+BUILT: dict[str, list[Path]] = {}
+"""What this run has made so far."""
+
+
+def write_checksums() -> None:
+    """List the checksum of every file of this version in `dist/`."""
+    files = sorted(path for path in DIST.iterdir() if version() in path.name)
+    lines = [f"{hashlib.sha256(path.read_bytes()).hexdigest()}  {path.name}\n" for path in files]
+    (DIST / CHECKSUMS).write_text("".join(lines), encoding="ascii")
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Make packages and return the status."""
+    parser = argparse.ArgumentParser(description="Make what users install, in dist/.")
+    parser.add_argument("--check", action="store_true", help="try them as a user does")
+    parser.add_argument("targets", nargs="*", metavar="|".join(TARGETS), help="all of this system")
+    options = parser.parse_args(arguments)
+    if unknown := set(options.targets) - TARGETS.keys():
+        parser.error(f"no such package: {', '.join(sorted(unknown))}")
+    here = [name for name, target in TARGETS.items() if sys.platform.startswith(target.system)]
+    DIST.mkdir(exist_ok=True)
+    steps = Steps()
+    try:
+        for name in here:
+            if name in (options.targets or here):
+                BUILT[name] = TARGETS[name].build()
+        write_checksums()
+        for file in [file for files in BUILT.values() for file in files]:
+            say(f"{file.relative_to(ROOT)}: {file.stat().st_size / 1e6:.1f} MB")
+        for name, files in BUILT.items():
+            if options.check:
+                TARGETS[name].check(files, steps)
+    except BootstrapError as error:
+        say(str(error))
+        return 1
+    if steps.failed:
+        say("\nFailed:\n" + "\n".join(f"  {name}" for name in steps.failed))
+    return 1 if steps.failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,258 @@
+"""What users install: one version, complete metadata, a licence for everything."""
+
+import ast
+import configparser
+import re
+import runpy
+import sys
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+from xml.etree import ElementTree
+
+import pytest
+
+from trex_gui import __version__
+from trex_gui.composition import PLUGINS
+
+ROOT = Path(__file__).resolve().parents[2]
+PACKAGING = ROOT / "packaging"
+LINUX = PACKAGING / "linux"
+
+
+@pytest.fixture(scope="module")
+def packages() -> ModuleType:
+    sys.path.insert(0, str(PACKAGING))
+    try:
+        return __import__("packages")
+    finally:
+        sys.path.remove(str(PACKAGING))
+
+
+# --- The version
+
+
+def test_version_is_that_of_the_program(packages: ModuleType) -> None:
+    assert packages.version() == __version__
+
+
+def test_version_is_written_in_one_place() -> None:
+    texts = [ROOT / "pyproject.toml", *PACKAGING.rglob("*.*")]
+    places = [
+        path.name
+        for path in texts
+        if path.name != "constraints.txt"
+        and path.suffix in {".toml", ".py", ".spec", ".xml", ".desktop"}
+        and f'"{__version__}"' in path.read_text(encoding="utf-8")
+    ]
+    assert places == []
+
+
+# --- The frozen folder
+
+
+@pytest.fixture(scope="module")
+def spec() -> ast.Module:
+    return ast.parse((PACKAGING / "frozen" / "trex-studio.spec").read_text(encoding="utf-8"))
+
+
+def spec_value(spec: ast.Module, name: str, **known: Any) -> Any:
+    """Return what the spec assigns to a name."""
+    for statement in spec.body:
+        if isinstance(statement, ast.Assign) and ast.unparse(statement.targets[0]) == name:
+            return eval(ast.unparse(statement.value), {"re": re, **known})  # our own file
+    raise KeyError(name)
+
+
+def test_modules_that_are_imported_by_name_are_frozen(spec: ast.Module) -> None:
+    hidden = spec_value(spec, "HIDDEN", collect_submodules=lambda package: [package])
+    assert {"trex_gui", "serial.urlhandler", "mcap", "pygame.joystick"} <= set(hidden)
+    targets = [plugin.controller.target for plugin in PLUGINS]
+    assert all(target.startswith("trex_gui.") for target in targets)
+
+
+def test_nothing_that_the_window_loads_is_excluded(spec: ast.Module) -> None:
+    excluded = set(spec_value(spec, "EXCLUDED"))
+    imports = {
+        name
+        for path in (ROOT / "trex_gui").rglob("*.py")
+        for name in re.findall(
+            r"^\s*(?:from|import) ([\w.]+)", path.read_text(encoding="utf-8"), re.MULTILINE
+        )
+    }
+    assert "PySide6.QtWidgets" in imports
+    assert imports & excluded == set()
+
+
+@pytest.mark.parametrize(
+    ("plugin", "is_kept"),
+    [
+        ("platforms/libqxcb.so", True),
+        ("platforms/libqoffscreen.so", True),
+        ("platforms/qwindows.dll", True),
+        ("platforms/libqcocoa.dylib", True),
+        ("wayland-shell-integration/libxdg-shell.so", True),
+        ("imageformats/libqsvg.so", True),
+        ("printsupport/libcupsprintersupport.so", True),
+        ("platformthemes/libqgtk3.so", False),
+        ("platforms/libqeglfs.so", False),
+        ("egldeviceintegrations/libqeglfs-x11-integration.so", False),
+        ("tls/libqopensslbackend.so", False),
+        ("imageformats/libqtiff.so", False),
+    ],
+)
+def test_plugins_of_a_desktop_are_frozen(spec: ast.Module, plugin: str, is_kept: bool) -> None:
+    assert (spec_value(spec, "PLUGINS").match(plugin) is not None) is is_kept
+
+
+def test_programs_started_by_frozen_ones_get_the_users_libraries(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    hook = str(PACKAGING / "frozen" / "clean_environment.py")
+    monkeypatch.setenv("LD_LIBRARY_PATH", "/bundle")
+    monkeypatch.setenv("LD_LIBRARY_PATH_ORIG", "/users")
+    environment = runpy.run_path(hook)["os"].environ
+    assert environment["LD_LIBRARY_PATH"] == "/users"
+    assert "LD_LIBRARY_PATH_ORIG" not in environment
+    runpy.run_path(hook)
+    assert "LD_LIBRARY_PATH" not in environment
+
+
+# --- Licences
+
+
+def test_every_bundled_package_has_a_licence(packages: ModuleType) -> None:
+    bundled = packages.bundled_distributions()
+    names = {package.metadata["Name"] for package in bundled}
+    assert {"PySide6_Essentials", "pygame-ce", "zstandard", "click"} <= names
+    assert not names & {"pytest", "ruff", "pyinstaller"}
+    without = {
+        package.metadata["Name"] for package in bundled if not packages.licence_texts(package)
+    }
+    assert without == packages.WITHOUT_LICENCE.keys()
+    for file in packages.WITHOUT_LICENCE.values():
+        assert (PACKAGING / "licences" / file).stat().st_size > 500
+
+
+# --- The files of a Linux desktop
+
+
+def test_desktop_file_starts_the_window() -> None:
+    desktop = configparser.ConfigParser(interpolation=None)
+    desktop.read(LINUX / "trex-studio.desktop", encoding="utf-8")
+    entry = desktop["Desktop Entry"]
+    assert (entry["Type"], entry["Exec"], entry["Icon"]) == (
+        "Application",
+        "trex-gui",
+        "trex-studio",
+    )
+    assert (ROOT / "resources" / "icons" / f"{entry['Icon']}.svg").exists()
+    app = (ROOT / "trex_gui" / "app.py").read_text(encoding="utf-8")
+    assert 'setDesktopFileName("trex-studio")' in app  # by which a desktop knows the window
+
+
+def test_metadata_name_the_programs_and_the_version(packages: ModuleType) -> None:
+    text = packages.linux_file("trex-studio.metainfo.xml")
+    component = ElementTree.fromstring(text)
+    assert [entry.text for entry in component.iterfind("provides/binary")] == [*packages.PROGRAMS]
+    release = component.find("releases/release")
+    assert release is not None
+    assert release.get("version") == __version__
+    assert re.fullmatch(r"\d{4}-\d\d-\d\d", release.get("date", ""))
+
+
+def test_udev_rules_are_well_formed() -> None:
+    text = (LINUX / "60-trex-studio.rules").read_text(encoding="utf-8")
+    term = r'[A-Z]+(\{\w+\})?(==|!=|=|\+=)"[^"]*"'
+    rules = [line for line in text.splitlines() if line and not line.startswith("#")]
+    for rule in rules:
+        assert re.fullmatch(rf"{term}(, {term})*", rule), rule
+    labels = set(re.findall(r'LABEL="(\w+)"', text))
+    assert labels == set(re.findall(r'GOTO="(\w+)"', text))
+    assert any('TAG+="uaccess"' in rule and 'SUBSYSTEM=="tty"' in rule for rule in rules)
+
+
+# --- Manual pages and names
+
+
+def test_manual_page_shows_text_as_it_is(packages: ModuleType) -> None:
+    assert packages.roff(".start\n'a-b\\n") == "\\&.start\n\\&'a\\-b\\en"
+
+
+def test_manual_page_of_a_program_has_its_commands(
+    packages: ModuleType, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def help_text(*words: str) -> str:
+        return (
+            "Usage: trexcmd\n\nCommands:\n  status  Show it.\n  find    Find it.\n"
+            if len(words) == 1
+            else f"Usage of {words[1]}\n"
+        )
+
+    monkeypatch.setattr(packages, "command_help", help_text)
+    page = packages.manual_page("trexcmd")
+    assert page.startswith(".TH TREXCMD 1")
+    assert '.SH "TREXCMD STATUS"\n.nf\nUsage of status\n' in page
+    assert '.SH "TREXCMD FIND"' in page
+    assert ".BR trex\\-gui (1)" in page
+
+
+def test_unknown_kind_of_package_is_wrong_usage(
+    packages: ModuleType, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit) as ended:
+        packages.main(["cake"])
+    assert ended.value.code == 2
+    assert "no such package: cake" in capsys.readouterr().err
+
+
+def test_archive_is_the_same_for_the_same_content(
+    packages: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1700000000")
+    folder = tmp_path / "program"
+    folder.mkdir()
+    archives = []
+    for name in ("first", "second"):
+        (folder / "file").write_text("content")
+        packages.pack(folder, tmp_path / name)
+        archives.append((tmp_path / name).read_bytes())
+        (folder / "file").unlink()
+    assert archives[0] == archives[1]
+
+
+def test_checksums_list_files_of_this_version(
+    packages: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(packages, "DIST", tmp_path)
+    (tmp_path / f"trex_gui-{__version__}.tar.gz").write_bytes(b"abc")
+    (tmp_path / "trex_gui-0.0.1.tar.gz").write_bytes(b"old")
+    packages.write_checksums()
+    lines = (tmp_path / "SHA256SUMS").read_text().splitlines()
+    assert [line.split() for line in lines] == [
+        [
+            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad",
+            f"trex_gui-{__version__}.tar.gz",
+        ]
+    ]
+
+
+# --- The check
+
+
+def test_failed_step_is_reported_and_the_next_follows(
+    packages: ModuleType, capsys: pytest.CaptureFixture[str]
+) -> None:
+    steps = packages.Steps()
+    with steps.place("here"):
+        with steps.step("read"):
+            packages.require(False, "no reply")
+        with steps.step("write"):
+            pass
+        with steps.required("install"):
+            packages.require(False, "no room")
+        pytest.fail("the rest of a place was not left out")
+    assert steps.failed == ["here: read", "here: install"]
+    output = capsys.readouterr().out
+    assert "FAILED  read\nno reply" in output
+    assert "ok      write" in output
