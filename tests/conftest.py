@@ -17,6 +17,7 @@ import pytest
 if os.environ.get("QT_QPA_PLATFORM", "offscreen") == "offscreen":  # by itself it is 800×800
     _SCREEN = Path(__file__).parent / "support" / "screen.json"
     os.environ["QT_QPA_PLATFORM"] = f"offscreen:configfile={_SCREEN}"
+os.environ["LC_ALL"] = "C.UTF-8"  # programs that tests start are in English everywhere
 
 from PySide6.QtCore import QCoreApplication, QEvent, QSettings, Qt
 from PySide6.QtGui import QMouseEvent
