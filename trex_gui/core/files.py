@@ -55,7 +55,7 @@ class Finding:
     def __str__(self) -> str:
         parts = [
             "" if self.line is None else tr("line {0}").format(self.line),
-            "warning" if self.severity is Severity.WARNING else "",
+            tr("warning") if self.severity is Severity.WARNING else "",
             self.key or "",
             self.message,
         ]

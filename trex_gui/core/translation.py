@@ -7,14 +7,23 @@ from typing import ParamSpec, TypeVar, cast
 P = ParamSpec("P")
 T = TypeVar("T")
 
-_translate: Callable[[str], str] = str
+
+def _english(text: str, comment: str) -> str:
+    del comment
+    return text
+
+
+_translate: Callable[[str, str], str] = _english
 _decimal_point = "."
 _clear_caches: list[Callable[[], None]] = []
 
 
-def tr(text: str) -> str:
-    """Return a text for users in their language, with the same places: `{0}`."""
-    return _translate(text)
+def tr(text: str, comment: str = "") -> str:
+    """Return a text for users in their language, with the same places: `{0}`.
+
+    A comment tells it apart from the same text that needs another translation.
+    """
+    return _translate(text, comment)
 
 
 def tr_noop(text: str) -> str:
@@ -41,7 +50,7 @@ def with_decimal_point(number: str) -> str:
     return number.replace(".", _decimal_point)
 
 
-def use_translations(translate: Callable[[str], str], decimal_point: str = ".") -> None:
+def use_translations(translate: Callable[[str, str], str], decimal_point: str = ".") -> None:
     """Translate with this function from now on."""
     global _translate, _decimal_point
     _translate, _decimal_point = translate, decimal_point

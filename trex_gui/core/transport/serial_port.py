@@ -377,7 +377,7 @@ def _why_not_open(url: str, line: SerialFormat, error: Exception, number: int | 
     if _is_missing(error, number):
         present = ", ".join(port.device for port in list_ports.comports())
         return tr("There is no port {0}. Ports of this computer: {1}.").format(
-            url, present or "none"
+            url, present or tr("none")
         )
     if number in {errno.EACCES, errno.EPERM}:
         return tr(

@@ -81,7 +81,7 @@ class RecordedTraffic:
         Raises:
             SettingsError: it is no traffic log, or nothing in it can be compared.
         """
-        text = load(path, "traffic logs", LARGEST).decode("utf-8", "replace")
+        text = load(path, tr("traffic logs"), LARGEST).decode("utf-8", "replace")
         read = read_transcript(text, str(path), TrexDecoder())
         rows = [row for row in read if not row.is_search]
         if not any(row.sent for row in rows):

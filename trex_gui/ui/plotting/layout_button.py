@@ -141,7 +141,7 @@ class LayoutButton(QToolButton):
         known = [] if source is None else [trace.name for trace in source.traces]
 
         def work() -> PlotLayout:
-            return read_layout(load(path, "plot layouts", LARGEST_FILE), str(path), known)
+            return read_layout(load(path, self.tr("plot layouts"), LARGEST_FILE), str(path), known)
 
         def use(layout: PlotLayout) -> None:
             file_questions.remember_folder(path)

@@ -52,7 +52,7 @@ class PoseFile:
 
 def read_file(path: Path) -> PoseFile:
     """Read a pose file; SettingsError if it cannot be read, is too large, or not text."""
-    data = load(path, "poses")
+    data = load(path, tr("poses"))
     found: list[Finding] = []
     try:
         text = data.decode("utf-8")
@@ -201,7 +201,7 @@ class _Reader:
                 name, tried[item.name] = free_number(item.name, taken, tried.get(item.name, 2))
                 taken.add(name)
                 message = tr("the {0} {1} is repeated in line {2}").format(
-                    kind, item.name, last[item.name]
+                    tr(kind), item.name, last[item.name]
                 )
                 if {number, last[item.name]} & self._padded:
                     message = tr("apart from blanks around its name, {0}").format(message)
@@ -244,7 +244,7 @@ def _name(line: str, no_colon: str, kind: str) -> tuple[str, str]:
     if not colon:
         raise ValueError(no_colon)
     if not name.strip():
-        raise ValueError(tr("a {0} has a name before its colon").format(kind))
+        raise ValueError(tr("a {0} has a name before its colon").format(tr(kind)))
     return name.strip(), values
 
 

@@ -122,7 +122,7 @@ def is_usable_in_step(pose_name: str) -> bool:
 def _check_name(kind: str, name: str) -> None:
     if any(sign in name for sign in ":\r\n"):
         raise BadRequest(
-            tr("a {0}'s name has no colon and no line end, unlike {1!r}").format(kind, name)
+            tr("a {0}'s name has no colon and no line end, unlike {1!r}").format(tr(kind), name)
         )
 
 

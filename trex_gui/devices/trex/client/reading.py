@@ -315,7 +315,7 @@ def _read_pass(read: Requester, progress: Progress, number: int, passes: int) ->
         calibrations[channel] = read(GetCalibration(channel))
     report(steps - 1, tr("learned channels"))
     calibrated = read(GetCalibratedChannels())
-    report(steps, "done")
+    report(steps, tr("done"))
     return DeviceState(
         signature, mode, serial_controls, parameters, calibrations, calibrated, unread
     )

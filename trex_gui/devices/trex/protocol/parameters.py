@@ -280,7 +280,9 @@ class ParameterSpec:
         if meant is None or meant not in self.valid:
             given = wanted if len(wanted) <= 40 else f"{wanted[:40]}…"
             raise BadRequest(
-                tr("{0} is {1}, not {2}").format(self.name, self._spoken_range(), given or "empty")
+                tr("{0} is {1}, not {2}").format(
+                    self.name, self._spoken_range(), given or tr("empty")
+                )
             )
         return meant
 

@@ -308,11 +308,11 @@ def _words(node: Node) -> str:
 def _shown(node: Node) -> str:
     """Return the text of a value for a message."""
     if not isinstance(node, ScalarNode):
-        return "a list" if isinstance(node, SequenceNode) else tr("a group of settings")
+        return tr("a list") if isinstance(node, SequenceNode) else tr("a group of settings")
     text = shortened(str(node.value))
     if node.style is not None:
         return tr("{0} in quotes").format(text) if node.style in "'\"" else tr("a block of text")
-    return text or "nothing"
+    return text or tr("nothing")
 
 
 def _range(spec: ParameterSpec) -> str:

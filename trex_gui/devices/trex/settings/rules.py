@@ -76,7 +76,10 @@ def _proposal_text(case: "_Case", change: Mapping[str, int]) -> str:
     names: dict[str, list[str]] = {}
     for key, wire in change.items():
         names.setdefault(case.text(key, wire), []).append(case.name(key))
-    parts = [tr("{0} to {1}").format(_joined(equal), value) for value, equal in names.items()]
+    parts = [
+        tr("{0} to {1}", "set a parameter").format(_joined(equal), value)
+        for value, equal in names.items()
+    ]
     return tr("Set {0}").format(_joined(parts)) if parts else ""
 
 
@@ -211,7 +214,10 @@ def _motor_calibrations(case: _Case) -> Iterator[tuple[CalibrationKey, Calibrati
 
 def _deadband_over_travel(case: _Case) -> Iterator[_Match]:
     for key, found in _motor_calibrations(case):
-        ends = {"minimum": found.neutral - found.minimum, "maximum": found.maximum - found.neutral}
+        ends = {
+            tr("minimum"): found.neutral - found.minimum,
+            tr("maximum"): found.maximum - found.neutral,
+        }
         # An end equal to neutral is intended: a channel with one direction.
         if lost := [end for end, travel in ends.items() if 0 < travel <= found.deadband]:
             yield _Match((key,), {"channel": key.label, "ends": _joined(lost)})

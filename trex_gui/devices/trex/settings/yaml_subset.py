@@ -16,13 +16,13 @@ from ruamel.yaml.nodes import MappingNode, Node
 from ruamel.yaml.reader import ReaderError
 
 from trex_gui.core.files import SettingsError
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import tr, tr_noop
 
 MOST_NODES = 2000  # scalars and collections; a complete settings file has about 160
 _DEEPEST = 2
 
 LINE_END = re.compile(r"\r\n|[\n\r\x85\u2028\u2029]")
-_PLAIN_YAML = "settings are plain 'key: value' lines"
+_PLAIN_YAML = tr_noop("settings are plain 'key: value' lines")
 
 
 def line_of(node: Node) -> int:
@@ -57,7 +57,7 @@ def compose(text: str, name: str) -> MappingNode:
         line = 1 if mark is None else mark.line + 1
         problem = shortened(error.problem or error.context or "no YAML", 100)
         message = tr("the text is incomplete or damaged here ({0}); {1}").format(
-            problem, _PLAIN_YAML
+            problem, tr(_PLAIN_YAML)
         )
         raise SettingsError.of(name, message, line) from None
     if node is None:
@@ -66,7 +66,7 @@ def compose(text: str, name: str) -> MappingNode:
         )
     if not isinstance(node, MappingNode):
         raise SettingsError.of(
-            name, tr("this is not a setting; {0}").format(_PLAIN_YAML), line_of(node)
+            name, tr("this is not a setting; {0}").format(tr(_PLAIN_YAML)), line_of(node)
         )
     return node
 
@@ -90,7 +90,7 @@ class _Composer(Composer):
             # ruamel.yaml does not catch errors of chr() and int() in absurd escapes and versions.
             mark = self.loader.reader.get_mark()
             raise _UnsupportedError(
-                mark, tr("this number cannot be read; {0}").format(_PLAIN_YAML)
+                mark, tr("this number cannot be read; {0}").format(tr(_PLAIN_YAML))
             ) from None
 
     def _only_document(self) -> Node | None:
@@ -116,15 +116,15 @@ class _Composer(Composer):
         self.nodes += 1
         is_collection = isinstance(event, CollectionStartEvent)
         if isinstance(event, AliasEvent) or event.anchor is not None:
-            problem = tr("anchors (& and *) are not allowed; {0}").format(_PLAIN_YAML)
+            problem = tr("anchors (& and *) are not allowed; {0}").format(tr(_PLAIN_YAML))
         elif event.tag is not None:
-            problem = tr("tags (!) are not allowed; {0}").format(_PLAIN_YAML)
+            problem = tr("tags (!) are not allowed; {0}").format(tr(_PLAIN_YAML))
         elif getattr(event, "value", None) == "<<" and not event.style:
-            problem = tr("merge keys (<<) are not allowed; {0}").format(_PLAIN_YAML)
+            problem = tr("merge keys (<<) are not allowed; {0}").format(tr(_PLAIN_YAML))
         elif self.nodes > MOST_NODES:
             problem = tr("there are more settings here than any board has")
         elif is_collection and self.open_collections == _DEEPEST:
-            problem = tr("this is nested too deeply; {0}").format(_PLAIN_YAML)
+            problem = tr("this is nested too deeply; {0}").format(tr(_PLAIN_YAML))
         else:
             return
         raise _UnsupportedError(event.start_mark, problem)

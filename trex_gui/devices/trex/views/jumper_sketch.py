@@ -109,7 +109,11 @@ class JumperSketch(QWidget, Spoken):
         painter.drawText(row.adjusted(0.8 * line, 0, 0, 0), middle, name)
         first = QPointF(row.left() + 4.8 * line, row.center().y())
         second = first + QPointF(1.3 * line, 0)
-        words = {True: self.tr("on"), False: self.tr("off"), None: self.tr("either")}
+        words = {
+            True: self.tr("on", "jumper"),
+            False: self.tr("off", "jumper"),
+            None: self.tr("either"),
+        }
         text = row.adjusted(second.x() + 0.9 * line - row.left(), 0, 0, 0)
         painter.drawText(text, middle, position or words[is_on])
         if is_on:
