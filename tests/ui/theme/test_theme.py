@@ -83,8 +83,6 @@ def test_graphics_have_enough_contrast(scheme: Scheme, name: str, background: st
         ("placeholder_text", "window"),
         ("link", "alternate_base"),
         ("link_visited", "window"),
-        ("plot_background", "motor1"),  # tags of curves
-        ("plot_background", "motor2"),
     ],
 )
 def test_palette_pairs_have_enough_contrast(scheme: Scheme, text: str, background: str) -> None:
