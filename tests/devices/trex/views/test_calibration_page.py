@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
+from tests.support.keyboard import tab_order
 from tests.support.pages.calibration import CalibrationPage, calibration_page
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.devices.trex.client.writing import WriteResult
@@ -488,3 +489,9 @@ def test_every_control_has_an_accessible_name(page: CalibrationPage) -> None:
         box = editor.parentWidget()
         assert box is not None
         assert box.accessibleName()
+
+
+def test_each_handle_has_a_field_that_tab_reaches(page: CalibrationPage) -> None:
+    """The handles themselves take the mouse only."""
+    reached = {each.objectName() for each in tab_order(page.root.window())}
+    assert reached >= {f"{name}Edit" for name in ("minimum", "neutral", "maximum", "deadband")}
