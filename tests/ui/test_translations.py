@@ -1,5 +1,6 @@
 """Translations: compiled files hold every plural form of the program's texts."""
 
+import re
 import shutil
 import subprocess
 import sys
@@ -34,9 +35,10 @@ def run(tool: str, *arguments: object) -> None:
 HINT = "run packaging/bootstrap.py translations, translate what is new, and run it again"
 
 
-@pytest.mark.parametrize(
-    "file", sorted(resource("translations").glob("*.ts")), ids=lambda f: f.stem
-)
+FILES = sorted(resource("translations").glob("*.ts"))
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
 def test_translation_file_is_complete_and_compiled(file: Path, tmp_path: Path) -> None:
     update = tmp_path / file.name
     shutil.copy(file, update)
@@ -44,6 +46,19 @@ def test_translation_file_is_complete_and_compiled(file: Path, tmp_path: Path) -
     assert update.read_text("utf-8") == file.read_text("utf-8"), HINT
     run("pyside6-lrelease", update)
     assert update.with_suffix(".qm").read_bytes() == file.with_suffix(".qm").read_bytes(), HINT
+
+
+_KEPT = re.compile(r"\{[^{}]*\}|%n|<[^>]*>|\*\.\w+|&(?=\w)|…$|\n")
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
+def test_translation_keeps_places_tags_and_letter_for_alt(file: Path) -> None:
+    for text, forms in translations.read(file).items():
+        kept = sorted(_KEPT.findall(text.source.replace("&&", "")))
+        for form in forms:
+            found = sorted(_KEPT.findall(form.replace("&&", "")))
+            counted = [part for part in kept if part != "%n"]  # "once" for one time
+            assert found in ([kept] if len(forms) == 1 else [kept, counted]), (text, form)
 
 
 def test_texts_are_found_in_every_kind_of_call() -> None:

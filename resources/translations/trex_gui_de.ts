@@ -1,0 +1,5929 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>trex_gui</name>
+    <message><source>it is not an ordinary file</source>
+        <translation>es ist keine gewöhnliche Datei</translation></message>
+    <message><source>this is a binary file; settings are text</source>
+        <translation>dies ist eine Binärdatei; Einstellungen sind Text</translation></message>
+    <message><source>it is a folder, not a file</source>
+        <translation>es ist ein Ordner, keine Datei</translation></message>
+    <message><source>it cannot be read</source>
+        <translation>sie kann nicht gelesen werden</translation></message>
+    <message><source>it cannot be written</source>
+        <translation>sie kann nicht geschrieben werden</translation></message>
+    <message><source>warning</source>
+        <translation>Warnung</translation></message>
+    <message><source>it cannot be written: permission denied</source>
+        <translation>sie kann nicht geschrieben werden: Zugriff verweigert</translation></message>
+    <message><source>there is no such file</source>
+        <translation>es gibt keine solche Datei</translation></message>
+    <message><source>is larger than {0} KiB; {1} are not that long</source>
+        <translation>ist größer als {0} KiB; so lang sind {1} nicht</translation></message>
+    <message><source>this is not UTF-8 text</source>
+        <translation>dies ist kein UTF-8-Text</translation></message>
+    <message><source>line {0}</source>
+        <translation>Zeile {0}</translation></message>
+    <message><source>there is no folder {0}</source>
+        <translation>es gibt keinen Ordner {0}</translation></message>
+    <message><source>permission denied</source>
+        <translation>Zugriff verweigert</translation></message>
+    <message><source>It cannot be written: {0}.</source>
+        <translation>Sie kann nicht geschrieben werden: {0}.</translation></message>
+    <message><source>another line of this program</source>
+        <translation>einer anderen Leitung dieses Programms</translation></message>
+    <message><source>{0} (process {1})</source>
+        <translation>{0} (Prozess {1})</translation></message>
+    <message><source> by another program</source>
+        <translation> von einem anderen Programm</translation></message>
+    <message><source>{0} cannot be opened: {1}.</source>
+        <translation>{0} kann nicht geöffnet werden: {1}.</translation></message>
+    <message><source>The line to {0} is gone. Plug it in, then connect again.</source>
+        <translation>Die Leitung zu {0} ist weg. Stecken Sie den Adapter ein und verbinden Sie erneut.</translation></message>
+    <message><source>{0} cannot be reached: {1}.</source>
+        <translation>{0} ist nicht erreichbar: {1}.</translation></message>
+    <message><source>There is no port {0}. Ports of this computer: {1}.</source>
+        <translation>Es gibt keinen Port {0}. Ports dieses Computers: {1}.</translation></message>
+    <message><source>none</source>
+        <translation>keine</translation></message>
+    <message><source>{0} is in use by another program, or locked by its driver; for up to 5 seconds after a crash also by the guardian process that stops the motors.</source>
+        <translation>{0} wird von einem anderen Programm verwendet oder ist durch seinen Treiber gesperrt; nach einem Absturz bis zu 5 Sekunden lang auch durch den Wächterprozess, der die Motoren stoppt.</translation></message>
+    <message><source>The guardian process is still stopping the motors on {0}, which takes up to 5 seconds. Then connect again.</source>
+        <translation>Der Wächterprozess stoppt noch die Motoren an {0}; das dauert bis zu 5 Sekunden. Verbinden Sie danach erneut.</translation></message>
+    <message><source>{0} is in use{1}. Close it there, then connect again.</source>
+        <translation>{0} wird{1} verwendet. Schließen Sie den Port dort und verbinden Sie erneut.</translation></message>
+    <message><source>{0} cannot be set to {1} ({2}).</source>
+        <translation>{0} lässt sich nicht auf {1} einstellen ({2}).</translation></message>
+    <message><source>It belongs to root; this opens it until it is unplugged: {0}</source>
+        <translation>Er gehört root; dieser Befehl öffnet ihn bis zum Ausstecken: {0}</translation></message>
+    <message><source>Join its group, then log out and in again: {0} (or, until it is unplugged: {1}).</source>
+        <translation>Treten Sie seiner Gruppe bei, dann melden Sie sich ab und wieder an: {0} (oder, bis zum Ausstecken: {1}).</translation></message>
+    <message><source>the port takes nothing</source>
+        <translation>der Port nimmt nichts an</translation></message>
+    <message><source>Permission denied for {0}. {1}</source>
+        <translation>Zugriff auf {0} verweigert. {1}</translation></message>
+    <message><source> by {0}</source>
+        <translation> von {0}</translation></message>
+    <message><source>Another program reads {0}, too, and has taken bytes from it. Close it there, then connect again.</source>
+        <translation>Ein anderes Programm liest {0} ebenfalls und hat Bytes davon abgefangen. Schließen Sie den Port dort und verbinden Sie erneut.</translation></message>
+    <message><source>the port cannot be set to {0}</source>
+        <translation>der Port lässt sich nicht auf {0} einstellen</translation></message>
+    <message><source>It sends without a request ({0} …).</source>
+        <translation>Das Gerät sendet ohne Anfrage ({0} …).</translation></message>
+    <message><source>even parity</source>
+        <translation>gerade Parität</translation></message>
+    <message><source>odd parity</source>
+        <translation>ungerade Parität</translation></message>
+    <message><source>2 stop bits</source>
+        <translation>2 Stoppbits</translation></message>
+    <message><source>no error detection</source>
+        <translation>keine Fehlererkennung</translation></message>
+    <message><source>1 stop bit</source>
+        <translation>1 Stoppbit</translation></message>
+    <message><source>{0} baud, {1}, {2}</source>
+        <translation>{0} Baud, {1}, {2}</translation></message>
+    <message><source>{0} at {1}</source>
+        <translation>{0} bei {1}</translation></message>
+    <message><source>{0}: there is no kind of port {1!r}; try socket:// or rfc2217://.</source>
+        <translation>{0}: Eine Portart {1!r} gibt es nicht; versuchen Sie socket:// oder rfc2217://.</translation></message>
+    <message><source>{0} is not {1}://host:port, such as {1}://192.168.1.20:2217.</source>
+        <translation>{0} hat nicht die Form {1}://host:port, zum Beispiel {1}://192.168.1.20:2217.</translation></message>
+    <message><source>{0} baud</source>
+        <translation>{0} Baud</translation></message>
+    <message><source>Opened {0}.</source>
+        <translation>{0} geöffnet.</translation></message>
+    <message><source>this is no traffic log: the traffic page and trexcmd --traffic write them</source>
+        <translation>dies ist kein Datenverkehrsprotokoll: Solche schreiben die Seite „Datenverkehr“ und trexcmd --traffic</translation></message>
+    <message><source>this is not a row of a traffic log</source>
+        <translation>dies ist keine Zeile eines Datenverkehrsprotokolls</translation></message>
+    <message><source>{0} cannot be written: {1}.</source>
+        <translation>{0} kann nicht geschrieben werden: {1}.</translation></message>
+    <message><source>Aracna {0}</source>
+        <translation>Aracna {0}</translation></message>
+    <message><source>No probe for an Aracna was sent on {0}: its baud rate is set at the other end of the network, and a TReX at another rate could take the probe for a command. If you know that it is an Aracna, connect once with: trex-gui --device aracna --port {1}</source>
+        <translation>An {0} wurde keine Anfrage an einen Aracna gesendet: Die Baudrate ist am anderen Ende des Netzwerks eingestellt, und ein TReX mit einer anderen Baudrate könnte die Anfrage für einen Befehl halten. Wenn Sie wissen, dass es ein Aracna ist, verbinden Sie einmal mit: trex-gui --device aracna --port {1}</translation></message>
+    <message><source>No Aracna responds on {0}: everything sent comes back, and nothing else. The adapter's TX and RX are joined; an Aracna never echoes.</source>
+        <translation>An {0} antwortet kein Aracna: Alles Gesendete kommt zurück, und sonst nichts. TX und RX des Adapters sind verbunden; ein Aracna sendet nie ein Echo.</translation></message>
+    <message><source>No probe for an Aracna was sent: {0} cannot be set to {1}.</source>
+        <translation>Es wurde keine Anfrage an einen Aracna gesendet: {0} lässt sich nicht auf {1} einstellen.</translation></message>
+    <message><source>Rename {0}</source>
+        <translation>{0} umbenennen</translation></message>
+    <message><source>Duplicate {0}</source>
+        <translation>{0} duplizieren</translation></message>
+    <message><source>Delete {0}</source>
+        <translation>{0} löschen</translation></message>
+    <message><source>Move {0}</source>
+        <translation>{0} verschieben</translation></message>
+    <message><source>pose</source>
+        <translation>Pose</translation></message>
+    <message><source>Add pose {0}</source>
+        <translation>Pose {0} hinzufügen</translation></message>
+    <message><source>Change pose {0}</source>
+        <translation>Pose {0} ändern</translation></message>
+    <message><source>sequence</source>
+        <translation>Sequenz</translation></message>
+    <message><source>Change sequence {0}</source>
+        <translation>Sequenz {0} ändern</translation></message>
+    <message><source>Add sequence {0}</source>
+        <translation>Sequenz {0} hinzufügen</translation></message>
+    <message><source>Uses the authors' poses, but was not made by them.</source>
+        <translation>Nutzt die Posen der Autoren, stammt aber nicht von ihnen.</translation></message>
+    <message><source>Step</source>
+        <translation>Schritt</translation></message>
+    <message><source>Pose</source>
+        <translation>Pose</translation></message>
+    <message><source>Time</source>
+        <translation>Zeit</translation></message>
+    <message><source>Remarks</source>
+        <translation>Bemerkungen</translation></message>
+    <message numerus="yes"><source>%n step(s), {0:g} s</source>
+        <translation><numerusform>%n Schritt, {0:g} s</numerusform><numerusform>%n Schritte, {0:g} s</numerusform></translation></message>
+    <message><source>Undefined poses: {0}</source>
+        <translation>Nicht definierte Posen: {0}</translation></message>
+    <message><source>{0} (built in)</source>
+        <translation>{0} (eingebaut)</translation></message>
+    <message><source>Not renamed: {0}.</source>
+        <translation>Nicht umbenannt: {0}.</translation></message>
+    <message><source>{0} ms</source>
+        <translation>{0} ms</translation></message>
+    <message><source>Motor {0}</source>
+        <translation>Motor {0}</translation></message>
+    <message><source>The recording ends here.</source>
+        <translation>Die Aufzeichnung endet hier.</translation></message>
+    <message><source>Recording {0} ended with the connection.</source>
+        <translation>Aufzeichnung {0} endete mit der Verbindung.</translation></message>
+    <message><source>Recording {0} ended: the number of motors has changed.</source>
+        <translation>Aufzeichnung {0} beendet: Die Anzahl der Motoren hat sich geändert.</translation></message>
+    <message><source>Stopped: nothing more is sent.</source>
+        <translation>Gestoppt: Es wird nichts mehr gesendet.</translation></message>
+    <message><source>{0}. Nothing more is sent; a running motion continues to its goal.</source>
+        <translation>{0}. Es wird nichts mehr gesendet; eine laufende Bewegung geht bis zu ihrem Ziel weiter.</translation></message>
+    <message><source>The robot is waiting for motor {0} and reads nothing until it responds.</source>
+        <translation>Der Roboter wartet auf Motor {0} und liest nichts, bis dieser reagiert.</translation></message>
+    <message numerus="yes"><source>%n time(s)</source>
+        <translation><numerusform>%n-mal</numerusform><numerusform>%n-mal</numerusform></translation></message>
+    <message><source>repeating</source>
+        <translation>endlos</translation></message>
+    <message><source>slowly to the start</source>
+        <translation>langsam zum Start</translation></message>
+    <message><source>{0}. No robot is connected; the motion continues (about {1:.0f} s).</source>
+        <translation>{0}. Es ist kein Roboter verbunden; die Bewegung geht weiter (etwa {1:.0f} s).</translation></message>
+    <message><source>{0}. Nothing more is sent; the running motion continues to its goal (about {1:.0f} s).</source>
+        <translation>{0}. Es wird nichts mehr gesendet; die laufende Bewegung geht bis zu ihrem Ziel weiter (etwa {1:.0f} s).</translation></message>
+    <message><source>No robot is connected.</source>
+        <translation>Es ist kein Roboter verbunden.</translation></message>
+    <message><source>A sequence is playing. Stop it first.</source>
+        <translation>Eine Sequenz läuft. Stoppen Sie sie zuerst.</translation></message>
+    <message><source>The robot does not respond.</source>
+        <translation>Der Roboter antwortet nicht.</translation></message>
+    <message numerus="yes"><source>Connected to Aracna: firmware {0}, %n motor(s).</source>
+        <translation><numerusform>Mit Aracna verbunden: Firmware {0}, %n Motor.</numerusform><numerusform>Mit Aracna verbunden: Firmware {0}, %n Motoren.</numerusform></translation></message>
+    <message><source>The board has restarted; it is ready again in a second …</source>
+        <translation>Das Board wurde neu gestartet; es ist in einer Sekunde wieder bereit …</translation></message>
+    <message><source>The robot is not responding. Is its power on? Waiting for it …</source>
+        <translation>Der Roboter antwortet nicht. Ist er eingeschaltet? Es wird auf ihn gewartet …</translation></message>
+    <message><source>There is nothing to play: the sequence has no steps.</source>
+        <translation>Es gibt nichts abzuspielen: Die Sequenz hat keine Schritte.</translation></message>
+    <message numerus="yes"><source>Cropped to the limits of the joints: %n step(s).</source>
+        <translation><numerusform>Auf die Gelenkgrenzen begrenzt: %n Schritt.</numerusform><numerusform>Auf die Gelenkgrenzen begrenzt: %n Schritte.</numerusform></translation></message>
+    <message><source>Speeds not set: {0}</source>
+        <translation>Geschwindigkeiten nicht gesetzt: {0}</translation></message>
+    <message><source>LED not switched: {0}</source>
+        <translation>LED nicht geschaltet: {0}</translation></message>
+    <message><source>Not moved: {0}</source>
+        <translation>Nicht bewegt: {0}</translation></message>
+    <message><source>Aborted: {0}</source>
+        <translation>Abgebrochen: {0}</translation></message>
+    <message><source>Move to {0}.</source>
+        <translation>Bewegung nach {0}.</translation></message>
+    <message numerus="yes"><source>Playing %n step(s), {0}.</source>
+        <translation><numerusform>%n Schritt wird abgespielt, {0}.</numerusform><numerusform>%n Schritte werden abgespielt, {0}.</numerusform></translation></message>
+    <message><source>The running motion ends by itself in about {0:.1f} s.</source>
+        <translation>Die laufende Bewegung endet in etwa {0:.1f} s von selbst.</translation></message>
+    <message><source>{0}. Nothing more is sent to the robot.</source>
+        <translation>{0}. Es wird nichts mehr an den Roboter gesendet.</translation></message>
+    <message><source>Which leg is which is assumed; even motors are inner joints, odd ones outer.</source>
+        <translation>Welches Bein welches ist, ist angenommen; Motoren mit gerader Nummer sind innere Gelenke, solche mit ungerader äußere.</translation></message>
+    <message><source>Motor {0} is at {1}, {2} from its goal {3}.</source>
+        <translation>Motor {0} steht auf {1}, {2} von seinem Ziel {3} entfernt.</translation></message>
+    <message><source>unlimited</source>
+        <translation>unbegrenzt</translation></message>
+    <message><source>The reply was lost (or no motor responds): positions are not known.</source>
+        <translation>Die Antwort ging verloren (oder kein Motor reagiert): Die Positionen sind nicht bekannt.</translation></message>
+    <message><source>The robot does not respond at all. Check its power and the cable.</source>
+        <translation>Der Roboter antwortet überhaupt nicht. Prüfen Sie seine Stromversorgung und das Kabel.</translation></message>
+    <message><source>Front left</source>
+        <translation>Vorn links</translation></message>
+    <message><source>Front right</source>
+        <translation>Vorn rechts</translation></message>
+    <message><source>Back right</source>
+        <translation>Hinten rechts</translation></message>
+    <message><source>Back left</source>
+        <translation>Hinten links</translation></message>
+    <message><source>Motor {0}, {1} leg</source>
+        <translation>Motor {0}, Bein {1}</translation></message>
+    <message><source>stuck here</source>
+        <translation>hängt hier</translation></message>
+    <message><source>no reply (−1)</source>
+        <translation>keine Antwort (−1)</translation></message>
+    <message><source>The robot is waiting for motor {0} and reads nothing until it responds. Check the servo power, the board's power, the cable of this servo, and whether it is blocked. A reset of the board ends the wait; it does not stop the servos.</source>
+        <translation>Der Roboter wartet auf Motor {0} und liest nichts, bis dieser reagiert. Prüfen Sie die Servoversorgung, die Versorgung des Boards, das Kabel dieses Servos und ob es blockiert ist. Ein Reset des Boards beendet das Warten; die Servos stoppt er nicht.</translation></message>
+    <message><source>Cropped to the limits of the joints: {0}.</source>
+        <translation>Auf die Gelenkgrenzen begrenzt: {0}.</translation></message>
+    <message><source>Played to the end.</source>
+        <translation>Bis zum Ende abgespielt.</translation></message>
+    <message><source>The sequence has ended after its step.</source>
+        <translation>Die Sequenz wurde nach ihrem Schritt beendet.</translation></message>
+    <message><source>The sequence was stopped.</source>
+        <translation>Die Sequenz wurde gestoppt.</translation></message>
+    <message><source>The sequence was aborted: the board has restarted.</source>
+        <translation>Die Sequenz wurde abgebrochen: Das Board wurde neu gestartet.</translation></message>
+    <message><source>The sequence was aborted: the robot waits for a motor.</source>
+        <translation>Die Sequenz wurde abgebrochen: Der Roboter wartet auf einen Motor.</translation></message>
+    <message><source>The sequence was aborted: a motor did not accept its speed.</source>
+        <translation>Die Sequenz wurde abgebrochen: Ein Motor hat seine Geschwindigkeit nicht angenommen.</translation></message>
+    <message><source>The sequence was aborted: a motor was far from its goal.</source>
+        <translation>Die Sequenz wurde abgebrochen: Ein Motor war weit von seinem Ziel entfernt.</translation></message>
+    <message><source>The sequence was aborted: the robot does not respond.</source>
+        <translation>Die Sequenz wurde abgebrochen: Der Roboter antwortet nicht.</translation></message>
+    <message><source>The board has restarted. Its servos continue to their goals.</source>
+        <translation>Das Board wurde neu gestartet. Seine Servos bewegen sich weiter zu ihren Zielen.</translation></message>
+    <message><source>inner</source>
+        <translation>innen</translation></message>
+    <message><source>outer</source>
+        <translation>außen</translation></message>
+    <message><source>Motor {0} did not report its position (−1).</source>
+        <translation>Motor {0} hat seine Position nicht gemeldet (−1).</translation></message>
+    <message><source>moving …</source>
+        <translation>bewegt sich …</translation></message>
+    <message><source>motor {0} to {1} instead of {2}</source>
+        <translation>Motor {0} auf {1} statt {2}</translation></message>
+    <message><source>{0} missed</source>
+        <translation>{0} verfehlt</translation></message>
+    <message><source>Lies down flat in 3 s and stands up in 3 s, from any position.</source>
+        <translation>Legt sich in 3 s flach hin und steht in 3 s auf, aus jeder Stellung.</translation></message>
+    <message><source>Lifts two opposite legs, swings the other two, changes over and swings them back.</source>
+        <translation>Hebt zwei gegenüberliegende Beine, schwenkt die anderen beiden, wechselt und schwenkt sie zurück.</translation></message>
+    <message><source>All motors together, 100 units about the centre.</source>
+        <translation>Alle Motoren gemeinsam, 100 Einheiten um die Mitte.</translation></message>
+    <message><source>To and fro between two poses; motors that stay more than 50 units off are suspect.</source>
+        <translation>Zwischen zwei Posen hin und her; Motoren, die mehr als 50 Einheiten abweichen, sind verdächtig.</translation></message>
+    <message><source>Down to half-stand and up again.</source>
+        <translation>Hinunter in „half-stand“ und wieder hinauf.</translation></message>
+    <message><source>By way of half-stand to flat, from any position.</source>
+        <translation>Über „half-stand“ nach „flat“, aus jeder Stellung.</translation></message>
+    <message><source>a time scale is more than 0, not {0}</source>
+        <translation>ein Zeitfaktor ist größer als 0, nicht {0}</translation></message>
+    <message><source>{0} uses poses that are not defined: {1}</source>
+        <translation>{0} verwendet nicht definierte Posen: {1}</translation></message>
+    <message><source>{0} has no steps</source>
+        <translation>{0} hat keine Schritte</translation></message>
+    <message><source>poses</source>
+        <translation>Posen</translation></message>
+    <message><source>neither a pose nor a sequence: it has no colon</source>
+        <translation>weder Pose noch Sequenz: Der Doppelpunkt fehlt</translation></message>
+    <message><source>a sequence has a colon after its name</source>
+        <translation>eine Sequenz hat einen Doppelpunkt nach ihrem Namen</translation></message>
+    <message><source>this is not UTF-8 text; it is read as Western European, and Save writes UTF-8</source>
+        <translation>dies ist kein UTF-8-Text; er wird als westeuropäisch gelesen, und „Speichern“ schreibt UTF-8</translation></message>
+    <message><source>this is a binary file; poses are text</source>
+        <translation>dies ist eine Binärdatei; Posen sind Text</translation></message>
+    <message><source>the first line should name the robot and its servos; assuming 8 servos</source>
+        <translation>die erste Zeile sollte den Roboter und seine Servos nennen; angenommen werden 8 Servos</translation></message>
+    <message><source>sequence {0} uses the pose {1}, which is not in the file</source>
+        <translation>Sequenz {0} verwendet die Pose {1}, die nicht in der Datei steht</translation></message>
+    <message><source>the number of servos is 1 to {0}{1}; assuming {2}</source>
+        <translation>die Anzahl der Servos ist 1 bis {0}{1}; angenommen werden {2}</translation></message>
+    <message><source>{0} resolutions are expected and {1} found</source>
+        <translation>{0} Auflösungen werden erwartet, {1} gefunden</translation></message>
+    <message><source>pose {0} has {1} positions of {2}</source>
+        <translation>Pose {0} hat {1} von {2} Positionen</translation></message>
+    <message><source>pose {0}: positions are numbers from 0 to {1}</source>
+        <translation>Pose {0}: Positionen sind Zahlen von 0 bis {1}</translation></message>
+    <message><source>{0} to {1} ms</source>
+        <translation>{0} bis {1} ms</translation></message>
+    <message><source>sequence {0}: a step is a pose, a bar and {1}</source>
+        <translation>Sequenz {0}: Ein Schritt ist eine Pose, ein senkrechter Strich und {1}</translation></message>
+    <message><source>a {0} has a name before its colon</source>
+        <translation>vor dem Doppelpunkt fehlt der Name ({0})</translation></message>
+    <message><source>, not {0!r}</source>
+        <translation>, nicht {0!r}</translation></message>
+    <message><source>{0}; assuming {1} for every servo</source>
+        <translation>{0}; angenommen wird {1} für jedes Servo</translation></message>
+    <message><source>{0}; missing ones become {1}</source>
+        <translation>{0}; fehlende werden zu {1}</translation></message>
+    <message><source>pose {0} has {1} positions for {2} servos</source>
+        <translation>Pose {0} hat {1} Positionen für {2} Servos</translation></message>
+    <message><source>the {0} {1} is repeated in line {2}</source>
+        <translation>{1} ({0}) kommt in Zeile {2} noch einmal vor</translation></message>
+    <message><source>{0}, not {1!r} (motor {2})</source>
+        <translation>{0}, nicht {1!r} (Motor {2})</translation></message>
+    <message><source>{0}, not {1!r}</source>
+        <translation>{0}, nicht {1!r}</translation></message>
+    <message><source>{0}; the line is kept, but not used</source>
+        <translation>{0}; die Zeile bleibt erhalten, wird aber nicht verwendet</translation></message>
+    <message><source>{0}; the last ones are kept, but not used</source>
+        <translation>{0}; die letzten bleiben erhalten, werden aber nicht verwendet</translation></message>
+    <message><source>apart from blanks around its name, {0}</source>
+        <translation>abgesehen von Leerzeichen um den Namen: {0}</translation></message>
+    <message><source>{0}, which counts; this one is called {1} now</source>
+        <translation>{0}; jene Zeile gilt, diese heißt jetzt {1}</translation></message>
+    <message><source>a name has at least one character</source>
+        <translation>ein Name hat mindestens ein Zeichen</translation></message>
+    <message><source>a name has no control characters</source>
+        <translation>ein Name enthält keine Steuerzeichen</translation></message>
+    <message><source>a {0}'s name has no colon and no line end, unlike {1!r}</source>
+        <translation>ein Name ({0}) enthält keinen Doppelpunkt und kein Zeilenende, anders als {1!r}</translation></message>
+    <message><source>a name has at most {0} characters, not {1}</source>
+        <translation>ein Name hat höchstens {0} Zeichen, nicht {1}</translation></message>
+    <message><source>a name has no colon, comma or bar, which separate values: {0}</source>
+        <translation>ein Name enthält weder Doppelpunkt noch Komma noch senkrechten Strich, die Werte trennen: {0}</translation></message>
+    <message><source>the name {0} is taken</source>
+        <translation>der Name {0} ist schon vergeben</translation></message>
+    <message><source>a step names a pose without comma, bar or line end, unlike {0!r}</source>
+        <translation>ein Schritt nennt eine Pose ohne Komma, senkrechten Strich und Zeilenende, anders als {0!r}</translation></message>
+    <message><source>a step takes {0} to {1} ms, not {2}</source>
+        <translation>ein Schritt dauert {0} bis {1} ms, nicht {2}</translation></message>
+    <message><source>positions are 0 to {0}, not {1} (motor {2} of {3})</source>
+        <translation>Positionen sind 0 bis {0}, nicht {1} (Motor {2} von {3})</translation></message>
+    <message><source>limits are 0 to {0} in order, not {1} to {2}</source>
+        <translation>Grenzen sind 0 bis {0} in aufsteigender Reihenfolge, nicht {1} bis {2}</translation></message>
+    <message><source>No Aracna responds on {0}. It does not listen while it moves: if it is moving, wait until it stops. Check that the robot's board has power, that the adapter's TX goes to its RX and its RX to its TX (or that both radios are on the same channel), and that ground is connected.</source>
+        <translation>An {0} antwortet kein Aracna. Während einer Bewegung hört er nicht zu: Falls er sich bewegt, warten Sie, bis er stillsteht. Prüfen Sie, ob das Board des Roboters Strom hat, ob TX des Adapters mit dessen RX und RX mit dessen TX verbunden ist (oder ob beide Funkmodule auf demselben Kanal sind) und ob Masse verbunden ist.</translation></message>
+    <message><source>Everything sent on {0} comes back, and nothing else: the adapter's TX and RX are joined.</source>
+        <translation>Alles, was an {0} gesendet wird, kommt zurück, und sonst nichts: TX und RX des Adapters sind verbunden.</translation></message>
+    <message><source>An Aracna on {0} reports that it starts, but does not respond afterwards. It may be restarting repeatedly: check its power supply.</source>
+        <translation>Ein Aracna an {0} meldet, dass er startet, antwortet danach aber nicht. Vielleicht startet er immer wieder neu: Prüfen Sie seine Stromversorgung.</translation></message>
+    <message><source>Something responds on {0}, but not like an Aracna: {1}. Another device, perhaps a TReX at another baud rate, or interference on the line.</source>
+        <translation>An {0} antwortet etwas, aber nicht wie ein Aracna: {1}. Ein anderes Gerät, vielleicht ein TReX mit anderer Baudrate, oder Störungen auf der Leitung.</translation></message>
+    <message><source>The robot has not replied yet; it is still being queried.</source>
+        <translation>Der Roboter hat noch nicht geantwortet; er wird noch abgefragt.</translation></message>
+    <message><source>One command at a time: the robot has not replied to the last one yet.</source>
+        <translation>Nur ein Befehl auf einmal: Der Roboter hat auf den letzten noch nicht geantwortet.</translation></message>
+    <message><source>The robot did not reply in time.</source>
+        <translation>Der Roboter hat nicht rechtzeitig geantwortet.</translation></message>
+    <message><source>The reply does not match the command: {0}.</source>
+        <translation>Die Antwort passt nicht zum Befehl: {0}.</translation></message>
+    <message><source>The robot is waiting for motor {0}, which has not reached its goal.</source>
+        <translation>Der Roboter wartet auf Motor {0}, der sein Ziel nicht erreicht hat.</translation></message>
+    <message><source>The robot is stuck: nothing was sent.</source>
+        <translation>Der Roboter hängt: Es wurde nichts gesendet.</translation></message>
+    <message><source>Motor {0} did not accept speed {1}; it still has speed {2}.</source>
+        <translation>Motor {0} hat Geschwindigkeit {1} nicht angenommen; er hat noch Geschwindigkeit {2}.</translation></message>
+    <message><source>Motor {0} did not accept speed {1}: it does not respond.</source>
+        <translation>Motor {0} hat Geschwindigkeit {1} nicht angenommen: Er reagiert nicht.</translation></message>
+    <message><source>No motor accepted its speed. Check the servo power.</source>
+        <translation>Kein Motor hat seine Geschwindigkeit angenommen. Prüfen Sie die Servoversorgung.</translation></message>
+    <message><source>The robot did not confirm its speeds, so no motor was moved. {0}</source>
+        <translation>Der Roboter hat seine Geschwindigkeiten nicht bestätigt, daher wurde kein Motor bewegt. {0}</translation></message>
+    <message><source>{0} It is blocked, or servo power was off. The sequence does not continue by itself.</source>
+        <translation>{0} Er ist blockiert, oder die Servoversorgung war aus. Die Sequenz wird nicht von selbst fortgesetzt.</translation></message>
+    <message><source>Motor {0} is {1} units off its goal.</source>
+        <translation>Motor {0} ist {1} Einheiten von seinem Ziel entfernt.</translation></message>
+    <message><source>A sequence is playing: stop it first.</source>
+        <translation>Eine Sequenz läuft: Stoppen Sie sie zuerst.</translation></message>
+    <message><source>Newer speeds replaced these.</source>
+        <translation>Neuere Geschwindigkeiten haben diese ersetzt.</translation></message>
+    <message><source>Stopped before it was sent.</source>
+        <translation>Vor dem Senden gestoppt.</translation></message>
+    <message><source>The robot's board has restarted.</source>
+        <translation>Das Board des Roboters wurde neu gestartet.</translation></message>
+    <message><source>Another robot now responds on this port.</source>
+        <translation>An diesem Port antwortet jetzt ein anderer Roboter.</translation></message>
+    <message><source>The robot stopped responding.</source>
+        <translation>Der Roboter antwortet nicht mehr.</translation></message>
+    <message><source>The connection was closed before this was done.</source>
+        <translation>Die Verbindung wurde geschlossen, bevor dies erledigt war.</translation></message>
+    <message><source>Internal error in the connection: {0}</source>
+        <translation>Interner Fehler in der Verbindung: {0}</translation></message>
+    <message><source>There is no step to play.</source>
+        <translation>Es gibt keinen Schritt zum Abspielen.</translation></message>
+    <message><source>Cannot play endlessly: there is no step.</source>
+        <translation>Endlos abspielen nicht möglich: Es gibt keinen Schritt.</translation></message>
+    <message><source>The number of rounds is 0 (endless) or more, not {0}.</source>
+        <translation>Die Anzahl der Durchläufe ist 0 (endlos) oder größer, nicht {0}.</translation></message>
+    <message><source>The time scale is {0:g} to {1:g}, not {2:g}.</source>
+        <translation>Der Zeitfaktor ist {0:g} bis {1:g}, nicht {2:g}.</translation></message>
+    <message><source>A step{0} has {1} positions; the robot has {2} motors.</source>
+        <translation>Ein Schritt{0} hat {1} Positionen; der Roboter hat {2} Motoren.</translation></message>
+    <message><source>The positions of a step{0} are 0 to {1}: {2}.</source>
+        <translation>Die Positionen eines Schrittes{0} sind 0 bis {1}: {2}.</translation></message>
+    <message><source>A step{0} takes more than 0 s, not {1:g} s.</source>
+        <translation>Ein Schritt{0} dauert länger als 0 s, nicht {1:g} s.</translation></message>
+    <message><source>not a command of an Aracna</source>
+        <translation>kein Befehl eines Aracna</translation></message>
+    <message><source>the robot has started, busy for a second</source>
+        <translation>der Roboter ist gestartet, eine Sekunde lang beschäftigt</translation></message>
+    <message><source>{0}, then query whether it is free</source>
+        <translation>{0}, dann Abfrage, ob er frei ist</translation></message>
+    <message><source>no reply</source>
+        <translation>keine Antwort</translation></message>
+    <message><source>incomplete reply</source>
+        <translation>unvollständige Antwort</translation></message>
+    <message><source>no reply to the command itself</source>
+        <translation>keine Antwort auf den Befehl selbst</translation></message>
+    <message><source>1 motor</source>
+        <translation>1 Motor</translation></message>
+    <message><source>the LED is on</source>
+        <translation>die LED ist an</translation></message>
+    <message><source>the LED is off</source>
+        <translation>die LED ist aus</translation></message>
+    <message><source>go to {0}</source>
+        <translation>bewegen nach {0}</translation></message>
+    <message><source>set speeds {0}</source>
+        <translation>Geschwindigkeiten setzen: {0}</translation></message>
+    <message><source>unsolicited: {0}</source>
+        <translation>unaufgefordert: {0}</translation></message>
+    <message><source>firmware {0}, {1}</source>
+        <translation>Firmware {0}, {1}</translation></message>
+    <message><source>firmware {0}</source>
+        <translation>Firmware {0}</translation></message>
+    <message><source>speeds {0}</source>
+        <translation>Geschwindigkeiten {0}</translation></message>
+    <message><source>at {0}</source>
+        <translation>steht auf {0}</translation></message>
+    <message><source>not a reply of an Aracna: {0}</source>
+        <translation>keine Antwort eines Aracna: {0}</translation></message>
+    <message><source>incomplete line: {0}</source>
+        <translation>unvollständige Zeile: {0}</translation></message>
+    <message><source>{0} motors</source>
+        <translation>{0} Motoren</translation></message>
+    <message><source>followed by {0}</source>
+        <translation>gefolgt von {0}</translation></message>
+    <message><source>This link has no stop: a running motion ends only by itself, or by cutting the servo power.</source>
+        <translation>Diese Verbindung kennt keinen Stopp: Eine laufende Bewegung endet nur von selbst oder durch Trennen der Servoversorgung.</translation></message>
+    <message><source>Playing step {0} of {1}.</source>
+        <translation>Schritt {0} von {1} läuft.</translation></message>
+    <message><source>Stop sequence</source>
+        <translation>Sequenz stoppen</translation></message>
+    <message><source>End the sequence, send nothing more, stay where the robot is (Esc, anywhere)</source>
+        <translation>Die Sequenz beenden, nichts mehr senden, den Roboter dort lassen, wo er ist (Esc, überall)</translation></message>
+    <message><source>End afte&amp;r this step</source>
+        <translation>Nach diesem Schritt &amp;beenden</translation></message>
+    <message><source>The motion continues by itself for about {0:.0f} s.</source>
+        <translation>Die Bewegung geht noch etwa {0:.0f} s von selbst weiter.</translation></message>
+    <message><source>At rest: nothing is sent.</source>
+        <translation>In Ruhe: Es wird nichts gesendet.</translation></message>
+    <message><source>Unknown: the last motion may continue for about {0:.0f} s.</source>
+        <translation>Unbekannt: Die letzte Bewegung kann noch etwa {0:.0f} s weitergehen.</translation></message>
+    <message><source>The sequence begins.</source>
+        <translation>Die Sequenz beginnt.</translation></message>
+    <message><source>Playing step {0} of {1} “{2}”.</source>
+        <translation>Schritt {0} von {1} „{2}“ läuft.</translation></message>
+    <message><source>Playing step {0} of {1}, round {3} of {4}.</source>
+        <translation>Schritt {0} von {1} läuft, Durchlauf {3} von {4}.</translation></message>
+    <message><source>Let the step finish, then blend out</source>
+        <translation>Den Schritt zu Ende führen, dann ausblenden</translation></message>
+    <message><source>Unknown: an earlier motion may continue for about {0:.0f} s.</source>
+        <translation>Unbekannt: Eine frühere Bewegung kann noch etwa {0:.0f} s weitergehen.</translation></message>
+    <message><source>Stuck: the robot is waiting for motor {0} and reads nothing.</source>
+        <translation>Hängt: Der Roboter wartet auf Motor {0} und liest nichts.</translation></message>
+    <message><source>Waiting for motor {0} to arrive …</source>
+        <translation>Warten, bis Motor {0} ankommt …</translation></message>
+    <message><source>Playing blend-in.</source>
+        <translation>Einblendung läuft.</translation></message>
+    <message><source>Playing blend-out.</source>
+        <translation>Ausblendung läuft.</translation></message>
+    <message><source>Playing step {0} of {1} “{2}”, round {3} of {4}.</source>
+        <translation>Schritt {0} von {1} „{2}“ läuft, Durchlauf {3} von {4}.</translation></message>
+    <message><source>Unknown: the last motion may still be running.</source>
+        <translation>Unbekannt: Die letzte Bewegung läuft vielleicht noch.</translation></message>
+    <message><source>Nothing is sent. Whether it moves is unknown until its first move.</source>
+        <translation>Es wird nichts gesendet. Ob er sich bewegt, ist bis zu seiner ersten Bewegung unbekannt.</translation></message>
+    <message><source>The motion ends by itself in about {0:.1f} s.</source>
+        <translation>Die Bewegung endet in etwa {0:.1f} s von selbst.</translation></message>
+    <message><source>The only way to stop a motion: the protocol has no stop command.</source>
+        <translation>Die einzige Möglichkeit, eine Bewegung zu stoppen: Das Protokoll hat keinen Stoppbefehl.</translation></message>
+    <message><source>The debug LED; it blinks while the firmware boots</source>
+        <translation>Die Debug-LED; sie blinkt, während die Firmware startet</translation></message>
+    <message><source>Power</source>
+        <translation>Versorgung</translation></message>
+    <message><source>Robot on</source>
+        <translation>Roboter ein</translation></message>
+    <message><source>The robot's own switch: board and servos</source>
+        <translation>Der Schalter des Roboters selbst: Board und Servos</translation></message>
+    <message><source>Restart board</source>
+        <translation>Board neu starten</translation></message>
+    <message><source>The reset line: the firmware restarts, the servos continue to their goals</source>
+        <translation>Die Reset-Leitung: Die Firmware startet neu, die Servos bewegen sich weiter zu ihren Zielen</translation></message>
+    <message><source>Servo power</source>
+        <translation>Servoversorgung</translation></message>
+    <message><source>The power of the servos only: without it they stop, hold nothing and lose their speeds; the firmware waits for them</source>
+        <translation>Nur die Versorgung der Servos: Ohne sie stoppen sie, halten nichts und verlieren ihre Geschwindigkeiten; die Firmware wartet auf sie</translation></message>
+    <message><source>Slowed</source>
+        <translation>Gebremst</translation></message>
+    <message><source>Dead</source>
+        <translation>Tot</translation></message>
+    <message><source>Blocked</source>
+        <translation>Blockiert</translation></message>
+    <message><source>Servos</source>
+        <translation>Servos</translation></message>
+    <message><source>Real position</source>
+        <translation>Wirkliche Position</translation></message>
+    <message><source>Moving indefinitely: waiting for a servo that is blocked or dead.</source>
+        <translation>Bewegt sich endlos: Wartet auf ein Servo, das blockiert oder tot ist.</translation></message>
+    <message><source>no power</source>
+        <translation>keine Versorgung</translation></message>
+    <message><source>Demo Aracna</source>
+        <translation>Demo-Aracna</translation></message>
+    <message><source>Clear all faults</source>
+        <translation>Alle Störungen beheben</translation></message>
+    <message><source>Noise</source>
+        <translation>Störungen</translation></message>
+    <message><source>LED: on</source>
+        <translation>LED: an</translation></message>
+    <message><source>LED: off</source>
+        <translation>LED: aus</translation></message>
+    <message><source>LED: blinks</source>
+        <translation>LED: blinkt</translation></message>
+    <message><source>Robot switched on</source>
+        <translation>Roboter eingeschaltet</translation></message>
+    <message><source>{0}: real position</source>
+        <translation>{0}: wirkliche Position</translation></message>
+    <message><source>Unplugged, the port disappears; a running motion continues to its goal</source>
+        <translation>Ausgesteckt: Der Port verschwindet; eine laufende Bewegung geht bis zu ihrem Ziel weiter</translation></message>
+    <message><source>The wire back is broken: the robot executes commands, no reply arrives</source>
+        <translation>Die Rückleitung ist unterbrochen: Der Roboter führt Befehle aus, es kommt keine Antwort an</translation></message>
+    <message><source>This share of the bytes is corrupted in either direction; this protocol does not detect that, and a corrupted command may restart the firmware</source>
+        <translation>Dieser Anteil der Bytes wird in beiden Richtungen verfälscht; dieses Protokoll erkennt das nicht, und ein verfälschter Befehl kann die Firmware neu starten</translation></message>
+    <message><source>Moving indefinitely: waiting for servos that have no power.</source>
+        <translation>Bewegt sich endlos: Wartet auf Servos, die keine Versorgung haben.</translation></message>
+    <message><source>The power is off: no reply, and no servo holds.</source>
+        <translation>Die Versorgung ist aus: keine Antwort, und kein Servo hält.</translation></message>
+    <message><source>Booting: blinks for a second and reads nothing.</source>
+        <translation>Startet: Blinkt eine Sekunde lang und liest nichts.</translation></message>
+    <message><source>Idle: waiting for commands.</source>
+        <translation>Untätig: Wartet auf Befehle.</translation></message>
+    <message><source>Setting speeds: reading them back from the servos.</source>
+        <translation>Setzt Geschwindigkeiten: Liest sie aus den Servos zurück.</translation></message>
+    <message><source>Moving: reads nothing until every servo has arrived.</source>
+        <translation>Bewegt sich: Liest nichts, bis jedes Servo angekommen ist.</translation></message>
+    <message><source>The robot's switch is off: board and servos have no power.</source>
+        <translation>Der Schalter des Roboters ist aus: Board und Servos haben keine Versorgung.</translation></message>
+    <message><source>Off: no servo moves, holds or replies.</source>
+        <translation>Aus: Kein Servo bewegt sich, hält oder antwortet.</translation></message>
+    <message><source>dead</source>
+        <translation>tot</translation></message>
+    <message><source>How often the firmware has started</source>
+        <translation>Wie oft die Firmware gestartet ist</translation></message>
+    <message><source>Servos alive, free and unloaded, a quiet line, everything switched on</source>
+        <translation>Servos intakt, frei und unbelastet, Leitung ungestört, alles eingeschaltet</translation></message>
+    <message><source>It loses {0} % of its speed; at the right end it stops</source>
+        <translation>Es verliert {0} % seiner Geschwindigkeit; ganz rechts bleibt es stehen</translation></message>
+    <message><source>{0}: slowed by a load, in per cent</source>
+        <translation>{0}: durch eine Last gebremst, in Prozent</translation></message>
+    <message><source>{0} does not respond, as when unplugged: speeds read as −1, and a move waits for it indefinitely</source>
+        <translation>{0} reagiert nicht, wie ausgesteckt: Geschwindigkeiten werden als −1 gelesen, und eine Bewegung wartet endlos darauf</translation></message>
+    <message><source>Something blocks {0}: it stays “moving”, and the firmware waits</source>
+        <translation>Etwas blockiert {0}: Es bleibt „in Bewegung“, und die Firmware wartet</translation></message>
+    <message><source>What is lost once</source>
+        <translation>Was einmal verloren geht</translation></message>
+    <message><source>A lost byte of a command may leave too few values in it, which restarts the firmware</source>
+        <translation>Ein verlorenes Byte eines Befehls kann zu wenige Werte darin lassen; das startet die Firmware neu</translation></message>
+    <message><source>Lose it</source>
+        <translation>Verlieren</translation></message>
+    <message><source>It is lost in the next transfer</source>
+        <translation>Geht bei der nächsten Übertragung verloren</translation></message>
+    <message><source>limp until its first goal</source>
+        <translation>kraftlos bis zum ersten Ziel</translation></message>
+    <message><source>Starts: {0}</source>
+        <translation>Starts: {0}</translation></message>
+    <message><source>{0}: dead</source>
+        <translation>{0}: tot</translation></message>
+    <message><source>{0}: blocked</source>
+        <translation>{0}: blockiert</translation></message>
+    <message><source>Reply byte</source>
+        <translation>Antwortbyte</translation></message>
+    <message><source>Command byte</source>
+        <translation>Befehlsbyte</translation></message>
+    <message><source>Reply: end</source>
+        <translation>Antwort: Ende</translation></message>
+    <message><source>holds</source>
+        <translation>hält</translation></message>
+    <message><source>cannot reach {0}</source>
+        <translation>kann {0} nicht erreichen</translation></message>
+    <message><source>moving to {0}</source>
+        <translation>bewegt sich nach {0}</translation></message>
+    <message><source>N/A</source>
+        <translation>k. A.</translation></message>
+    <message><source>Line</source>
+        <translation>Leitung</translation></message>
+    <message><source>Requests:</source>
+        <translation>Anfragen:</translation></message>
+    <message><source>Failures:</source>
+        <translation>Fehlschläge:</translation></message>
+    <message><source>{0} replies to {1} requests ({2:.2f} %)</source>
+        <translation>{0} Antworten auf {1} Anfragen ({2:.2f} %)</translation></message>
+    <message><source>Timeouts: {0}, corrupted: {1}, unrecognized lines: {2}, restarts: {3}; slowest reply: {4:.0f} ms (without motions)</source>
+        <translation>Timeouts: {0}, verfälscht: {1}, nicht erkannte Zeilen: {2}, Neustarts: {3}; langsamste Antwort: {4:.0f} ms (ohne Bewegungen)</translation></message>
+    <message><source>Plot of the motors' positions against time</source>
+        <translation>Diagramm der Motorpositionen über der Zeit</translation></message>
+    <message numerus="yes"><source>Aracna, firmware {0}, %n motor(s)</source>
+        <translation><numerusform>Aracna, Firmware {0}, %n Motor</numerusform><numerusform>Aracna, Firmware {0}, %n Motoren</numerusform></translation></message>
+    <message><source>Stuck: the robot waited for motor {0} and accepted no command.</source>
+        <translation>Hing: Der Roboter wartete auf Motor {0} und nahm keinen Befehl an.</translation></message>
+    <message><source>blend-in</source>
+        <translation>Einblendung</translation></message>
+    <message><source>blend-out</source>
+        <translation>Ausblendung</translation></message>
+    <message><source>Curve</source>
+        <translation>Kurve</translation></message>
+    <message><source>Positions are unknown; the last motion may still be running.</source>
+        <translation>Die Positionen sind unbekannt; die letzte Bewegung läuft vielleicht noch.</translation></message>
+    <message><source>The reply was lost, or no motor responded: positions are unknown.</source>
+        <translation>Die Antwort ging verloren, oder kein Motor hat reagiert: Die Positionen sind unbekannt.</translation></message>
+    <message><source>Positions are not known yet.</source>
+        <translation>Die Positionen sind noch nicht bekannt.</translation></message>
+    <message><source>At rest.</source>
+        <translation>In Ruhe.</translation></message>
+    <message><source>{0} Playing: {1}.</source>
+        <translation>{0} Wiedergabe: {1}.</translation></message>
+    <message><source>Full lines: as last reported; dashed: goal.</source>
+        <translation>Durchgezogene Linien: zuletzt gemeldet; gestrichelt: Ziel.</translation></message>
+    <message><source>Present</source>
+        <translation>Ist</translation></message>
+    <message><source>present position</source>
+        <translation>Istposition</translation></message>
+    <message><source>Goal</source>
+        <translation>Ziel</translation></message>
+    <message><source>goal</source>
+        <translation>Ziel</translation></message>
+    <message><source>Difference</source>
+        <translation>Abweichung</translation></message>
+    <message><source>difference</source>
+        <translation>Abweichung</translation></message>
+    <message><source>Speed</source>
+        <translation>Geschwindigkeit</translation></message>
+    <message><source>speed</source>
+        <translation>Geschwindigkeit</translation></message>
+    <message><source>Draw the position of this motor in the plot</source>
+        <translation>Die Position dieses Motors im Diagramm zeichnen</translation></message>
+    <message><source>The robot did not respond.</source>
+        <translation>Der Roboter hat nicht geantwortet.</translation></message>
+    <message><source>Moving for {0:.1f} s of about {1:.1f} s; motor {2} is waited for.</source>
+        <translation>Seit {0:.1f} s von etwa {1:.1f} s in Bewegung; gewartet wird auf Motor {2}.</translation></message>
+    <message><source>step {0}, round {1}</source>
+        <translation>Schritt {0}, Durchlauf {1}</translation></message>
+    <message><source>{0}: draw its curve</source>
+        <translation>{0}: Kurve zeichnen</translation></message>
+    <message><source>Save pose file</source>
+        <translation>Posendatei speichern</translation></message>
+    <message><source>Open pose file</source>
+        <translation>Posendatei öffnen</translation></message>
+    <message><source>Not saved. {0}.</source>
+        <translation>Nicht gespeichert. {0}.</translation></message>
+    <message><source>Pose files (*{0});;All files (*)</source>
+        <translation>Posendateien (*{0});;Alle Dateien (*)</translation></message>
+    <message><source>Not opened. {0}.</source>
+        <translation>Nicht geöffnet. {0}.</translation></message>
+    <message><source>{0} was opened.</source>
+        <translation>{0} wurde geöffnet.</translation></message>
+    <message><source>Saved in {0}.</source>
+        <translation>Gespeichert in {0}.</translation></message>
+    <message><source>And {0} more.</source>
+        <translation>Und {0} weitere.</translation></message>
+    <message><source>Sequences and gaits</source>
+        <translation>Sequenzen und Gangarten</translation></message>
+    <message><source>New sequence</source>
+        <translation>Neue Sequenz</translation></message>
+    <message><source>Remove this step</source>
+        <translation>Diesen Schritt entfernen</translation></message>
+    <message><source>Move this step up</source>
+        <translation>Diesen Schritt nach oben schieben</translation></message>
+    <message><source>Move this step down</source>
+        <translation>Diesen Schritt nach unten schieben</translation></message>
+    <message><source>Choose a sequence; built-in gaits cannot be changed</source>
+        <translation>Wählen Sie eine Sequenz; eingebaute Gangarten lassen sich nicht ändern</translation></message>
+    <message><source>There are no poses</source>
+        <translation>Es gibt keine Posen</translation></message>
+    <message><source>A step cannot use “{0}”: remove comma and bar from the pose's name</source>
+        <translation>Ein Schritt kann „{0}“ nicht verwenden: Entfernen Sie Komma und senkrechten Strich aus dem Namen der Pose</translation></message>
+    <message><source>Steps</source>
+        <translation>Schritte</translation></message>
+    <message><source>Choose a sequence or a gait to see its steps.</source>
+        <translation>Wählen Sie eine Sequenz oder eine Gangart, um ihre Schritte zu sehen.</translation></message>
+    <message><source>&amp;New</source>
+        <translation>Ne&amp;u</translation></message>
+    <message><source>Add s&amp;tep</source>
+        <translation>Schritt hin&amp;zufügen</translation></message>
+    <message><source>Add a step to “{0}” after the current one</source>
+        <translation>Einen Schritt zu „{0}“ nach dem aktuellen hinzufügen</translation></message>
+    <message><source> ms</source>
+        <translation> ms</translation></message>
+    <message><source>No steps yet. Add one: it uses the current pose.</source>
+        <translation>Noch keine Schritte. Fügen Sie einen hinzu: Er verwendet die aktuelle Pose.</translation></message>
+    <message><source>Milliseconds of step {0}</source>
+        <translation>Millisekunden von Schritt {0}</translation></message>
+    <message><source>Pose of step {0}</source>
+        <translation>Pose von Schritt {0}</translation></message>
+    <message><source>Rename</source>
+        <translation>Umbenennen</translation></message>
+    <message><source>Duplicate</source>
+        <translation>Duplizieren</translation></message>
+    <message><source>Delete</source>
+        <translation>Löschen</translation></message>
+    <message><source>Move up</source>
+        <translation>Nach oben</translation></message>
+    <message><source>Move down</source>
+        <translation>Nach unten</translation></message>
+    <message><source>Pose file</source>
+        <translation>Posendatei</translation></message>
+    <message><source>Undo</source>
+        <translation>Rückgängig</translation></message>
+    <message><source>Redo</source>
+        <translation>Wiederherstellen</translation></message>
+    <message><source>&amp;Open…</source>
+        <translation>Öffn&amp;en…</translation></message>
+    <message><source>&amp;Save</source>
+        <translation>&amp;Speichern</translation></message>
+    <message><source>Save &amp;as…</source>
+        <translation>Speichern un&amp;ter…</translation></message>
+    <message><source>{0}, changed</source>
+        <translation>{0}, geändert</translation></message>
+    <message><source>Not saved yet</source>
+        <translation>Noch nicht gespeichert</translation></message>
+    <message numerus="yes"><source>%n step(s)</source>
+        <translation><numerusform>%n Schritt</numerusform><numerusform>%n Schritte</numerusform></translation></message>
+    <message><source>needs {0:.2f} s: motor {1}</source>
+        <translation>braucht {0:.2f} s: Motor {1}</translation></message>
+    <message><source>Rounds</source>
+        <translation>Durchläufe</translation></message>
+    <message><source>Loop fore&amp;ver</source>
+        <translation>Endlos &amp;wiederholen</translation></message>
+    <message><source>Speed in percent</source>
+        <translation>Geschwindigkeit in Prozent</translation></message>
+    <message><source>&amp;Blend in</source>
+        <translation>E&amp;inblenden</translation></message>
+    <message><source>B&amp;lend out to stand</source>
+        <translation>Ausb&amp;lenden zu „stand“</translation></message>
+    <message><source>Pla&amp;y</source>
+        <translation>Abs&amp;pielen</translation></message>
+    <message><source>Play the current sequence or gait.</source>
+        <translation>Die aktuelle Sequenz oder Gangart abspielen.</translation></message>
+    <message><source>Positions outside the limits are cropped.</source>
+        <translation>Positionen außerhalb der Grenzen werden begrenzt.</translation></message>
+    <message><source>Some motors are too slow.</source>
+        <translation>Einige Motoren sind zu langsam.</translation></message>
+    <message><source>{0}, {1} per round, {2} in total.</source>
+        <translation>{0}, {1} pro Durchlauf, {2} insgesamt.</translation></message>
+    <message><source>{0} min {1:02d} s</source>
+        <translation>{0} min {1:02d} s</translation></message>
+    <message><source>Repeat until stopped.</source>
+        <translation>Wiederholen, bis gestoppt wird.</translation></message>
+    <message><source> %</source>
+        <translation> %</translation></message>
+    <message><source>Also while playing, from the next step on. 50 %: each step takes twice.</source>
+        <translation>Auch während des Abspielens, ab dem nächsten Schritt. 50 %: Jeder Schritt dauert doppelt so lange.</translation></message>
+    <message><source>First go slowly, in 3 s, to the start.</source>
+        <translation>Zuerst langsam, in 3 s, zum Start gehen.</translation></message>
+    <message><source>At the end go slowly, in 3 s, to the pose “stand”.</source>
+        <translation>Am Ende langsam, in 3 s, in die Pose „stand“ gehen.</translation></message>
+    <message><source>Choose a sequence or a gait to play it.</source>
+        <translation>Wählen Sie eine Sequenz oder eine Gangart, um sie abzuspielen.</translation></message>
+    <message><source>{0}, {1}.</source>
+        <translation>{0}, {1}.</translation></message>
+    <message><source>{0}, {1} per round, until stopped.</source>
+        <translation>{0}, {1} pro Durchlauf, bis gestoppt wird.</translation></message>
+    <message><source>{0:.1f} s</source>
+        <translation>{0:.1f} s</translation></message>
+    <message><source>R&amp;ounds</source>
+        <translation>D&amp;urchläufe</translation></message>
+    <message><source>&amp;Speed</source>
+        <translation>Geschwindig&amp;keit</translation></message>
+    <message><source>not defined</source>
+        <translation>nicht definiert</translation></message>
+    <message><source>limited: motor {0}</source>
+        <translation>begrenzt: Motor {0}</translation></message>
+    <message><source>Cannot play: {0}.</source>
+        <translation>Abspielen nicht möglich: {0}.</translation></message>
+    <message><source>No poses. Capture the robot's position, or open a pose file.</source>
+        <translation>Keine Posen. Nehmen Sie die Position des Roboters auf oder öffnen Sie eine Posendatei.</translation></message>
+    <message><source>Move every motor to this pose, within its limits.</source>
+        <translation>Jeden Motor in diese Pose bewegen, innerhalb seiner Grenzen.</translation></message>
+    <message><source>Poses</source>
+        <translation>Posen</translation></message>
+    <message><source>Set this pose to the robot's position</source>
+        <translation>Diese Pose auf die Position des Roboters setzen</translation></message>
+    <message><source>Capt&amp;ure</source>
+        <translation>Aufneh&amp;men</translation></message>
+    <message><source>&amp;Go to</source>
+        <translation>Po&amp;se anfahren</translation></message>
+    <message><source>Motor {0}: {1:.0f}°, limits {2} to {3}</source>
+        <translation>Motor {0}: {1:.0f}°, Grenzen {2} bis {3}</translation></message>
+    <message><source>Position of motor {0} in this pose</source>
+        <translation>Position von Motor {0} in dieser Pose</translation></message>
+    <message><source>Motor {0}: {1:.0f}°, limits {2} to {3}, sent as {4}</source>
+        <translation>Motor {0}: {1:.0f}°, Grenzen {2} bis {3}, gesendet als {4}</translation></message>
+    <message><source>Save the robot's position as a new pose.</source>
+        <translation>Die Position des Roboters als neue Pose speichern.</translation></message>
+    <message><source>The robot's position is known after its first move.</source>
+        <translation>Die Position des Roboters ist nach seiner ersten Bewegung bekannt.</translation></message>
+    <message><source>Not captured: {0}.</source>
+        <translation>Nicht aufgenommen: {0}.</translation></message>
+    <message><source>The robot from above</source>
+        <translation>Der Roboter von oben</translation></message>
+    <message><source>Legs at their reported positions, goals dashed; the table says both in numbers.</source>
+        <translation>Beine in den gemeldeten Positionen, Ziele gestrichelt; die Tabelle nennt beides in Zahlen.</translation></message>
+    <message><source>▲ front*</source>
+        <translation>▲ vorn*</translation></message>
+    <message><source>{0}: {1}</source>
+        <translation>{0}: {1}</translation></message>
+    <message><source>goal in units</source>
+        <translation>Ziel in Einheiten</translation></message>
+    <message><source>lowest position</source>
+        <translation>kleinste Position</translation></message>
+    <message><source>highest position</source>
+        <translation>größte Position</translation></message>
+    <message><source>goal in degrees</source>
+        <translation>Ziel in Grad</translation></message>
+    <message><source>state</source>
+        <translation>Zustand</translation></message>
+    <message><source>the servo holds {0}</source>
+        <translation>das Servo hat {0}</translation></message>
+    <message><source>Leg*</source>
+        <translation>Bein*</translation></message>
+    <message><source>Which leg is which is assumed</source>
+        <translation>Welches Bein welches ist, ist angenommen</translation></message>
+    <message><source>Motor</source>
+        <translation>Motor</translation></message>
+    <message><source>Handle: the goal. Wedge below: the last reported position.</source>
+        <translation>Griff: das Ziel. Keil darunter: die zuletzt gemeldete Position.</translation></message>
+    <message><source>Last reported position</source>
+        <translation>Zuletzt gemeldete Position</translation></message>
+    <message><source>Present position minus goal</source>
+        <translation>Istposition minus Ziel</translation></message>
+    <message><source>Setting and degrees per second</source>
+        <translation>Einstellwert und Grad pro Sekunde</translation></message>
+    <message><source>From</source>
+        <translation>Von</translation></message>
+    <message><source>To</source>
+        <translation>Bis</translation></message>
+    <message><source>Present position unknown</source>
+        <translation>Istposition unbekannt</translation></message>
+    <message><source>Speed setting 1-1023, 0.669 °/s each; 0 is unlimited, not “stopped”. Above about 870 (AX-18A) or 530 (AX-12A) a servo gets no faster.</source>
+        <translation>Einstellwert 1-1023 für die Geschwindigkeit, je 0,669 °/s; 0 ist unbegrenzt, nicht „gestoppt“. Über etwa 870 (AX-18A) oder 530 (AX-12A) wird ein Servo nicht schneller.</translation></message>
+    <message><source>Present position {0}</source>
+        <translation>Istposition {0}</translation></message>
+    <message><source> = fastest</source>
+        <translation> = maximal</translation></message>
+    <message><source>differ</source>
+        <translation>verschieden</translation></message>
+    <message><source>Motor positions are unknown before the first move: this robot reports them only in its reply to one.</source>
+        <translation>Die Motorpositionen sind vor der ersten Bewegung unbekannt: Dieser Roboter meldet sie nur in seiner Antwort auf eine Bewegung.</translation></message>
+    <message><source>That move runs at speed {0} ({1}), unless you choose other speeds.</source>
+        <translation>Diese Bewegung läuft mit Geschwindigkeit {0} ({1}), sofern Sie keine anderen Geschwindigkeiten wählen.</translation></message>
+    <message><source>Full lines: last reported; dashed: goal. A sketch: angles are drawn flat.</source>
+        <translation>Durchgezogene Linien: zuletzt gemeldet; gestrichelt: Ziel. Eine Skizze: Winkel sind flach gezeichnet.</translation></message>
+    <message><source>Move every motor to its goal, within its limits (Ctrl+M)</source>
+        <translation>Jeden Motor zu seinem Ziel bewegen, innerhalb seiner Grenzen (Strg+M)</translation></message>
+    <message><source>Motor positions are unknown; the last motion may still be running. The next move will report them.</source>
+        <translation>Die Motorpositionen sind unbekannt; die letzte Bewegung läuft vielleicht noch. Die nächste Bewegung wird sie melden.</translation></message>
+    <message><source>Pre&amp;sent</source>
+        <translation>Ist&amp;position</translation></message>
+    <message><source>Present positions</source>
+        <translation>Istpositionen</translation></message>
+    <message><source>Ce&amp;ntre</source>
+        <translation>&amp;Mitte</translation></message>
+    <message><source>512 = 150°; nothing moves yet</source>
+        <translation>512 = 150°; es bewegt sich noch nichts</translation></message>
+    <message><source>S&amp;tand</source>
+        <translation>&amp;Stand</translation></message>
+    <message><source>Inner 512, outer 550; nothing moves yet</source>
+        <translation>Innen 512, außen 550; es bewegt sich noch nichts</translation></message>
+    <message><source>Speed of all motors</source>
+        <translation>Geschwindigkeit aller Motoren</translation></message>
+    <message><source>Mo&amp;ve</source>
+        <translation>Be&amp;wegen</translation></message>
+    <message><source>Send while dra&amp;gging</source>
+        <translation>Beim &amp;Ziehen senden</translation></message>
+    <message><source>Reset li&amp;mits</source>
+        <translation>Grenzen z&amp;urücksetzen</translation></message>
+    <message><source>Inner 50–600, outer 0–550: tuned on the robot by its authors</source>
+        <translation>Innen 50–600, außen 0–550: von den Autoren am Roboter abgestimmt</translation></message>
+    <message><source>&amp;Limits instead of speeds</source>
+        <translation>Grenzen statt Geschwindig&amp;keiten</translation></message>
+    <message><source>Speed &amp;of all:</source>
+        <translation>Geschwindigkeit a&amp;ller:</translation></message>
+    <message><source>No robot is connected; goals and limits can be set already.</source>
+        <translation>Es ist kein Roboter verbunden; Ziele und Grenzen lassen sich schon einstellen.</translation></message>
+    <message><source>Every motor has reached its goal within a few units.</source>
+        <translation>Jeder Motor hat sein Ziel bis auf wenige Einheiten erreicht.</translation></message>
+    <message><source>The newest goal is sent as soon as the robot has reached the last one</source>
+        <translation>Das neueste Ziel wird gesendet, sobald der Roboter das letzte erreicht hat</translation></message>
+    <message><source>How far each joint may turn; goals are cropped before sending</source>
+        <translation>Wie weit sich jedes Gelenk drehen darf; Ziele werden vor dem Senden begrenzt</translation></message>
+    <message><source>{0:.1f} commands/s</source>
+        <translation>{0:.1f} Befehle/s</translation></message>
+    <message><source>Set sliders to:</source>
+        <translation>Schieberegler setzen auf:</translation></message>
+    <message><source>&amp;Stop sequence</source>
+        <translation>Sequenz s&amp;toppen</translation></message>
+    <message><source>Pages</source>
+        <translation>Seiten</translation></message>
+    <message><source>a robot</source>
+        <translation>ein Roboter</translation></message>
+    <message><source>a pose file of an Aracna</source>
+        <translation>eine Posendatei eines Aracna</translation></message>
+    <message><source>&amp;Aracna</source>
+        <translation>&amp;Aracna</translation></message>
+    <message><source>Pos&amp;es</source>
+        <translation>Pos&amp;en</translation></message>
+    <message><source>Stop &amp;recording</source>
+        <translation>&amp;Aufzeichnung beenden</translation></message>
+    <message><source>&amp;Record…</source>
+        <translation>&amp;Aufzeichnen…</translation></message>
+    <message><source>Nothing can be recorded: no robot is connected.</source>
+        <translation>Aufzeichnen nicht möglich: Es ist kein Roboter verbunden.</translation></message>
+    <message><source>Aracna, Open recording</source>
+        <translation>Aracna, Aufzeichnung öffnen</translation></message>
+    <message><source>Connect my Aracna</source>
+        <translation>Meinen Aracna verbinden</translation></message>
+    <message><source>No robot at hand?</source>
+        <translation>Kein Roboter zur Hand?</translation></message>
+    <message><source>Tr&amp;y the demo</source>
+        <translation>Demo aus&amp;probieren</translation></message>
+    <message><source>R&amp;obot</source>
+        <translation>&amp;Roboter</translation></message>
+    <message><source>Lo&amp;g</source>
+        <translation>Pr&amp;otokoll</translation></message>
+    <message><source>&amp;Traffic</source>
+        <translation>Date&amp;nverkehr</translation></message>
+    <message><source>&amp;Move to the sliders' goals</source>
+        <translation>Zu den Zielen der Schieberegler &amp;bewegen</translation></message>
+    <message><source>Sliders to the &amp;present position</source>
+        <translation>Schieberegler auf &amp;Istposition</translation></message>
+    <message><source>Sliders to the &amp;centre</source>
+        <translation>Schieberegler auf &amp;Mitte</translation></message>
+    <message><source>Sliders to &amp;stand</source>
+        <translation>Schieberegler auf &amp;Stand</translation></message>
+    <message><source>Pla&amp;y the current sequence or gait</source>
+        <translation>Aktuelle Sequenz oder &amp;Gangart abspielen</translation></message>
+    <message><source>&amp;End sequence after this step</source>
+        <translation>Sequenz nach diesem Schritt b&amp;eenden</translation></message>
+    <message><source>Ope&amp;n recording…</source>
+        <translation>Auf&amp;zeichnung öffnen…</translation></message>
+    <message><source>Set up &amp;goals and limits without a robot</source>
+        <translation>Zie&amp;le und Grenzen ohne Roboter einstellen</translation></message>
+    <message><source>Reset the joints' &amp;limits</source>
+        <translation>Gelenkgrenzen zu&amp;rücksetzen</translation></message>
+    <message><source>&amp;Debug LED of the board</source>
+        <translation>&amp;Debug-LED des Boards</translation></message>
+    <message><source>&amp;New pose file</source>
+        <translation>&amp;Neue Posendatei</translation></message>
+    <message><source>&amp;Open pose file…</source>
+        <translation>Posendatei ö&amp;ffnen…</translation></message>
+    <message><source>&amp;Save pose file</source>
+        <translation>Posendatei &amp;speichern</translation></message>
+    <message><source>Save pose file &amp;as…</source>
+        <translation>Posendatei speichern &amp;unter…</translation></message>
+    <message><source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation></message>
+    <message><source>&amp;Redo</source>
+        <translation>&amp;Wiederherstellen</translation></message>
+    <message><source>&amp;Capture the present position as a pose</source>
+        <translation>&amp;Istposition als Pose aufnehmen</translation></message>
+    <message><source>&amp;Demo Aracna panel</source>
+        <translation>Bedienfeld des &amp;Demo-Aracna</translation></message>
+    <message><source>&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Wire an FTDI cable to the header of the ArbotiX board, or put an XBee radio into its socket. Both share one line: use only one of them.&lt;/li&gt;&lt;li&gt;Give the legs room. This robot has no stop: a motion ends by itself, or when its servo power is cut.&lt;/li&gt;&lt;li&gt;Switch on the board and the servo power, without which the first move never ends, and connect. Nothing moves until you choose Move.&lt;/li&gt;&lt;/ol&gt;</source>
+        <translation>&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Schließen Sie ein FTDI-Kabel an die Stiftleiste des ArbotiX-Boards an oder stecken Sie ein XBee-Funkmodul in dessen Sockel. Beide teilen sich eine Leitung: Verwenden Sie nur eines davon.&lt;/li&gt;&lt;li&gt;Geben Sie den Beinen Platz. Dieser Roboter hat keinen Stopp: Eine Bewegung endet von selbst oder durch Trennen seiner Servoversorgung.&lt;/li&gt;&lt;li&gt;Schalten Sie das Board und die Servoversorgung ein (ohne sie endet die erste Bewegung nie) und verbinden Sie. Es bewegt sich nichts, bis Sie „Bewegen“ wählen.&lt;/li&gt;&lt;/ol&gt;</translation></message>
+    <message><source>Open pose fi&amp;le…</source>
+        <translation>Po&amp;sendatei öffnen…</translation></message>
+    <message><source>Set &amp;up goals and limits</source>
+        <translation>Ziele &amp;und Grenzen einstellen</translation></message>
+    <message><source>ArbotiX</source>
+        <translation>ArbotiX</translation></message>
+    <message><source>Wiring: TX of the adapter to RX, RX to TX, GND to GND of the board</source>
+        <translation>Verdrahtung: TX des Adapters an RX, RX an TX, GND an GND des Boards</translation></message>
+    <message><source>bench tests</source>
+        <translation>Prüfläufe</translation></message>
+    <message><source>it is not a text file</source>
+        <translation>es ist keine Textdatei</translation></message>
+    <message><source>line 1: a bench test begins with {0!r}</source>
+        <translation>Zeile 1: Ein Prüflauf beginnt mit {0!r}</translation></message>
+    <message><source>motor: expected 1 or 2, not {0}</source>
+        <translation>motor: erwartet wird 1 oder 2, nicht {0}</translation></message>
+    <message><source>the line “# {0}: …” is missing</source>
+        <translation>die Zeile „# {0}: …“ fehlt</translation></message>
+    <message><source>line {0}: expected the columns {1}</source>
+        <translation>Zeile {0}: erwartet werden die Spalten {1}</translation></message>
+    <message><source>line {0}: expected a name and a value</source>
+        <translation>Zeile {0}: erwartet werden ein Name und ein Wert</translation></message>
+    <message><source>{0}: invalid value “{1}”</source>
+        <translation>{0}: ungültiger Wert „{1}“</translation></message>
+    <message><source>line {0} or below: {1}</source>
+        <translation>Zeile {0} oder darunter: {1}</translation></message>
+    <message><source>line {0}: invalid row “{1}”</source>
+        <translation>Zeile {0}: ungültige Zeile „{1}“</translation></message>
+    <message><source>the speed of a bench test is −{0} to {0} and not 0, not {1}</source>
+        <translation>die Geschwindigkeit eines Prüflaufs ist −{0} bis {0} und nicht 0, nicht {1}</translation></message>
+    <message><source>a bench test lasts {0:g} to {1:g} s, not {2:g} s</source>
+        <translation>ein Prüflauf dauert {0:g} bis {1:g} s, nicht {2:g} s</translation></message>
+    <message><source>the period of a bench test is {0:g} to {1:g} s, not {2:g} s</source>
+        <translation>die Periode eines Prüflaufs ist {0:g} bis {1:g} s, nicht {2:g} s</translation></message>
+    <message><source>{0}: reversed is suggested.</source>
+        <translation>{0}; Vorschlag: umgekehrt.</translation></message>
+    <message><source>{0}: not reversed is suggested.</source>
+        <translation>{0}; Vorschlag: nicht umgekehrt.</translation></message>
+    <message><source>The measured ends are up to {0} further out.</source>
+        <translation>Die gemessenen Endlagen liegen bis zu {0} weiter außen.</translation></message>
+    <message><source>It never goes above its rest position, so maximum is set to the limit of the input.</source>
+        <translation>Er geht nie über seine Ruhelage, daher wird das Maximum auf die Grenze des Eingangs gesetzt.</translation></message>
+    <message><source>It never goes below its rest position, so minimum is set to the limit of the input.</source>
+        <translation>Er geht nie unter seine Ruhelage, daher wird das Minimum auf die Grenze des Eingangs gesetzt.</translation></message>
+    <message><source>The value fell when the stick went forward or right first</source>
+        <translation>Der Wert fiel, als der Knüppel zuerst nach vorn oder rechts ging</translation></message>
+    <message><source>The value rose when the stick went forward or right first</source>
+        <translation>Der Wert stieg, als der Knüppel zuerst nach vorn oder rechts ging</translation></message>
+    <message><source>The other position is above the one at rest, which should be off</source>
+        <translation>Die andere Stellung liegt über der Ruhelage, die „aus“ sein soll</translation></message>
+    <message><source>The other position is below the one at rest, which should be off</source>
+        <translation>Die andere Stellung liegt unter der Ruhelage, die „aus“ sein soll</translation></message>
+    <message><source>At rest its noise is {0}: the deadband is twice that.</source>
+        <translation>In Ruhe beträgt sein Rauschen {0}: Der Totbereich ist doppelt so groß.</translation></message>
+    <message><source>learned channels</source>
+        <translation>eingelernte Kanäle</translation></message>
+    <message><source>done</source>
+        <translation>fertig</translation></message>
+    <message><source>calibration of channel {0}</source>
+        <translation>Kalibrierung von Kanal {0}</translation></message>
+    <message><source>Calibration of channel {0}</source>
+        <translation>Kalibrierung von Kanal {0}</translation></message>
+    <message><source>stored settings</source>
+        <translation>gespeicherte Einstellungen</translation></message>
+    <message><source> It also echoes what is sent.</source>
+        <translation> Es sendet außerdem ein Echo des Gesendeten.</translation></message>
+    <message><source>Switched off and on, it will run at {0}.</source>
+        <translation>Nach dem Aus- und Einschalten läuft es mit {0}.</translation></message>
+    <message><source>Something is connected to {0}, but it does not respond like a TReX: it sent {1} at {2}{3}. It is another device, or the line is noisy.</source>
+        <translation>An {0} ist etwas angeschlossen, das aber nicht wie ein TReX antwortet: Es hat {1} mit {2} gesendet{3}. Es ist ein anderes Gerät, oder die Leitung ist gestört.</translation></message>
+    <message><source>It is set to {0} baud, which firmware {1} runs at half the rate: connect at {2}.</source>
+        <translation>Es ist auf {0} Baud eingestellt; Firmware {1} läuft dabei mit der Hälfte: Verbinden Sie mit {2}.</translation></message>
+    <message><source>It is set to {0} stop bits; both numbers work on this line.</source>
+        <translation>Es ist auf {0} Stoppbits eingestellt; an dieser Leitung funktioniert beides.</translation></message>
+    <message><source> The port cannot be set to {0} baud, so nothing was probed there.</source>
+        <translation> Der Port lässt sich nicht auf {0} Baud einstellen, daher wurde damit nicht gesucht.</translation></message>
+    <message><source>No TReX responds on {0} at any baud rate, with any parity or with CRC. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), and that ground is connected. A board with a custom CRC polynomial is only found by the full scan.</source>
+        <translation>An {0} antwortet kein TReX, bei keiner Baudrate, mit keiner Parität und nicht mit CRC. Prüfen Sie, ob das Board Strom hat (eine LED leuchtet), ob TX des Adapters mit SI und RX mit SO verbunden ist (oder beide mit den RS-232-Pins, nie gemischt) und ob die Masse verbunden ist. Ein Board mit eigenem CRC-Polynom findet nur die vollständige Suche.</translation></message>
+    <message><source>, and something at {0} more</source>
+        <translation>, und bei {0} weiteren ebenfalls etwas</translation></message>
+    <message><source>Its UART settings hold {0:#04x}, which is not a known setting.</source>
+        <translation>Seine UART-Einstellungen enthalten {0:#04x}; das ist keine bekannte Einstellung.</translation></message>
+    <message><source>No TReX responds on {0}: everything sent comes back, and nothing else, at every rate. Either this is the RS-232 side of a board that is off, or the adapter's TX and RX are joined.</source>
+        <translation>An {0} antwortet kein TReX: Alles Gesendete kommt zurück, und sonst nichts, bei jeder Baudrate. Entweder ist das die RS-232-Seite eines ausgeschalteten Boards, oder TX und RX des Adapters sind verbunden.</translation></message>
+    <message><source>No TReX responds on {0}. Its baud rate is set at the other end of the network, so only that one could be tried, without parity and without CRC.</source>
+        <translation>An {0} antwortet kein TReX. Die Baudrate ist am anderen Ende des Netzwerks eingestellt, daher konnte nur diese versucht werden, ohne Parität und ohne CRC.</translation></message>
+    <message><source>The connection was lost: motors may still turn.</source>
+        <translation>Die Verbindung ist abgebrochen: Die Motoren können sich noch drehen.</translation></message>
+    <message><source>Cut their power.</source>
+        <translation>Trennen Sie die Motorversorgung.</translation></message>
+    <message><source>The board does not respond.</source>
+        <translation>Das Board antwortet nicht.</translation></message>
+    <message><source>Check its power and the cable.</source>
+        <translation>Prüfen Sie seine Stromversorgung und das Kabel.</translation></message>
+    <message><source>Channel {0} is required but has no signal.</source>
+        <translation>Kanal {0} ist erforderlich, hat aber kein Signal.</translation></message>
+    <message><source>Safe-start keeps the motors off: switch the transmitter on and release its sticks.</source>
+        <translation>Safe-Start hält die Motoren ausgeschaltet: Schalten Sie den Sender ein und lassen Sie seine Knüppel los.</translation></message>
+    <message><source>Channel {0} is {1} above neutral.</source>
+        <translation>Kanal {0} liegt {1} über der Neutralstellung.</translation></message>
+    <message><source>Safe-start holds the motors until it is within about {2}: release the stick, or calibrate the channel.</source>
+        <translation>Safe-Start hält die Motoren zurück, bis er höchstens etwa {2} abweicht: Lassen Sie den Knüppel los oder kalibrieren Sie den Kanal.</translation></message>
+    <message><source>Channel {0} is {1} below neutral.</source>
+        <translation>Kanal {0} liegt {1} unter der Neutralstellung.</translation></message>
+    <message><source>Channel 5 requests serial override.</source>
+        <translation>Kanal 5 fordert den seriellen Vorrang an.</translation></message>
+    <message><source>Safe-start holds the motors until this switch is off once.</source>
+        <translation>Safe-Start hält die Motoren zurück, bis dieser Schalter einmal aus ist.</translation></message>
+    <message><source>Safe-start may be holding the motors.</source>
+        <translation>Vielleicht hält Safe-Start die Motoren zurück.</translation></message>
+    <message><source>Release all sticks.</source>
+        <translation>Lassen Sie alle Knüppel los.</translation></message>
+    <message><source>Motor {0} has no drive: its driver shut down (too hot, a short circuit, or low voltage).</source>
+        <translation>Motor {0} wird nicht angetrieben: Sein Treiber hat abgeschaltet (zu heiß, Kurzschluss oder Unterspannung).</translation></message>
+    <message><source>Reduce the load, check wires and battery, let it cool.</source>
+        <translation>Verringern Sie die Last, prüfen Sie Kabel und Batterie, lassen Sie den Treiber abkühlen.</translation></message>
+    <message><source>Serial timeout ({0}): the board received nothing and stopped the motors.</source>
+        <translation>Serielles Timeout ({0}): Das Board hat nichts empfangen und die Motoren gestoppt.</translation></message>
+    <message><source>Check the cable, or set a longer Serial Timeout in Parameters.</source>
+        <translation>Prüfen Sie das Kabel oder stellen Sie unter „Parameter“ ein längeres „Serielles Timeout“ ein.</translation></message>
+    <message><source>Serial errors ({0}): the board stops the motors when bytes arrive corrupted.</source>
+        <translation>Serielle Fehler ({0}): Das Board stoppt die Motoren, wenn Bytes verfälscht ankommen.</translation></message>
+    <message><source>Check cable and ground; UART-Error Shutdown can be turned off in Parameters.</source>
+        <translation>Prüfen Sie Kabel und Masse; „Abschaltung bei UART-Fehlern“ lässt sich unter „Parameter“ ausschalten.</translation></message>
+    <message><source>Stopping: the board has not confirmed it yet.</source>
+        <translation>Stopp läuft: Das Board hat ihn noch nicht bestätigt.</translation></message>
+    <message><source>The stop is being repeated; motors may still turn.</source>
+        <translation>Der Stopp wird wiederholt; die Motoren können sich noch drehen.</translation></message>
+    <message><source>Stopped. The motors are locked for {0} s.</source>
+        <translation>Gestoppt. Die Motoren sind für {0} s gesperrt.</translation></message>
+    <message><source>Then Run motor arms them again.</source>
+        <translation>Danach gibt „Motor freigeben“ sie wieder frei.</translation></message>
+    <message><source>No board is connected.</source>
+        <translation>Es ist kein Board verbunden.</translation></message>
+    <message><source>Choose a port above and press Connect.</source>
+        <translation>Wählen Sie oben einen Port und klicken Sie auf „Verbinden“.</translation></message>
+    <message><source>The program is connecting to the board.</source>
+        <translation>Das Programm verbindet sich mit dem Board.</translation></message>
+    <message><source>The connection is being closed.</source>
+        <translation>Die Verbindung wird geschlossen.</translation></message>
+    <message><source>The board has not reported yet what controls the motors.</source>
+        <translation>Das Board hat noch nicht gemeldet, was die Motoren steuert.</translation></message>
+    <message><source>The board reports that serial commands do not control the motors.</source>
+        <translation>Das Board meldet, dass serielle Befehle die Motoren nicht steuern.</translation></message>
+    <message><source>Switch it off and on.</source>
+        <translation>Schalten Sie es aus und ein.</translation></message>
+    <message><source>The RC channels control the motors, not serial commands.</source>
+        <translation>Die RC-Kanäle steuern die Motoren, nicht serielle Befehle.</translation></message>
+    <message><source>To drive by serial commands, turn on the override switch (channel 5), or switch the board off, remove the mode jumper and switch it on.</source>
+        <translation>Um mit seriellen Befehlen zu fahren, schalten Sie den Vorrangschalter (Kanal 5) ein oder schalten Sie das Board aus, ziehen Sie den Modus-Jumper ab und schalten Sie es ein.</translation></message>
+    <message><source>The analog channels control the motors, not serial commands.</source>
+        <translation>Die Analogkanäle steuern die Motoren, nicht serielle Befehle.</translation></message>
+    <message><source>Commands without a device number would reach several boards.</source>
+        <translation>Befehle ohne Gerätenummer würden mehrere Boards erreichen.</translation></message>
+    <message><source>Select one of the boards on this line.</source>
+        <translation>Wählen Sie eines der Boards an dieser Leitung aus.</translation></message>
+    <message><source>The motors cannot be armed at this moment.</source>
+        <translation>Die Motoren können im Moment nicht freigegeben werden.</translation></message>
+    <message><source>Stopped. {0}</source>
+        <translation>Gestoppt. {0}</translation></message>
+    <message><source>Run motor arms the motors again.</source>
+        <translation>„Motor freigeben“ gibt die Motoren wieder frei.</translation></message>
+    <message><source>Not armed: nothing is sent yet.</source>
+        <translation>Nicht freigegeben: Es wird noch nichts gesendet.</translation></message>
+    <message><source>Put the robot on blocks, then press Run motor.</source>
+        <translation>Bocken Sie den Roboter auf und klicken Sie dann auf „Motor freigeben“.</translation></message>
+    <message><source>Motor {0} is slowed down: current over the limit.</source>
+        <translation>Motor {0} wird verlangsamt: Strom über der Grenze.</translation></message>
+    <message><source>Reduce the load, or raise the current limit in Parameters.</source>
+        <translation>Verringern Sie die Last oder erhöhen Sie die Stromgrenze unter „Parameter“.</translation></message>
+    <message><source>The motors are armed: the controls on the Motors page move them.</source>
+        <translation>Die Motoren sind freigegeben: Die Bedienelemente der Seite „Motoren“ bewegen sie.</translation></message>
+    <message><source>Esc stops everything.</source>
+        <translation>Esc stoppt alles.</translation></message>
+    <message><source>Channel 5 overrides the sticks for as long as its switch is on.</source>
+        <translation>Kanal 5 hat Vorrang vor den Knüppeln, solange sein Schalter ein ist.</translation></message>
+    <message><source>Joint mode: both drivers work as one motor.</source>
+        <translation>Parallelbetrieb: Beide Treiber treiben gemeinsam einen Motor an.</translation></message>
+    <message><source>If the green LED is steady instead, safe-start is over.</source>
+        <translation>Leuchtet die grüne LED stattdessen dauernd, ist Safe-Start beendet.</translation></message>
+    <message><source>on</source>
+        <translation>an</translation></message>
+    <message><source>flickers with each packet</source>
+        <translation>flackert bei jedem Paket</translation></message>
+    <message><source>flashes fast</source>
+        <translation>blinkt schnell</translation></message>
+    <message><source>Not written: the board stores other settings than when it was reviewed.</source>
+        <translation>Nicht geschrieben: Das Board speichert andere Einstellungen als bei der Prüfung.</translation></message>
+    <message><source>The same settings for several boards</source>
+        <translation>Dieselben Einstellungen für mehrere Boards</translation></message>
+    <message><source>It does not respond. Check that it has power.</source>
+        <translation>Es antwortet nicht. Prüfen Sie, ob es mit Strom versorgt ist.</translation></message>
+    <message><source>Not verified: {0}. {1}</source>
+        <translation>Konnte nicht bestätigt werden: {0}. {1}</translation></message>
+    <message><source>The line was closed.</source>
+        <translation>Die Leitung wurde geschlossen.</translation></message>
+    <message><source>In joint mode the board measures no current, so a test could not be aborted.</source>
+        <translation>Im Parallelbetrieb misst das Board keinen Strom; ein Prüflauf ließe sich nicht abbrechen.</translation></message>
+    <message><source>No current was read yet.</source>
+        <translation>Es wurde noch kein Strom gelesen.</translation></message>
+    <message><source>The board stopped responding.</source>
+        <translation>Das Board antwortet nicht mehr.</translation></message>
+    <message><source>The connection was closed.</source>
+        <translation>Die Verbindung wurde geschlossen.</translation></message>
+    <message><source>Serial commands no longer control the motors.</source>
+        <translation>Serielle Befehle steuern die Motoren nicht mehr.</translation></message>
+    <message><source>Stop was pressed.</source>
+        <translation>„Motoren stoppen“ wurde gedrückt.</translation></message>
+    <message><source>Bench test of motor {0}: {1}</source>
+        <translation>Prüflauf von Motor {0}: {1}</translation></message>
+    <message><source>Motor {0} drew {1:.2f} A, more than the abort current of {2:g} A.</source>
+        <translation>Motor {0} nahm {1:.2f} A auf, mehr als den Abbruchstrom von {2:g} A.</translation></message>
+    <message><source>The board's serial timeout stopped the motors.</source>
+        <translation>Das serielle Timeout des Boards hat die Motoren gestoppt.</translation></message>
+    <message><source>The driver of motor {0} reported a fault.</source>
+        <translation>Der Treiber von Motor {0} hat einen Fehler gemeldet.</translation></message>
+    <message><source>No current was read for {0:g} s.</source>
+        <translation>{0:g} s lang wurde kein Strom gelesen.</translation></message>
+    <message><source>Motor {0} exceeded its current limit.</source>
+        <translation>Motor {0} hat seine Stromgrenze überschritten.</translation></message>
+    <message numerus="yes"><source>%n board(s) on this line.</source>
+        <translation><numerusform>%n Board an dieser Leitung.</numerusform><numerusform>%n Boards an dieser Leitung.</numerusform></translation></message>
+    <message><source>No other board replies on this line. Each needs power, the serial settings of this one, and a device number of its own.</source>
+        <translation>An dieser Leitung antwortet kein anderes Board. Jedes braucht Strom, dieselben seriellen Einstellungen wie dieses und eine eigene Gerätenummer.</translation></message>
+    <message><source>Another board was selected.</source>
+        <translation>Ein anderes Board wurde ausgewählt.</translation></message>
+    <message><source>Minimum and maximum must differ.</source>
+        <translation>Minimum und Maximum müssen verschieden sein.</translation></message>
+    <message><source>A pulse cannot be shorter than {0}.</source>
+        <translation>Ein Impuls kann nicht kürzer als {0} sein.</translation></message>
+    <message><source>A pulse cannot be longer than {0}.</source>
+        <translation>Ein Impuls kann nicht länger als {0} sein.</translation></message>
+    <message><source>A voltage cannot be lower than {0}.</source>
+        <translation>Eine Spannung kann nicht niedriger als {0} sein.</translation></message>
+    <message><source>A voltage cannot be higher than {0}.</source>
+        <translation>Eine Spannung kann nicht höher als {0} sein.</translation></message>
+    <message><source>Minimum cannot pass neutral.</source>
+        <translation>Das Minimum kann nicht über die Neutralstellung hinaus.</translation></message>
+    <message><source>Maximum cannot pass neutral.</source>
+        <translation>Das Maximum kann nicht über die Neutralstellung hinaus.</translation></message>
+    <message><source>The deadband cannot be wider than the travel.</source>
+        <translation>Der Totbereich kann nicht breiter als der Weg sein.</translation></message>
+    <message><source>That would leave {0} on each side of neutral, {1} of it deadband: too little to reach every output value.</source>
+        <translation>Damit blieben {0} auf jeder Seite der Neutralstellung, davon {1} Totbereich: zu wenig, um jeden Ausgangswert zu erreichen.</translation></message>
+    <message><source>Neutral cannot pass minimum.</source>
+        <translation>Die Neutralstellung kann nicht über das Minimum hinaus.</translation></message>
+    <message><source>Neutral cannot pass maximum.</source>
+        <translation>Die Neutralstellung kann nicht über das Maximum hinaus.</translation></message>
+    <message><source>The deadband ends at neutral.</source>
+        <translation>Der Totbereich endet an der Neutralstellung.</translation></message>
+    <message><source>Motor 1</source>
+        <translation>Motor 1</translation></message>
+    <message><source>Motor 2</source>
+        <translation>Motor 2</translation></message>
+    <message><source>Auxiliary</source>
+        <translation>Hilfsmotor</translation></message>
+    <message><source>Flip</source>
+        <translation>Umdrehen</translation></message>
+    <message><source>Override</source>
+        <translation>Vorrang</translation></message>
+    <message><source>RC pulses</source>
+        <translation>RC-Impulse</translation></message>
+    <message><source>analog voltages</source>
+        <translation>Analogspannungen</translation></message>
+    <message><source>drives motor 1; with the mix jumper on it steers</source>
+        <translation>steuert Motor 1; mit gestecktem Mix-Jumper lenkt er</translation></message>
+    <message><source>drives motor 2; with the mix jumper on it drives forward and back</source>
+        <translation>steuert Motor 2; mit gestecktem Mix-Jumper steuert er vor und zurück</translation></message>
+    <message><source>drives the auxiliary motor, which turns one way only</source>
+        <translation>steuert den Hilfsmotor, der nur in eine Richtung dreht</translation></message>
+    <message><source>is the flip switch: motors 1 and 2 change places and directions</source>
+        <translation>ist der Umdrehschalter: Motor 1 und 2 tauschen Platz und Drehrichtung</translation></message>
+    <message><source>is the override switch: serial commands control the motors</source>
+        <translation>ist der Vorrangschalter: Serielle Befehle steuern die Motoren</translation></message>
+    <message><source>drives motor 1 (the mix jumper is off)</source>
+        <translation>steuert Motor 1 (der Mix-Jumper ist nicht gesteckt)</translation></message>
+    <message><source>steers: it moves both motors (the mix jumper is on)</source>
+        <translation>lenkt: er bewegt beide Motoren (der Mix-Jumper ist gesteckt)</translation></message>
+    <message><source>drives motor 2 (the mix jumper is off)</source>
+        <translation>steuert Motor 2 (der Mix-Jumper ist nicht gesteckt)</translation></message>
+    <message><source>drives both motors forward and back (the mix jumper is on)</source>
+        <translation>steuert beide Motoren vor und zurück (der Mix-Jumper ist gesteckt)</translation></message>
+    <message><source>drives the one motor that both drivers power (joint mode, no mixing)</source>
+        <translation>steuert den einen Motor, den beide Treiber speisen (Parallelbetrieb, kein Mischer)</translation></message>
+    <message><source>has no motor: in joint mode both drivers power motor 1</source>
+        <translation>hat keinen Motor: im Parallelbetrieb speisen beide Treiber Motor 1</translation></message>
+    <message><source>Not learned: it has the factory default calibration.</source>
+        <translation>Nicht eingelernt: Er hat die Kalibrierung der Werkseinstellungen.</translation></message>
+    <message><source>Read only; does not drive. In RC and analog mode it {1}.</source>
+        <translation>Wird nur gelesen; steuert nichts. Im RC- und Analogmodus gilt: Er {1}.</translation></message>
+    <message><source>above about {0}</source>
+        <translation>über etwa {0}</translation></message>
+    <message><source>below about {0}</source>
+        <translation>unter etwa {0}</translation></message>
+    <message><source>Learned: the board stores a calibration of its own for it.</source>
+        <translation>Eingelernt: Das Board speichert eine eigene Kalibrierung für ihn.</translation></message>
+    <message><source>The board reads {0} now, and only shows and accepts calibrations for them. To see these, make it read {1}: set Channel Input Source, apply, and switch the board off and on.</source>
+        <translation>Das Board liest jetzt {0}, und nur dafür zeigt und akzeptiert es Kalibrierungen. Um diese hier zu sehen, lassen Sie es {1} lesen: Stellen Sie „Eingangsquelle der Kanäle“ um, wenden Sie die Änderung an und schalten Sie das Board aus und ein.</translation></message>
+    <message><source>applied {0}</source>
+        <translation>angewendet {0}</translation></message>
+    <message><source>read {0}</source>
+        <translation>gelesen {0}</translation></message>
+    <message><source>Neutral ({1}) is beyond the input: {3}. No stick position gives 0.</source>
+        <translation>Die Neutralstellung ({1}) liegt außerhalb des Eingangsbereichs: {3}. Keine Knüppelstellung ergibt 0.</translation></message>
+    <message><source>a pulse is {0} to {1}</source>
+        <translation>ein Impuls dauert {0} bis {1}</translation></message>
+    <message><source>a voltage is {0} to {1}</source>
+        <translation>eine Spannung beträgt {0} bis {1}</translation></message>
+    <message><source>The deadband ({0} to each side of neutral) reaches minimum and maximum: there is nothing between 0 and full output.</source>
+        <translation>Der Totbereich ({0} auf jeder Seite der Neutralstellung) reicht bis zum Minimum und zum Maximum: Zwischen 0 und vollem Ausgang liegt nichts.</translation></message>
+    <message><source>is ignored: it is held off, whatever its input is</source>
+        <translation>wird ignoriert: er bleibt aus, was auch immer am Eingang anliegt</translation></message>
+    <message><source>is ignored: it is held at neutral, whatever its input is</source>
+        <translation>wird ignoriert: er bleibt in Neutralstellung, was auch immer am Eingang anliegt</translation></message>
+    <message><source>Does not drive now: serial commands override it. Otherwise it {1}.</source>
+        <translation>Steuert jetzt nichts: Serielle Befehle haben Vorrang. Sonst gilt: Er {1}.</translation></message>
+    <message><source>The board reads {0} now, and only shows and accepts calibrations for them. To see these: switch it off, put the mode jumper to RC, switch it on.</source>
+        <translation>Das Board liest jetzt {0}, und nur dafür zeigt und akzeptiert es Kalibrierungen. Um diese hier zu sehen: Schalten Sie es aus, stecken Sie den Modus-Jumper auf RC, schalten Sie es ein.</translation></message>
+    <message><source>The board reads {0} now, and only shows and accepts calibrations for them. To see these: switch it off, put the mode jumper to analog, switch it on.</source>
+        <translation>Das Board liest jetzt {0}, und nur dafür zeigt und akzeptiert es Kalibrierungen. Um diese hier zu sehen: Schalten Sie es aus, stecken Sie den Modus-Jumper auf Analog, schalten Sie es ein.</translation></message>
+    <message><source>Minimum ({0}) and maximum ({2}) are beyond the input: {3}. Full output is never reached.</source>
+        <translation>Minimum ({0}) und Maximum ({2}) liegen außerhalb des Eingangsbereichs: {3}. Der volle Ausgang wird nie erreicht.</translation></message>
+    <message><source>The deadband ({0} to each side of neutral) reaches minimum: there is nothing between 0 and full output on that side.</source>
+        <translation>Der Totbereich ({0} auf jeder Seite der Neutralstellung) reicht bis zum Minimum: Zwischen 0 und vollem Ausgang liegt auf dieser Seite nichts.</translation></message>
+    <message><source>On now. It {1}.</source>
+        <translation>Jetzt ein. Er {1}.</translation></message>
+    <message><source>Channel {0} {1}.</source>
+        <translation>Kanal {0} {1}.</translation></message>
+    <message><source>{0} It accepts a calibration only when minimum is not above neutral, neutral is not above maximum, and minimum and maximum differ.</source>
+        <translation>{0} Es akzeptiert eine Kalibrierung nur, wenn das Minimum nicht über der Neutralstellung und die Neutralstellung nicht über dem Maximum liegt und Minimum und Maximum verschieden sind.</translation></message>
+    <message><source>{0} The edits are kept meanwhile.</source>
+        <translation>{0} Die Änderungen bleiben so lange erhalten.</translation></message>
+    <message><source>Minimum ({0}) cannot be above neutral ({1}).</source>
+        <translation>Das Minimum ({0}) kann nicht über der Neutralstellung ({1}) liegen.</translation></message>
+    <message><source>Maximum ({0}) cannot be below neutral ({1}).</source>
+        <translation>Das Maximum ({0}) kann nicht unter der Neutralstellung ({1}) liegen.</translation></message>
+    <message><source>Minimum and maximum cannot both be {0}.</source>
+        <translation>Minimum und Maximum können nicht beide {0} sein.</translation></message>
+    <message><source>The board would reject this: {0}.</source>
+        <translation>Das Board würde dies ablehnen: {0}.</translation></message>
+    <message><source>Minimum ({0}) is beyond the input: {3}. Full output on that side is never reached.</source>
+        <translation>Das Minimum ({0}) liegt außerhalb des Eingangsbereichs: {3}. Der volle Ausgang auf dieser Seite wird nie erreicht.</translation></message>
+    <message><source>The deadband ({0} to each side of neutral) reaches maximum: there is nothing between 0 and full output on that side.</source>
+        <translation>Der Totbereich ({0} auf jeder Seite der Neutralstellung) reicht bis zum Maximum: Zwischen 0 und vollem Ausgang liegt auf dieser Seite nichts.</translation></message>
+    <message><source>{0} while the input is {1}</source>
+        <translation>{0}, solange der Eingang {1} liegt</translation></message>
+    <message><source>Maximum ({2}) is beyond the input: {3}. Full output on that side is never reached.</source>
+        <translation>Das Maximum ({2}) liegt außerhalb des Eingangsbereichs: {3}. Der volle Ausgang auf dieser Seite wird nie erreicht.</translation></message>
+    <message><source>{0}; it is reversed</source>
+        <translation>{0}; er ist umgekehrt</translation></message>
+    <message><source>Selecting device {0} …</source>
+        <translation>Gerät {0} wird ausgewählt …</translation></message>
+    <message><source>The board has stopped responding. Is its power on? Waiting for it …</source>
+        <translation>Das Board antwortet nicht mehr. Ist es eingeschaltet? Es wird darauf gewartet …</translation></message>
+    <message><source>Connected to {0}.</source>
+        <translation>Verbunden mit {0}.</translation></message>
+    <message><source>No reply yet. Trying other settings: {0} …</source>
+        <translation>Noch keine Antwort. Andere Einstellungen werden probiert: {0} …</translation></message>
+    <message><source>noisy: {0:.1f} % of the requests of the last {1:.0f} s answered</source>
+        <translation>gestört: {0:.1f} % der Anfragen der letzten {1:.0f} s beantwortet</translation></message>
+    <message><source>being measured …</source>
+        <translation>wird gemessen …</translation></message>
+    <message><source>good: {0:.1f} % of the requests of the last {1:.0f} s answered</source>
+        <translation>gut: {0:.1f} % der Anfragen der letzten {1:.0f} s beantwortet</translation></message>
+    <message><source>{0}. The stop is not confirmed: {1} If a motor still turns, cut its power.</source>
+        <translation>{0}. Der Stopp ist nicht bestätigt: {1} Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
+    <message><source>{0}. No board is connected that could be stopped, and motors may still turn: cut their power.</source>
+        <translation>{0}. Es ist kein Board verbunden, das sich stoppen ließe, und die Motoren können sich noch drehen: Trennen Sie die Motorversorgung.</translation></message>
+    <message><source>{0}: noisy; shorten cable, check ground</source>
+        <translation>{0}: gestört; Kabel kürzen, Masse prüfen</translation></message>
+    <message><source>Line: good</source>
+        <translation>Leitung: gut</translation></message>
+    <message><source>{0:.1f} % lost</source>
+        <translation>{0:.1f} % verloren</translation></message>
+    <message><source>{0}: noisy; shorten cable, check ground, use CRC</source>
+        <translation>{0}: gestört; Kabel kürzen, Masse prüfen, CRC verwenden</translation></message>
+    <message><source>The stop is not confirmed. If a motor still turns, cut its power.</source>
+        <translation>Der Stopp ist nicht bestätigt. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
+    <message><source>{0}. The stop was sent, and is not confirmed yet.</source>
+        <translation>{0}. Der Stopp wurde gesendet und ist noch nicht bestätigt.</translation></message>
+    <message><source>{0}, so the motors were stopped.</source>
+        <translation>{0}, daher wurden die Motoren gestoppt.</translation></message>
+    <message><source>{0}. The line is closed.</source>
+        <translation>{0}. Die Leitung ist geschlossen.</translation></message>
+    <message><source>{0}. The board has confirmed the stop.</source>
+        <translation>{0}. Das Board hat den Stopp bestätigt.</translation></message>
+    <message><source>The board accepts changes in serial mode only: switch it off, remove the mode jumper, switch it on. Edits are kept.</source>
+        <translation>Das Board nimmt Änderungen nur im seriellen Modus an: Schalten Sie es aus, ziehen Sie den Modus-Jumper ab, schalten Sie es ein. Änderungen bleiben erhalten.</translation></message>
+    <message><source>Nothing was written: another board was selected.</source>
+        <translation>Es wurde nichts geschrieben: Ein anderes Board wurde ausgewählt.</translation></message>
+    <message><source>Edits, notes or settings were kept here for another board with this device number. They are in {0} now.</source>
+        <translation>Für ein anderes Board mit dieser Gerätenummer waren hier Änderungen, Notizen oder Einstellungen hinterlegt. Sie sind jetzt in {0}.</translation></message>
+    <message><source>Reset to factory defaults</source>
+        <translation>Auf Werkseinstellungen zurücksetzen</translation></message>
+    <message><source>Nothing was written: without a device number it would reach several boards. Select one of the boards on this line.</source>
+        <translation>Es wurde nichts geschrieben: Ohne Gerätenummer würde es mehrere Boards erreichen. Wählen Sie eines der Boards an dieser Leitung aus.</translation></message>
+    <message><source>Nothing was written: other settings were read from the board.</source>
+        <translation>Es wurde nichts geschrieben: Vom Board wurden andere Einstellungen gelesen.</translation></message>
+    <message numerus="yes"><source>%n edit(s) not applied to the previous {0}: kept, and offered when it is connected again.</source>
+        <translation><numerusform>%n Änderung wurde nicht auf {0}, das vorige Board, angewendet: Sie bleibt erhalten und wird angeboten, wenn es wieder verbunden ist.</numerusform><numerusform>%n Änderungen wurden nicht auf {0}, das vorige Board, angewendet: Sie bleiben erhalten und werden angeboten, wenn es wieder verbunden ist.</numerusform></translation></message>
+    <message numerus="yes"><source>%n earlier change(s) still pending. Click Apply to write to this board.</source>
+        <translation><numerusform>%n frühere Änderung ist noch ausstehend. Klicken Sie auf „Einstellungen anwenden“, um sie auf dieses Board zu schreiben.</numerusform><numerusform>%n frühere Änderungen sind noch ausstehend. Klicken Sie auf „Einstellungen anwenden“, um sie auf dieses Board zu schreiben.</numerusform></translation></message>
+    <message numerus="yes"><source>%n edit(s) of the former board kept: they return when it is selected again.</source>
+        <translation><numerusform>%n Änderung des bisherigen Boards bleibt erhalten: Sie ist wieder da, wenn es erneut ausgewählt wird.</numerusform><numerusform>%n Änderungen des bisherigen Boards bleiben erhalten: Sie sind wieder da, wenn es erneut ausgewählt wird.</numerusform></translation></message>
+    <message><source>Nothing was written: the board does not respond.</source>
+        <translation>Es wurde nichts geschrieben: Das Board antwortet nicht.</translation></message>
+    <message><source>{0}, device {1}</source>
+        <translation>{0}, Gerät {1}</translation></message>
+    <message><source>{0} set</source>
+        <translation>{0} gesetzt</translation></message>
+    <message><source>The line is noisy: {0:.1f} % lost</source>
+        <translation>Die Leitung ist gestört: {0:.1f} % verloren</translation></message>
+    <message><source>The line is good again</source>
+        <translation>Die Leitung ist wieder gut</translation></message>
+    <message><source>Reading again failed. {0}</source>
+        <translation>Erneutes Lesen fehlgeschlagen. {0}</translation></message>
+    <message><source>No stop is known to have reached the {0} that was driven at {1}: another board responded. If its motor still turns, cut its power.</source>
+        <translation>Ob ein Stopp das an {1} angesteuerte Board ({0}) erreicht hat, ist nicht bekannt: Ein anderes Board hat geantwortet. Falls sich am angesteuerten Board noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
+    <message><source>The board received nothing within its Serial Timeout and stopped its motors.</source>
+        <translation>Das Board hat innerhalb seines seriellen Timeouts nichts empfangen und seine Motoren gestoppt.</translation></message>
+    <message><source>The board stopped its motors because of an error on the line ({0}): UART-Error Shutdown is set.</source>
+        <translation>Das Board hat seine Motoren wegen eines Fehlers auf der Leitung ({0}) gestoppt: „Abschaltung bei UART-Fehlern“ ist eingestellt.</translation></message>
+    <message><source>The connection is not responding, so the stop could not be sent. The guardian process sends it now. If a motor still turns, cut its power.</source>
+        <translation>Die Verbindung reagiert nicht, daher konnte der Stopp nicht gesendet werden. Der Wächterprozess sendet ihn jetzt. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
+    <message><source>The connection is not responding, so the stop could not be sent. If a motor still turns, cut its power.</source>
+        <translation>Die Verbindung reagiert nicht, daher konnte der Stopp nicht gesendet werden. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
+    <message><source>Another board responds now: {0}, at {1}.</source>
+        <translation>Jetzt antwortet ein anderes Board: {0}, an {1}.</translation></message>
+    <message><source>The line to {0} was lost before a stop was confirmed. The board at this port has confirmed one; if it is another board, cut the power of the first.</source>
+        <translation>Die Leitung zu {0} brach ab, bevor ein Stopp bestätigt war. Das Board an diesem Port hat einen bestätigt; falls es ein anderes Board ist, trennen Sie die Motorversorgung des ersten.</translation></message>
+    <message><source>{0} The motors were stopped. Press Run motor to continue.</source>
+        <translation>{0} Die Motoren wurden gestoppt. Klicken Sie auf „Motor freigeben“, um fortzufahren.</translation></message>
+    <message><source>{0} A stop was sent but is not confirmed yet.</source>
+        <translation>{0} Ein Stopp wurde gesendet, ist aber noch nicht bestätigt.</translation></message>
+    <message><source>The board that disconnected while driving is back.</source>
+        <translation>Das Board, dessen Verbindung beim Fahren abbrach, ist wieder da.</translation></message>
+    <message><source>This may be another board: {0}, at {1}, does not store the settings of the one that was driven.</source>
+        <translation>Das ist vielleicht ein anderes Board: {0}, an {1}, speichert nicht die Einstellungen des Boards, das angesteuert wurde.</translation></message>
+    <message><source>Serial commands no longer reach the motors.</source>
+        <translation>Serielle Befehle erreichen die Motoren nicht mehr.</translation></message>
+    <message><source>A setting of the board changed, so the motors were stopped.</source>
+        <translation>Eine Einstellung des Boards hat sich geändert, daher wurden die Motoren gestoppt.</translation></message>
+    <message><source>The board was restarted, so the motors were stopped.</source>
+        <translation>Das Board wurde neu gestartet, daher wurden die Motoren gestoppt.</translation></message>
+    <message><source>The board stops them {0} after the last byte it received; if not, cut their power.</source>
+        <translation>Das Board stoppt sie {0} nach dem letzten empfangenen Byte; wenn nicht, trennen Sie die Motorversorgung.</translation></message>
+    <message><source>The board does not respond: motors may still turn.</source>
+        <translation>Das Board antwortet nicht: Die Motoren können sich noch drehen.</translation></message>
+    <message><source>Check its power and the cable; the stop is being repeated.</source>
+        <translation>Prüfen Sie seine Stromversorgung und das Kabel; der Stopp wird wiederholt.</translation></message>
+    <message><source>The board stops them {0} after the last byte it received.</source>
+        <translation>Das Board stoppt sie {0} nach dem letzten empfangenen Byte.</translation></message>
+    <message><source>{0} Doubtful: the line is noisy and has no CRC.</source>
+        <translation>{0} Zweifelhaft: Die Leitung ist gestört und hat kein CRC.</translation></message>
+    <message><source>Setpoint: none</source>
+        <translation>Sollwert: keiner</translation></message>
+    <message><source>forward</source>
+        <translation>vorwärts</translation></message>
+    <message><source>reverse</source>
+        <translation>rückwärts</translation></message>
+    <message><source>Serial timeout is off: motors keep turning if the cable or this computer fails.</source>
+        <translation>Das serielle Timeout ist aus: Die Motoren drehen sich weiter, wenn das Kabel oder dieser Computer ausfällt.</translation></message>
+    <message><source>Setpoint: coast</source>
+        <translation>Sollwert: auslaufen</translation></message>
+    <message><source>Setpoint: {0}</source>
+        <translation>Sollwert: {0}</translation></message>
+    <message><source>Channel {0}: {1}</source>
+        <translation>Kanal {0}: {1}</translation></message>
+    <message><source>Board: N/A</source>
+        <translation>Board: k. A.</translation></message>
+    <message><source>Board: {0}</source>
+        <translation>Board: {0}</translation></message>
+    <message><source>Serial timeout is off, and the guardian process could not be started: motors keep turning if the cable, this computer or this program fails.</source>
+        <translation>Das serielle Timeout ist aus, und der Wächterprozess konnte nicht gestartet werden: Die Motoren drehen sich weiter, wenn das Kabel, dieser Computer oder dieses Programm ausfällt.</translation></message>
+    <message><source>Setpoint: brake, {0:.0f} %</source>
+        <translation>Sollwert: bremsen, {0:.0f} %</translation></message>
+    <message><source>Channel {0}: N/A</source>
+        <translation>Kanal {0}: k. A.</translation></message>
+    <message><source>Channel {0}: no signal</source>
+        <translation>Kanal {0}: kein Signal</translation></message>
+    <message><source>serial in control</source>
+        <translation>seriell gesteuert</translation></message>
+    <message><source>serial not in control</source>
+        <translation>nicht seriell gesteuert</translation></message>
+    <message><source>no current sensing in joint mode</source>
+        <translation>keine Strommessung im Parallelbetrieb</translation></message>
+    <message><source>The guardian process could not be started: if this program fails, motors keep turning for the serial timeout of {0:g} s.</source>
+        <translation>Der Wächterprozess konnte nicht gestartet werden: Fällt dieses Programm aus, drehen sich die Motoren für die Dauer des seriellen Timeouts von {0:g} s weiter.</translation></message>
+    <message><source>channel {0} at {1} (overridden)</source>
+        <translation>Kanal {0} auf {1} (durch Vorrang ohne Wirkung)</translation></message>
+    <message><source>Serial timeout of {0:g} s is short for a network port: one late reply stops the motors while you drive. Set a longer one, or connect the board to this computer.</source>
+        <translation>Das serielle Timeout von {0:g} s ist kurz für einen Netzwerkport: Eine einzige späte Antwort stoppt die Motoren beim Fahren. Stellen Sie ein längeres ein oder schließen Sie das Board an diesen Computer an.</translation></message>
+    <message><source>Serial timeout of {0:g} s is short for {1} baud: one lost reply stops the motors while you drive. Set a longer one, or a faster baud rate.</source>
+        <translation>Das serielle Timeout von {0:g} s ist kurz für {1} Baud: Eine einzige verlorene Antwort stoppt die Motoren beim Fahren. Stellen Sie ein längeres oder eine höhere Baudrate ein.</translation></message>
+    <message><source>See the rows below.</source>
+        <translation>Siehe die Zeilen darunter.</translation></message>
+    <message><source>Check cable and ground, and that no other program sends on this line.</source>
+        <translation>Prüfen Sie Kabel und Masse und ob kein anderes Programm auf dieser Leitung sendet.</translation></message>
+    <message><source>Check cable and ground, and that every program on this line uses the same polynomial.</source>
+        <translation>Prüfen Sie Kabel und Masse und ob jedes Programm an dieser Leitung dasselbe Polynom verwendet.</translation></message>
+    <message><source>Check cable, ground and baud rate, and keep motor leads away from the line.</source>
+        <translation>Prüfen Sie Kabel, Masse und Baudrate, und halten Sie die Motorleitungen von der Leitung fern.</translation></message>
+    <message><source>Use a lower baud rate.</source>
+        <translation>Verwenden Sie eine niedrigere Baudrate.</translation></message>
+    <message><source>Check cable and ground, and that every program on this line uses the same parity.</source>
+        <translation>Prüfen Sie Kabel und Masse und ob jedes Programm an dieser Leitung dieselbe Parität verwendet.</translation></message>
+    <message><source>Let no other program send on this line.</source>
+        <translation>Lassen Sie kein anderes Programm auf dieser Leitung senden.</translation></message>
+    <message><source>Let other programs request fewer channels at once.</source>
+        <translation>Lassen Sie andere Programme weniger Kanäle auf einmal anfordern.</translation></message>
+    <message><source>Stop</source>
+        <translation>Stopp</translation></message>
+    <message><source>The board stopped responding</source>
+        <translation>Das Board antwortet nicht mehr</translation></message>
+    <message><source>Disconnected</source>
+        <translation>Getrennt</translation></message>
+    <message><source>Latched before connecting, perhaps by the search for the board: {0}</source>
+        <translation>Schon vor dem Verbinden gesetzt, vielleicht durch die Suche nach dem Board: {0}</translation></message>
+    <message><source>Connected to {0} on {1}.</source>
+        <translation>Verbunden mit {0} an {1}.</translation></message>
+    <message><source>A setting changed: the board was restarted, or another program wrote to it</source>
+        <translation>Eine Einstellung hat sich geändert: Das Board wurde neu gestartet, oder ein anderes Programm hat hineingeschrieben</translation></message>
+    <message><source>Device {0} selected: {1}</source>
+        <translation>Gerät {0} ausgewählt: {1}</translation></message>
+    <message><source>Disconnected before a stop was confirmed: motors may still turn</source>
+        <translation>Getrennt, bevor ein Stopp bestätigt war: Die Motoren können sich noch drehen</translation></message>
+    <message><source>{0} and {1} more</source>
+        <translation>{0} und {1} weitere</translation></message>
+    <message><source>Apply: {0}</source>
+        <translation>Anwenden: {0}</translation></message>
+    <message><source>Stop: {0}</source>
+        <translation>Stopp: {0}</translation></message>
+    <message><source>The board responds again</source>
+        <translation>Das Board antwortet wieder</translation></message>
+    <message><source>The board was switched off and on</source>
+        <translation>Das Board wurde aus- und eingeschaltet</translation></message>
+    <message><source>{0} ({1} failed)</source>
+        <translation>{0} ({1} fehlgeschlagen)</translation></message>
+    <message><source>The gamepad “{0}” was disconnected. Plug it in again to continue.</source>
+        <translation>Das Gamepad „{0}“ wurde getrennt. Stecken Sie es wieder ein, um fortzufahren.</translation></message>
+    <message><source>Another control drives now.</source>
+        <translation>Jetzt steuert ein anderes Bedienelement.</translation></message>
+    <message><source>button {0}</source>
+        <translation>Taste {0}</translation></message>
+    <message><source>axis {0}</source>
+        <translation>Achse {0}</translation></message>
+    <message><source>Driving with a gamepad was switched off.</source>
+        <translation>Das Fahren mit dem Gamepad wurde ausgeschaltet.</translation></message>
+    <message><source>Another gamepad was chosen.</source>
+        <translation>Ein anderes Gamepad wurde gewählt.</translation></message>
+    <message><source>The gamepad settings were changed.</source>
+        <translation>Die Einstellungen des Gamepads wurden geändert.</translation></message>
+    <message><source>No gamepad is connected. Plug one in or switch it on.</source>
+        <translation>Es ist kein Gamepad verbunden. Stecken Sie eines ein oder schalten Sie es ein.</translation></message>
+    <message><source>Press Run motor, then move a stick.</source>
+        <translation>Klicken Sie auf „Motor freigeben“ und bewegen Sie dann einen Knüppel.</translation></message>
+    <message><source>Release the sticks: driving starts only after both axes have been at rest. A worn stick may need a wider dead zone.</source>
+        <translation>Lassen Sie die Knüppel los: Das Fahren beginnt erst, wenn beide Achsen in Ruhe waren. Ein abgenutzter Knüppel braucht vielleicht eine größere Totzone.</translation></message>
+    <message><source>Release {0}, then hold it to drive.</source>
+        <translation>Lassen Sie {0} los und halten Sie sie dann zum Fahren gedrückt.</translation></message>
+    <message><source>Hold {0} and move a stick to drive.</source>
+        <translation>Halten Sie {0} gedrückt und bewegen Sie zum Fahren einen Knüppel.</translation></message>
+    <message><source>Move a stick to drive.</source>
+        <translation>Bewegen Sie zum Fahren einen Knüppel.</translation></message>
+    <message><source>Driving. Release the sticks to stop.</source>
+        <translation>Es wird gefahren. Lassen Sie die Knüppel los, um zu stoppen.</translation></message>
+    <message><source>Driving. Release {0} to stop.</source>
+        <translation>Es wird gefahren. Lassen Sie {0} los, um zu stoppen.</translation></message>
+    <message><source>button {0} ({1})</source>
+        <translation>Taste {0} ({1})</translation></message>
+    <message><source>axis {0} ({1})</source>
+        <translation>Achse {0} ({1})</translation></message>
+    <message><source>left stick, sideways</source>
+        <translation>linker Knüppel, seitwärts</translation></message>
+    <message><source>left stick, up and down</source>
+        <translation>linker Knüppel, auf und ab</translation></message>
+    <message><source>right stick, sideways</source>
+        <translation>rechter Knüppel, seitwärts</translation></message>
+    <message><source>right stick, up and down</source>
+        <translation>rechter Knüppel, auf und ab</translation></message>
+    <message><source>left trigger</source>
+        <translation>linker Trigger</translation></message>
+    <message><source>right trigger</source>
+        <translation>rechter Trigger</translation></message>
+    <message><source>left shoulder</source>
+        <translation>linke Schultertaste</translation></message>
+    <message><source>right shoulder</source>
+        <translation>rechte Schultertaste</translation></message>
+    <message><source>left stick pressed</source>
+        <translation>linker Knüppel gedrückt</translation></message>
+    <message><source>right stick pressed</source>
+        <translation>rechter Knüppel gedrückt</translation></message>
+    <message><source>cross up</source>
+        <translation>Steuerkreuz oben</translation></message>
+    <message><source>cross down</source>
+        <translation>Steuerkreuz unten</translation></message>
+    <message><source>cross left</source>
+        <translation>Steuerkreuz links</translation></message>
+    <message><source>cross right</source>
+        <translation>Steuerkreuz rechts</translation></message>
+    <message><source>A, the lowest of four</source>
+        <translation>A, die unterste von vier</translation></message>
+    <message><source>B, the right one of four</source>
+        <translation>B, die rechte von vier</translation></message>
+    <message><source>X, the left one of four</source>
+        <translation>X, die linke von vier</translation></message>
+    <message><source>Y, the highest of four</source>
+        <translation>Y, die oberste von vier</translation></message>
+    <message><source>The gamepad “{0}” was disconnected.</source>
+        <translation>Das Gamepad „{0}“ wurde getrennt.</translation></message>
+    <message><source>Press Run motor, then hold {0} and move a stick.</source>
+        <translation>Klicken Sie auf „Motor freigeben“, halten Sie dann {0} gedrückt und bewegen Sie einen Knüppel.</translation></message>
+    <message><source>Connect to a board to test its motors.</source>
+        <translation>Verbinden Sie ein Board, um seine Motoren zu testen.</translation></message>
+    <message><source>Settings are being written.</source>
+        <translation>Einstellungen werden geschrieben.</translation></message>
+    <message><source>After a stop the motors are locked for another {0:.0f} s.</source>
+        <translation>Nach einem Stopp sind die Motoren noch {0:.0f} s gesperrt.</translation></message>
+    <message><source>Press Run motor.</source>
+        <translation>Klicken Sie auf „Motor freigeben“.</translation></message>
+    <message><source>Another control drives the motors now.</source>
+        <translation>Jetzt steuert ein anderes Bedienelement die Motoren.</translation></message>
+    <message><source>{0} A test needs serial control.</source>
+        <translation>{0} Ein Test braucht die serielle Steuerung.</translation></message>
+    <message><source>Bring the motors to rest first ({0}).</source>
+        <translation>Bringen Sie zuerst die Motoren zur Ruhe ({0}).</translation></message>
+    <message><source>Active above {0} (inferred: it switches halfway between neutral and maximum).</source>
+        <translation>Aktiv über {0} (erschlossen: Er schaltet in der Mitte zwischen Neutralstellung und Maximum).</translation></message>
+    <message><source>Active below {0} (inferred: it switches halfway between neutral and minimum).</source>
+        <translation>Aktiv unter {0} (erschlossen: Er schaltet in der Mitte zwischen Neutralstellung und Minimum).</translation></message>
+    <message><source>At rest it is active.</source>
+        <translation>In Ruhe ist er aktiv.</translation></message>
+    <message><source>At rest it is off.</source>
+        <translation>In Ruhe ist er aus.</translation></message>
+    <message><source>Above its rest position the motor speeds up again, whatever the sign: at {0} to {1} of {2}.</source>
+        <translation>Über der Ruhelage wird der Motor wieder schneller, unabhängig vom Vorzeichen: bei {0} bis auf {1} von {2}.</translation></message>
+    <message><source>Below its rest position the motor speeds up again, whatever the sign: at {0} to {1} of {2}.</source>
+        <translation>Unter der Ruhelage wird der Motor wieder schneller, unabhängig vom Vorzeichen: bei {0} bis auf {1} von {2}.</translation></message>
+    <message><source>Cannot continue: the motors could not be confirmed as stopped. {0}</source>
+        <translation>Es kann nicht weitergehen: Für die Motoren ließ sich kein Stopp bestätigen. {0}</translation></message>
+    <message><source>Learn channels</source>
+        <translation>Kanäle einlernen</translation></message>
+    <message><source>The test has ended; it changes nothing in the board.</source>
+        <translation>Der Test ist beendet; er ändert nichts im Board.</translation></message>
+    <message><source>Nothing was changed.</source>
+        <translation>Es wurde nichts geändert.</translation></message>
+    <message><source>These values are stored already.</source>
+        <translation>Diese Werte sind schon gespeichert.</translation></message>
+    <message><source>The board accepted the stop, but {0}. Check the motors: if one turns, something else drives it, such as another controller on this line; cut its power. Continue only if they are not turning.</source>
+        <translation>Das Board hat den Stopp angenommen, aber {0}. Prüfen Sie die Motoren: Dreht sich einer, treibt ihn etwas anderes an, etwa ein anderer Controller an dieser Leitung; trennen Sie dann die Motorversorgung. Fahren Sie nur fort, wenn sie sich nicht drehen.</translation></message>
+    <message><source>What was learned is stored.</source>
+        <translation>Das Eingelernte ist gespeichert.</translation></message>
+    <message><source>Connect to a board first.</source>
+        <translation>Verbinden Sie zuerst ein Board.</translation></message>
+    <message><source>The board has stopped responding: its power or its cable was cut.</source>
+        <translation>Das Board antwortet nicht mehr: Seine Stromversorgung oder sein Kabel ist unterbrochen.</translation></message>
+    <message><source>The connection to the board was lost.</source>
+        <translation>Die Verbindung zum Board ist abgebrochen.</translation></message>
+    <message><source>The board was started in another mode.</source>
+        <translation>Das Board wurde in einem anderen Modus gestartet.</translation></message>
+    <message><source>The motors were armed, so this has ended.</source>
+        <translation>Die Motoren wurden freigegeben, daher wurde dies beendet.</translation></message>
+    <message><source>The sticks drive the motors now: the channels are in control.</source>
+        <translation>Die Knüppel steuern jetzt die Motoren: Die Kanäle haben die Kontrolle.</translation></message>
+    <message><source>The board is in {0} mode. Channel 5 has given the motors to the serial line, but with the next move of its switch the sticks drive the motors again; and the board rejects settings. Switch it off, remove the mode jumper and switch it on.</source>
+        <translation>Das Board ist im Modus {0}. Kanal 5 hat die Motoren der seriellen Leitung übergeben, aber mit der nächsten Bewegung seines Schalters steuern die Knüppel wieder die Motoren; außerdem lehnt das Board Einstellungen ab. Schalten Sie es aus, ziehen Sie den Modus-Jumper ab und schalten Sie es ein.</translation></message>
+    <message><source>The board is in {0} mode: the sticks drive the motors, and it rejects settings. Switch it off, remove the mode jumper and switch it on.</source>
+        <translation>Das Board ist im Modus {0}: Die Knüppel steuern die Motoren, und es lehnt Einstellungen ab. Schalten Sie es aus, ziehen Sie den Modus-Jumper ab und schalten Sie es ein.</translation></message>
+    <message><source>motor {0} draws {1:.1f} A</source>
+        <translation>Motor {0} nimmt {1:.1f} A auf</translation></message>
+    <message><source> and </source>
+        <translation> und </translation></message>
+    <message><source>It moved during sampling, between {0} and {1}. Release it and sample again.</source>
+        <translation>Er hat sich während der Messung bewegt, zwischen {0} und {1}. Lassen Sie ihn los und messen Sie erneut.</translation></message>
+    <message><source>Release it and sample again; if it continues, the stick or the transmitter is warming up or worn.</source>
+        <translation>Lassen Sie ihn los und messen Sie erneut; bleibt es dabei, wird der Knüppel oder der Sender erst warm oder ist abgenutzt.</translation></message>
+    <message><source>Bring the transmitter nearer, or check antenna and cable.</source>
+        <translation>Bringen Sie den Sender näher heran oder prüfen Sie Antenne und Kabel.</translation></message>
+    <message><source>At rest its noise is {0}: a deadband wide enough to hide it would take a quarter of the travel. Repair the cable, the supply or the stick first.</source>
+        <translation>In Ruhe beträgt sein Rauschen {0}: Ein Totbereich, der es verdeckt, nähme ein Viertel des Wegs ein. Reparieren Sie zuerst das Kabel, die Versorgung oder den Knüppel.</translation></message>
+    <message><source>An input to which nothing is connected does that, too.</source>
+        <translation>Auch ein Eingang, an dem nichts angeschlossen ist, verhält sich so.</translation></message>
+    <message><source>Either nothing is connected to it (its voltage then means nothing), or what is connected was not moved.</source>
+        <translation>Entweder ist nichts daran angeschlossen (dann bedeutet seine Spannung nichts), oder das Angeschlossene wurde nicht bewegt.</translation></message>
+    <message><source>At least {1} are needed: the deadband, and a count for each of the {2} speeds.</source>
+        <translation>Nötig sind mindestens {1}: der Totbereich und je ein Count für die {2} Geschwindigkeiten.</translation></message>
+    <message><source>Push it the other way too; if it cannot go there, it was at an end during sampling.</source>
+        <translation>Drücken Sie ihn auch in die andere Richtung; geht das nicht, war er während der Messung in einer Endlage.</translation></message>
+    <message><source>It may be further out: go back, push it there and hold it for {0:.1f} s.</source>
+        <translation>Sie liegt vielleicht weiter außen: Gehen Sie zurück, drücken Sie ihn dorthin und halten Sie ihn dort {0:.1f} s.</translation></message>
+    <message><source>Should it be reversed, or not?</source>
+        <translation>Sollte er umgekehrt sein oder gerade nicht?</translation></message>
+    <message><source>No signal: no valid pulse arrives.</source>
+        <translation>Kein Signal: Es kommt kein gültiger Impuls an.</translation></message>
+    <message><source>Is the transmitter on, and is the receiver connected to this channel?</source>
+        <translation>Ist der Sender eingeschaltet und der Empfänger an diesen Kanal angeschlossen?</translation></message>
+    <message><source>No signal.</source>
+        <translation>Kein Signal.</translation></message>
+    <message><source>It drifted up by {0} during sampling.</source>
+        <translation>Er ist während der Messung um {0} nach oben gewandert.</translation></message>
+    <message><source>It drifted down by {0} during sampling.</source>
+        <translation>Er ist während der Messung um {0} nach unten gewandert.</translation></message>
+    <message><source>The signal comes and goes: {0:.0%} of the samples had no valid pulse.</source>
+        <translation>Das Signal kommt und geht: {0:.0%} der Messwerte hatten keinen gültigen Impuls.</translation></message>
+    <message><source>Pulses far from all others: {0} of {1}.</source>
+        <translation>Impulse weit abseits aller anderen: {0} von {1}.</translation></message>
+    <message><source>The radio link is poor, or the cable picks up noise.</source>
+        <translation>Die Funkverbindung ist schlecht, oder das Kabel fängt Störungen ein.</translation></message>
+    <message><source>About {0:.0%} of the pulses are lost (estimated: the value often repeats where it otherwise varies).</source>
+        <translation>Etwa {0:.0%} der Impulse gehen verloren (geschätzt: Der Wert wiederholt sich oft, wo er sonst schwankt).</translation></message>
+    <message><source>The board repeats the last value, so that losses below a third, or of a steadier signal, go unnoticed.</source>
+        <translation>Das Board wiederholt den letzten Wert; Verluste unter einem Drittel oder bei einem ruhigeren Signal bleiben daher unbemerkt.</translation></message>
+    <message><source>At rest the noise is {0}, more than the deadband ({1}): the motor would creep.</source>
+        <translation>In Ruhe beträgt das Rauschen {0}, mehr als der Totbereich ({1}): Der Motor würde kriechen.</translation></message>
+    <message><source>It never moved, although a steady signal arrives.</source>
+        <translation>Er hat sich nie bewegt, obwohl ein stetiges Signal ankommt.</translation></message>
+    <message><source>Either another stick controls this channel, or it was not moved.</source>
+        <translation>Entweder steuert ein anderer Knüppel diesen Kanal, oder der Knüppel wurde nicht bewegt.</translation></message>
+    <message><source>Nothing moves on this input: it stays at {0}.</source>
+        <translation>An diesem Eingang bewegt sich nichts: Er bleibt bei {0}.</translation></message>
+    <message><source>Nothing moves on this input: it stays at {0}, an end of the measuring range.</source>
+        <translation>An diesem Eingang bewegt sich nichts: Er bleibt bei {0}, einem Ende des Messbereichs.</translation></message>
+    <message><source>It went only {0} from its rest position.</source>
+        <translation>Er ging nur {0} aus seiner Ruhelage.</translation></message>
+    <message><source>It went one way only, never below its rest position.</source>
+        <translation>Er ging nur in eine Richtung, nie unter seine Ruhelage.</translation></message>
+    <message><source>It went one way only, never above its rest position.</source>
+        <translation>Er ging nur in eine Richtung, nie über seine Ruhelage.</translation></message>
+    <message><source>The low end is only {0} from the rest position.</source>
+        <translation>Die untere Endlage ist nur {0} von der Ruhelage entfernt.</translation></message>
+    <message><source>The high end is only {0} from the rest position.</source>
+        <translation>Die obere Endlage ist nur {0} von der Ruhelage entfernt.</translation></message>
+    <message><source>The low end was only passed, not held.</source>
+        <translation>Die untere Endlage wurde nur durchlaufen, nicht gehalten.</translation></message>
+    <message><source>The high end was only passed, not held.</source>
+        <translation>Die obere Endlage wurde nur durchlaufen, nicht gehalten.</translation></message>
+    <message><source>Both ends were only passed, not held.</source>
+        <translation>Beide Endlagen wurden nur durchlaufen, nicht gehalten.</translation></message>
+    <message><source>They may be further out: go back, push it to each and hold it for {0:.1f} s.</source>
+        <translation>Sie liegen vielleicht weiter außen: Gehen Sie zurück, drücken Sie ihn in jede Endlage und halten Sie ihn dort {0:.1f} s.</translation></message>
+    <message><source>Its rest position ({0}) is not between its ends ({1} and {2}).</source>
+        <translation>Seine Ruhelage ({0}) liegt nicht zwischen seinen Endlagen ({1} und {2}).</translation></message>
+    <message><source>Was a trim moved? Begin again with the sticks at rest.</source>
+        <translation>Wurde eine Trimmung verstellt? Beginnen Sie erneut mit den Knüppeln in Ruhe.</translation></message>
+    <message><source>It went {0} to one side, but only {1} below its rest position.</source>
+        <translation>Er ging {0} zur einen Seite, aber nur {1} unter seine Ruhelage.</translation></message>
+    <message><source>Was it pushed all the way?</source>
+        <translation>Wurde er bis zum Anschlag gedrückt?</translation></message>
+    <message><source>It went {0} to one side, but only {1} above its rest position.</source>
+        <translation>Er ging {0} zur einen Seite, aber nur {1} über seine Ruhelage.</translation></message>
+    <message><source>The board would reject the measured values: {0}.</source>
+        <translation>Das Board würde die gemessenen Werte ablehnen: {0}.</translation></message>
+    <message><source>The board would reject these values: {0}.</source>
+        <translation>Das Board würde diese Werte ablehnen: {0}.</translation></message>
+    <message><source>It rests at {0}: with this neutral it would give {1} there.</source>
+        <translation>Er ruht bei {0}: Mit dieser Neutralstellung gäbe er dort {1} aus.</translation></message>
+    <message><source>After release it rests at {0}, not at {1}, and would give {2} there.</source>
+        <translation>Nach dem Loslassen ruht er bei {0}, nicht bei {1}, und gäbe dort {2} aus.</translation></message>
+    <message><source>Was a hand on it during sampling, or was a trim moved?</source>
+        <translation>War während der Messung eine Hand daran, oder wurde eine Trimmung verstellt?</translation></message>
+    <message><source>Go back and sample it again, or use the new rest position.</source>
+        <translation>Gehen Sie zurück und messen Sie ihn erneut, oder verwenden Sie die neue Ruhelage.</translation></message>
+    <message><source>The deadband ({0} to each side of neutral) reaches minimum: there is nothing between 0 and full output.</source>
+        <translation>Der Totbereich ({0} auf jeder Seite der Neutralstellung) reicht bis zum Minimum: Zwischen 0 und vollem Ausgang liegt nichts.</translation></message>
+    <message><source>The deadband ({0} to each side of neutral) reaches maximum: there is nothing between 0 and full output.</source>
+        <translation>Der Totbereich ({0} auf jeder Seite der Neutralstellung) reicht bis zum Maximum: Zwischen 0 und vollem Ausgang liegt nichts.</translation></message>
+    <message><source>Maximum is beyond the {0} that was reached: there is no full output.</source>
+        <translation>Das Maximum liegt jenseits der erreichten {0}: Es gibt keinen vollen Ausgang.</translation></message>
+    <message><source>Minimum is beyond the {0} that was reached: there is no full output.</source>
+        <translation>Das Minimum liegt jenseits der erreichten {0}: Es gibt keinen vollen Ausgang.</translation></message>
+    <message><source>Beyond its rest position the motor speeds up again, whatever the sign: at {0} to {1} of {2}.</source>
+        <translation>Jenseits der Ruhelage wird der Motor wieder schneller, unabhängig vom Vorzeichen: bei {0} bis auf {1} von {2}.</translation></message>
+    <message><source>Check that no trim and no broken wire can bring it there.</source>
+        <translation>Prüfen Sie, dass weder eine Trimmung noch ein gebrochenes Kabel ihn dorthin bringen kann.</translation></message>
+    <message><source>Its rest position ({0}) is too close to its switching point ({1}).</source>
+        <translation>Seine Ruhelage ({0}) liegt zu nah an seinem Schaltpunkt ({1}).</translation></message>
+    <message><source>It may switch by itself.</source>
+        <translation>Er kann von selbst schalten.</translation></message>
+    <message><source>It is active in all its positions: none is beyond {0}, where it switches.</source>
+        <translation>Er ist in allen seinen Stellungen aktiv: Keine liegt jenseits von {0}, wo er schaltet.</translation></message>
+    <message><source>It is inactive in all its positions: none is beyond {0}, where it switches.</source>
+        <translation>Er ist in allen seinen Stellungen inaktiv: Keine liegt jenseits von {0}, wo er schaltet.</translation></message>
+    <message><source>Full output not reached yet: forward (+127) and reverse (−127).</source>
+        <translation>Voller Ausgang noch nicht erreicht: vorwärts (+127) und rückwärts (−127).</translation></message>
+    <message><source>In {0} mode safe-start would release the motors now.</source>
+        <translation>Im Modus {0} würde Safe-Start die Motoren jetzt laufen lassen.</translation></message>
+    <message><source>Ignored: the board holds it at neutral. There is nothing to test.</source>
+        <translation>Ignoriert: Das Board hält ihn in Neutralstellung. Es gibt nichts zu testen.</translation></message>
+    <message><source>Good.</source>
+        <translation>Gut.</translation></message>
+    <message><source>Only on was seen. Move the switch to its other position.</source>
+        <translation>Nur „ein“ wurde gesehen. Stellen Sie den Schalter in die andere Stellung.</translation></message>
+    <message><source>Full output not reached yet. Push it all the way.</source>
+        <translation>Voller Ausgang noch nicht erreicht. Drücken Sie ihn bis zum Anschlag.</translation></message>
+    <message><source>Full output reached. Let it rest for a moment.</source>
+        <translation>Voller Ausgang erreicht. Lassen Sie ihn einen Moment ruhen.</translation></message>
+    <message><source>Full output not reached yet: reverse (−127).</source>
+        <translation>Voller Ausgang noch nicht erreicht: rückwärts (−127).</translation></message>
+    <message><source>Full output not reached yet: forward (+127).</source>
+        <translation>Voller Ausgang noch nicht erreicht: vorwärts (+127).</translation></message>
+    <message><source>In {0} mode safe-start would hold the motors now. {1}</source>
+        <translation>Im Modus {0} würde Safe-Start die Motoren jetzt zurückhalten. {1}</translation></message>
+    <message><source>Move the switch to all its positions.</source>
+        <translation>Bringen Sie den Schalter in alle seine Stellungen.</translation></message>
+    <message><source>Only off was seen. Move the switch to its other position.</source>
+        <translation>Nur „aus“ wurde gesehen. Stellen Sie den Schalter in die andere Stellung.</translation></message>
+    <message><source>Full output reached. Release it: at rest the output must be 0, but it is {0}.</source>
+        <translation>Voller Ausgang erreicht. Lassen Sie ihn los: In Ruhe muss der Ausgang 0 sein, er ist aber {0}.</translation></message>
+    <message><source>auxiliary {0}</source>
+        <translation>Hilfsmotor {0}</translation></message>
+    <message><source>motor {0} brake</source>
+        <translation>Motor {0} bremst</translation></message>
+    <message><source>motor {0} {1:+d}</source>
+        <translation>Motor {0} {1:+d}</translation></message>
+    <message><source>Hexadecimal, such as 9F 07</source>
+        <translation>Hexadezimal, zum Beispiel 9F 07</translation></message>
+    <message><source>Connect a board to send this.</source>
+        <translation>Verbinden Sie ein Board, um dies zu senden.</translation></message>
+    <message><source>Settings are being written; wait until they are.</source>
+        <translation>Einstellungen werden geschrieben; warten Sie, bis das erledigt ist.</translation></message>
+    <message><source>Choose Run motor first.</source>
+        <translation>Wählen Sie zuerst „Motor freigeben“.</translation></message>
+    <message><source>A stop would not reach that board: address device {0}.</source>
+        <translation>Ein Stopp würde dieses Board nicht erreichen: Adressieren Sie Gerät {0}.</translation></message>
+    <message numerus="yes"><source>and %n more packet(s)</source>
+        <translation><numerusform>und %n weiteres Paket</numerusform><numerusform>und %n weitere Pakete</numerusform></translation></message>
+    <message><source>Every board on this line would store it: address {0}.</source>
+        <translation>Jedes Board an dieser Leitung würde es speichern: Adressieren Sie {0}.</translation></message>
+    <message><source>Every board on this line would store it: select one of them.</source>
+        <translation>Jedes Board an dieser Leitung würde es speichern: Wählen Sie eines davon aus.</translation></message>
+    <message><source>Sent {0}; the reply is {1}.</source>
+        <translation>{0} gesendet; die Antwort ist {1}.</translation></message>
+    <message><source>Sent {0}; there was no reply.</source>
+        <translation>{0} gesendet; es kam keine Antwort.</translation></message>
+    <message><source>{0} (may move a motor)</source>
+        <translation>{0} (kann einen Motor bewegen)</translation></message>
+    <message><source>{0} (stored at once, without a snapshot)</source>
+        <translation>{0} (sofort gespeichert, ohne Sicherung)</translation></message>
+    <message><source>Sent by hand: {0}</source>
+        <translation>Von Hand gesendet: {0}</translation></message>
+    <message><source>Parameter</source>
+        <translation>Parameter</translation></message>
+    <message><source>Pinned</source>
+        <translation>Angeheftet</translation></message>
+    <message><source>Motors and speed ramp</source>
+        <translation>Motoren und Geschwindigkeitsrampe</translation></message>
+    <message><source>Braking</source>
+        <translation>Bremsen</translation></message>
+    <message><source>Current</source>
+        <translation>Strom</translation></message>
+    <message><source>PWM</source>
+        <translation>PWM</translation></message>
+    <message><source>Inputs</source>
+        <translation>Eingänge</translation></message>
+    <message><source>Serial</source>
+        <translation>Seriell</translation></message>
+    <message><source>System</source>
+        <translation>System</translation></message>
+    <message><source>{0} ({1} modified)</source>
+        <translation>{0} ({1} geändert)</translation></message>
+    <message><source>{0} {1}</source>
+        <translation>{0} {1}</translation></message>
+    <message><source>Motors 1 and 2 {0}</source>
+        <translation>{0} Motor 1 und 2</translation></message>
+    <message><source>How often in a second the PWM of the motor switches. Low frequencies whine and heat the motor, frequencies above the driver's rating heat the driver. Type any number or use the arrow keys: prescaler and maximum are set to the nearest frequency there is.</source>
+        <translation>Wie oft pro Sekunde die PWM des Motors schaltet. Niedrige Frequenzen pfeifen und erwärmen den Motor, Frequenzen über dem Nennwert des Treibers erwärmen den Treiber. Geben Sie eine beliebige Zahl ein oder benutzen Sie die Pfeiltasten: Vorteiler und Maximum werden auf die nächste mögliche Frequenz gesetzt.</translation></message>
+    <message><source>This firmware has stored beyond that: wire value {0}.</source>
+        <translation>Diese Firmware hat darüber hinaus gespeichert: Rohwert {0}.</translation></message>
+    <message><source>The vendor's documents or staff confirm range and default.</source>
+        <translation>Dokumente oder Mitarbeiter des Herstellers bestätigen Bereich und Standardwert.</translation></message>
+    <message><source>The range is confirmed by the vendor; the default is inferred.</source>
+        <translation>Der Bereich ist vom Hersteller bestätigt; der Standardwert ist erschlossen.</translation></message>
+    <message><source>The default is confirmed by the vendor; the range is inferred.</source>
+        <translation>Der Standardwert ist vom Hersteller bestätigt; der Bereich ist erschlossen.</translation></message>
+    <message><source>Range and default are inferred.</source>
+        <translation>Bereich und Standardwert sind erschlossen.</translation></message>
+    <message><source>PWM Frequency</source>
+        <translation>PWM-Frequenz</translation></message>
+    <message><source>{0} to {1}</source>
+        <translation>{0} bis {1}</translation></message>
+    <message><source>{0} s to full speed</source>
+        <translation>{0} s bis zur vollen Geschwindigkeit</translation></message>
+    <message><source>{0} to {1} s to full speed, or {2}</source>
+        <translation>{0} bis {1} s bis zur vollen Geschwindigkeit, oder {2}</translation></message>
+    <message><source>{0} PWM Frequency</source>
+        <translation>PWM-Frequenz {0}</translation></message>
+    <message><source>not given</source>
+        <translation>nicht angegeben</translation></message>
+    <message><source>not read</source>
+        <translation>nicht gelesen</translation></message>
+    <message><source>Takes effect when the board is switched off and on.</source>
+        <translation>Wird wirksam, wenn das Board aus- und eingeschaltet wird.</translation></message>
+    <message><source>User's guide of the board</source>
+        <translation>Benutzerhandbuch des Boards</translation></message>
+    <message><source>The meaning of the wire values is inferred, too.</source>
+        <translation>Auch die Bedeutung der Rohwerte ist erschlossen.</translation></message>
+    <message><source>The vendor's parameter document was not available. The board rejects any value that it does not support.</source>
+        <translation>Das Parameterdokument des Herstellers war nicht verfügbar. Das Board lehnt jeden Wert ab, den es nicht unterstützt.</translation></message>
+    <message><source>{0} differs: {1}.</source>
+        <translation>{0} weicht ab: {1}.</translation></message>
+    <message><source>Reset to default: {0}</source>
+        <translation>Auf Standardwert zurücksetzen: {0}</translation></message>
+    <message><source>Stored: {0}.</source>
+        <translation>Gespeichert: {0}.</translation></message>
+    <message><source>nothing</source>
+        <translation>nichts</translation></message>
+    <message><source>{0:.0f} Hz</source>
+        <translation>{0:.0f} Hz</translation></message>
+    <message><source>prescaler {0}, maximum {1}</source>
+        <translation>Vorteiler {0}, Maximum {1}</translation></message>
+    <message><source>Range: {0}.</source>
+        <translation>Bereich: {0}.</translation></message>
+    <message><source>Default: {0}.</source>
+        <translation>Standardwert: {0}.</translation></message>
+    <message><source>User's guide, section {0}</source>
+        <translation>Benutzerhandbuch, Abschnitt {0}</translation></message>
+    <message><source>{0} (wire value {1} to {2})</source>
+        <translation>{0} (Rohwert {1} bis {2})</translation></message>
+    <message><source>Wire value: {0}.</source>
+        <translation>Rohwert: {0}.</translation></message>
+    <message><source>Still active: {0}.</source>
+        <translation>Noch aktiv: {0}.</translation></message>
+    <message><source>Recording {0} ended: the board or its input source has changed.</source>
+        <translation>Aufzeichnung {0} beendet: Das Board oder seine Eingangsquelle hat sich geändert.</translation></message>
+    <message><source>What the board accepted was not remembered. {0}</source>
+        <translation>Was das Board akzeptiert hat, wurde nicht vermerkt. {0}</translation></message>
+    <message><source>Nothing was written because no snapshot could be saved first. {0}</source>
+        <translation>Es wurde nichts geschrieben, weil zuvor keine Sicherung gespeichert werden konnte. {0}</translation></message>
+    <message numerus="yes"><source>Apply of %n setting(s)</source>
+        <translation><numerusform>Anwenden von %n Einstellung</numerusform><numerusform>Anwenden von %n Einstellungen</numerusform></translation></message>
+    <message><source>Nothing more was written. {0}</source>
+        <translation>Mehr wurde nicht geschrieben. {0}</translation></message>
+    <message><source>What was applied to this board cannot be remembered. {0}</source>
+        <translation>Was auf dieses Board angewendet wurde, lässt sich nicht merken. {0}</translation></message>
+    <message><source>What is kept here for this {0} (notes, calibrations, applied settings) is of {1}, when it was at another USB adapter or socket. If this is another board, give it a device number of its own: boards with the same number share what is kept.</source>
+        <translation>Was hier für diesen {0} aufbewahrt wird (Notizen, Kalibrierungen, angewendete Einstellungen), stammt vom {1}, als er an einem anderen USB-Adapter oder einer anderen Buchse war. Wenn dies ein anderes Board ist, geben Sie ihm eine eigene Gerätenummer: Boards mit derselben Nummer teilen sich das Aufbewahrte.</translation></message>
+    <message><source>Setting</source>
+        <translation>Einstellung</translation></message>
+    <message><source>Wire</source>
+        <translation>Rohwert</translation></message>
+    <message><source>Result</source>
+        <translation>Ergebnis</translation></message>
+    <message><source>stored</source>
+        <translation>gespeichert</translation></message>
+    <message><source>Note: {0}</source>
+        <translation>Notiz: {0}</translation></message>
+    <message><source>{0} is left out: it could not be read from the board.</source>
+        <translation>{0} wird ausgelassen: Der Wert konnte nicht vom Board gelesen werden.</translation></message>
+    <message><source>The {0} calibrations are left out: the board accepts them only while it reads its inputs as {0}.</source>
+        <translation>Die Kalibrierungen ({0}) werden ausgelassen: Das Board nimmt sie nur an, solange seine Eingangsquelle {0} ist.</translation></message>
+    <message><source>These settings are for a {0}, not a {1}</source>
+        <translation>Diese Einstellungen sind für einen {0}, nicht für einen {1}</translation></message>
+    <message><source>There are no settings to compare with</source>
+        <translation>Es gibt keine Einstellungen zum Vergleichen</translation></message>
+    <message><source>Discard edits</source>
+        <translation>Änderungen verwerfen</translation></message>
+    <message><source>Unapplied edits cannot be saved for the next start. {0}</source>
+        <translation>Nicht angewendete Änderungen können nicht für den nächsten Start gesichert werden. {0}</translation></message>
+    <message><source>Restore edits</source>
+        <translation>Änderungen wiederherstellen</translation></message>
+    <message><source>Edits of this board</source>
+        <translation>Änderungen an diesem Board</translation></message>
+    <message><source>Note on {0}</source>
+        <translation>Notiz zu {0}</translation></message>
+    <message><source>This snapshot is damaged and cannot be restored. {0}</source>
+        <translation>Diese Sicherung ist beschädigt und kann nicht wiederhergestellt werden. {0}</translation></message>
+    <message><source>damaged</source>
+        <translation>beschädigt</translation></message>
+    <message numerus="yes"><source>And %n more problem(s).</source>
+        <translation><numerusform>Und %n weiteres Problem.</numerusform><numerusform>Und %n weitere Probleme.</numerusform></translation></message>
+    <message><source>When the settings of the board were saved</source>
+        <translation>Wann die Einstellungen des Boards gesichert wurden</translation></message>
+    <message><source>Before</source>
+        <translation>Vor</translation></message>
+    <message><source>The operation that followed</source>
+        <translation>Der Vorgang, der darauf folgte</translation></message>
+    <message><source>Board</source>
+        <translation>Board</translation></message>
+    <message><source>Model and firmware</source>
+        <translation>Modell und Firmware</translation></message>
+    <message><source>No.</source>
+        <translation>Nr.</translation></message>
+    <message><source>Device number</source>
+        <translation>Gerätenummer</translation></message>
+    <message><source>Adapter</source>
+        <translation>Adapter</translation></message>
+    <message><source>The port that the board was connected to</source>
+        <translation>Der Port, mit dem das Board verbunden war</translation></message>
+    <message><source>today {0}</source>
+        <translation>heute {0}</translation></message>
+    <message><source>yesterday {0}</source>
+        <translation>gestern {0}</translation></message>
+    <message><source>The board is in {0} mode, so the sticks control the motors and not this program. Skip this step, or switch the board off, remove the mode jumper and switch it on.</source>
+        <translation>Das Board ist im Modus {0}, daher steuern die Knüppel die Motoren und nicht dieses Programm. Überspringen Sie diesen Schritt, oder schalten Sie das Board aus, ziehen Sie den Modus-Jumper ab und schalten Sie es wieder ein.</translation></message>
+    <message><source>Joint mode: both outputs drive one motor, so there is nothing to find.</source>
+        <translation>Parallelbetrieb: Beide Ausgänge treiben einen Motor, es gibt also nichts herauszufinden.</translation></message>
+    <message><source>Lift the robot so that its wheels turn freely, then confirm that here.</source>
+        <translation>Heben Sie den Roboter an, sodass sich die Räder frei drehen, und bestätigen Sie das hier.</translation></message>
+    <message><source>The wheels may touch the ground.</source>
+        <translation>Die Räder berühren vielleicht den Boden.</translation></message>
+    <message><source>No board is connected, so nothing can be changed.</source>
+        <translation>Kein Board ist verbunden, daher kann nichts geändert werden.</translation></message>
+    <message><source>The board is in {0} mode and rejects settings: go back to the jumpers, or skip.</source>
+        <translation>Das Board ist im Modus {0} und lehnt Einstellungen ab: Gehen Sie zurück zu den Jumpern, oder überspringen Sie den Schritt.</translation></message>
+    <message><source>The assistant was closed.</source>
+        <translation>Der Assistent wurde geschlossen.</translation></message>
+    <message><source>Another step of the assistant was opened.</source>
+        <translation>Ein anderer Schritt des Assistenten wurde geöffnet.</translation></message>
+    <message><source>Set up my robot</source>
+        <translation>Meinen Roboter einrichten</translation></message>
+    <message><source>Speed setpoint {0}</source>
+        <translation>Geschwindigkeitssollwert {0}</translation></message>
+    <message><source>Channel {0}</source>
+        <translation>Kanal {0}</translation></message>
+    <message><source>{0} channel {1}</source>
+        <translation>Kanal {1} ({0})</translation></message>
+    <message><source>minimum {0} is above neutral {1}</source>
+        <translation>Minimum {0} liegt über der Neutralstellung {1}</translation></message>
+    <message><source>neutral {0} is above maximum {1}</source>
+        <translation>Neutralstellung {0} liegt über dem Maximum {1}</translation></message>
+    <message><source>minimum and maximum are both {0}; they must differ</source>
+        <translation>Minimum und Maximum sind beide {0}; sie müssen verschieden sein</translation></message>
+    <message><source>a calibration value is 0 to {0}, not {1}</source>
+        <translation>ein Kalibrierwert ist 0 bis {0}, nicht {1}</translation></message>
+    <message><source>{0} is {1}; a calibration value is 0 to {2}</source>
+        <translation>{0} ist {1}; ein Kalibrierwert ist 0 bis {2}</translation></message>
+    <message><source>calibration: {0}</source>
+        <translation>Kalibrierung: {0}</translation></message>
+    <message><source>parameter number</source>
+        <translation>Parameternummer</translation></message>
+    <message><source>parameter value</source>
+        <translation>Parameterwert</translation></message>
+    <message><source>the request came back instead of a status</source>
+        <translation>statt eines Status kam die Anfrage zurück</translation></message>
+    <message><source>motors are numbered 1 and 2, not {0}</source>
+        <translation>die Motoren haben die Nummern 1 und 2, nicht {0}</translation></message>
+    <message><source>{0} is not the signature of a TReX</source>
+        <translation>{0} ist nicht die Signatur eines TReX</translation></message>
+    <message><source>a write ends in 55 2A, not {0}</source>
+        <translation>ein Schreibbefehl endet mit 55 2A, nicht {0}</translation></message>
+    <message><source>speed of the auxiliary motor</source>
+        <translation>Geschwindigkeit des Hilfsmotors</translation></message>
+    <message><source>channels are numbered 1 to 5, not {0}</source>
+        <translation>die Kanäle haben die Nummern 1 bis 5, nicht {0}</translation></message>
+    <message><source>0 or 1 says who controls the motors, not {0}</source>
+        <translation>0 oder 1 gibt an, wer die Motoren steuert, nicht {0}</translation></message>
+    <message><source>a channel mask is 0 to {0}, not {1}</source>
+        <translation>eine Kanalmaske ist 0 bis {0}, nicht {1}</translation></message>
+    <message><source>{0:#04x} names channels that a TReX does not have</source>
+        <translation>{0:#04x} nennt Kanäle, die ein TReX nicht hat</translation></message>
+    <message><source>a parameter is 0 to 127, not {0}</source>
+        <translation>ein Parameter ist 0 bis 127, nicht {0}</translation></message>
+    <message><source>{0} is not a TReX result code (0 to 3)</source>
+        <translation>{0} ist kein Ergebniscode eines TReX (0 bis 3)</translation></message>
+    <message><source>{0:#04x} is not a TReX mode (R, A, r or a)</source>
+        <translation>{0:#04x} ist kein Modus eines TReX (R, A, r oder a)</translation></message>
+    <message><source>{0!r} are no settings of a board</source>
+        <translation>{0!r} sind keine Einstellungen eines Boards</translation></message>
+    <message><source>The stop was sent, but the channels control the motors: it takes effect only when channel 5 gives control to serial commands. Release the sticks, or cut the power.</source>
+        <translation>Der Stopp wurde gesendet, aber die Kanäle steuern die Motoren: Er wirkt erst, wenn Kanal 5 die Steuerung an serielle Befehle übergibt. Lassen Sie die Knüppel los, oder trennen Sie die Motorversorgung.</translation></message>
+    <message><source>minimum</source>
+        <translation>Minimum</translation></message>
+    <message><source>neutral</source>
+        <translation>neutral</translation></message>
+    <message><source>maximum</source>
+        <translation>Maximum</translation></message>
+    <message><source>deadband</source>
+        <translation>Totbereich</translation></message>
+    <message><source>get signature</source>
+        <translation>Signatur lesen</translation></message>
+    <message><source>get mode</source>
+        <translation>Modus lesen</translation></message>
+    <message><source>get whether serial controls the motors</source>
+        <translation>lesen, ob die Motoren seriell gesteuert werden</translation></message>
+    <message><source>get status bits, and clear them</source>
+        <translation>Statusbits lesen und löschen</translation></message>
+    <message><source>get UART error bits, and clear them</source>
+        <translation>UART-Fehlerbits lesen und löschen</translation></message>
+    <message><source>get currents of both motors</source>
+        <translation>Ströme beider Motoren lesen</translation></message>
+    <message><source>get which calibrations differ from the default</source>
+        <translation>lesen, welche Kalibrierungen vom Standardwert abweichen</translation></message>
+    <message><source>null command: nothing</source>
+        <translation>Nullbefehl: nichts</translation></message>
+    <message><source>RC mode</source>
+        <translation>RC-Modus</translation></message>
+    <message><source>analog mode</source>
+        <translation>Analogmodus</translation></message>
+    <message><source>serial mode, RC inputs</source>
+        <translation>serieller Modus, RC-Eingänge</translation></message>
+    <message><source>serial mode, analog inputs</source>
+        <translation>serieller Modus, Analogeingänge</translation></message>
+    <message><source>rejected: no such parameter (code 1)</source>
+        <translation>abgelehnt: kein solcher Parameter (Code 1)</translation></message>
+    <message><source>rejected: this value is not allowed (code 2)</source>
+        <translation>abgelehnt: Dieser Wert ist nicht erlaubt (Code 2)</translation></message>
+    <message><source>rejected: not in serial mode (code 3)</source>
+        <translation>abgelehnt: nicht im seriellen Modus (Code 3)</translation></message>
+    <message><source>RC mode: a radio receiver drives the motors.</source>
+        <translation>RC-Modus: Ein Funkempfänger steuert die Motoren.</translation></message>
+    <message><source>Analog mode: voltages (joysticks, potentiometers) drive the motors.</source>
+        <translation>Analogmodus: Spannungen (Joysticks, Potentiometer) steuern die Motoren.</translation></message>
+    <message><source>Serial mode, with inputs read as RC pulses.</source>
+        <translation>Serieller Modus, Eingänge als RC-Impulse gelesen.</translation></message>
+    <message><source>Serial mode, with inputs read as voltages.</source>
+        <translation>Serieller Modus, Eingänge als Spannungen gelesen.</translation></message>
+    <message><source>motor 1 (mixed: turn)</source>
+        <translation>Motor 1 (mit Mischer: lenken)</translation></message>
+    <message><source>motor 2 (mixed: forward)</source>
+        <translation>Motor 2 (mit Mischer: vor und zurück)</translation></message>
+    <message><source>auxiliary motor</source>
+        <translation>Hilfsmotor</translation></message>
+    <message><source>flip switch</source>
+        <translation>Umdrehschalter</translation></message>
+    <message><source>serial override switch</source>
+        <translation>Vorrangschalter (serielle Befehle)</translation></message>
+    <message><source>no signal</source>
+        <translation>kein Signal</translation></message>
+    <message><source> Joint mode: both drivers work together as motor 1, motor 2 is ignored.</source>
+        <translation> Parallelbetrieb: Beide Treiber arbeiten zusammen als Motor 1, Motor 2 wird ignoriert.</translation></message>
+    <message><source>analog</source>
+        <translation>analog</translation></message>
+    <message><source>channel {0}</source>
+        <translation>Kanal {0}</translation></message>
+    <message><source>channels {0}</source>
+        <translation>Kanäle {0}</translation></message>
+    <message><source>accelerate</source>
+        <translation>beschleunigen</translation></message>
+    <message><source>set</source>
+        <translation>setzen</translation></message>
+    <message><source>no TReX</source>
+        <translation>kein TReX</translation></message>
+    <message><source>Serial commands control the motors (serial mode).</source>
+        <translation>Serielle Befehle steuern die Motoren (serieller Modus).</translation></message>
+    <message><source>Serial commands control the motors: channel 5 overrides the other inputs.</source>
+        <translation>Serielle Befehle steuern die Motoren: Kanal 5 hat Vorrang vor den anderen Eingängen.</translation></message>
+    <message><source>motor {0}: {1:.2f} A</source>
+        <translation>Motor {0}: {1:.2f} A</translation></message>
+    <message><source>all channels</source>
+        <translation>alle Kanäle</translation></message>
+    <message><source>no channel</source>
+        <translation>kein Kanal</translation></message>
+    <message><source>coast</source>
+        <translation>auslaufen</translation></message>
+    <message><source>yes</source>
+        <translation>ja</translation></message>
+    <message><source>no</source>
+        <translation>nein</translation></message>
+    <message><source>The {0} channels control the motors. Serial commands take effect only when channel 5 gives control to them; for serial mode, switch the board off, remove the mode jumper and switch it on.</source>
+        <translation>Die Kanäle ({0}) steuern die Motoren. Serielle Befehle wirken erst, wenn Kanal 5 ihnen die Steuerung übergibt; für den seriellen Modus schalten Sie das Board aus, ziehen Sie den Modus-Jumper ab und schalten Sie es ein.</translation></message>
+    <message><source>motor {0}: {1} counts</source>
+        <translation>Motor {0}: {1} Counts</translation></message>
+    <message><source>no {0}</source>
+        <translation>kein {0}</translation></message>
+    <message><source>parameter {0:#04x}, which {1} has</source>
+        <translation>Parameter {0:#04x}, den {1} hat</translation></message>
+    <message><source>get raw inputs of {0}</source>
+        <translation>Rohwerte der Eingänge lesen: {0}</translation></message>
+    <message><source>get remapped inputs of {0}</source>
+        <translation>umgerechnete Eingänge lesen: {0}</translation></message>
+    <message><source>get current of motor {0}</source>
+        <translation>Strom von Motor {0} lesen</translation></message>
+    <message><source>get calibration of channel {0}</source>
+        <translation>Kalibrierung von Kanal {0} lesen</translation></message>
+    <message><source>set calibration of channel {0}: {1}</source>
+        <translation>Kalibrierung von Kanal {0} setzen: {1}</translation></message>
+    <message><source>get {0}</source>
+        <translation>{0} lesen</translation></message>
+    <message><source>set {0} to {1}</source>
+        <translation>{0} auf {1} setzen</translation></message>
+    <message><source>{0} motor {1} to {2}</source>
+        <translation>{0}: Motor {1} {2}</translation></message>
+    <message><source>{0} motor 1 to {1}, motor 2 to {2}</source>
+        <translation>{0}: Motor 1 {1}, Motor 2 {2}</translation></message>
+    <message><source>{0} auxiliary motor to {1}</source>
+        <translation>{0}: Hilfsmotor {1}</translation></message>
+    <message><source>brake with {0}</source>
+        <translation>bremsen mit {0}</translation></message>
+    <message><source>the models are {0}, not {1!r}</source>
+        <translation>die Modelle sind {0}, nicht {1!r}</translation></message>
+    <message><source>PWM prescaler is 0 to {0}, not {1}</source>
+        <translation>der PWM-Vorteiler ist 0 bis {0}, nicht {1}</translation></message>
+    <message><source>brake duty</source>
+        <translation>Bremsstärke</translation></message>
+    <message><source>a motor's speed is -127 to 127, not {0}</source>
+        <translation>die Geschwindigkeit eines Motors ist -127 bis 127, nicht {0}</translation></message>
+    <message><source>No TReX responds on {0}. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that ground is connected, and that the board's serial settings are these. If both LEDs blink together, the board is in learning mode: remove the SO–G jumper, then switch it off and on.</source>
+        <translation>An {0} antwortet kein TReX. Prüfen Sie, ob das Board Strom hat (eine LED leuchtet), ob TX des Adapters mit SI und RX mit SO verbunden ist (oder beide mit den RS-232-Pins, nie gemischt), ob die Masse verbunden ist und ob die seriellen Einstellungen des Boards diesen entsprechen. Wenn beide LEDs gemeinsam blinken, ist das Board im Lernmodus: Ziehen Sie den SO–G-Jumper ab, dann schalten Sie das Board aus und ein.</translation></message>
+    <message><source>No TReX responds on {0}. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that ground is connected, and that the board's serial settings are these, its device number is {1}. If both LEDs blink together, the board is in learning mode: remove the SO–G jumper, then switch it off and on.</source>
+        <translation>An {0} antwortet kein TReX. Prüfen Sie, ob das Board Strom hat (eine LED leuchtet), ob TX des Adapters mit SI und RX mit SO verbunden ist (oder beide mit den RS-232-Pins, nie gemischt), ob die Masse verbunden ist, ob die seriellen Einstellungen des Boards diesen entsprechen und ob seine Gerätenummer {1} ist. Wenn beide LEDs gemeinsam blinken, ist das Board im Lernmodus: Ziehen Sie den SO–G-Jumper ab, dann schalten Sie das Board aus und ein.</translation></message>
+    <message><source>Everything sent on {0} comes back, and nothing else. Either this is the RS-232 side of a board that is off or set to another baud rate, or the adapter's TX and RX are joined.</source>
+        <translation>Alles, was an {0} gesendet wird, kommt zurück, sonst nichts. Entweder ist das die RS-232-Seite eines Boards, das ausgeschaltet oder auf eine andere Baudrate eingestellt ist, oder TX und RX des Adapters sind miteinander verbunden.</translation></message>
+    <message><source>Something responds on {0}, but not like a TReX. {1} Usually the baud rate, parity or CRC differs from the board's setting, or another device is connected.</source>
+        <translation>An {0} antwortet etwas, aber nicht wie ein TReX. {1} Meist weichen Baudrate, Parität oder CRC von der Einstellung des Boards ab, oder ein anderes Gerät ist angeschlossen.</translation></message>
+    <message><source>The TReX on {0} is in its boot loader, waiting for new firmware. Check that the mix and SO–G jumpers are off, then switch the board off and on and connect again. Its serial settings may be those of the factory now: 19200 baud, no parity, no CRC.</source>
+        <translation>Der TReX an {0} ist im Bootloader und wartet auf neue Firmware. Prüfen Sie, ob Mix- und SO–G-Jumper abgezogen sind, schalten Sie dann das Board aus und ein und verbinden Sie erneut. Es hat jetzt vielleicht die seriellen Werkseinstellungen: 19200 Baud, keine Parität, kein CRC.</translation></message>
+    <message><source>The device on {0} responds like a Pololu qik, not like a TReX. This program does not support it: choose the port of the TReX, or connect the adapter to the TReX.</source>
+        <translation>Das Gerät an {0} antwortet wie ein Pololu qik, nicht wie ein TReX. Dieses Programm unterstützt es nicht: Wählen Sie den Port des TReX, oder schließen Sie den Adapter am TReX an.</translation></message>
+    <message><source>Several boards reply at once on {0} at {1}. Find asks for each device number; of boards that share one, switch off all but one and give it a number of its own.</source>
+        <translation>An {0} antworten mehrere Boards gleichzeitig mit {1}. „Suchen“ fragt jede Gerätenummer ab; von Boards mit derselben Nummer schalten Sie alle bis auf eines aus und geben diesem eine eigene.</translation></message>
+    <message><source>A {1} responds on {0} at {2}, but this connection uses {3}. Connect with the settings of the board.</source>
+        <translation>An {0} antwortet ein {1} mit {2}, diese Verbindung verwendet aber {3}. Verbinden Sie mit den Einstellungen des Boards.</translation></message>
+    <message><source>A {1} responds on {0} with {2}, but this connection uses {3}. Connect with the settings of the board.</source>
+        <translation>An {0} antwortet ein {1} mit anderer Fehlererkennung: Board {2}, diese Verbindung {3}. Verbinden Sie mit den Einstellungen des Boards.</translation></message>
+    <message><source>A {1} responds on {0} with CRC polynomial {2}, but this connection uses {3}. Connect with the settings of the board.</source>
+        <translation>An {0} antwortet ein {1} mit dem CRC-Polynom {2}, diese Verbindung verwendet aber {3}. Verbinden Sie mit den Einstellungen des Boards.</translation></message>
+    <message><source>A {1} responds on {0}, but its device number is {2}, and this connection uses {3}. Connect with the settings of the board.</source>
+        <translation>An {0} antwortet ein {1}, seine Gerätenummer ist aber {2}, und diese Verbindung verwendet {3}. Verbinden Sie mit den Einstellungen des Boards.</translation></message>
+    <message><source>A {1} responds on {0} only some of the time: the line loses or corrupts bytes. Check cable and ground, keep motor leads away from them, then connect again.</source>
+        <translation>An {0} antwortet ein {1} nur zeitweise: Die Leitung verliert oder verfälscht Bytes. Prüfen Sie Kabel und Masse, halten Sie Motorleitungen davon fern und verbinden Sie erneut.</translation></message>
+    <message><source>No reply to {0}.</source>
+        <translation>Keine Antwort auf {0}.</translation></message>
+    <message><source>Incomplete reply to {0}: only {1} arrived.</source>
+        <translation>Unvollständige Antwort auf {0}: Nur {1} kam an.</translation></message>
+    <message><source>The reply {0} is corrupted: {1}.</source>
+        <translation>Die Antwort {0} ist verfälscht: {1}.</translation></message>
+    <message><source>Late replies arrived and cannot be matched to requests.</source>
+        <translation>Verspätete Antworten kamen an und lassen sich keiner Anfrage zuordnen.</translation></message>
+    <message><source>The board's replies to {0} differ each time: the line corrupts bytes, so what is stored is not known. Check cable and ground, keep motor leads away from them, or use a lower baud rate or CRC.</source>
+        <translation>Die Antworten des Boards auf {0} sind jedes Mal anders: Die Leitung verfälscht Bytes, daher ist nicht bekannt, was gespeichert ist. Prüfen Sie Kabel und Masse, halten Sie Motorleitungen davon fern, oder verwenden Sie eine niedrigere Baudrate oder CRC.</translation></message>
+    <message><source>The stop was sent, but the board does not confirm it. If a motor still turns, cut its power.</source>
+        <translation>Der Stopp wurde gesendet, aber das Board bestätigt ihn nicht. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
+    <message><source>The stop was sent and the board responds, but the line corrupts bytes. It is sent again until the line is quiet. If a motor still turns, cut its power.</source>
+        <translation>Der Stopp wurde gesendet und das Board antwortet, aber die Leitung verfälscht Bytes. Er wird wiederholt, bis die Leitung ruhig ist. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
+    <message><source>The program did not respond for more than half a second.</source>
+        <translation>Das Programm reagierte länger als eine halbe Sekunde nicht.</translation></message>
+    <message><source>The motors are locked for a while after a stop; nothing was sent.</source>
+        <translation>Die Motoren sind nach einem Stopp eine Zeit lang gesperrt; es wurde nichts gesendet.</translation></message>
+    <message><source>These bytes may move a motor; nothing was sent. Choose Run motor first.</source>
+        <translation>Diese Bytes können einen Motor bewegen; es wurde nichts gesendet. Wählen Sie zuerst „Motor freigeben“.</translation></message>
+    <message><source>These bytes may move a motor of another board, which a stop on this connection does not reach; nothing was sent. Address device {0} in them, or connect with the compact protocol.</source>
+        <translation>Diese Bytes können einen Motor eines anderen Boards bewegen, das ein Stopp über diese Verbindung nicht erreicht; es wurde nichts gesendet. Adressieren Sie darin das Gerät {0}, oder verbinden Sie mit dem kompakten Protokoll.</translation></message>
+    <message><source>A stop came first; nothing was sent.</source>
+        <translation>Ein Stopp kam zuvor; es wurde nichts gesendet.</translation></message>
+    <message><source>Other boards are not looked for while motors are armed or may be moving. Stop the motors first.</source>
+        <translation>Andere Boards werden nicht gesucht, solange Motoren freigegeben sind oder sich vielleicht bewegen. Stoppen Sie zuerst die Motoren.</translation></message>
+    <message><source>Board {0} was not selected, since no stop of the present one is confirmed. If a motor still turns, cut its power.</source>
+        <translation>Board {0} wurde nicht ausgewählt, da für das jetzige kein Stopp bestätigt ist. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
+    <message><source>Board {0} was not selected, since it does not respond. Check that it has power. The board that was selected before still is.</source>
+        <translation>Board {0} wurde nicht ausgewählt, da es nicht antwortet. Prüfen Sie, ob es Strom hat. Das vorher ausgewählte Board bleibt ausgewählt.</translation></message>
+    <message><source>Another board on this line has the device number {0}. Choose a number that is free.</source>
+        <translation>Ein anderes Board an dieser Leitung hat die Gerätenummer {0}. Wählen Sie eine freie Nummer.</translation></message>
+    <message><source>{0}: the board does not know this parameter (code 1); its firmware may be too old for it</source>
+        <translation>{0}: Das Board kennt diesen Parameter nicht (Code 1); vielleicht ist seine Firmware zu alt dafür</translation></message>
+    <message><source>{0}: the board rejects this value (code 2)</source>
+        <translation>{0}: Das Board lehnt diesen Wert ab (Code 2)</translation></message>
+    <message><source>{0}: the board is not in serial mode (code 3); switch it off, remove the mode jumper, switch it on again</source>
+        <translation>{0}: Das Board ist nicht im seriellen Modus (Code 3); schalten Sie es aus, ziehen Sie den Modus-Jumper ab und schalten Sie es wieder ein</translation></message>
+    <message><source>{0} could not be verified: wrote {1}, but the board reads back {2}</source>
+        <translation>{0} konnte nicht bestätigt werden: {1} geschrieben, aber {2} zurückgelesen</translation></message>
+    <message><source>{0} could not be verified: the board reads back {1}</source>
+        <translation>{0} konnte nicht bestätigt werden: Zurückgelesen wurde {1}</translation></message>
+    <message><source>{0} is for {1} inputs, but the board reads {2} now</source>
+        <translation>{0} gilt für die Eingangsquelle {1}, das Board liest jetzt aber {2}</translation></message>
+    <message><source>Another board responds now: {0}. Nothing was written to it.</source>
+        <translation>Jetzt antwortet ein anderes Board: {0}. Es wurde nichts darauf geschrieben.</translation></message>
+    <message><source>Another board responds now: {0}. Settings may have been written to it; compare it with its last snapshot.</source>
+        <translation>Jetzt antwortet ein anderes Board: {0}. Vielleicht wurden Einstellungen darauf geschrieben; vergleichen Sie es mit seiner letzten Sicherung.</translation></message>
+    <message><source>The board no longer stores the settings that were read from it: it is another one, or was changed meanwhile. Nothing was written.</source>
+        <translation>Das Board speichert nicht mehr die Einstellungen, die von ihm gelesen wurden: Es ist ein anderes, oder es wurde inzwischen geändert. Es wurde nichts geschrieben.</translation></message>
+    <message><source>The line corrupted bytes while {0} was written, and another setting may have been changed instead. Read the board again and compare it with the last snapshot. {1}</source>
+        <translation>Die Leitung hat Bytes verfälscht, während {0} geschrieben wurde; vielleicht wurde stattdessen eine andere Einstellung geändert. Lesen Sie das Board erneut und vergleichen Sie es mit der letzten Sicherung. {1}</translation></message>
+    <message><source>{0} settings differ from what was read before, so none was restored: another board may be connected.</source>
+        <translation>{0} Einstellungen weichen vom zuvor Gelesenen ab, daher wurde keine wiederhergestellt: Vielleicht ist ein anderes Board angeschlossen.</translation></message>
+    <message><source>The writing was cancelled before this was tried.</source>
+        <translation>Das Schreiben wurde abgebrochen, bevor dies versucht wurde.</translation></message>
+    <message><source>{0} {1} may have gone back to the factory default: after a power cycle the board would run at {2}</source>
+        <translation>{0} {1} wurde vielleicht auf die Werkseinstellung zurückgesetzt: Nach dem Aus- und Einschalten liefe das Board mit {2}</translation></message>
+    <message><source>The board is not responding; scanning for it.</source>
+        <translation>Das Board antwortet nicht; es wird gesucht.</translation></message>
+    <message><source>Motor 2 over current limit</source>
+        <translation>Motor 2 über der Stromgrenze</translation></message>
+    <message><source>The current of motor 2 passed its limit and the limiter lowered its speed.</source>
+        <translation>Der Strom von Motor 2 überschritt seine Grenze, und die Strombegrenzung senkte die Geschwindigkeit.</translation></message>
+    <message><source>Motor 2 fault</source>
+        <translation>Treiberfehler Motor 2</translation></message>
+    <message><source>The driver of motor 2 shut itself down: too hot, short circuit or low voltage.</source>
+        <translation>Der Treiber von Motor 2 hat sich abgeschaltet: zu heiß, Kurzschluss oder Unterspannung.</translation></message>
+    <message><source>Motor 1 over current limit</source>
+        <translation>Motor 1 über der Stromgrenze</translation></message>
+    <message><source>The current of motor 1 passed its limit and the limiter lowered its speed.</source>
+        <translation>Der Strom von Motor 1 überschritt seine Grenze, und die Strombegrenzung senkte die Geschwindigkeit.</translation></message>
+    <message><source>Motor 1 fault</source>
+        <translation>Treiberfehler Motor 1</translation></message>
+    <message><source>The driver of motor 1 shut itself down: too hot, short circuit or low voltage.</source>
+        <translation>Der Treiber von Motor 1 hat sich abgeschaltet: zu heiß, Kurzschluss oder Unterspannung.</translation></message>
+    <message><source>UART error</source>
+        <translation>UART-Fehler</translation></message>
+    <message><source>A serial error occurred; the UART error bits show which.</source>
+        <translation>Ein serieller Fehler trat auf; die UART-Fehlerbits zeigen, welcher.</translation></message>
+    <message><source>Serial timeout</source>
+        <translation>Serielles Timeout</translation></message>
+    <message><source>No byte arrived within the Serial Timeout, so the board stopped its motors.</source>
+        <translation>Innerhalb des seriellen Timeouts kam kein Byte an, daher hat das Board seine Motoren gestoppt.</translation></message>
+    <message><source>Format error</source>
+        <translation>Formatfehler</translation></message>
+    <message><source>A packet had an unknown command, a command byte inside it or an invalid data byte.</source>
+        <translation>Ein Paket enthielt einen unbekannten Befehl, ein Befehlsbyte im Inneren oder ein ungültiges Datenbyte.</translation></message>
+    <message><source>CRC error</source>
+        <translation>CRC-Fehler</translation></message>
+    <message><source>The CRC byte of a packet was wrong; the packet was discarded.</source>
+        <translation>Das CRC-Byte eines Pakets war falsch; das Paket wurde verworfen.</translation></message>
+    <message><source>Framing error</source>
+        <translation>Rahmenfehler</translation></message>
+    <message><source>A stop bit was missing: the baud rates differ, or the line is noisy.</source>
+        <translation>Ein Stoppbit fehlte: Die Baudraten sind verschieden, oder die Leitung ist gestört.</translation></message>
+    <message><source>Data overrun</source>
+        <translation>Datenüberlauf</translation></message>
+    <message><source>A byte arrived while the receive register was still full.</source>
+        <translation>Ein Byte kam an, als das Empfangsregister noch voll war.</translation></message>
+    <message><source>Parity error</source>
+        <translation>Paritätsfehler</translation></message>
+    <message><source>A byte had the wrong parity: the parity settings differ, or the line is noisy.</source>
+        <translation>Ein Byte hatte die falsche Parität: Die Paritätseinstellungen sind verschieden, oder die Leitung ist gestört.</translation></message>
+    <message><source>Read buffer overrun</source>
+        <translation>Überlauf des Empfangspuffers</translation></message>
+    <message><source>More bytes arrived than the board can buffer; something sends while the board replies.</source>
+        <translation>Es kamen mehr Bytes an, als das Board puffern kann; etwas sendet, während das Board antwortet.</translation></message>
+    <message><source>Send buffer overrun</source>
+        <translation>Überlauf des Sendepuffers</translation></message>
+    <message><source>A reply was longer than the send buffer.</source>
+        <translation>Eine Antwort war länger als der Sendepuffer.</translation></message>
+    <message><source>{0} is 0 to 127, not {1}</source>
+        <translation>{0} ist 0 bis 127, nicht {1}</translation></message>
+    <message><source>device number</source>
+        <translation>Gerätenummer</translation></message>
+    <message><source>a data byte outside a packet</source>
+        <translation>ein Datenbyte außerhalb eines Pakets</translation></message>
+    <message><source>1 byte</source>
+        <translation>1 Byte</translation></message>
+    <message><source>a CRC-7 polynomial is 0x80 to 0xFF, not {0:#x}</source>
+        <translation>ein CRC-7-Polynom ist 0x80 bis 0xFF, nicht {0:#x}</translation></message>
+    <message><source>the packet is not complete</source>
+        <translation>das Paket ist nicht vollständig</translation></message>
+    <message><source>a command byte inside a packet</source>
+        <translation>ein Befehlsbyte innerhalb eines Pakets</translation></message>
+    <message><source>{0:#04x} is not a TReX command</source>
+        <translation>{0:#04x} ist kein Befehl eines TReX</translation></message>
+    <message><source>the echo should be {0}</source>
+        <translation>das Echo müsste {0} sein</translation></message>
+    <message><source>{0} bytes</source>
+        <translation>{0} Bytes</translation></message>
+    <message><source>{0} more than the reply has</source>
+        <translation>{0} mehr, als die Antwort hat</translation></message>
+    <message><source>the CRC is {0:02X}, not {1:02X}</source>
+        <translation>der CRC-Wert ist {0:02X}, nicht {1:02X}</translation></message>
+    <message><source>UART settings are a wire value of 0 to 127, not {0}</source>
+        <translation>der Rohwert der UART-Einstellungen ist 0 bis 127, nicht {0}</translation></message>
+    <message><source>UART settings {0:#04x} name no baud rate</source>
+        <translation>die UART-Einstellungen {0:#04x} nennen keine Baudrate</translation></message>
+    <message><source>a TReX runs at {0} baud, not {1}</source>
+        <translation>ein TReX läuft mit {0} Baud, nicht {1}</translation></message>
+    <message><source>1 or 2 stop bits, not {0}</source>
+        <translation>1 oder 2 Stoppbits, nicht {0}</translation></message>
+    <message><source>none or some of the channels 1 to 5, such as 1, 3</source>
+        <translation>keiner oder einige der Kanäle 1 bis 5, zum Beispiel 1, 3</translation></message>
+    <message><source>the table has no parameter {0!r}</source>
+        <translation>die Tabelle enthält keinen Parameter {0!r}</translation></message>
+    <message><source>{0} is {1}, not {2}</source>
+        <translation>{0} ist {1}, nicht {2}</translation></message>
+    <message><source>any of 1 to 5</source>
+        <translation>beliebige aus 1 bis 5</translation></message>
+    <message><source>baud, error detection, stop bits</source>
+        <translation>Baud, Fehlererkennung, Stoppbits</translation></message>
+    <message><source>a baud rate, error detection and stop bits (low four bits 0 to 10)</source>
+        <translation>eine Baudrate, Fehlererkennung und Stoppbits (untere vier Bits 0 bis 10)</translation></message>
+    <message><source>{0} to {1} (wire value {2} to {3})</source>
+        <translation>{0} bis {1} (Rohwert {2} bis {3})</translation></message>
+    <message><source>{0} {1} has no parameter {2!r}{3}</source>
+        <translation>{0} {1} hat keinen Parameter {2!r}{3}</translation></message>
+    <message><source> or </source>
+        <translation> oder </translation></message>
+    <message><source>written as {0}, with a baud rate that the board has</source>
+        <translation>geschrieben wie {0}, mit einer Baudrate, die das Board hat</translation></message>
+    <message><source>; did you mean {0}?</source>
+        <translation>; meinten Sie {0}?</translation></message>
+    <message><source>channels 1 to 5 (wire value 0 to {0})</source>
+        <translation>Kanäle 1 bis 5 (Rohwert 0 bis {0})</translation></message>
+    <message><source>empty</source>
+        <translation>leer</translation></message>
+    <message><source>wire {0}</source>
+        <translation>Rohwert {0}</translation></message>
+    <message><source>Which bytes? Give them in hexadecimal, such as 86 1F.</source>
+        <translation>Welche Bytes? Geben Sie sie hexadezimal an, zum Beispiel 86 1F.</translation></message>
+    <message><source>device {0}: {1}</source>
+        <translation>Gerät {0}: {1}</translation></message>
+    <message><source>not a TReX packet: {0}</source>
+        <translation>kein TReX-Paket: {0}</translation></message>
+    <message><source>{0} bytes are too many: at most {1} are sent at once.</source>
+        <translation>{0} Bytes sind zu viele: Höchstens {1} werden auf einmal gesendet.</translation></message>
+    <message><source>“{0}” is not a row of hexadecimal bytes such as 86 1F.</source>
+        <translation>„{0}“ ist keine Folge hexadezimaler Bytes wie 86 1F.</translation></message>
+    <message><source>there is nothing to compare: nothing was sent, except to search</source>
+        <translation>es gibt nichts zu vergleichen: Außer für die Suche wurde nichts gesendet</translation></message>
+    <message><source>TReX 1.2, as no signature was read</source>
+        <translation>TReX 1.2, da keine Signatur gelesen wurde</translation></message>
+    <message><source>1 stored value</source>
+        <translation>1 gespeicherter Wert</translation></message>
+    <message><source>{0}, {1} from the file, others as from the factory</source>
+        <translation>{0}, {1} aus der Datei, die übrigen wie ab Werk</translation></message>
+    <message><source>traffic logs</source>
+        <translation>Datenverkehrsprotokolle</translation></message>
+    <message><source>{0} stored values</source>
+        <translation>{0} gespeicherte Werte</translation></message>
+    <message><source>{0}; the simulated board has its default.</source>
+        <translation>{0}; das simulierte Board hat seinen Standardwert.</translation></message>
+    <message><source>unsolicited bytes</source>
+        <translation>unaufgeforderte Bytes</translation></message>
+    <message><source>unsolicited bytes; perhaps a late reply</source>
+        <translation>unaufgeforderte Bytes; vielleicht eine verspätete Antwort</translation></message>
+    <message><source>only its echo came back</source>
+        <translation>nur das Echo kam zurück</translation></message>
+    <message><source>corrupted: {0}</source>
+        <translation>verfälscht: {0}</translation></message>
+    <message><source>accepted values</source>
+        <translation>akzeptierte Werte</translation></message>
+    <message><source>it cannot be written: {0}</source>
+        <translation>sie kann nicht geschrieben werden: {0}</translation></message>
+    <message><source>{0} is left out: {1} means {2} to a {3}, but {4} to a {5}.</source>
+        <translation>{0} wird ausgelassen: {1} bedeutet {2} für einen {3}, aber {4} für einen {5}.</translation></message>
+    <message><source>1 parameter</source>
+        <translation>1 Parameter</translation></message>
+    <message><source>{0} parameters</source>
+        <translation>{0} Parameter</translation></message>
+    <message><source>{0} will change</source>
+        <translation>{0} zu ändern</translation></message>
+    <message><source>{0} match</source>
+        <translation>{0} gleich</translation></message>
+    <message><source>1 calibration</source>
+        <translation>1 Kalibrierung</translation></message>
+    <message><source>{0} calibrations</source>
+        <translation>{0} Kalibrierungen</translation></message>
+    <message><source>a {0} with firmware {1}</source>
+        <translation>ein {0} mit Firmware {1}</translation></message>
+    <message><source>{0} ({1}) is left out: {2} does not have it.</source>
+        <translation>{0} ({1}) wird ausgelassen: {2} hat das nicht.</translation></message>
+    <message><source>Calibration of {0}</source>
+        <translation>Kalibrierung von {0}</translation></message>
+    <message><source>{0} cannot be carried over</source>
+        <translation>{0} nicht übertragbar</translation></message>
+    <message><source>{0} note</source>
+        <translation>Notiz zu {0}</translation></message>
+    <message><source>Firmware {0} really runs at {1} baud when set to {2}.</source>
+        <translation>Firmware {0} läuft bei eingestellten {2} Baud tatsächlich mit {1} Baud.</translation></message>
+    <message><source>Rounded down to steps of {0}: {1} becomes {2}.</source>
+        <translation>Auf Schritte von {0} abgerundet: {1} wird zu {2}.</translation></message>
+    <message><source>For a {0}: {1}.</source>
+        <translation>Für einen {0}: {1}.</translation></message>
+    <message><source>A {0} with firmware {1} does not have it.</source>
+        <translation>Ein {0} mit Firmware {1} hat das nicht.</translation></message>
+    <message><source>A {0} has at most {1}.</source>
+        <translation>Ein {0} hat höchstens {1}.</translation></message>
+    <message><source>A {0} has at least {1}; 0 switches it off.</source>
+        <translation>Ein {0} hat mindestens {1}; 0 schaltet es aus.</translation></message>
+    <message><source>The same value in steps of {0}: {1} becomes {2}.</source>
+        <translation>Derselbe Wert in Schritten von {0}: {1} wird zu {2}.</translation></message>
+    <message><source>these are settings of a {0}</source>
+        <translation>dies sind Einstellungen eines {0}</translation></message>
+    <message><source>it cannot be changed: {0}</source>
+        <translation>sie kann nicht geändert werden: {0}</translation></message>
+    <message><source>it cannot be renamed: {0}</source>
+        <translation>sie kann nicht umbenannt werden: {0}</translation></message>
+    <message><source>it cannot be read: {0}</source>
+        <translation>sie kann nicht gelesen werden: {0}</translation></message>
+    <message><source>{0} {1}: how many snapshots to keep is not known, so none is removed.</source>
+        <translation>{0} {1}: Wie viele Sicherungen behalten werden sollen, ist nicht bekannt, daher wird keine entfernt.</translation></message>
+    <message><source>It is empty.</source>
+        <translation>Sie ist leer.</translation></message>
+    <message><source>It does not say of which board it is.</source>
+        <translation>Sie nennt nicht, von welchem Board sie stammt.</translation></message>
+    <message><source>is damaged</source>
+        <translation>ist beschädigt</translation></message>
+    <message><source>It cannot be read: {0}.</source>
+        <translation>Sie kann nicht gelesen werden: {0}.</translation></message>
+    <message><source>it cannot be removed: {0}</source>
+        <translation>sie kann nicht entfernt werden: {0}</translation></message>
+    <message><source>a history keeps at least one snapshot, not {0}</source>
+        <translation>ein Verlauf behält mindestens eine Sicherung, nicht {0}</translation></message>
+    <message><source>the folder for snapshots cannot be made: {0}</source>
+        <translation>der Ordner für Sicherungen kann nicht angelegt werden: {0}</translation></message>
+    <message><source>is missing</source>
+        <translation>fehlt</translation></message>
+    <message><source>cannot be read ({0})</source>
+        <translation>kann nicht gelesen werden ({0})</translation></message>
+    <message><source>channels 1 to 5</source>
+        <translation>Kanäle 1 bis 5</translation></message>
+    <message><source>a list</source>
+        <translation>eine Liste</translation></message>
+    <message><source>a group of settings</source>
+        <translation>eine Gruppe von Einstellungen</translation></message>
+    <message><source>a block of text</source>
+        <translation>ein Textblock</translation></message>
+    <message><source>; write {0}</source>
+        <translation>; schreiben Sie {0}</translation></message>
+    <message><source>; {0} is written {1}</source>
+        <translation>; {0} schreibt man {1}</translation></message>
+    <message><source>{0}: {1} becomes {2}</source>
+        <translation>{0}: {1} wird zu {2}</translation></message>
+    <message><source>{0} in quotes</source>
+        <translation>{0} in Anführungszeichen</translation></message>
+    <message><source>{name} is off while a computer drives the motors: if the cable or the computer fails, the motors keep running at their last setpoint.</source>
+        <translation>{name} ist aus, während ein Computer die Motoren steuert: Wenn das Kabel oder der Computer ausfällt, laufen die Motoren mit ihrem letzten Sollwert weiter.</translation></message>
+    <message><source>No effect in joint mode: {limits}. The board measures no current then, so the motor is not protected.</source>
+        <translation>Ohne Wirkung im Parallelbetrieb: {limits}. Das Board misst dann keinen Strom, der Motor ist also nicht geschützt.</translation></message>
+    <message><source>{limit} is {value}, but its proportionality constant P, how strongly the limiter reacts, is 0. Inferred: the behaviour of the board is not documented, and the limit may have no effect.</source>
+        <translation>{limit} ist {value}, aber der zugehörige Proportionalfaktor P, also wie stark die Strombegrenzung reagiert, ist 0. Erschlossen: Das Verhalten des Boards ist nicht dokumentiert, und die Stromgrenze hat vielleicht keine Wirkung.</translation></message>
+    <message><source>{limit} is {value} and {ramp} is 0, which means at once. Inferred: as soon as the current falls below the limit, the motor jumps back to its full target speed, so it may run in jerks.</source>
+        <translation>{limit} ist {value}, und {ramp} ist 0, also sofort. Erschlossen: Sobald der Strom unter die Grenze fällt, springt der Motor auf seine volle Sollgeschwindigkeit zurück und läuft dadurch vielleicht ruckweise.</translation></message>
+    <message><source>The PWM of motor {motor} runs at {now} (inferred), but the motor driver of a {product} is rated for {highest}; above that it gets hot.</source>
+        <translation>Die PWM von Motor {motor} läuft mit {now} (erschlossen), der Motortreiber eines {product} ist aber nur für {highest} ausgelegt; darüber wird er heiß.</translation></message>
+    <message><source>The PWM of motor {motor} runs at {now} (inferred), but the motor driver of a {product} is rated for {highest}; above that it gets hot. The prescaler {prescaler} gives {gives}.</source>
+        <translation>Die PWM von Motor {motor} läuft mit {now} (erschlossen), der Motortreiber eines {product} ist aber nur für {highest} ausgelegt; darüber wird er heiß. Der Vorteiler {prescaler} ergibt {gives}.</translation></message>
+    <message><source>Both required and ignored: {channels}. The signal moves nothing, but without it the motors may not run in RC mode (inferred).</source>
+        <translation>Zugleich erforderlich und ignoriert: {channels}. Das Signal bewegt nichts, aber ohne es laufen die Motoren im RC-Modus vielleicht nicht (erschlossen).</translation></message>
+    <message><source>The deadband of {channel} reaches from neutral to its {ends}: there is nothing between standstill and full speed on that side.</source>
+        <translation>Der Totbereich von {channel} reicht von der Neutralstellung bis zur Endlage ({ends}): Zwischen Stillstand und voller Geschwindigkeit liegt auf dieser Seite nichts.</translation></message>
+    <message><source>The minimum of {channel}, {count}, is below {limit}, the lowest count that the board measures: full speed on that side is never reached.</source>
+        <translation>Das Minimum von {channel}, {count}, liegt unter {limit}, dem niedrigsten Count, den das Board misst: Die volle Geschwindigkeit auf dieser Seite wird nie erreicht.</translation></message>
+    <message><source>The maximum of {channel}, {count}, is above {limit}, the highest count that the board measures: full speed on that side is never reached.</source>
+        <translation>Das Maximum von {channel}, {count}, liegt über {limit}, dem höchsten Count, den das Board misst: Die volle Geschwindigkeit auf dieser Seite wird nie erreicht.</translation></message>
+    <message><source>{name} is {value} instead of the default {default}, but CRC-7 is not switched on: no packet is checked with it.</source>
+        <translation>{name} ist {value} statt des Standardwerts {default}, aber CRC-7 ist nicht eingeschaltet: Kein Paket wird damit geprüft.</translation></message>
+    <message><source>With {value} as {name} the checksum of every packet is 0, so CRC-7 detects no errors at all.</source>
+        <translation>Mit {value} als {name} ist die Prüfsumme jedes Pakets 0; CRC-7 erkennt dann überhaupt keine Fehler.</translation></message>
+    <message><source>A {board} set to {baud} baud really runs at {real} baud; firmware {fixed_in} corrects this. Programs must use {real} baud.</source>
+        <translation>Ein {board}, auf {baud} Baud eingestellt, läuft tatsächlich mit {real} Baud; Firmware {fixed_in} behebt das. Programme müssen {real} Baud verwenden.</translation></message>
+    <message><source>This computer's serial port does not support {baud} baud: after the next power cycle it could not reach the board any more.</source>
+        <translation>Der serielle Port dieses Computers unterstützt {baud} Baud nicht: Nach dem nächsten Aus- und Einschalten könnte er das Board nicht mehr erreichen.</translation></message>
+    <message><source>After the next power cycle the line settings of the board are {new}; now they are {now}. Change the programs that use the board then.</source>
+        <translation>Nach dem nächsten Aus- und Einschalten sind die Leitungseinstellungen des Boards {new}; jetzt sind sie {now}. Ändern Sie dann die Programme, die das Board verwenden.</translation></message>
+    <message><source>{0} to {1}</source><comment>set a parameter</comment>
+        <translation>{0} auf {1}</translation></message>
+    <message><source>Set {0}</source>
+        <translation>{0} setzen</translation></message>
+    <message><source>{0} and {1}</source>
+        <translation>{0} und {1}</translation></message>
+    <message><source>{0} with firmware {1}</source>
+        <translation>{0} mit Firmware {1}</translation></message>
+    <message><source>settings are plain 'key: value' lines</source>
+        <translation>Einstellungen sind einfache Zeilen „schlüssel: wert“</translation></message>
+    <message><source>there are no settings here; the first is 'product: TReX'</source>
+        <translation>hier sind keine Einstellungen; die erste ist 'product: TReX'</translation></message>
+    <message><source>a second document begins here; settings are one</source>
+        <translation>hier beginnt ein zweites Dokument; Einstellungen sind eines</translation></message>
+    <message><source>the character U+{0:04X} has no place in a text file</source>
+        <translation>das Zeichen U+{0:04X} gehört nicht in eine Textdatei</translation></message>
+    <message><source>the text is incomplete or damaged here ({0}); {1}</source>
+        <translation>der Text ist hier unvollständig oder beschädigt ({0}); {1}</translation></message>
+    <message><source>this is not a setting; {0}</source>
+        <translation>dies ist keine Einstellung; {0}</translation></message>
+    <message><source>anchors (&amp; and *) are not allowed; {0}</source>
+        <translation>Anker (&amp; und *) sind nicht erlaubt; {0}</translation></message>
+    <message><source>tags (!) are not allowed; {0}</source>
+        <translation>Tags (!) sind nicht erlaubt; {0}</translation></message>
+    <message><source>there are more settings here than any board has</source>
+        <translation>hier stehen mehr Einstellungen, als ein Board hat</translation></message>
+    <message><source>this number cannot be read; {0}</source>
+        <translation>diese Zahl ist nicht lesbar; {0}</translation></message>
+    <message><source>merge keys (&lt;&lt;) are not allowed; {0}</source>
+        <translation>Merge-Schlüssel (&lt;&lt;) sind nicht erlaubt; {0}</translation></message>
+    <message><source>this is nested too deeply; {0}</source>
+        <translation>dies ist zu tief verschachtelt; {0}</translation></message>
+    <message><source>Lets both motors and the auxiliary be driven; nothing moves yet</source>
+        <translation>Gibt beide Motoren und den Hilfsmotor zum Fahren frei; noch bewegt sich nichts</translation></message>
+    <message><source>Channels control the motors; Run motor needs serial control.</source>
+        <translation>Die Kanäle steuern die Motoren; „Motor freigeben“ braucht serielle Steuerung.</translation></message>
+    <message><source>Stop motors</source>
+        <translation>Motoren stoppen</translation></message>
+    <message><source>Stop both motors and the auxiliary now (Esc, anywhere)</source>
+        <translation>Beide Motoren und den Hilfsmotor sofort stoppen (Esc, überall)</translation></message>
+    <message><source>&amp;Run motor</source>
+        <translation>Motor &amp;freigeben</translation></message>
+    <message><source>There are unapplied changes.</source>
+        <translation>Es gibt nicht angewendete Änderungen.</translation></message>
+    <message><source>&amp;Apply settings</source>
+        <translation>Einstellungen &amp;anwenden</translation></message>
+    <message><source>Unknown: motors may still turn. The stop is being repeated.</source>
+        <translation>Unbekannt: Die Motoren können sich noch drehen. Der Stopp wird wiederholt.</translation></message>
+    <message><source>The board driven before may still turn its motors. Cut their power.</source>
+        <translation>Die Motoren des zuvor angesteuerten Boards können sich noch drehen. Trennen Sie dessen Motorversorgung.</translation></message>
+    <message><source>Channels control the motors: Stop does not affect them.</source>
+        <translation>Die Kanäle steuern die Motoren: „Motoren stoppen“ wirkt nicht auf die Motoren.</translation></message>
+    <message><source>Several boards on this line: select the one to drive.</source>
+        <translation>Mehrere Boards an dieser Leitung: Wählen Sie das Board zum Fahren.</translation></message>
+    <message><source>Not armed: no command is sent until you click Run motor.</source>
+        <translation>Nicht freigegeben: Es wird kein Befehl gesendet, bis Sie auf „Motor freigeben“ klicken.</translation></message>
+    <message><source>Set the serial timeout</source>
+        <translation>Serielles Timeout setzen</translation></message>
+    <message><source>Write the changed parameters into the board (Ctrl+Enter)</source>
+        <translation>Die geänderten Parameter ins Board schreiben (Strg+Enter)</translation></message>
+    <message><source>Armed. Drive them on the Motors page.</source>
+        <translation>Freigegeben. Gefahren wird auf der Seite „Motoren“.</translation></message>
+    <message><source>Stopping …</source>
+        <translation>Wird gestoppt …</translation></message>
+    <message><source>Set &amp;{0} s</source>
+        <translation>Auf &amp;{0} s setzen</translation></message>
+    <message><source>Set the serial timeout to {0} s</source>
+        <translation>Serielles Timeout auf {0} s setzen</translation></message>
+    <message><source>Writes only this setting now: the board stops its motors {0} s after the last byte. Other changes stay pending.</source>
+        <translation>Schreibt jetzt nur diese Einstellung: Das Board stoppt seine Motoren {0} s nach dem letzten Byte. Andere Änderungen bleiben ausstehend.</translation></message>
+    <message><source>Armed. Setpoint: {0}</source>
+        <translation>Freigegeben. Sollwert: {0}</translation></message>
+    <message><source>Stopped. Motors are locked for {0} s.</source>
+        <translation>Gestoppt. Die Motoren sind für {0} s gesperrt.</translation></message>
+    <message><source>nothing to write</source>
+        <translation>nichts zu schreiben</translation></message>
+    <message numerus="yes"><source>&amp;Write to %n board(s)</source>
+        <translation><numerusform>Auf %n Board &amp;schreiben</numerusform><numerusform>Auf %n Boards &amp;schreiben</numerusform></translation></message>
+    <message><source>Each checked board gets these settings, one board after the other, with a snapshot before. Each keeps its device number and its serial settings. The first error while writing ends the work.</source>
+        <translation>Jedes angekreuzte Board erhält diese Einstellungen, ein Board nach dem anderen, jeweils nach einer Sicherung. Jedes behält seine Gerätenummer und seine seriellen Einstellungen. Der erste Fehler beim Schreiben beendet die Arbeit.</translation></message>
+    <message><source>Boards to write to</source>
+        <translation>Boards, auf die geschrieben wird</translation></message>
+    <message><source>&amp;End after this board</source>
+        <translation>Nach diesem Board b&amp;eenden</translation></message>
+    <message><source>Close</source>
+        <translation>Schließen</translation></message>
+    <message><source>This file cannot be used: it has errors. Nothing was changed.</source>
+        <translation>Diese Datei ist nicht verwendbar: Sie enthält Fehler. Es wurde nichts geändert.</translation></message>
+    <message><source>Stored</source>
+        <translation>Gespeichert</translation></message>
+    <message><source>File</source>
+        <translation>Datei</translation></message>
+    <message><source>Changes</source>
+        <translation>Änderungen</translation></message>
+    <message numerus="yes"><source>%n setting(s)</source>
+        <translation><numerusform>%n Einstellung</numerusform><numerusform>%n Einstellungen</numerusform></translation></message>
+    <message><source>read, with warnings</source>
+        <translation>gelesen, mit Warnungen</translation></message>
+    <message><source>read</source>
+        <translation>gelesen</translation></message>
+    <message><source>waiting</source>
+        <translation>wartet</translation></message>
+    <message><source>being read …</source>
+        <translation>wird gelesen …</translation></message>
+    <message><source>being written …</source>
+        <translation>wird geschrieben …</translation></message>
+    <message><source>written and verified</source>
+        <translation>geschrieben und geprüft</translation></message>
+    <message><source>not tried</source>
+        <translation>nicht versucht</translation></message>
+    <message><source>&amp;Write to boards</source>
+        <translation>Auf Boards &amp;schreiben</translation></message>
+    <message><source>Changes of board {0}</source>
+        <translation>Änderungen an Board {0}</translation></message>
+    <message><source>Stop was pressed, which has ended the work.</source>
+        <translation>„Motoren stoppen“ wurde gedrückt; das hat die Arbeit beendet.</translation></message>
+    <message numerus="yes"><source>Written to %n board(s).</source>
+        <translation><numerusform>Auf %n Board geschrieben.</numerusform><numerusform>Auf %n Boards geschrieben.</numerusform></translation></message>
+    <message><source>Board {0}: {1}</source>
+        <translation>Board {0}: {1}</translation></message>
+    <message><source>Apply {0} to several boards</source>
+        <translation>{0} auf mehrere Boards anwenden</translation></message>
+    <message numerus="yes"><source>%n board(s) left out; the reason is beside each.</source>
+        <translation><numerusform>%n Board ausgelassen; der Grund steht daneben.</numerusform><numerusform>%n Boards ausgelassen; der Grund steht jeweils daneben.</numerusform></translation></message>
+    <message><source>Channel input</source>
+        <translation>Kanaleingang</translation></message>
+    <message><source>{value}, {distance} above neutral</source>
+        <translation>{value}, {distance} über der Neutralstellung</translation></message>
+    <message><source>{value}, {distance} below neutral</source>
+        <translation>{value}, {distance} unter der Neutralstellung</translation></message>
+    <message><source>Output</source>
+        <translation>Ausgang</translation></message>
+    <message><source>{value} of {full}</source>
+        <translation>{value} von {full}</translation></message>
+    <message><source>{value}, limit {limit:.2f} A</source>
+        <translation>{value}, Grenze {limit:.2f} A</translation></message>
+    <message><source>{value}, near the limit of {limit:.2f} A</source>
+        <translation>{value}, nahe der Grenze von {limit:.2f} A</translation></message>
+    <message><source>{value}, over the limit of {limit:.2f} A</source>
+        <translation>{value}, über der Grenze von {limit:.2f} A</translation></message>
+    <message><source>min</source>
+        <translation>min</translation></message>
+    <message><source>max</source>
+        <translation>max</translation></message>
+    <message><source>{value}, neutral</source>
+        <translation>{value}, neutral</translation></message>
+    <message><source>Bench test of motor {0}: {1}, {2:%Y-%m-%d %H:%M}</source>
+        <translation>Prüflauf von Motor {0}: {1}, {2:%Y-%m-%d %H:%M}</translation></message>
+    <message><source>{0:%H:%M:%S}, motor {1}: {2}</source>
+        <translation>{0:%H:%M:%S}, Motor {1}: {2}</translation></message>
+    <message><source>Bench test</source>
+        <translation>Prüflauf</translation></message>
+    <message><source>Test to compare with</source>
+        <translation>Prüflauf zum Vergleichen</translation></message>
+    <message><source>How far from the steady current counts as settled, in percent</source>
+        <translation>Abweichung vom stationären Strom, die noch als eingeschwungen gilt, in Prozent</translation></message>
+    <message><source>Sa&amp;ve…</source>
+        <translation>S&amp;peichern…</translation></message>
+    <message><source>&amp;Close</source>
+        <translation>S&amp;chließen</translation></message>
+    <message><source>The window of the bench test was closed.</source>
+        <translation>Das Fenster des Prüflaufs wurde geschlossen.</translation></message>
+    <message><source>Release to stop</source>
+        <translation>Loslassen: Motor stoppt</translation></message>
+    <message><source>Hold to run</source>
+        <translation>Gedrückt halten: Motor läuft</translation></message>
+    <message><source>Motor {0} is running: {1:.1f} of {2:g} s.</source>
+        <translation>Motor {0} läuft: {1:.1f} von {2:g} s.</translation></message>
+    <message><source>Armed. Hold the button: the motor runs only while it is held.</source>
+        <translation>Freigegeben. Halten Sie die Schaltfläche gedrückt: Der Motor läuft nur, solange sie gehalten wird.</translation></message>
+    <message><source>Runs the test while it is held, with the mouse or the space bar</source>
+        <translation>Führt den Prüflauf aus, solange sie mit der Maus oder der Leertaste gehalten wird</translation></message>
+    <message><source>Open a saved test</source>
+        <translation>Gespeicherten Prüflauf öffnen</translation></message>
+    <message><source>Save this test to compare with later, or a picture of it</source>
+        <translation>Diesen Prüflauf für spätere Vergleiche oder als Bild speichern</translation></message>
+    <message><source>The test is complete.</source>
+        <translation>Der Prüflauf ist abgeschlossen.</translation></message>
+    <message><source>the previous test</source>
+        <translation>voriger Prüflauf</translation></message>
+    <message><source>Compar&amp;e with</source>
+        <translation>&amp;Vergleichen mit</translation></message>
+    <message><source>Settled &amp;within</source>
+        <translation>Eingesch&amp;wungen innerhalb</translation></message>
+    <message><source>Aborted after {0:.2f} s: {1}</source>
+        <translation>Abgebrochen nach {0:.2f} s: {1}</translation></message>
+    <message><source>Released after {0:.2f} s.</source>
+        <translation>Losgelassen nach {0:.2f} s.</translation></message>
+    <message><source>1 to {0}, full speed</source>
+        <translation>1 bis {0}, volle Geschwindigkeit</translation></message>
+    <message><source>Test</source>
+        <translation>Prüflauf</translation></message>
+    <message><source>Motor to test</source>
+        <translation>Zu prüfender Motor</translation></message>
+    <message><source>Speed profile</source>
+        <translation>Geschwindigkeitsprofil</translation></message>
+    <message><source>First direction</source>
+        <translation>Erste Richtung</translation></message>
+    <message><source>Highest speed of the test</source>
+        <translation>Höchste Geschwindigkeit des Prüflaufs</translation></message>
+    <message><source>Duration of the test</source>
+        <translation>Dauer des Prüflaufs</translation></message>
+    <message><source>Period of the test</source>
+        <translation>Periode des Prüflaufs</translation></message>
+    <message><source>How setpoints are sent</source>
+        <translation>Wie Sollwerte gesendet werden</translation></message>
+    <message><source>Abort current</source>
+        <translation>Abbruchstrom</translation></message>
+    <message><source>Abort at the board's &amp;limit, too</source>
+        <translation>Auch an der Stromgrenze des Boards abbrec&amp;hen</translation></message>
+    <message><source>&amp;Motor</source>
+        <translation>&amp;Motor</translation></message>
+    <message><source>Pro&amp;file</source>
+        <translation>Pro&amp;fil</translation></message>
+    <message><source>Direc&amp;tion</source>
+        <translation>&amp;Richtung</translation></message>
+    <message><source>&amp;Duration</source>
+        <translation>&amp;Dauer</translation></message>
+    <message><source>Se&amp;nt as</source>
+        <translation>G&amp;esendet als</translation></message>
+    <message><source>Abort &amp;above</source>
+        <translation>A&amp;bbruch über</translation></message>
+    <message><source>1 to {0}, the speed ceiling of the Motors page</source>
+        <translation>1 bis {0}, die Höchstgeschwindigkeit der Seite „Motoren“</translation></message>
+    <message><source>A step has no period.</source>
+        <translation>Ein Sprung hat keine Periode.</translation></message>
+    <message><source>How long the speed rises before it is constant.</source>
+        <translation>Wie lange die Geschwindigkeit steigt, bevor sie konstant ist.</translation></message>
+    <message><source>Half of it in each direction.</source>
+        <translation>Die Hälfte davon in jeder Richtung.</translation></message>
+    <message><source>One full cycle, forward and back.</source>
+        <translation>Ein ganzer Zyklus, vorwärts und rückwärts.</translation></message>
+    <message><source>Appl&amp;y…</source>
+        <translation>&amp;Anwenden…</translation></message>
+    <message><source> s</source>
+        <translation> s</translation></message>
+    <message><source>Accelerate uses the board's acceleration, brake duration and current limit; Set at once bypasses the first two and, for a moment, the limit, too.</source>
+        <translation>„Beschleunigen“ nutzt Beschleunigung, Bremsdauer und Stromgrenze des Boards; „Sofort setzen“ umgeht die ersten beiden und kurzzeitig auch die Grenze.</translation></message>
+    <message><source> A</source>
+        <translation> A</translation></message>
+    <message><source>One reading above it stops and disarms all motors. A motor draws most when it starts.</source>
+        <translation>Schon ein Messwert darüber stoppt und sperrt alle Motoren. Beim Anlaufen zieht ein Motor den höchsten Strom.</translation></message>
+    <message><source>Stop when the board reports that its own current limit was exceeded.</source>
+        <translation>Stoppt, wenn das Board meldet, dass seine eigene Stromgrenze überschritten wurde.</translation></message>
+    <message><source>R&amp;ises in</source>
+        <translation>Ans&amp;tieg in</translation></message>
+    <message><source>&amp;Period</source>
+        <translation>Per&amp;iode</translation></message>
+    <message><source>Connect to a board to see its settings.</source>
+        <translation>Verbinden Sie ein Board, um seine Einstellungen zu sehen.</translation></message>
+    <message><source>Review and write all pending edits, these included</source>
+        <translation>Alle ausstehenden Änderungen prüfen und schreiben, auch diese</translation></message>
+    <message><source>Limit P</source>
+        <translation>P der Stromgrenze</translation></message>
+    <message><source>{0} (stored: {1})</source>
+        <translation>{0} (gespeichert: {1})</translation></message>
+    <message><source>Settings of motor {0}</source>
+        <translation>Einstellungen von Motor {0}</translation></message>
+    <message><source>Not applied: {0}</source>
+        <translation>Nicht angewendet: {0}</translation></message>
+    <message><source>Step: at once</source>
+        <translation>Sprung: sofort</translation></message>
+    <message><source>Ramp: rising linearly</source>
+        <translation>Rampe: linear steigend</translation></message>
+    <message><source>Reverse: back and forth</source>
+        <translation>Umkehr: vor und zurück</translation></message>
+    <message><source>Sine</source>
+        <translation>Sinus</translation></message>
+    <message><source>Forward</source>
+        <translation>Vorwärts</translation></message>
+    <message><source>Reverse</source>
+        <translation>Rückwärts</translation></message>
+    <message><source>Accelerate</source>
+        <translation>Beschleunigen</translation></message>
+    <message><source>Set at once</source>
+        <translation>Sofort setzen</translation></message>
+    <message><source>The table of figures has the results as numbers.</source>
+        <translation>Die Tabelle der Kennwerte enthält die Ergebnisse als Zahlen.</translation></message>
+    <message><source>Speed setpoint and current drawn, against time</source>
+        <translation>Geschwindigkeitssollwert und Stromaufnahme über der Zeit</translation></message>
+    <message><source>Speed setpoint, against time</source>
+        <translation>Geschwindigkeitssollwert über der Zeit</translation></message>
+    <message><source>Current drawn, against time</source>
+        <translation>Stromaufnahme über der Zeit</translation></message>
+    <message><source>Compared</source>
+        <translation>Vergleich</translation></message>
+    <message><source>Setpoint</source>
+        <translation>Sollwert</translation></message>
+    <message><source>Planned</source>
+        <translation>Geplant</translation></message>
+    <message><source>A</source>
+        <translation>A</translation></message>
+    <message><source>Abort {0:g} A</source>
+        <translation>Abbruch {0:g} A</translation></message>
+    <message><source>Limit {0:g} A</source>
+        <translation>Grenze {0:g} A</translation></message>
+    <message><source>{0:.2f} s</source>
+        <translation>{0:.2f} s</translation></message>
+    <message><source>From the first setpoint until braking.</source>
+        <translation>Vom ersten Sollwert bis zum Bremsen.</translation></message>
+    <message><source>Bench tests (*.csv);;Pictures (*.png)</source>
+        <translation>Prüfläufe (*.csv);;Bilder (*.png)</translation></message>
+    <message><source>Save bench test</source>
+        <translation>Prüflauf speichern</translation></message>
+    <message><source>Bench tests (*.csv);;All files (*)</source>
+        <translation>Prüfläufe (*.csv);;Alle Dateien (*)</translation></message>
+    <message><source>Open bench test</source>
+        <translation>Prüflauf öffnen</translation></message>
+    <message><source>{0} was not saved: {1}.</source>
+        <translation>{0} wurde nicht gespeichert: {1}.</translation></message>
+    <message><source>{0} was not opened: {1}.</source>
+        <translation>{0} wurde nicht geöffnet: {1}.</translation></message>
+    <message><source>Peak current</source>
+        <translation>Spitzenstrom</translation></message>
+    <message><source>The highest reading.</source>
+        <translation>Der höchste Messwert.</translation></message>
+    <message><source>Steady current</source>
+        <translation>Stationärer Strom</translation></message>
+    <message><source>At the end of the first constant speed.</source>
+        <translation>Am Ende der ersten konstanten Geschwindigkeit.</translation></message>
+    <message><source>Mean current</source>
+        <translation>Mittlerer Strom</translation></message>
+    <message><source>Charge</source>
+        <translation>Ladung</translation></message>
+    <message><source>Setpoint to current</source>
+        <translation>Sollwert bis Strom</translation></message>
+    <message><source>Until the first reading of two counts: the line, the board and its measurement.</source>
+        <translation>Bis zum ersten Messwert von zwei Counts: die Leitung, das Board und seine Messung.</translation></message>
+    <message><source>Until the current stayed within this share of the steady current, or within two counts of it.</source>
+        <translation>Bis der Strom innerhalb dieses Anteils am stationären Strom blieb, oder innerhalb von zwei Counts um ihn.</translation></message>
+    <message><source>Figures of the test</source>
+        <translation>Kennwerte des Prüflaufs</translation></message>
+    <message><source>This test</source>
+        <translation>Dieser Prüflauf</translation></message>
+    <message><source>Change</source>
+        <translation>Änderung</translation></message>
+    <message><source>Settled within {0:.0f} % after</source>
+        <translation>Auf {0:.0f} % eingeschwungen nach</translation></message>
+    <message><source>Saved as {0}.</source>
+        <translation>Gespeichert als {0}.</translation></message>
+    <message><source>{0}: {1}.</source>
+        <translation>{0}: {1}.</translation></message>
+    <message><source>Click a board, or press Enter, to show it on every page. Motors stop first.</source>
+        <translation>Klicken Sie auf ein Board oder drücken Sie Enter, um es auf jeder Seite zu zeigen. Zuvor werden die Motoren gestoppt.</translation></message>
+    <message><source>Progress of the search</source>
+        <translation>Fortschritt der Suche</translation></message>
+    <message><source>Find boards</source>
+        <translation>Boards suchen</translation></message>
+    <message><source>Cancel</source>
+        <translation>Abbrechen</translation></message>
+    <message><source>Change number…</source>
+        <translation>Nummer ändern…</translation></message>
+    <message><source>Apply a file…</source>
+        <translation>Datei anwenden…</translation></message>
+    <message><source>Change device number</source>
+        <translation>Gerätenummer ändern</translation></message>
+    <message><source>Before it is written, the line is asked for the new number: if another board has it, nothing is written. A board that is off, or has other serial settings, cannot be noticed. The new number takes effect at once, and a snapshot is saved first.</source>
+        <translation>Vor dem Schreiben wird die Leitung nach der neuen Nummer abgefragt: Hat ein anderes Board sie, wird nichts geschrieben. Ein ausgeschaltetes Board oder eines mit anderen seriellen Einstellungen kann nicht bemerkt werden. Die neue Nummer gilt sofort; vorher wird eine Sicherung gespeichert.</translation></message>
+    <message><source>New device number</source>
+        <translation>Neue Gerätenummer</translation></message>
+    <message><source>&amp;Write number</source>
+        <translation>Nummer &amp;schreiben</translation></message>
+    <message><source>Board:</source>
+        <translation>Board:</translation></message>
+    <message><source>&amp;New number:</source>
+        <translation>&amp;Neue Nummer:</translation></message>
+    <message><source>The board has this number already.</source>
+        <translation>Das Board hat diese Nummer schon.</translation></message>
+    <message><source>Boards on this line</source>
+        <translation>Boards an dieser Leitung</translation></message>
+    <message><source>Ask for each device number which board has it; nothing is changed</source>
+        <translation>Für jede Gerätenummer abfragen, welches Board sie hat; es wird nichts geändert</translation></message>
+    <message><source>Ask for no more numbers</source>
+        <translation>Keine weiteren Nummern abfragen</translation></message>
+    <message><source>Give the board that is selected another device number</source>
+        <translation>Dem ausgewählten Board eine andere Gerätenummer geben</translation></message>
+    <message><source>Write a settings file to several boards; each keeps its number</source>
+        <translation>Eine Einstellungsdatei auf mehrere Boards schreiben; jedes behält seine Nummer</translation></message>
+    <message><source>Number {0} of {1} …</source>
+        <translation>Nummer {0} von {1} …</translation></message>
+    <message><source>being left …</source>
+        <translation>wird verlassen …</translation></message>
+    <message><source>selected, not responding</source>
+        <translation>ausgewählt, antwortet nicht</translation></message>
+    <message><source>selected, armed</source>
+        <translation>ausgewählt, freigegeben</translation></message>
+    <message><source>selected, may be moving</source>
+        <translation>ausgewählt, bewegt sich vielleicht</translation></message>
+    <message><source>selected</source>
+        <translation>ausgewählt</translation></message>
+    <message><source>responding</source>
+        <translation>antwortet</translation></message>
+    <message><source>not responding</source>
+        <translation>antwortet nicht</translation></message>
+    <message><source>reply unreadable</source>
+        <translation>Antwort unlesbar</translation></message>
+    <message><source>not asked yet</source>
+        <translation>noch nicht abgefragt</translation></message>
+    <message><source>Several boards seem to have this number. Switch off all but one, and give it a number of its own.</source>
+        <translation>Mehrere Boards scheinen diese Nummer zu haben. Schalten Sie alle bis auf eines aus und geben Sie diesem eine eigene Nummer.</translation></message>
+    <message><source>It replied before. Check its power and its wires.</source>
+        <translation>Es hat schon geantwortet. Prüfen Sie seine Stromversorgung und seine Leitungen.</translation></message>
+    <message><source>Taken: {0}.</source>
+        <translation>Vergeben: {0}.</translation></message>
+    <message><source>Both off</source>
+        <translation>Beide aus</translation></message>
+    <message><source>No power</source>
+        <translation>Kein Strom</translation></message>
+    <message><source>Check the supply and its leads. If only a blue LED is lit, the board has no firmware.</source>
+        <translation>Prüfen Sie die Stromversorgung und ihre Leitungen. Wenn nur eine blaue LED leuchtet, hat das Board keine Firmware.</translation></message>
+    <message><source>Red on</source>
+        <translation>Rot an</translation></message>
+    <message><source>Running, serial commands control the motors</source>
+        <translation>In Betrieb, serielle Befehle steuern die Motoren</translation></message>
+    <message><source>Compare the wires with the picture, then search with Find. Green lights while the board receives a command: if it never does, nothing arrives.</source>
+        <translation>Vergleichen Sie die Verdrahtung mit dem Bild, dann suchen Sie mit „Suchen“. Grün leuchtet, während das Board einen Befehl empfängt: Leuchtet es nie, kommt nichts an.</translation></message>
+    <message><source>Green on, or flashing fast</source>
+        <translation>Grün an oder schnell blinkend</translation></message>
+    <message><source>Running, the channels control the motors</source>
+        <translation>In Betrieb, die Kanäle steuern die Motoren</translation></message>
+    <message><source>As above: the board responds in RC and analog mode, too. Red lights while it receives a command. Fast flashes are safe-start.</source>
+        <translation>Wie oben: Das Board antwortet auch im RC- und im Analogmodus. Rot leuchtet, während es einen Befehl empfängt. Schnelles Blinken ist der Safe-Start.</translation></message>
+    <message><source>Both blink together</source>
+        <translation>Beide blinken gemeinsam</translation></message>
+    <message><source>Learning mode</source>
+        <translation>Lernmodus</translation></message>
+    <message><source>The board does not respond while it learns its channels. Remove the SO–G jumper, then switch the board off and on.</source>
+        <translation>Das Board antwortet nicht, während es seine Kanäle einlernt. Ziehen Sie den SO–G-Jumper ab, dann schalten Sie das Board aus und ein.</translation></message>
+    <message><source>Red and green alternate</source>
+        <translation>Rot und Grün abwechselnd</translation></message>
+    <message><source>Waiting for the boot loader hand-shake</source>
+        <translation>Wartet auf den Handshake des Bootloaders</translation></message>
+    <message><source>Switch the board off, remove the mix and SO–G jumpers, and switch it on. Or go on with the hand-shake for lost serial settings.</source>
+        <translation>Schalten Sie das Board aus, ziehen Sie Mix- und SO–G-Jumper ab und schalten Sie es ein. Oder machen Sie mit dem Handshake für verlorene serielle Einstellungen weiter.</translation></message>
+    <message><source>Green flashes once a second</source>
+        <translation>Grün blinkt einmal pro Sekunde</translation></message>
+    <message><source>Boot loader, waiting for new firmware</source>
+        <translation>Bootloader, wartet auf neue Firmware</translation></message>
+    <message><source>Switch the board off and on, with the jumpers removed.</source>
+        <translation>Schalten Sie das Board mit abgezogenen Jumpern aus und ein.</translation></message>
+    <message><source>Jumpers</source>
+        <translation>Jumper</translation></message>
+    <message><source>Switch the board off. Remove the mode jumper. Put the mix and SO–G jumpers on.</source>
+        <translation>Schalten Sie das Board aus. Ziehen Sie den Modus-Jumper ab. Stecken Sie Mix- und SO–G-Jumper auf.</translation></message>
+    <message><source>Both are off.</source>
+        <translation>Beide sind aus.</translation></message>
+    <message><source>Nothing: the board has no power.</source>
+        <translation>Nichts: Das Board hat keinen Strom.</translation></message>
+    <message><source>Switch on</source>
+        <translation>Einschalten</translation></message>
+    <message><source>Switch the board on.</source>
+        <translation>Schalten Sie das Board ein.</translation></message>
+    <message><source>Red and green alternate, about once a second.</source>
+        <translation>Rot und Grün abwechselnd, etwa einmal pro Sekunde.</translation></message>
+    <message><source>Nothing: the SO–G jumper holds its line to ground.</source>
+        <translation>Nichts: Der SO–G-Jumper hält seine Leitung auf Masse.</translation></message>
+    <message><source>Mix off</source>
+        <translation>Mix ab</translation></message>
+    <message><source>Remove the mix jumper. Leave the power on.</source>
+        <translation>Ziehen Sie den Mix-Jumper ab. Lassen Sie das Board eingeschaltet.</translation></message>
+    <message><source>Red and green alternate, four times as fast.</source>
+        <translation>Rot und Grün abwechselnd, viermal so schnell.</translation></message>
+    <message><source>SO–G off</source>
+        <translation>SO–G ab</translation></message>
+    <message><source>Remove the SO–G jumper. Leave the power on.</source>
+        <translation>Ziehen Sie den SO–G-Jumper ab. Lassen Sie das Board eingeschaltet.</translation></message>
+    <message><source>Green flashes briefly, once a second.</source>
+        <translation>Grün blitzt einmal pro Sekunde kurz auf.</translation></message>
+    <message><source>The boot loader answers each byte with a question mark. The serial settings should be those of the factory now.</source>
+        <translation>Der Bootloader beantwortet jedes Byte mit einem Fragezeichen. Die seriellen Einstellungen sollten jetzt die Werkseinstellungen sein.</translation></message>
+    <message><source>Connect</source>
+        <translation>Verbinden</translation></message>
+    <message><source>Switch the board off and on, with all three jumpers removed. Then connect at 19200 baud, without parity and CRC.</source>
+        <translation>Schalten Sie das Board aus und ein, alle drei Jumper abgezogen. Dann verbinden Sie mit 19200 Baud, ohne Parität und CRC.</translation></message>
+    <message><source>Five flashes, then red stays on.</source>
+        <translation>Fünfmal Blinken, dann bleibt Rot an.</translation></message>
+    <message><source>The TReX responds at the factory settings.</source>
+        <translation>Der TReX antwortet mit den Werkseinstellungen.</translation></message>
+    <message><source>Mode may also be on: the board responds in every mode.</source>
+        <translation>Der Modus-Jumper darf auch stecken: Das Board antwortet in jedem Modus.</translation></message>
+    <message><source>Search with Find first: it finds a board at any of its settings. If that fails, these steps from Pololu's support forum restore the serial settings of the factory. One user saw the LEDs alternate for three seconds only, and nothing was restored: then begin again. Compare the other settings with your last snapshot afterwards (Ctrl+H).</source>
+        <translation>Suchen Sie zuerst mit „Suchen“: Das findet ein Board mit jeder seiner Einstellungen. Hilft das nicht, stellen diese Schritte aus dem Support-Forum von Pololu die seriellen Werkseinstellungen wieder her. Ein Benutzer sah die LEDs nur drei Sekunden lang abwechseln, und nichts wurde wiederhergestellt: Beginnen Sie dann von vorn. Vergleichen Sie danach die übrigen Einstellungen mit Ihrer letzten Sicherung (Strg+H).</translation></message>
+    <message><source>&amp;Back</source>
+        <translation>&amp;Zurück</translation></message>
+    <message><source>&amp;Next</source>
+        <translation>&amp;Weiter</translation></message>
+    <message><source>Board does not respond</source>
+        <translation>Board antwortet nicht</translation></message>
+    <message><source>Ways to a board that responds</source>
+        <translation>Wege zu einem antwortenden Board</translation></message>
+    <message><source>&amp;What the board shows</source>
+        <translation>Was das &amp;Board zeigt</translation></message>
+    <message><source>&amp;Lost serial settings</source>
+        <translation>&amp;Verlorene serielle Einstellungen</translation></message>
+    <message><source>&amp;Find now</source>
+        <translation>&amp;Jetzt suchen</translation></message>
+    <message><source>&amp;Connect at factory settings</source>
+        <translation>&amp;Mit Werkseinstellungen verbinden</translation></message>
+    <message><source>Jumpers to connect</source>
+        <translation>Jumper zum Verbinden</translation></message>
+    <message><source>What the LEDs show</source>
+        <translation>Was die LEDs zeigen</translation></message>
+    <message><source>What this computer receives</source>
+        <translation>Was dieser Computer empfängt</translation></message>
+    <message><source>19200 baud, without parity and CRC, whatever the device number</source>
+        <translation>19200 Baud, ohne Parität und CRC, bei jeder Gerätenummer</translation></message>
+    <message><source>Settings are still being written. Close anyway? Unwritten settings are offered when the board is connected again.</source>
+        <translation>Es werden noch Einstellungen geschrieben. Trotzdem schließen? Nicht geschriebene Einstellungen werden beim nächsten Verbinden des Boards angeboten.</translation></message>
+    <message><source>Review and apply…</source>
+        <translation>Prüfen und anwenden…</translation></message>
+    <message><source>Close anyway</source>
+        <translation>Trotzdem schließen</translation></message>
+    <message><source>Save as a settings file…</source>
+        <translation>Als Einstellungsdatei speichern…</translation></message>
+    <message><source>Keep and close</source>
+        <translation>Behalten und schließen</translation></message>
+    <message><source>Discard and close</source>
+        <translation>Verwerfen und schließen</translation></message>
+    <message><source>Show &amp;matching settings, too</source>
+        <translation>Auch überein&amp;stimmende Einstellungen zeigen</translation></message>
+    <message><source>Select &amp;all</source>
+        <translation>&amp;Alle auswählen</translation></message>
+    <message><source>Select &amp;none</source>
+        <translation>&amp;Keine auswählen</translation></message>
+    <message><source>Comparison of settings</source>
+        <translation>Vergleich der Einstellungen</translation></message>
+    <message><source>After</source>
+        <translation>Nach</translation></message>
+    <message><source>For a {0}: {1} carried over, {2} changed, {3} left out.</source>
+        <translation>Für einen {0}: {1} übernommen, {2} geändert, {3} ausgelassen.</translation></message>
+    <message><source>Converted settings</source>
+        <translation>Konvertierte Einstellungen</translation></message>
+    <message><source>Changed.</source>
+        <translation>Geändert.</translation></message>
+    <message><source>Left out.</source>
+        <translation>Ausgelassen.</translation></message>
+    <message><source>Carried over.</source>
+        <translation>Übernommen.</translation></message>
+    <message><source>In the file</source>
+        <translation>In der Datei</translation></message>
+    <message><source>Board to convert for</source>
+        <translation>Board, für das konvertiert wird</translation></message>
+    <message><source>&amp;Convert</source>
+        <translation>&amp;Konvertieren</translation></message>
+    <message><source>For a {0}</source>
+        <translation>Für einen {0}</translation></message>
+    <message><source>Convert &amp;for:</source>
+        <translation>Konvertieren &amp;für:</translation></message>
+    <message><source>Convert {0}</source>
+        <translation>{0} konvertieren</translation></message>
+    <message><source>Opens the converted settings as a new file, with the comments of this one. {0} stays as it is.</source>
+        <translation>Öffnet die konvertierten Einstellungen als neue Datei, mit den Kommentaren dieser Datei. {0} bleibt, wie sie ist.</translation></message>
+    <message><source>{0}, firmware {1}</source>
+        <translation>{0}, Firmware {1}</translation></message>
+    <message numerus="yes"><source>%n count(s)</source>
+        <translation><numerusform>%n Count</numerusform><numerusform>%n Counts</numerusform></translation></message>
+    <message><source>Enter 0 to {0}, such as 2.5 V, 2500 mV or 512 counts.</source>
+        <translation>Geben Sie 0 bis {0} ein, etwa 2,5 V, 2500 mV oder 512 Counts.</translation></message>
+    <message><source>Not a value</source>
+        <translation>Kein Wert</translation></message>
+    <message><source>{0} is not a valid value. {1}</source>
+        <translation>{0} ist kein gültiger Wert. {1}</translation></message>
+    <message><source>Enter 0 to {0}, such as 1500 µs, 1.5 ms or 3750 counts.</source>
+        <translation>Geben Sie 0 bis {0} ein, etwa 1500 µs, 1,5 ms oder 3750 Counts.</translation></message>
+    <message><source>on: the channels control the motors</source>
+        <translation>an: Die Kanäle steuern die Motoren</translation></message>
+    <message><source>Safe-start: the motors wait until the sticks are centred.</source>
+        <translation>Safe-Start: Die Motoren warten, bis die Knüppel in Mittelstellung sind.</translation></message>
+    <message><source>flickers</source>
+        <translation>flackert</translation></message>
+    <message><source>off: the power is off</source>
+        <translation>aus: Die Stromversorgung ist aus</translation></message>
+    <message><source>on: serial commands control the motors</source>
+        <translation>an: Serielle Befehle steuern die Motoren</translation></message>
+    <message><source>The power is off: the board does not reply.</source>
+        <translation>Die Stromversorgung ist aus: Das Board antwortet nicht.</translation></message>
+    <message><source>Safe-start: the motors wait until channel 5 no longer requests override.</source>
+        <translation>Safe-Start: Die Motoren warten, bis Kanal 5 keinen Vorrang mehr anfordert.</translation></message>
+    <message><source>Power cycle</source>
+        <translation>Aus- und einschalten</translation></message>
+    <message><source>Power on</source>
+        <translation>Einschalten</translation></message>
+    <message><source>SO–G holds the serial output to ground: no reply gets out.</source>
+        <translation>SO–G hält den seriellen Ausgang auf Masse: Keine Antwort kommt heraus.</translation></message>
+    <message><source>motor 1</source>
+        <translation>Motor 1</translation></message>
+    <message><source>motor 2</source>
+        <translation>Motor 2</translation></message>
+    <message><source>auxiliary</source>
+        <translation>Hilfsmotor</translation></message>
+    <message><source>flip</source>
+        <translation>Umdrehen</translation></message>
+    <message><source>override</source>
+        <translation>Vorrang</translation></message>
+    <message><source>Power and jumpers</source>
+        <translation>Stromversorgung und Jumper</translation></message>
+    <message><source>The board's power switch</source>
+        <translation>Der Hauptschalter des Boards</translation></message>
+    <message><source>Off for a second: jumpers are read, stored settings take effect</source>
+        <translation>Eine Sekunde lang aus: Jumper werden gelesen, gespeicherte Einstellungen wirksam</translation></message>
+    <message><source>Battery voltage</source>
+        <translation>Batteriespannung</translation></message>
+    <message><source>Supply</source>
+        <translation>Versorgung</translation></message>
+    <message><source>Mode jumper</source>
+        <translation>Modus-Jumper</translation></message>
+    <message><source>The mode jumper; the board reads it when power comes on</source>
+        <translation>Der Modus-Jumper; das Board liest ihn beim Einschalten</translation></message>
+    <message><source>Mix</source>
+        <translation>Mix</translation></message>
+    <message><source>The mix jumper: input 2 drives forward, input 1 turns; takes effect at once</source>
+        <translation>Der Mix-Jumper: Eingang 2 fährt vorwärts, Eingang 1 lenkt; wirkt sofort</translation></message>
+    <message><source>SO–G</source>
+        <translation>SO–G</translation></message>
+    <message><source>Connects SO to ground; with Mix a power-up then learns the inputs' calibration</source>
+        <translation>Verbindet SO mit Masse; zusammen mit Mix lernt das Board beim nächsten Einschalten die Kalibrierung der Eingänge ein</translation></message>
+    <message><source>Battery</source>
+        <translation>Batterie</translation></message>
+    <message><source>No signal</source>
+        <translation>Kein Signal</translation></message>
+    <message><source>Move by themselves</source>
+        <translation>Selbsttätig bewegen</translation></message>
+    <message><source>All sticks swing slowly; moving one holds that one</source>
+        <translation>Alle Knüppel schwingen langsam; einer, den Sie bewegen, bleibt dann stehen</translation></message>
+    <message><source>Centre</source>
+        <translation>Mitte</translation></message>
+    <message><source>Hold all sticks centred, as safe-start requires</source>
+        <translation>Alle Knüppel in Mittelstellung halten, wie es der Safe-Start verlangt</translation></message>
+    <message><source>Centre all sticks</source>
+        <translation>Alle Knüppel zentrieren</translation></message>
+    <message><source>Motors</source>
+        <translation>Motoren</translation></message>
+    <message><source>Load</source>
+        <translation>Last</translation></message>
+    <message><source>Fault</source>
+        <translation>Störung</translation></message>
+    <message><source>RC mode.</source>
+        <translation>RC-Modus.</translation></message>
+    <message><source>Analog mode.</source>
+        <translation>Analogmodus.</translation></message>
+    <message><source>Serial mode.</source>
+        <translation>Serieller Modus.</translation></message>
+    <message><source>Serial mode, inputs read as voltages.</source>
+        <translation>Serieller Modus, Eingänge als Spannungen gelesen.</translation></message>
+    <message><source>Serial commands control the motors.</source>
+        <translation>Serielle Befehle steuern die Motoren.</translation></message>
+    <message><source>Learning: remove the Mix jumper to begin.</source>
+        <translation>Einlernen: Mix-Jumper abziehen, um zu beginnen.</translation></message>
+    <message><source>Learning: waits for a signal on any input.</source>
+        <translation>Einlernen: Wartet auf ein Signal an einem Eingang.</translation></message>
+    <message><source>Learning: leave the sticks centred for two seconds.</source>
+        <translation>Einlernen: Knüppel zwei Sekunden in Mittelstellung lassen.</translation></message>
+    <message><source>Learning: one flash per input; green is learned.</source>
+        <translation>Einlernen: Ein Blinken je Eingang; Grün ist eingelernt.</translation></message>
+    <message><source>Learning: hold each stick at both ends, ten seconds in all.</source>
+        <translation>Einlernen: Jeden Knüppel in beiden Endlagen halten, insgesamt zehn Sekunden.</translation></message>
+    <message><source>Learned; green is good. Remove SO–G, then power cycle.</source>
+        <translation>Eingelernt; Grün ist gut. SO–G abziehen, dann aus- und einschalten.</translation></message>
+    <message><source>Boot loader: remove Mix, then SO–G.</source>
+        <translation>Bootloader: Mix abziehen, dann SO–G.</translation></message>
+    <message><source>Boot loader: waits for firmware. Power cycle to leave.</source>
+        <translation>Bootloader: Wartet auf Firmware. Zum Verlassen aus- und einschalten.</translation></message>
+    <message><source>serial</source>
+        <translation>seriell</translation></message>
+    <message><source>RC</source>
+        <translation>RC</translation></message>
+    <message><source>turn</source>
+        <translation>lenken</translation></message>
+    <message><source>Demo TReX</source>
+        <translation>Demo-TReX</translation></message>
+    <message><source>Factory state</source>
+        <translation>Werkszustand</translation></message>
+    <message><source>5 override</source>
+        <translation>5 Vorrang</translation></message>
+    <message><source>A weak battery sags when the motors start, and the board resets</source>
+        <translation>Eine schwache Batterie bricht ein, wenn die Motoren anlaufen, und das Board startet neu</translation></message>
+    <message><source>Unplugged, the port disappears and motors keep running unless Serial Timeout is set</source>
+        <translation>Abgezogen verschwindet der Port, und die Motoren laufen weiter, wenn kein serielles Timeout gesetzt ist</translation></message>
+    <message><source>The wire from SO is broken: the board executes commands, no reply arrives</source>
+        <translation>Die Leitung von SO ist unterbrochen: Das Board führt Befehle aus, keine Antwort kommt an</translation></message>
+    <message><source>This share of the bytes is corrupted in either direction; CRC detects them</source>
+        <translation>Dieser Anteil der Bytes wird in beiden Richtungen verfälscht; CRC erkennt es</translation></message>
+    <message><source>lit while a packet arrives</source>
+        <translation>leuchtet, während ein Paket ankommt</translation></message>
+    <message><source>fast flash: safe-start, the motors wait</source>
+        <translation>schnelles Blinken: Safe-Start, die Motoren warten</translation></message>
+    <message><source>Channel 5 hands control to serial commands.</source>
+        <translation>Kanal 5 übergibt die Steuerung an serielle Befehle.</translation></message>
+    <message><source>The sticks control the motors.</source>
+        <translation>Die Knüppel steuern die Motoren.</translation></message>
+    <message><source>Safe-start: the motors wait for a signal on input {0}.</source>
+        <translation>Safe-Start: Die Motoren warten auf ein Signal an Eingang {0}.</translation></message>
+    <message><source>{0} to learn the inputs.</source>
+        <translation>{0}, um die Eingänge einzulernen.</translation></message>
+    <message><source>{0} to enter {1} mode.</source>
+        <translation>{0}, um in den Modus {1} zu wechseln.</translation></message>
+    <message><source>LEDs of the board</source>
+        <translation>LEDs des Boards</translation></message>
+    <message><source>Resets everything: stored settings, jumpers, sticks, loads and faults of the line</source>
+        <translation>Setzt alles zurück: gespeicherte Einstellungen, Jumper, Knüppel, Lasten und Störungen der Leitung</translation></message>
+    <message><source>No jumper: serial</source>
+        <translation>Kein Jumper: seriell</translation></message>
+    <message><source>Analog</source>
+        <translation>Analog</translation></message>
+    <message><source>{0:.1f} V at the board</source>
+        <translation>{0:.1f} V am Board</translation></message>
+    <message><source>switched off</source>
+        <translation>ausgeschaltet</translation></message>
+    <message><source>Mode is read at power-up; Mix takes effect at once.</source>
+        <translation>Der Modus wird beim Einschalten gelesen; Mix wirkt sofort.</translation></message>
+    <message><source>Input {0}</source>
+        <translation>Eingang {0}</translation></message>
+    <message><source>invalid</source>
+        <translation>ungültig</translation></message>
+    <message><source>Stick of input {0}</source>
+        <translation>Knüppel von Eingang {0}</translation></message>
+    <message><source>Unplug input {0}: an RC input is invalid 0.1 s later</source>
+        <translation>Eingang {0} abziehen: Ein RC-Eingang ist 0,1 s später ungültig</translation></message>
+    <message><source>Load of motor {0}</source>
+        <translation>Last von Motor {0}</translation></message>
+    <message><source>The driver of motor {0} shuts down, as when hot or shorted</source>
+        <translation>Der Treiber von Motor {0} schaltet sich ab, wie bei Überhitzung oder Kurzschluss</translation></message>
+    <message><source>Error of one byte</source>
+        <translation>Fehler eines Bytes</translation></message>
+    <message><source>An error of the serial line that the board reports</source>
+        <translation>Ein Fehler der seriellen Leitung, den das Board meldet</translation></message>
+    <message><source>Corrupt one byte</source>
+        <translation>Ein Byte verfälschen</translation></message>
+    <message><source>The next byte reaches the board with this error; the Status page counts it. Only a board with parity detects a parity error.</source>
+        <translation>Das nächste Byte erreicht das Board mit diesem Fehler; die Seite „Status“ zählt ihn. Nur ein Board mit Parität erkennt einen Paritätsfehler.</translation></message>
+    <message><source>{0} to start the boot loader.</source>
+        <translation>{0}, um den Bootloader zu starten.</translation></message>
+    <message><source>brake</source>
+        <translation>bremsen</translation></message>
+    <message><source>Input {0}: {1} in RC and analog mode, only measured in serial mode. A double click centres it.</source>
+        <translation>Eingang {0}: {1} im RC- und Analogmodus, im seriellen Modus nur gemessen. Ein Doppelklick zentriert ihn.</translation></message>
+    <message><source>No signal at input {0}</source>
+        <translation>Kein Signal an Eingang {0}</translation></message>
+    <message><source>The current that motor {0} draws at full speed; at the right end it stalls, which triggers current limits and faults</source>
+        <translation>Der Strom, den Motor {0} bei voller Geschwindigkeit zieht; ganz rechts blockiert der Motor, was Strombegrenzung und Treiberfehler auslöst</translation></message>
+    <message><source>Driver fault of motor {0}</source>
+        <translation>Treiberfehler von Motor {0}</translation></message>
+    <message><source>Overrun</source>
+        <translation>Überlauf</translation></message>
+    <message><source>Findings about the settings</source>
+        <translation>Befunde zu den Einstellungen</translation></message>
+    <message><source>Accept</source>
+        <translation>Übernehmen</translation></message>
+    <message><source>Add this change to the edits; nothing is written until you click Apply</source>
+        <translation>Nimmt diesen Wert in die Änderungen auf; geschrieben wird erst, wenn Sie auf „Einstellungen anwenden“ klicken</translation></message>
+    <message><source>&amp;Delete…</source>
+        <translation>&amp;Löschen…</translation></message>
+    <message><source>&amp;Open folder</source>
+        <translation>&amp;Ordner öffnen</translation></message>
+    <message numerus="yes"><source>Permanently delete %n snapshot(s), the newest of {0}?</source>
+        <translation><numerusform>%n Sicherung von {0} endgültig löschen?</numerusform><numerusform>%n Sicherungen endgültig löschen, die neueste von {0}?</numerusform></translation></message>
+    <message><source>Search times, boards, adapters (Ctrl+F)</source>
+        <translation>Zeiten, Boards, Adapter suchen (Strg+F)</translation></message>
+    <message><source>History</source>
+        <translation>Verlauf</translation></message>
+    <message><source>There are no snapshots yet.
+
+Before settings are applied or defaults restored, in this window or with trexcmd, everything that the board stores is saved here. You can compare a snapshot with the board and restore all or part of it.</source>
+        <translation>Es gibt noch keine Sicherungen.
+
+Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in diesem Fenster oder mit trexcmd, wird hier alles gesichert, was das Board speichert. Sie können eine Sicherung mit dem Board vergleichen und ganz oder teilweise wiederherstellen.</translation></message>
+    <message><source>Save a copy of the snapshot</source>
+        <translation>Eine Kopie der Sicherung speichern</translation></message>
+    <message><source>Search snapshots</source>
+        <translation>Sicherungen durchsuchen</translation></message>
+    <message><source>Snapshots</source>
+        <translation>Sicherungen</translation></message>
+    <message><source>No snapshot matches the search.</source>
+        <translation>Keine Sicherung passt zur Suche.</translation></message>
+    <message><source>Which snapshots are kept</source>
+        <translation>Welche Sicherungen behalten werden</translation></message>
+    <message><source>How many snapshots are kept</source>
+        <translation>Wie viele Sicherungen behalten werden</translation></message>
+    <message><source>&amp;Set</source>
+        <translation>&amp;Setzen</translation></message>
+    <message><source>Save a copy as a settings file</source>
+        <translation>Eine Kopie als Einstellungsdatei speichern</translation></message>
+    <message><source>&amp;Keep</source>
+        <translation>&amp;Behalten</translation></message>
+    <message><source>snapshots</source>
+        <translation>Sicherungen</translation></message>
+    <message><source>A copy was saved in {0}.</source>
+        <translation>Eine Kopie wurde in {0} gespeichert.</translation></message>
+    <message><source>the newest</source>
+        <translation>die neuesten</translation></message>
+    <message><source>all</source>
+        <translation>alle</translation></message>
+    <message numerus="yes"><source>Permanently remove the oldest %n of {0} snapshots?</source>
+        <translation><numerusform>Die älteste Sicherung (%n von {0}) endgültig entfernen?</numerusform><numerusform>Die ältesten %n von {0} Sicherungen endgültig entfernen?</numerusform></translation></message>
+    <message><source>The snapshots are in {0}.</source>
+        <translation>Die Sicherungen sind in {0}.</translation></message>
+    <message><source>Remove {0}</source>
+        <translation>{0} entfernen</translation></message>
+    <message><source>Nothing was saved. {0}</source>
+        <translation>Es wurde nichts gespeichert. {0}</translation></message>
+    <message><source>{0:.0f} to {1:.0f} counts</source>
+        <translation>{0:.0f} bis {1:.0f} Counts</translation></message>
+    <message><source>on</source><comment>jumper</comment>
+        <translation>gesteckt</translation></message>
+    <message><source>off</source><comment>jumper</comment>
+        <translation>abgezogen</translation></message>
+    <message><source>either</source>
+        <translation>egal</translation></message>
+    <message><source>mode jumper at {0}</source>
+        <translation>Modus-Jumper auf {0}</translation></message>
+    <message><source>no mode jumper</source>
+        <translation>kein Modus-Jumper</translation></message>
+    <message><source>SO–G jumper on</source>
+        <translation>SO–G-Jumper gesteckt</translation></message>
+    <message><source>no SO–G jumper</source>
+        <translation>kein SO–G-Jumper</translation></message>
+    <message><source>Mode</source>
+        <translation>Modus</translation></message>
+    <message><source>mix jumper on</source>
+        <translation>Mix-Jumper gesteckt</translation></message>
+    <message><source>no mix jumper</source>
+        <translation>kein Mix-Jumper</translation></message>
+    <message numerus="yes"><source>&amp;Learn channel(s) {0} again</source>
+        <translation><numerusform>Kanal {0} neu ein&amp;lernen</numerusform><numerusform>Kanäle {0} neu ein&amp;lernen</numerusform></translation></message>
+    <message><source>Push every stick forward or right first, all the way; then the other way. Move switches to all positions.</source>
+        <translation>Drücken Sie jeden Knüppel zuerst ganz nach vorn oder rechts, dann ganz in die andere Richtung. Bewegen Sie Schalter in alle Stellungen.</translation></message>
+    <message><source>Hold each end until its check mark appears, for at least {0:.1f} s: this line ({1} baud) carries only {2:.1f} measurements per second. Then click Next.</source>
+        <translation>Halten Sie jede Endlage, bis ihr Häkchen erscheint, mindestens {0:.1f} s: Diese Leitung ({1} Baud) überträgt nur {2:.1f} Messungen pro Sekunde. Klicken Sie dann auf „Weiter“.</translation></message>
+    <message><source>Push every stick to all its ends, then release it. Move every switch to all its positions. The motors stay off: in serial mode the sticks do not drive them.</source>
+        <translation>Drücken Sie jeden Knüppel in alle seine Endlagen, dann lassen Sie ihn los. Bewegen Sie jeden Schalter in alle seine Stellungen. Die Motoren bleiben aus: Im seriellen Modus treiben die Knüppel sie nicht an.</translation></message>
+    <message><source>&amp;Use these values…</source>
+        <translation>Diese Werte &amp;verwenden…</translation></message>
+    <message><source>Stop the motors and &amp;test</source>
+        <translation>Motoren stoppen und &amp;testen</translation></message>
+    <message><source>Measurements</source>
+        <translation>Messungen</translation></message>
+    <message><source>Stop the motors</source>
+        <translation>Motoren stoppen</translation></message>
+    <message><source>Try &amp;again</source>
+        <translation>&amp;Erneut versuchen</translation></message>
+    <message><source>Stop the motors again and begin again.</source>
+        <translation>Stoppt die Motoren erneut und beginnt von vorn.</translation></message>
+    <message><source>The new values are in the board. The test does not start by itself, because the motors may be running: it has to stop them first.</source>
+        <translation>Die neuen Werte sind im Board. Der Test beginnt nicht von selbst, weil die Motoren vielleicht laufen: Er muss sie zuerst stoppen.</translation></message>
+    <message><source>The board sends no measurements: the line is busy or disturbed. Waiting …</source>
+        <translation>Das Board sendet keine Messungen: Die Leitung ist belegt oder gestört. Es wird gewartet …</translation></message>
+    <message><source>The motors are stopped. Release every stick and set every switch to off. Then click Next to measure the rest positions.</source>
+        <translation>Die Motoren sind gestoppt. Lassen Sie jeden Knüppel los und stellen Sie jeden Schalter auf Aus. Klicken Sie dann auf „Weiter“, um die Ruhelagen zu messen.</translation></message>
+    <message><source>No channel is at rest. Correct the problems below, then click “Sample again”.</source>
+        <translation>Kein Kanal ist in Ruhe. Beheben Sie die Probleme unten, dann klicken Sie auf „Erneut messen“.</translation></message>
+    <message><source>Check the new values. You can change them; clear the check box of a channel to keep its old values. Nothing is written yet: you confirm all changes in the next window.</source>
+        <translation>Prüfen Sie die neuen Werte. Sie können sie ändern; entfernen Sie das Häkchen eines Kanals, um seine alten Werte zu behalten. Noch wird nichts geschrieben: Sie bestätigen alle Änderungen im nächsten Fenster.</translation></message>
+    <message><source>If a channel does not get a good result, learn its values again.</source>
+        <translation>Wenn ein Kanal kein gutes Ergebnis erhält, lernen Sie seine Werte neu ein.</translation></message>
+    <message><source>Test every stick</source>
+        <translation>Jeden Knüppel testen</translation></message>
+    <message><source>Hands off the sticks</source>
+        <translation>Knüppel loslassen</translation></message>
+    <message><source>All sticks to all ends</source>
+        <translation>Alle Knüppel in alle Endlagen</translation></message>
+    <message><source>Review</source>
+        <translation>Prüfen</translation></message>
+    <message><source>Test the sticks</source>
+        <translation>Knüppel testen</translation></message>
+    <message><source>The motors are stopped: co&amp;ntinue</source>
+        <translation>Die Motoren stehen still: &amp;fortfahren</translation></message>
+    <message><source>Sample &amp;again</source>
+        <translation>Erneut &amp;messen</translation></message>
+    <message><source>Measure the rest positions of all channels once more.</source>
+        <translation>Misst die Ruhelagen aller Kanäle noch einmal.</translation></message>
+    <message><source>&amp;Forget these ends</source>
+        <translation>Diese En&amp;dlagen vergessen</translation></message>
+    <message><source>Forget the ends reached so far. The rest positions are kept.</source>
+        <translation>Vergisst die bisher erreichten Endlagen. Die Ruhelagen bleiben erhalten.</translation></message>
+    <message><source>&amp;Start over</source>
+        <translation>Neu &amp;beginnen</translation></message>
+    <message><source>Forget everything measured and go back to the rest positions.</source>
+        <translation>Vergisst alles Gemessene und geht zurück zu den Ruhelagen.</translation></message>
+    <message><source>Test &amp;again</source>
+        <translation>Erneut &amp;testen</translation></message>
+    <message><source>Forget what was tested so far and begin the test again.</source>
+        <translation>Vergisst, was bisher getestet wurde, und beginnt den Test von vorn.</translation></message>
+    <message><source>Stopping the motors. The next step comes when the board has confirmed the stop and no current flows.</source>
+        <translation>Die Motoren werden gestoppt. Der nächste Schritt kommt, wenn das Board den Stopp bestätigt hat und kein Strom fließt.</translation></message>
+    <message><source>Not every channel is at rest. Correct the problems below and click “Sample again”, or click Next to continue without channel {0}.</source>
+        <translation>Nicht jeder Kanal ist in Ruhe. Beheben Sie die Probleme unten und klicken Sie auf „Erneut messen“, oder klicken Sie auf „Weiter“, um ohne Kanal {0} fortzufahren.</translation></message>
+    <message><source>Hold each end for a moment, then click Next.</source>
+        <translation>Halten Sie jede Endlage einen Moment, dann klicken Sie auf „Weiter“.</translation></message>
+    <message><source>Nothing was learned. The reason is below. Go back, or start over.</source>
+        <translation>Es wurde nichts eingelernt. Der Grund steht unten. Gehen Sie zurück, oder beginnen Sie neu.</translation></message>
+    <message><source>Nothing was learned, so there are no values to use.</source>
+        <translation>Es wurde nichts eingelernt, daher gibt es keine Werte zum Verwenden.</translation></message>
+    <message><source>No channel is selected. Select each channel whose new values to use.</source>
+        <translation>Kein Kanal ist ausgewählt. Wählen Sie jeden Kanal, dessen neue Werte verwendet werden sollen.</translation></message>
+    <message><source>No channel is selected.</source>
+        <translation>Kein Kanal ist ausgewählt.</translation></message>
+    <message><source>Use the values of all selected channels. Nothing is written yet.</source>
+        <translation>Die Werte aller ausgewählten Kanäle verwenden. Noch wird nichts geschrieben.</translation></message>
+    <message><source>Everything is as it should be.</source>
+        <translation>Alles ist, wie es sein soll.</translation></message>
+    <message><source>There is nothing to test: the board ignores this input, so it holds it at neutral. See the setting Ignored Channels.</source>
+        <translation>Hier gibt es nichts zu testen: Das Board ignoriert diesen Eingang und hält ihn in Neutralstellung. Siehe die Einstellung „Ignorierte Kanäle“.</translation></message>
+    <message><source>The tested channels are good. But in {0} mode the motors would not start. {1}</source>
+        <translation>Die getesteten Kanäle sind gut. Aber im Modus {0} würden die Motoren nicht anlaufen. {1}</translation></message>
+    <message><source>{0}. Not done: {1}.</source>
+        <translation>{0}. Nicht erledigt: {1}.</translation></message>
+    <message><source>Hands off. Sampling … {0:.1f} s</source>
+        <translation>Knüppel loslassen. Messung läuft … {0:.1f} s</translation></message>
+    <message><source>The board would reject the values of channel {0}: change them, or clear its check box.</source>
+        <translation>Das Board würde die Werte von Kanal {0} ablehnen: Ändern Sie sie, oder entfernen Sie sein Häkchen.</translation></message>
+    <message><source>The board would reject the values of channel {0}.</source>
+        <translation>Das Board würde die Werte von Kanal {0} ablehnen.</translation></message>
+    <message><source>No end reached yet.</source>
+        <translation>Noch keine Endlage erreicht.</translation></message>
+    <message><source>not sampled yet</source>
+        <translation>noch nicht gemessen</translation></message>
+    <message><source>{0} end: not reached yet</source>
+        <translation>Endlage {0}: noch nicht erreicht</translation></message>
+    <message><source>{0} end: hold it there</source>
+        <translation>Endlage {0}: dort halten</translation></message>
+    <message><source>{0} end: reached</source>
+        <translation>Endlage {0}: erreicht</translation></message>
+    <message><source>{0} end: not needed</source>
+        <translation>Endlage {0}: nicht nötig</translation></message>
+    <message><source>low</source>
+        <translation>unten</translation></message>
+    <message><source>high</source>
+        <translation>oben</translation></message>
+    <message><source>Hold it there …</source>
+        <translation>Dort halten …</translation></message>
+    <message><source>The low end was not held. Push it there again and hold it for {0:.1f} s.</source>
+        <translation>Die untere Endlage wurde nicht gehalten. Drücken Sie wieder dorthin und halten Sie {0:.1f} s.</translation></message>
+    <message><source>The high end was not held. Push it there again and hold it for {0:.1f} s.</source>
+        <translation>Die obere Endlage wurde nicht gehalten. Drücken Sie wieder dorthin und halten Sie {0:.1f} s.</translation></message>
+    <message><source>Not moved yet. Move the switch to every position.</source>
+        <translation>Noch nicht bewegt. Bewegen Sie den Schalter in jede Stellung.</translation></message>
+    <message><source>Calculated from the values in the board, for each channel by itself. From the manual: full output at and beyond the ends, 0 in the deadband, and what safe-start waits for. Assumed: up to 8 of 127 counts as neutral; the switching points of switches.</source>
+        <translation>Aus den Werten im Board berechnet, für jeden Kanal einzeln. Laut Handbuch: voller Ausgang an und jenseits der Endlagen, 0 im Totbereich, und worauf der Safe-Start wartet. Angenommen: bis zu 8 von 127 gelten als neutral; die Umschaltpunkte von Schaltern.</translation></message>
+    <message><source>Left out: its rest position is not known.</source>
+        <translation>Ausgelassen: Die Ruhelage ist nicht bekannt.</translation></message>
+    <message><source>Raw input of channel {0}</source>
+        <translation>Rohwert von Kanal {0}</translation></message>
+    <message><source>at rest: {0}, noise {1}</source>
+        <translation>in Ruhe: {0}, Rauschen {1}</translation></message>
+    <message><source>Both ends reached: {0} and {1}.</source>
+        <translation>Beide Endlagen erreicht: {0} und {1}.</translation></message>
+    <message><source>Reached: {0}.</source>
+        <translation>Erreicht: {0}.</translation></message>
+    <message><source>Low end reached: {0}. Now the other way.</source>
+        <translation>Untere Endlage erreicht: {0}. Jetzt die andere Richtung.</translation></message>
+    <message><source>High end reached: {0}. Now the other way.</source>
+        <translation>Obere Endlage erreicht: {0}. Jetzt die andere Richtung.</translation></message>
+    <message><source>Output of channel {0}</source>
+        <translation>Ausgang von Kanal {0}</translation></message>
+    <message><source>Use {0} &amp;as neutral</source>
+        <translation>{0} &amp;als Neutralstellung verwenden</translation></message>
+    <message><source>Input now {0}; output {1}.</source>
+        <translation>Eingang jetzt {0}; Ausgang {1}.</translation></message>
+    <message numerus="yes"><source>%n earlier pending edit(s) will be written, too.</source>
+        <translation><numerusform>%n frühere ausstehende Änderung wird ebenfalls geschrieben.</numerusform><numerusform>%n frühere ausstehende Änderungen werden ebenfalls geschrieben.</numerusform></translation></message>
+    <message><source>&amp;Minimum</source>
+        <translation>&amp;Minimum</translation></message>
+    <message><source>&amp;Neutral</source>
+        <translation>&amp;Neutralstellung</translation></message>
+    <message><source>Ma&amp;ximum</source>
+        <translation>Ma&amp;ximum</translation></message>
+    <message><source>&amp;Deadband</source>
+        <translation>&amp;Totbereich</translation></message>
+    <message><source>&amp;Reversed</source>
+        <translation>&amp;Umgekehrt</translation></message>
+    <message><source>unknown</source>
+        <translation>unbekannt</translation></message>
+    <message><source>proposed {0}</source>
+        <translation>vorgeschlagen {0}</translation></message>
+    <message><source>as it was {0}</source>
+        <translation>bisher {0}</translation></message>
+    <message><source>Its new values will be used.</source>
+        <translation>Seine neuen Werte werden verwendet.</translation></message>
+    <message><source>was reversed</source>
+        <translation>war umgekehrt</translation></message>
+    <message><source>was not reversed</source>
+        <translation>war nicht umgekehrt</translation></message>
+    <message><source>The channel was left out.</source>
+        <translation>Der Kanal wurde ausgelassen.</translation></message>
+    <message><source>This replaces a pending edit of the channel.</source>
+        <translation>Dies ersetzt eine ausstehende Änderung des Kanals.</translation></message>
+    <message><source>as it was</source>
+        <translation>bisher</translation></message>
+    <message><source>proposed, as it was</source>
+        <translation>vorgeschlagen, wie bisher</translation></message>
+    <message><source>proposed</source>
+        <translation>vorgeschlagen</translation></message>
+    <message><source>No signal now: the output is 0.</source>
+        <translation>Jetzt kein Signal: Der Ausgang ist 0.</translation></message>
+    <message><source>Channels</source>
+        <translation>Kanäle</translation></message>
+    <message><source>Nothing was learned.</source>
+        <translation>Es wurde nichts eingelernt.</translation></message>
+    <message><source>Keeps its old values.</source>
+        <translation>Behält seine alten Werte.</translation></message>
+    <message><source>Check this channel.</source>
+        <translation>Prüfen Sie diesen Kanal.</translation></message>
+    <message><source>Use &amp;channel {0}: {1}</source>
+        <translation>&amp;Kanal {0} verwenden: {1}</translation></message>
+    <message><source>Nothing was learned. {0}</source>
+        <translation>Es wurde nichts eingelernt. {0}</translation></message>
+    <message><source>{0}
+was {1}</source>
+        <translation>{0}
+bisher {1}</translation></message>
+    <message><source>{0} of channel {1}</source>
+        <translation>{0} von Kanal {1}</translation></message>
+    <message><source>{0}: beyond a limit that is inferred. The board decides: it may reject the value, or store another one.</source>
+        <translation>{0}: jenseits einer Grenze, die nur erschlossen ist. Das Board entscheidet: Es lehnt den Wert vielleicht ab oder speichert einen anderen.</translation></message>
+    <message><source>Write an&amp;yway</source>
+        <translation>Trotzdem sch&amp;reiben</translation></message>
+    <message><source>Line settings</source>
+        <translation>Leitungseinstellungen</translation></message>
+    <message><source>These must be the settings that the board has now. A new board talks at 19200 baud, without error detection, with one stop bit. Changing them here changes nothing in the board.</source>
+        <translation>Dies müssen die Einstellungen sein, die das Board jetzt hat. Ein neues Board kommuniziert mit 19200 Baud, ohne Fehlererkennung, mit einem Stoppbit. Änderungen hier ändern nichts im Board.</translation></message>
+    <message><source>&amp;Address one board of several by its number (Pololu protocol)</source>
+        <translation>Eines von mehreren Boards über seine &amp;Nummer ansprechen (Pololu-Protokoll)</translation></message>
+    <message><source>&amp;Line:</source>
+        <translation>&amp;Leitung:</translation></message>
+    <message><source>CRC-7 &amp;polynomial:</source>
+        <translation>CRC-7-&amp;Polynom:</translation></message>
+    <message><source>&amp;Device number:</source>
+        <translation>&amp;Gerätenummer:</translation></message>
+    <message><source>&amp;Restore defaults</source>
+        <translation>Standard&amp;werte wiederherstellen</translation></message>
+    <message><source>Why this value? Kept on this computer and in files.</source>
+        <translation>Warum dieser Wert? Wird auf diesem Computer und in Dateien aufbewahrt.</translation></message>
+    <message><source>Note</source>
+        <translation>Notiz</translation></message>
+    <message><source>&amp;All other channels</source>
+        <translation>&amp;Alle anderen Kanäle</translation></message>
+    <message><source>&amp;Reset to factory defaults</source>
+        <translation>Auf &amp;Werkseinstellungen zurücksetzen</translation></message>
+    <message><source>&amp;Load calibrations from a file…</source>
+        <translation>Kalibrierungen aus Datei &amp;laden…</translation></message>
+    <message><source>&amp;Save calibrations to a file…</source>
+        <translation>Kalibrierungen in Datei &amp;speichern…</translation></message>
+    <message><source>{0} could not be loaded: {1}</source>
+        <translation>{0} konnte nicht geladen werden: {1}</translation></message>
+    <message><source>{0} has the same calibrations.</source>
+        <translation>{0} enthält dieselben Kalibrierungen.</translation></message>
+    <message><source>{0} could not be saved: {1}</source>
+        <translation>{0} konnte nicht gespeichert werden: {1}</translation></message>
+    <message><source>&amp;Copy to</source>
+        <translation>&amp;Kopieren auf</translation></message>
+    <message><source>&amp;Equal travel to both ends</source>
+        <translation>&amp;Gleicher Weg zu beiden Endlagen</translation></message>
+    <message><source>As on the &amp;shorter side</source>
+        <translation>Wie auf der &amp;kürzeren Seite</translation></message>
+    <message><source>As on the &amp;longer side</source>
+        <translation>Wie auf der &amp;längeren Seite</translation></message>
+    <message><source>Assumed values: Pololu publishes no factory defaults</source>
+        <translation>Angenommene Werte: Pololu veröffentlicht keine Werkseinstellungen</translation></message>
+    <message><source>Load calibrations</source>
+        <translation>Kalibrierungen laden</translation></message>
+    <message><source>Save calibrations</source>
+        <translation>Kalibrierungen speichern</translation></message>
+    <message><source>Calibrations loaded from {0} as edits: {1}.</source>
+        <translation>Kalibrierungen aus {0} als Änderungen geladen: {1}.</translation></message>
+    <message><source>Copy of the calibration of channel {0}</source>
+        <translation>Kopie der Kalibrierung von Kanal {0}</translation></message>
+    <message><source>Channel {0} ({1})</source>
+        <translation>Kanal {0} ({1})</translation></message>
+    <message><source>The calibrations shown were saved in {0}.</source>
+        <translation>Die gezeigten Kalibrierungen wurden in {0} gespeichert.</translation></message>
+    <message><source>Calibrations of {0}</source>
+        <translation>Kalibrierungen aus {0}</translation></message>
+    <message><source>Minimum</source>
+        <translation>Minimum</translation></message>
+    <message><source>Neutral</source>
+        <translation>Neutralstellung</translation></message>
+    <message><source>Maximum</source>
+        <translation>Maximum</translation></message>
+    <message><source>Curve of the channel</source>
+        <translation>Kurve des Kanals</translation></message>
+    <message><source>Its handles can be dragged; the fields below set the same values.</source>
+        <translation>Ihre Griffe lassen sich ziehen; die Felder darunter setzen dieselben Werte.</translation></message>
+    <message><source>Input of the last 10 seconds</source>
+        <translation>Eingang der letzten 10 Sekunden</translation></message>
+    <message><source>The input of the last 10 seconds; the newest is at the top</source>
+        <translation>Der Eingang der letzten 10 Sekunden; der neueste Wert ist oben</translation></message>
+    <message><source>Now</source>
+        <translation>Jetzt</translation></message>
+    <message><source>flip on</source>
+        <translation>Umdrehen ein</translation></message>
+    <message><source>override on</source>
+        <translation>Vorrang ein</translation></message>
+    <message><source>Ne&amp;utral</source>
+        <translation>&amp;Neutralstellung</translation></message>
+    <message><source>Dead&amp;band ±</source>
+        <translation>&amp;Totbereich ±</translation></message>
+    <message><source>Re&amp;versed</source>
+        <translation>&amp;Umgekehrt</translation></message>
+    <message><source>The output changes its sign: forward and reverse are swapped</source>
+        <translation>Der Ausgang wechselt das Vorzeichen: vorwärts und rückwärts sind vertauscht</translation></message>
+    <message><source>Parab&amp;olic</source>
+        <translation>&amp;Parabolisch</translation></message>
+    <message><source>Gentle near neutral, steep near the ends</source>
+        <translation>Sanft nahe der Neutralstellung, steil nahe den Endlagen</translation></message>
+    <message><source>I&amp;gnored</source>
+        <translation>&amp;Ignoriert</translation></message>
+    <message><source>Held at neutral at any input; for channels without a cable</source>
+        <translation>Bei jedem Eingang in Neutralstellung gehalten; für Kanäle ohne Kabel</translation></message>
+    <message><source>Re&amp;quired in RC mode</source>
+        <translation>Im &amp;RC-Modus erforderlich</translation></message>
+    <message><source>The motors stop when its pulses are missing for half a second</source>
+        <translation>Die Motoren werden gestoppt, wenn die Impulse dieses Kanals eine halbe Sekunde fehlen</translation></message>
+    <message><source>Its values have not been read yet.</source>
+        <translation>Seine Werte wurden noch nicht gelesen.</translation></message>
+    <message><source>, problem</source>
+        <translation>, Problem</translation></message>
+    <message><source>Analog voltages</source>
+        <translation>Analogspannungen</translation></message>
+    <message><source>Ma&amp;ke active…</source>
+        <translation>Akti&amp;vieren…</translation></message>
+    <message><source>stored now</source>
+        <translation>jetzt gespeichert</translation></message>
+    <message><source>, edited</source>
+        <translation>, geändert</translation></message>
+    <message><source>not learned</source>
+        <translation>nicht eingelernt</translation></message>
+    <message><source>Input source</source>
+        <translation>Eingangsquelle</translation></message>
+    <message><source>learned: has its own calibration</source>
+        <translation>eingelernt: hat eine eigene Kalibrierung</translation></message>
+    <message><source>Read the other input source</source>
+        <translation>Die andere Eingangsquelle lesen</translation></message>
+    <message><source>No board responds.</source>
+        <translation>Kein Board antwortet.</translation></message>
+    <message><source>Live value</source>
+        <translation>Aktueller Wert</translation></message>
+    <message><source>as last seen</source>
+        <translation>wie zuletzt gesehen</translation></message>
+    <message><source>not learned yet: will be after Apply</source>
+        <translation>noch nicht eingelernt: erst nach dem Anwenden</translation></message>
+    <message><source>not learned: defaults</source>
+        <translation>nicht eingelernt: Standardwerte</translation></message>
+    <message><source>Stored: the board reads {0} after the next power cycle.</source>
+        <translation>Gespeichert: Nach dem nächsten Aus- und Einschalten liest das Board {0}.</translation></message>
+    <message><source>The values below were {0}.</source>
+        <translation>Stand der Werte unten: {0}.</translation></message>
+    <message><source>Read {0} after the next power cycle</source>
+        <translation>Nach dem nächsten Aus- und Einschalten {0} lesen</translation></message>
+    <message><source>after Apply</source>
+        <translation>nach dem Anwenden</translation></message>
+    <message><source>stored in the board</source>
+        <translation>im Board gespeichert</translation></message>
+    <message><source>Edited: apply it, then power-cycle the board to read {0}.</source>
+        <translation>Geändert: Wenden Sie es an, dann schalten Sie das Board aus und ein, damit es {0} liest.</translation></message>
+    <message><source>{0} (active)</source>
+        <translation>{0} (aktiv)</translation></message>
+    <message><source>Connect to a board to see and change its calibrations.</source>
+        <translation>Verbinden Sie ein Board, um seine Kalibrierungen zu sehen und zu ändern.</translation></message>
+    <message><source>Learn &amp;this channel…</source>
+        <translation>Diesen &amp;Kanal einlernen…</translation></message>
+    <message><source>Learn a&amp;ll…</source>
+        <translation>A&amp;lle einlernen…</translation></message>
+    <message><source>Cop&amp;y, reset, files</source>
+        <translation>K&amp;opieren, zurücksetzen, Dateien</translation></message>
+    <message><source>Di&amp;scard</source>
+        <translation>Ver&amp;werfen</translation></message>
+    <message><source>No board responds. Edits are kept until a board of the same kind is connected.</source>
+        <translation>Kein Board antwortet. Änderungen bleiben erhalten, bis ein Board derselben Art verbunden ist.</translation></message>
+    <message><source>no live value: the board reads the other source</source>
+        <translation>kein aktueller Wert: Das Board liest die andere Eingangsquelle</translation></message>
+    <message><source>no live value</source>
+        <translation>kein aktueller Wert</translation></message>
+    <message><source>no signal now: the output is 0</source>
+        <translation>jetzt kein Signal: Der Ausgang ist 0</translation></message>
+    <message><source>&amp;Note:</source>
+        <translation>Noti&amp;z:</translation></message>
+    <message><source>Discard the edits of this channel</source>
+        <translation>Die Änderungen dieses Kanals verwerfen</translation></message>
+    <message><source>For {0}, {1}: {2}</source>
+        <translation>Für {0}, {1}: {2}</translation></message>
+    <message><source>Drag a handle of the curve, or type {0} or {1} counts. Nothing is written until you click Apply.</source>
+        <translation>Ziehen Sie an einem Griff der Kurve, oder geben Sie {0} oder {1} Counts ein. Geschrieben wird erst, wenn Sie auf „Einstellungen anwenden“ klicken.</translation></message>
+    <message><source>input now {0} ({1}), output {2}</source>
+        <translation>Eingang jetzt {0} ({1}), Ausgang {2}</translation></message>
+    <message><source>Discard edits of channel {0}</source>
+        <translation>Änderungen an Kanal {0} verwerfen</translation></message>
+    <message><source>the calibration of {0}</source>
+        <translation>Kalibrierung von {0}</translation></message>
+    <message><source>For {0}: not read yet</source>
+        <translation>Für {0}: noch nicht gelesen</translation></message>
+    <message><source>For {0}: {1}</source>
+        <translation>Für {0}: {1}</translation></message>
+    <message><source>The board reads {0} now. Open their tab, or make the board read {1} first, as described above.</source>
+        <translation>Das Board liest jetzt {0}. Öffnen Sie deren Registerkarte, oder lassen Sie das Board zuerst {1} lesen, wie oben beschrieben.</translation></message>
+    <message><source>Connect to a board to see its inputs.</source>
+        <translation>Verbinden Sie ein Board, um seine Eingänge zu sehen.</translation></message>
+    <message><source>Joint mode: both drivers power motor 1, nothing is mixed.</source>
+        <translation>Parallelbetrieb: Beide Treiber speisen Motor 1, nichts wird gemischt.</translation></message>
+    <message><source>A count is 0.4 µs.</source>
+        <translation>Ein Count entspricht 0,4 µs.</translation></message>
+    <message><source>A count is 4.89 mV.</source>
+        <translation>Ein Count entspricht 4,89 mV.</translation></message>
+    <message><source>Input and count</source>
+        <translation>Eingang und Counts</translation></message>
+    <message><source>Raw, with its calibration</source>
+        <translation>Rohwert mit Kalibrierung</translation></message>
+    <message><source>The bar shows the raw input. Its marks are the channel's calibration: full output at min and max, none within the shaded deadband around neutral.</source>
+        <translation>Der Balken zeigt den Rohwert des Eingangs. Die Marken sind die Kalibrierung des Kanals: voller Ausgang bei min und max, keiner im schattierten Totbereich um die Neutralstellung.</translation></message>
+    <message><source>Last 10 seconds</source>
+        <translation>Letzte 10 Sekunden</translation></message>
+    <message><source>The raw input on the scale of the bar, the newest at the right. Where there was no valid signal the line has a gap.</source>
+        <translation>Der Rohwert des Eingangs in der Skala des Balkens, der neueste rechts. Ohne gültiges Signal hat die Linie eine Lücke.</translation></message>
+    <message><source>Remapped (−127 to 127)</source>
+        <translation>Umgerechnet (−127 bis 127)</translation></message>
+    <message><source>What the board makes of the input. Those of channels 1 and 2 are the speeds for motors 1 and 2, after mixing and flip.</source>
+        <translation>Was das Board aus dem Eingang macht. Bei den Kanälen 1 und 2 sind es die Geschwindigkeiten für die Motoren 1 und 2, nach Mischer und Umdrehen.</translation></message>
+    <message><source>Moving channel 1 or 2 shows whether the mix jumper is on.</source>
+        <translation>Bewegen von Kanal 1 oder 2 zeigt, ob der Mix-Jumper gesteckt ist.</translation></message>
+    <message><source>The mix jumper is on.</source>
+        <translation>Der Mix-Jumper ist gesteckt.</translation></message>
+    <message><source>The mix jumper is off.</source>
+        <translation>Der Mix-Jumper ist abgezogen.</translation></message>
+    <message><source>Input of channel {0} in the last 10 seconds</source>
+        <translation>Eingang von Kanal {0} in den letzten 10 Sekunden</translation></message>
+    <message><source>Remapped channel {0}</source>
+        <translation>Kanal {0}, umgerechnet</translation></message>
+    <message><source>Connect to a board to see its motor currents.</source>
+        <translation>Verbinden Sie ein Board, um seine Motorströme zu sehen.</translation></message>
+    <message><source>Motor currents</source>
+        <translation>Motorströme</translation></message>
+    <message><source>No board is connected. Choose a port at the top of the main window and press Connect; without hardware, choose the demo board.</source>
+        <translation>Kein Board ist verbunden. Wählen Sie oben im Hauptfenster einen Port und klicken Sie auf „Verbinden“; ohne Hardware wählen Sie das Demo-Board.</translation></message>
+    <message><source>Joint mode: the board does not sense currents.</source>
+        <translation>Parallelbetrieb: Das Board misst keine Ströme.</translation></message>
+    <message><source>No current has been read yet.</source>
+        <translation>Es wurde noch kein Strom gelesen.</translation></message>
+    <message><source>Motor currents, {0}</source>
+        <translation>Motorströme, {0}</translation></message>
+    <message><source>One count of this board is {0:.0f} mA.</source>
+        <translation>Ein Count entspricht bei diesem Board {0:.0f} mA.</translation></message>
+    <message><source>Reading an error clears it in the board; this program counts each one. Errors in bold were reported since you cleared them.</source>
+        <translation>Beim Lesen wird ein Fehler im Board gelöscht; dieses Programm zählt jeden. Fett gedruckte Fehler wurden seit dem letzten Quittieren gemeldet.</translation></message>
+    <message><source>C&amp;lear errors</source>
+        <translation>Fehler &amp;quittieren</translation></message>
+    <message><source>Reset co&amp;unts</source>
+        <translation>&amp;Zähler zurücksetzen</translation></message>
+    <message><source>Errors</source>
+        <translation>Fehler</translation></message>
+    <message><source>Error</source>
+        <translation>Fehler</translation></message>
+    <message><source>Active now</source>
+        <translation>Jetzt aktiv</translation></message>
+    <message><source>Stopping the motors</source>
+        <translation>Stoppt die Motoren</translation></message>
+    <message><source>Count</source>
+        <translation>Anzahl</translation></message>
+    <message><source>Last seen</source>
+        <translation>Zuletzt</translation></message>
+    <message><source>What it means, and what to do</source>
+        <translation>Was er bedeutet und was zu tun ist</translation></message>
+    <message><source>Connection</source>
+        <translation>Verbindung</translation></message>
+    <message><source>never</source>
+        <translation>nie</translation></message>
+    <message><source>before connecting</source>
+        <translation>vor dem Verbinden</translation></message>
+    <message><source>Latched before connecting, perhaps by the search for the board; not counted.</source>
+        <translation>Schon vor dem Verbinden gesetzt, vielleicht durch die Suche nach dem Board; nicht gezählt.</translation></message>
+    <message><source>The line is noisy and has no CRC: a corrupted reply looks alike.</source>
+        <translation>Die Leitung ist gestört und hat kein CRC: Eine verfälschte Antwort sieht genauso aus.</translation></message>
+    <message><source>⚠ Yes</source>
+        <translation>⚠ Ja</translation></message>
+    <message><source>Take the errors in bold as known; counts stay, and an error that is still active comes back at once</source>
+        <translation>Fett gedruckte Fehler als bekannt übernehmen; die Zähler bleiben, und ein noch aktiver Fehler erscheint sofort wieder</translation></message>
+    <message><source>Set every count to zero, and forget when errors were seen</source>
+        <translation>Alle Zähler auf null setzen und vergessen, wann Fehler auftraten</translation></message>
+    <message><source>{0}; timeouts: {1}, corrupted replies: {2}, slowest reply: {3:.0f} ms</source>
+        <translation>{0}; Timeouts: {1}, verfälschte Antworten: {2}, langsamste Antwort: {3:.0f} ms</translation></message>
+    <message><source>No</source>
+        <translation>Nein</translation></message>
+    <message><source>Quality:</source>
+        <translation>Qualität:</translation></message>
+    <message><source>Since the connection was opened</source>
+        <translation>Seit dem Öffnen der Verbindung</translation></message>
+    <message><source>Reads per second:</source>
+        <translation>Lesevorgänge pro Sekunde:</translation></message>
+    <message><source>Connected for:</source>
+        <translation>Verbunden seit:</translation></message>
+    <message><source>Restarts in another mode:</source>
+        <translation>Neustarts in anderem Modus:</translation></message>
+    <message><source>The board came back in another mode, so its power was off meanwhile; it does not report a restart in the same mode</source>
+        <translation>Das Board kam in einem anderen Modus zurück, war also zwischendurch ohne Strom; einen Neustart im selben Modus meldet es nicht</translation></message>
+    <message><source>Returned after silence:</source>
+        <translation>Nach Stille zurückgekehrt:</translation></message>
+    <message><source>The board was silent for a while: its power was low or off, it restarted, or the cable has a bad contact</source>
+        <translation>Das Board schwieg eine Zeit lang: Seine Versorgung war schwach oder aus, es startete neu, oder das Kabel hat einen Wackelkontakt</translation></message>
+    <message><source>{0}
+(doubtful)</source>
+        <translation>{0}
+(zweifelhaft)</translation></message>
+    <message><source>Zero</source>
+        <translation>Null</translation></message>
+    <message><source>Brake</source>
+        <translation>Bremsen</translation></message>
+    <message><source>Current of this motor; the red line is its limit, ⚠ means 80 % of it or more</source>
+        <translation>Strom dieses Motors; die rote Linie ist seine Grenze, ⚠ bedeutet 80 % davon oder mehr</translation></message>
+    <message><source>Speed 0: the motor is not driven and coasts</source>
+        <translation>Geschwindigkeit 0: Der Motor wird nicht angetrieben und läuft aus</translation></message>
+    <message><source>Board: serial in control…</source>
+        <translation>Board: seriell gesteuert…</translation></message>
+    <message><source>From −127, full speed back, to 127, full speed forward</source>
+        <translation>Von −127, voll rückwärts, bis 127, voll vorwärts</translation></message>
+    <message><source>From 0 to 127, full speed</source>
+        <translation>Von 0 bis 127, volle Geschwindigkeit</translation></message>
+    <message><source>{0}, speed</source>
+        <translation>{0}, Geschwindigkeit</translation></message>
+    <message><source>{0}, speed as a number</source>
+        <translation>{0}, Geschwindigkeit als Zahl</translation></message>
+    <message><source>{0}, speed zero</source>
+        <translation>{0}, Geschwindigkeit null</translation></message>
+    <message><source>{0}, brake</source>
+        <translation>{0}, bremsen</translation></message>
+    <message><source>{0}, channel command</source>
+        <translation>{0}, Kanalbefehl</translation></message>
+    <message><source>{0}, current</source>
+        <translation>{0}, Strom</translation></message>
+    <message><source>Up to {0}, the speed ceiling above</source>
+        <translation>Bis {0}, der Höchstgeschwindigkeit oben</translation></message>
+    <message><source>Hold an arrow key to drive while the pad has the focus.</source>
+        <translation>Halten Sie eine Pfeiltaste, um zu fahren, solange das Fahrfeld den Fokus hat.</translation></message>
+    <message><source>Drive pad</source>
+        <translation>Fahrfeld</translation></message>
+    <message><source>Hold Up or Down to drive; the motors cannot turn separately.</source>
+        <translation>Halten Sie „Pfeil auf“ oder „Pfeil ab“, um zu fahren; die Motoren können nicht getrennt drehen.</translation></message>
+    <message><source>back</source>
+        <translation>zurück</translation></message>
+    <message><source>right</source>
+        <translation>rechts</translation></message>
+    <message><source>left</source>
+        <translation>links</translation></message>
+    <message><source>{0} {1:.0%}, {2} {3:.0%}.</source>
+        <translation>{0} {1:.0%}, {2} {3:.0%}.</translation></message>
+    <message><source>forward, at most {0:.0f} %</source>
+        <translation>vorwärts, höchstens {0:.0f} %</translation></message>
+    <message><source>Full deflection is {0:.0f} % of full speed.</source>
+        <translation>Voller Ausschlag entspricht {0:.0f} % der vollen Geschwindigkeit.</translation></message>
+    <message><source>The gamepad cannot drive while this window is open, but its stop button works.</source>
+        <translation>Mit dem Gamepad kann nicht gefahren werden, solange dieses Fenster offen ist, aber seine Stopptaste wirkt.</translation></message>
+    <message><source>Invert</source>
+        <translation>Umkehren</translation></message>
+    <message><source>Set up the gamepad</source>
+        <translation>Gamepad einrichten</translation></message>
+    <message><source>Assignment</source>
+        <translation>Zuordnung</translation></message>
+    <message><source>How two axes drive two motors</source>
+        <translation>Wie zwei Achsen zwei Motoren steuern</translation></message>
+    <message><source>Move it…</source>
+        <translation>Bewegen…</translation></message>
+    <message><source>Press it…</source>
+        <translation>Drücken…</translation></message>
+    <message><source>&amp;Forward</source>
+        <translation>&amp;Vorwärts</translation></message>
+    <message><source>&amp;Turn</source>
+        <translation>&amp;Lenken</translation></message>
+    <message><source>&amp;Hold to drive</source>
+        <translation>Zum &amp;Fahren halten</translation></message>
+    <message><source>&amp;Stop everything</source>
+        <translation>&amp;Alles stoppen</translation></message>
+    <message><source>Dead zone in percent of the travel</source>
+        <translation>Totzone in Prozent des Wegs</translation></message>
+    <message><source>Expo in percent</source>
+        <translation>Expo in Prozent</translation></message>
+    <message><source>St&amp;icks:</source>
+        <translation>&amp;Knüppel:</translation></message>
+    <message><source>&amp;Dead zone:</source>
+        <translation>T&amp;otzone:</translation></message>
+    <message><source>&amp;Expo:</source>
+        <translation>&amp;Expo:</translation></message>
+    <message><source>Motor 1:</source>
+        <translation>Motor 1:</translation></message>
+    <message><source>Motor 2:</source>
+        <translation>Motor 2:</translation></message>
+    <message><source>Without a button to hold, a bumped stick drives the motors. The gamepad cannot drive while this window is open.</source>
+        <translation>Ohne eine Taste zum Halten treibt ein angestoßener Knüppel die Motoren an. Mit dem Gamepad kann nicht gefahren werden, solange dieses Fenster offen ist.</translation></message>
+    <message><source>Live state</source>
+        <translation>Aktueller Zustand</translation></message>
+    <message><source>Travel around the centre that has no effect</source>
+        <translation>Weg um die Mitte, der nichts bewirkt</translation></message>
+    <message><source>0 %: linear. 100 %: cubic, finest around the centre</source>
+        <translation>0 %: linear. 100 %: kubisch, am feinsten um die Mitte</translation></message>
+    <message><source>none: a moved stick drives</source>
+        <translation>keine: Ein bewegter Knüppel fährt</translation></message>
+    <message><source>Push the stick for the left motor fully forward.</source>
+        <translation>Drücken Sie den Knüppel für den linken Motor ganz nach vorn.</translation></message>
+    <message><source>Push the stick for the right motor fully forward.</source>
+        <translation>Drücken Sie den Knüppel für den rechten Motor ganz nach vorn.</translation></message>
+    <message><source>Push the stick that drives fully forward.</source>
+        <translation>Drücken Sie den Knüppel zum Fahren ganz nach vorn.</translation></message>
+    <message><source>Push the stick that turns fully to the right.</source>
+        <translation>Drücken Sie den Knüppel zum Lenken ganz nach rechts.</translation></message>
+    <message><source>Press the button to hold while driving.</source>
+        <translation>Drücken Sie die Taste, die beim Fahren gehalten wird.</translation></message>
+    <message><source>Press the button that stops everything.</source>
+        <translation>Drücken Sie die Taste, die alles stoppt.</translation></message>
+    <message><source>pressed</source>
+        <translation>gedrückt</translation></message>
+    <message><source>{0}: detect</source>
+        <translation>{0}: erkennen</translation></message>
+    <message><source>{0}: inverted</source>
+        <translation>{0}: umgekehrt</translation></message>
+    <message><source>&amp;Left motor</source>
+        <translation>&amp;Linker Motor</translation></message>
+    <message><source>Right &amp;motor</source>
+        <translation>&amp;Rechter Motor</translation></message>
+    <message><source>One axis drives, one turns</source>
+        <translation>Eine Achse fährt, eine lenkt</translation></message>
+    <message><source>An axis for each motor</source>
+        <translation>Eine Achse für jeden Motor</translation></message>
+    <message><source>Setpoint of motor {0}</source>
+        <translation>Sollwert von Motor {0}</translation></message>
+    <message><source>Gamepad</source>
+        <translation>Gamepad</translation></message>
+    <message><source>Drive with a &amp;gamepad</source>
+        <translation>Mit Gam&amp;epad fahren</translation></message>
+    <message><source>Set &amp;up…</source>
+        <translation>Ei&amp;nrichten…</translation></message>
+    <message><source>Turn</source>
+        <translation>Lenken</translation></message>
+    <message><source>Stop whe&amp;n the window loses the focus</source>
+        <translation>Stoppen, &amp;wenn das Fenster den Fokus verliert</translation></message>
+    <message><source>The gamepad is being set up and cannot drive.</source>
+        <translation>Das Gamepad wird eingerichtet; mit ihm kann nicht gefahren werden.</translation></message>
+    <message><source>The gamepad drives only while the Motors page is open.</source>
+        <translation>Mit dem Gamepad kann nur gefahren werden, solange die Seite „Motoren“ offen ist.</translation></message>
+    <message><source>Another window is in front, so the gamepad cannot drive.</source>
+        <translation>Ein anderes Fenster ist im Vordergrund, daher kann mit dem Gamepad nicht gefahren werden.</translation></message>
+    <message><source>Drive with a gamepad</source>
+        <translation>Mit Gamepad fahren</translation></message>
+    <message><source>Stop what the gamepad drives when the window loses the focus</source>
+        <translation>Stoppen, was das Gamepad fährt, wenn das Fenster den Fokus verliert</translation></message>
+    <message><source>Remembered for this board.</source>
+        <translation>Wird für dieses Board gemerkt.</translation></message>
+    <message><source>Either slider sets both motors; the robot does not turn</source>
+        <translation>Jeder Schieberegler setzt beide Motoren; der Roboter lenkt nicht</translation></message>
+    <message><source>&amp;Speed ceiling</source>
+        <translation>Höchst&amp;geschwindigkeit</translation></message>
+    <message><source>New board: raise this once its motors turn the right way.</source>
+        <translation>Neues Board: Erst erhöhen, wenn seine Motoren richtig herum drehen.</translation></message>
+    <message><source>Options</source>
+        <translation>Optionen</translation></message>
+    <message><source>Accelerate along the board's ra&amp;mp</source>
+        <translation>Mit der &amp;Rampe des Boards beschleunigen</translation></message>
+    <message><source>Se&amp;t at once</source>
+        <translation>&amp;Sofort setzen</translation></message>
+    <message><source>Drive with arrow &amp;keys or WASD</source>
+        <translation>Mit Pfeil&amp;tasten oder WASD fahren</translation></message>
+    <message><source>&amp;Brake strength</source>
+        <translation>Bre&amp;msstärke</translation></message>
+    <message><source>coast (0 %)</source>
+        <translation>auslaufen (0 %)</translation></message>
+    <message><source>L&amp;ock after Stop</source>
+        <translation>Sperre nach St&amp;opp</translation></message>
+    <message><source>Stop when you lea&amp;ve this page</source>
+        <translation>Beim &amp;Verlassen dieser Seite stoppen</translation></message>
+    <message><source>Return slider to &amp;zero when it is released</source>
+        <translation>Schieberegler beim &amp;Loslassen auf null setzen</translation></message>
+    <message><source>&amp;Link both motors</source>
+        <translation>Beide Motoren &amp;koppeln</translation></message>
+    <message><source>none (0 s)</source>
+        <translation>keine (0 s)</translation></message>
+    <message><source>The motors run differently: stop both, or give both the same speed</source>
+        <translation>Die Motoren laufen verschieden: Stoppen Sie beide, oder geben Sie beiden dieselbe Geschwindigkeit</translation></message>
+    <message><source>Highest speed that this program sends to this board; full deflection of pad, keys and gamepad gives this speed. Raising it does not speed up a running motor.</source>
+        <translation>Höchste Geschwindigkeit, die dieses Programm an dieses Board sendet; voller Ausschlag von Fahrfeld, Tasten und Gamepad ergibt diese Geschwindigkeit. Höher setzen macht einen laufenden Motor nicht schneller.</translation></message>
+    <message><source>The board ramps speeds at the Acceleration setting and pauses for the brake duration before reversing</source>
+        <translation>Das Board ändert Geschwindigkeiten mit einer Rampe nach der Einstellung „Beschleunigung“ und wartet vor dem Umkehren die Bremsdauer ab</translation></message>
+    <message><source>Bypasses ramp and brake duration, and for a moment also the current limit</source>
+        <translation>Umgeht Rampe und Bremsdauer, kurzzeitig auch die Strombegrenzung</translation></message>
+    <message><source>Held keys drive wherever the focus is on this page, except in number fields, tables and lists; sliders then get no arrow keys. In the pad they always drive.</source>
+        <translation>Gehaltene Tasten fahren überall auf dieser Seite, wo auch der Fokus ist, außer in Zahlenfeldern, Tabellen und Listen; Schieberegler erhalten dann keine Pfeiltasten. Im Fahrfeld fahren sie immer.</translation></message>
+    <message><source>How hard Brake and letting go of pad, keys and held sliders brake; Stop always brakes fully</source>
+        <translation>Wie stark „Bremsen“ und das Loslassen von Fahrfeld, Tasten und gehaltenen Schiebereglern bremsen; ein Stopp bremst immer voll</translation></message>
+    <message><source>Stop both motors and the auxiliary when another page is shown or the window is minimised</source>
+        <translation>Beide Motoren und den Hilfsmotor stoppen, wenn eine andere Seite gezeigt oder das Fenster minimiert wird</translation></message>
+    <message><source>A slider drives only while you hold it; letting go brakes its motor</source>
+        <translation>Ein Schieberegler fährt nur, solange Sie ihn halten; Loslassen bremst seinen Motor</translation></message>
+    <message><source>How long Run motor stays locked after Stop or Esc, so that a slider or key still held cannot restart a motor (0 to {0:g} s)</source>
+        <translation>Wie lange „Motor freigeben“ nach einem Stopp oder Esc gesperrt bleibt, damit ein noch gehaltener Schieberegler oder eine gehaltene Taste keinen Motor wieder startet (0 bis {0:g} s)</translation></message>
+    <message><source>Seconds that Run motor is locked after Stop</source>
+        <translation>Sekunden, für die „Motor freigeben“ nach einem Stopp gesperrt ist</translation></message>
+    <message><source>{0}, as a number</source>
+        <translation>{0}, als Zahl</translation></message>
+    <message><source>acceleration</source>
+        <translation>Beschleunigung</translation></message>
+    <message><source>brake duration</source>
+        <translation>Bremsdauer</translation></message>
+    <message><source>current limit</source>
+        <translation>Stromgrenze</translation></message>
+    <message><source>Drive</source>
+        <translation>Fahren</translation></message>
+    <message><source>Stored settings; click a value to open its parameter</source>
+        <translation>Gespeicherte Einstellungen; ein Klick auf einen Wert öffnet seinen Parameter</translation></message>
+    <message><source>Both motors</source>
+        <translation>Beide Motoren</translation></message>
+    <message><source>Motor (joint)</source>
+        <translation>Motor (Parallelbetrieb)</translation></message>
+    <message><source>Auxiliary (one way)</source>
+        <translation>Hilfsmotor (eine Richtung)</translation></message>
+    <message><source>Stored motor settings: not known</source>
+        <translation>Gespeicherte Motoreinstellungen: nicht bekannt</translation></message>
+    <message><source>Brake with {0:.0f} % (see Brake strength below)</source>
+        <translation>Mit {0:.0f} % bremsen (siehe „Bremsstärke“ unten)</translation></message>
+    <message><source>Joint mode: follows motor 1</source>
+        <translation>Parallelbetrieb: folgt Motor 1</translation></message>
+    <message><source>The Motors page was left while a control was held.</source>
+        <translation>Die Seite „Motoren“ wurde verlassen, während ein Bedienelement gehalten wurde.</translation></message>
+    <message><source>The Motors page was left.</source>
+        <translation>Die Seite „Motoren“ wurde verlassen.</translation></message>
+    <message><source>The PWM frequency is {0}, not {1}.</source>
+        <translation>Die PWM-Frequenz ist {0}, nicht {1}.</translation></message>
+    <message><source>Baud rate</source>
+        <translation>Baudrate</translation></message>
+    <message><source>Error detection</source>
+        <translation>Fehlererkennung</translation></message>
+    <message><source>Stop bits</source>
+        <translation>Stoppbits</translation></message>
+    <message><source>{0}, or the nearest the board can store; or speed steps, such as {1}</source>
+        <translation>{0} oder der nächste Wert, den das Board speichern kann; oder Geschwindigkeitsstufen, etwa {1}</translation></message>
+    <message><source>unknown ({0})</source>
+        <translation>unbekannt ({0})</translation></message>
+    <message><source>CRC-7</source>
+        <translation>CRC-7</translation></message>
+    <message><source>{0}: channel {1}</source>
+        <translation>{0}: Kanal {1}</translation></message>
+    <message><source>Search names and descriptions (Ctrl+F)</source>
+        <translation>Namen und Beschreibungen durchsuchen (Strg+F)</translation></message>
+    <message><source>Search parameters</source>
+        <translation>Parameter suchen</translation></message>
+    <message><source>Group of parameters</source>
+        <translation>Gruppe von Parametern</translation></message>
+    <message><source>&amp;Modified only</source>
+        <translation>Nur &amp;geänderte</translation></message>
+    <message><source>Not default onl&amp;y</source>
+        <translation>Nur vom &amp;Standard abweichende</translation></message>
+    <message><source>&amp;Both motors as one</source>
+        <translation>&amp;Beide Motoren gemeinsam</translation></message>
+    <message><source>None of {1} matches</source>
+        <translation>Keiner von {1} passt</translation></message>
+    <message><source>{0} of {1}</source>
+        <translation>{0} von {1}</translation></message>
+    <message><source>Show only what you have changed</source>
+        <translation>Nur zeigen, was Sie geändert haben</translation></message>
+    <message><source>Show only values that differ from their default</source>
+        <translation>Nur Werte zeigen, die von ihrem Standardwert abweichen</translation></message>
+    <message><source>Make each change to one motor to the other, too, in one step</source>
+        <translation>Jede Änderung an einem Motor im selben Schritt auch am anderen vornehmen</translation></message>
+    <message><source>All groups</source>
+        <translation>Alle Gruppen</translation></message>
+    <message><source>Click a value and type, or double-click it. Nothing is written until you click Apply.</source>
+        <translation>Klicken Sie auf einen Wert und tippen Sie, oder doppelklicken Sie darauf. Geschrieben wird erst, wenn Sie auf „Einstellungen anwenden“ klicken.</translation></message>
+    <message><source>Discard edi&amp;ts</source>
+        <translation>Änderungen &amp;verwerfen</translation></message>
+    <message><source>Re&amp;load</source>
+        <translation>&amp;Neu laden</translation></message>
+    <message><source>Connect to a board to see its parameters.</source>
+        <translation>Verbinden Sie ein Board, um seine Parameter zu sehen.</translation></message>
+    <message><source>No board is responding. Edits are kept until the same kind of board is connected.</source>
+        <translation>Kein Board antwortet. Die Änderungen bleiben erhalten, bis ein Board derselben Art verbunden ist.</translation></message>
+    <message><source>Factory defaults take effect after the next power cycle.</source>
+        <translation>Die Werkseinstellungen gelten nach dem nächsten Aus- und Einschalten.</translation></message>
+    <message numerus="yes"><source>%n pending change(s): click Apply settings to write.</source>
+        <translation><numerusform>%n ausstehende Änderung: Klicken Sie auf „Einstellungen anwenden“, um sie zu schreiben.</numerusform><numerusform>%n ausstehende Änderungen: Klicken Sie auf „Einstellungen anwenden“, um sie zu schreiben.</numerusform></translation></message>
+    <message><source>Stored, but not active until the board is switched off and on: {0}.</source>
+        <translation>Gespeichert, aber erst nach dem Aus- und Einschalten des Boards aktiv: {0}.</translation></message>
+    <message><source>{0} of {1} could not be verified; marked below.</source>
+        <translation>Konnte nicht bestätigt werden: {0} von {1}; unten markiert.</translation></message>
+    <message numerus="yes"><source>%n setting(s) written and verified.</source>
+        <translation><numerusform>%n Einstellung geschrieben und geprüft.</numerusform><numerusform>%n Einstellungen geschrieben und geprüft.</numerusform></translation></message>
+    <message><source>Show the steps for switching the board off and on</source>
+        <translation>Die Schritte zum Aus- und Einschalten des Boards zeigen</translation></message>
+    <message><source>Read every parameter from the board again</source>
+        <translation>Alle Parameter erneut vom Board lesen</translation></message>
+    <message><source>Rejected by the board: {0}</source>
+        <translation>Vom Board abgelehnt: {0}</translation></message>
+    <message><source>Switch the board off and on to make active: {0}.</source>
+        <translation>Schalten Sie das Board aus und ein, um zu aktivieren: {0}.</translation></message>
+    <message><source>&amp;Show all parameters</source>
+        <translation>&amp;Alle Parameter anzeigen</translation></message>
+    <message><source>N&amp;ote on the value:</source>
+        <translation>N&amp;otiz zum Wert:</translation></message>
+    <message><source>No parameter matches.</source>
+        <translation>Kein Parameter passt.</translation></message>
+    <message><source>No parameter is selected</source>
+        <translation>Kein Parameter ist ausgewählt</translation></message>
+    <message><source>Restore stored value</source>
+        <translation>Gespeicherten Wert wiederherstellen</translation></message>
+    <message><source>Parameters</source>
+        <translation>Parameter</translation></message>
+    <message><source>Edit</source>
+        <translation>Bearbeiten</translation></message>
+    <message><source>Try another &amp;wire value…</source>
+        <translation>Anderen &amp;Rohwert versuchen…</translation></message>
+    <message><source>Leave out of the file</source>
+        <translation>In der Datei weglassen</translation></message>
+    <message><source>Pi&amp;n to the top</source>
+        <translation>O&amp;ben anheften</translation></message>
+    <message><source>Other &amp;value…</source>
+        <translation>Anderer &amp;Wert…</translation></message>
+    <message><source>Pi&amp;n</source>
+        <translation>An&amp;heften</translation></message>
+    <message><source>Defa&amp;ult</source>
+        <translation>&amp;Standardwert</translation></message>
+    <message><source>U&amp;npin</source>
+        <translation>L&amp;oslösen</translation></message>
+    <message><source>Copy as “{0}”</source>
+        <translation>Kopieren als „{0}“</translation></message>
+    <message><source>Copy to {0}</source>
+        <translation>Nach {0} kopieren</translation></message>
+    <message><source>{0} is {1}. This limit is inferred: no document confirms it. You can try any wire value from 0 to {2}. The board decides: it may reject the value, or store another one, and the program shows which. A value that the board stores is remembered for its firmware.</source>
+        <translation>{0}: {1}. Diese Grenze ist erschlossen: Kein Dokument bestätigt sie. Sie können jeden Rohwert von 0 bis {2} versuchen. Das Board entscheidet: Es kann den Wert ablehnen oder einen anderen speichern; das Programm zeigt, was geschehen ist. Ein Wert, den das Board speichert, wird für seine Firmware gemerkt.</translation></message>
+    <message><source>Wire value</source>
+        <translation>Rohwert</translation></message>
+    <message><source>&amp;Try this value</source>
+        <translation>Diesen Wert &amp;versuchen</translation></message>
+    <message><source>&amp;Wire value:</source>
+        <translation>&amp;Rohwert:</translation></message>
+    <message><source>Who drives, jumpers, sticks, motors and limits, step by step.</source>
+        <translation>Wer steuert, Jumper, Knüppel, Motoren und Grenzen, Schritt für Schritt.</translation></message>
+    <message><source>compact packets</source>
+        <translation>kompakte Pakete</translation></message>
+    <message><source>LEDs on the board:</source>
+        <translation>LEDs auf dem Board:</translation></message>
+    <message><source>Set up my r&amp;obot…</source>
+        <translation>Meinen R&amp;oboter einrichten…</translation></message>
+    <message><source>This firmware runs at half of this baud rate.</source>
+        <translation>Diese Firmware arbeitet mit der Hälfte dieser Baudrate.</translation></message>
+    <message><source>LEDs that the board shows</source>
+        <translation>LEDs, die das Board zeigt</translation></message>
+    <message><source>Model:</source>
+        <translation>Modell:</translation></message>
+    <message><source>Firmware:</source>
+        <translation>Firmware:</translation></message>
+    <message><source>Mode:</source>
+        <translation>Modus:</translation></message>
+    <message><source>In control:</source>
+        <translation>Steuerung:</translation></message>
+    <message><source>Motors:</source>
+        <translation>Motoren:</translation></message>
+    <message><source>Port:</source>
+        <translation>Port:</translation></message>
+    <message><source>Settings:</source>
+        <translation>Einstellungen:</translation></message>
+    <message><source>Connector:</source>
+        <translation>Anschluss:</translation></message>
+    <message><source>joint: one motor</source>
+        <translation>Parallelbetrieb: ein Motor</translation></message>
+    <message><source>two independent motors</source>
+        <translation>zwei unabhängige Motoren</translation></message>
+    <message><source>RS-232 (everything sent comes back)</source>
+        <translation>RS-232 (alles Gesendete kommt zurück)</translation></message>
+    <message><source>TTL (SI and SO)</source>
+        <translation>TTL (SI und SO)</translation></message>
+    <message><source>device number {0}</source>
+        <translation>Gerätenummer {0}</translation></message>
+    <message><source>&amp;Settings at this time…</source>
+        <translation>&amp;Einstellungen zu dieser Zeit…</translation></message>
+    <message><source>Signal</source>
+        <translation>Signal</translation></message>
+    <message><source>Counts</source>
+        <translation>Counts</translation></message>
+    <message><source>Remapped</source>
+        <translation>Umgerechnet</translation></message>
+    <message><source>Open the settings that the board stored at this time</source>
+        <translation>Die Einstellungen öffnen, die das Board zu dieser Zeit gespeichert hatte</translation></message>
+    <message><source>Serial mode with {0} inputs</source>
+        <translation>Serieller Modus, Eingänge: {0}</translation></message>
+    <message><source>{0} mode</source>
+        <translation>Modus {0}</translation></message>
+    <message><source>brake {0}</source>
+        <translation>Bremse {0}</translation></message>
+    <message><source>{0}.</source>
+        <translation>{0}.</translation></message>
+    <message><source>{0}; serial commands reach the motors.</source>
+        <translation>{0}; serielle Befehle erreichen die Motoren.</translation></message>
+    <message><source>{0}; the channels control the motors.</source>
+        <translation>{0}; die Kanäle steuern die Motoren.</translation></message>
+    <message><source>The seconds around “{0}” were kept. File, Open fault or stop: {1}</source>
+        <translation>Die Sekunden um „{0}“ wurden behalten. Datei, Störung oder Stopp öffnen: {1}</translation></message>
+    <message><source>The seconds around “{0}” could not be kept. {1}</source>
+        <translation>Die Sekunden um „{0}“ konnten nicht behalten werden. {1}</translation></message>
+    <message><source>Nothing can be recorded: no board is connected.</source>
+        <translation>Es kann nichts aufgezeichnet werden: Kein Board ist verbunden.</translation></message>
+    <message><source>File, Open recording</source>
+        <translation>Datei, Aufzeichnung öffnen</translation></message>
+    <message><source>Open fault or stop</source>
+        <translation>Störung oder Stopp öffnen</translation></message>
+    <message><source>It gets device number {0}, which another board on this line has: both would reply at once, and neither could be read. Give that board another number first.</source>
+        <translation>Es erhält die Gerätenummer {0}, die ein anderes Board an dieser Leitung hat: Beide würden gleichzeitig antworten, und keine der Antworten wäre lesbar. Geben Sie jenem Board zuerst eine andere Nummer.</translation></message>
+    <message><source>&amp;Let the board reset itself…</source>
+        <translation>Das Board sich selbst &amp;zurücksetzen lassen…</translation></message>
+    <message><source>At its next start the board will reset every parameter, including those cleared here. Its present settings are saved first (File, History). Unapplied changes are discarded; Undo restores them.</source>
+        <translation>Bei seinem nächsten Start setzt das Board alle Parameter zurück, auch die hier abgewählten. Seine jetzigen Einstellungen werden zuvor gesichert (Datei, Verlauf). Nicht angewendete Änderungen werden verworfen; „Rückgängig“ stellt sie wieder her.</translation></message>
+    <message><source>Reset the &amp;board</source>
+        <translation>&amp;Board zurücksetzen</translation></message>
+    <message><source>Restore serial defaults</source>
+        <translation>Serielle Standardwerte wiederherstellen</translation></message>
+    <message><source>The communication settings go back to their defaults. They become active when the board is switched off and on.</source>
+        <translation>Die Kommunikationseinstellungen erhalten wieder ihre Standardwerte. Sie werden aktiv, wenn das Board aus- und eingeschaltet wird.</translation></message>
+    <message><source>Restore factory defaults</source>
+        <translation>Werkseinstellungen wiederherstellen</translation></message>
+    <message><source>Every parameter goes back to its default; the channel calibrations stay. Clear the check box of any parameter to keep. Nothing is written before the review.</source>
+        <translation>Jeder Parameter erhält wieder seinen Standardwert; die Kalibrierungen der Kanäle bleiben. Entfernen Sie das Häkchen bei jedem Parameter, der bleiben soll. Vor der Prüfung wird nichts geschrieben.</translation></message>
+    <message><source>Factory default</source>
+        <translation>Werkseinstellung</translation></message>
+    <message numerus="yes"><source>&amp;Review %n change(s)…</source>
+        <translation><numerusform>%n Änderung &amp;prüfen…</numerusform><numerusform>%n Änderungen &amp;prüfen…</numerusform></translation></message>
+    <message><source>Every parameter, by the board's own command, at its next start</source>
+        <translation>Alle Parameter, durch den Befehl des Boards selbst, bei seinem nächsten Start</translation></message>
+    <message><source>No source confirms the default of: {0}.</source>
+        <translation>Keine Quelle bestätigt den Standardwert von: {0}.</translation></message>
+    <message><source>Switch it on again. The program then reconnects at {0}.</source>
+        <translation>Schalten Sie es wieder ein. Das Programm verbindet sich dann neu mit {0}.</translation></message>
+    <message><source>The board has to be switched off and on.</source>
+        <translation>Das Board muss aus- und eingeschaltet werden.</translation></message>
+    <message><source>I have &amp;switched it off and on</source>
+        <translation>Ich habe es aus- und &amp;eingeschaltet</translation></message>
+    <message><source>Switch the board off for at least one second.</source>
+        <translation>Schalten Sie das Board für mindestens eine Sekunde aus.</translation></message>
+    <message><source>The program reads the settings again.</source>
+        <translation>Das Programm liest die Einstellungen erneut.</translation></message>
+    <message><source>Switch it on again.</source>
+        <translation>Schalten Sie es wieder ein.</translation></message>
+    <message><source>Power cycle completed.</source>
+        <translation>Aus- und Einschalten abgeschlossen.</translation></message>
+    <message><source>Not active until the board is switched off and on: {0}.</source>
+        <translation>Erst nach dem Aus- und Einschalten des Boards aktiv: {0}.</translation></message>
+    <message><source>Switch the board off and on</source>
+        <translation>Board aus- und einschalten</translation></message>
+    <message><source>The board is back, but these settings are still not active: {0}.</source>
+        <translation>Das Board ist wieder da, aber diese Einstellungen sind noch nicht aktiv: {0}.</translation></message>
+    <message><source>The board still responds. A short interruption is not detected: leave the power off for a full second.</source>
+        <translation>Das Board antwortet noch. Eine kurze Unterbrechung wird nicht erkannt: Lassen Sie es eine volle Sekunde ausgeschaltet.</translation></message>
+    <message><source>Waiting for the board to stop responding …</source>
+        <translation>Warten, bis das Board nicht mehr antwortet …</translation></message>
+    <message><source>The board is still not responding. Check its power and the cable. If both are fine, disconnect and press “Find…”, which tries every setting.</source>
+        <translation>Das Board antwortet noch immer nicht. Prüfen Sie seine Stromversorgung und das Kabel. Wenn beides in Ordnung ist, trennen Sie die Verbindung und klicken Sie auf „Suchen…“; damit wird jede Einstellung versucht.</translation></message>
+    <message><source>The board has stopped responding. Waiting for it to respond again …</source>
+        <translation>Das Board antwortet nicht mehr. Warten, bis es wieder antwortet …</translation></message>
+    <message><source>The line was closed. Switch the board off and on, then connect again; “Find…” tries every setting.</source>
+        <translation>Die Leitung wurde geschlossen. Schalten Sie das Board aus und ein und verbinden Sie es dann wieder; „Suchen…“ versucht jede Einstellung.</translation></message>
+    <message><source>Connected again. The program cannot detect whether the board was switched off meanwhile: confirm it, or switch the board off and on now.</source>
+        <translation>Wieder verbunden. Das Programm kann nicht erkennen, ob das Board inzwischen ausgeschaltet war: Bestätigen Sie es, oder schalten Sie das Board jetzt aus und ein.</translation></message>
+    <message><source>The board is back, and all stored settings are active.</source>
+        <translation>Das Board ist wieder da, und alle gespeicherten Einstellungen sind aktiv.</translation></message>
+    <message><source>Clear the check box of any setting you want to apply later.</source>
+        <translation>Entfernen Sie das Häkchen bei jeder Einstellung, die Sie später anwenden wollen.</translation></message>
+    <message><source>{0} of {1} could not be verified; still pending.</source>
+        <translation>Konnte nicht bestätigt werden: {0} von {1}; noch ausstehend.</translation></message>
+    <message numerus="yes"><source>%n setting(s) of the {0} will change.</source>
+        <translation><numerusform>%n Einstellung des {0} wird geändert.</numerusform><numerusform>%n Einstellungen des {0} werden geändert.</numerusform></translation></message>
+    <message><source>Apply settings</source>
+        <translation>Einstellungen anwenden</translation></message>
+    <message><source>Progress of writing</source>
+        <translation>Fortschritt beim Schreiben</translation></message>
+    <message><source>New value</source>
+        <translation>Neuer Wert</translation></message>
+    <message numerus="yes"><source>&amp;Write %n setting(s)</source>
+        <translation><numerusform>%n Einstellung &amp;schreiben</numerusform><numerusform>%n Einstellungen &amp;schreiben</numerusform></translation></message>
+    <message><source>The board is in {0} mode and does not accept settings. Set its mode jumper to serial, then switch it off and on.</source>
+        <translation>Das Board ist im Modus {0} und nimmt keine Einstellungen an. Stellen Sie seinen Modus-Jumper auf seriell und schalten Sie es dann aus und ein.</translation></message>
+    <message><source>The board's present settings are saved first (File, History). Each value is read back to verify it; serial settings are written last.</source>
+        <translation>Die jetzigen Einstellungen des Boards werden zuvor gesichert (Datei, Verlauf). Jeder Wert wird zur Prüfung zurückgelesen; serielle Einstellungen werden zuletzt geschrieben.</translation></message>
+    <message><source>These calibrations stay pending until the board uses their input source again: {0}.</source>
+        <translation>Diese Kalibrierungen bleiben ausstehend, bis das Board ihre Eingangsquelle wieder verwendet: {0}.</translation></message>
+    <message><source>Active only after the board is switched off and on: {0}.</source>
+        <translation>Erst nach dem Aus- und Einschalten des Boards aktiv: {0}.</translation></message>
+    <message><source>In the board</source>
+        <translation>Im Board</translation></message>
+    <message><source>Will be written</source>
+        <translation>Wird geschrieben</translation></message>
+    <message><source>The connection was lost.</source>
+        <translation>Die Verbindung ist abgebrochen.</translation></message>
+    <message><source>The value that was being written when the connection was lost may be the old one, the new one or, after a power cut, the default. It will be read again.</source>
+        <translation>Der Wert, der gerade geschrieben wurde, als die Verbindung verloren ging, kann der alte, der neue oder, nach einem Stromausfall, der Standardwert sein. Er wird erneut gelesen.</translation></message>
+    <message numerus="yes"><source>%n finding(s). Accept a proposal, or leave the setting as it is.</source>
+        <translation><numerusform>%n Befund. Nehmen Sie einen Vorschlag an oder lassen Sie die Einstellung, wie sie ist.</numerusform><numerusform>%n Befunde. Nehmen Sie einen Vorschlag an oder lassen Sie die Einstellung, wie sie ist.</numerusform></translation></message>
+    <message numerus="yes"><source>%n finding(s) left.</source>
+        <translation><numerusform>%n Befund bleibt.</numerusform><numerusform>%n Befunde bleiben.</numerusform></translation></message>
+    <message><source>There is nothing to write: no setting was changed.</source>
+        <translation>Es gibt nichts zu schreiben: Keine Einstellung wurde geändert.</translation></message>
+    <message><source>No board is responding. The edits are kept.</source>
+        <translation>Kein Board antwortet. Die Änderungen bleiben erhalten.</translation></message>
+    <message><source>The board will reset itself at its next start and would lose what is written now. Switch it off and on first (Device, Make stored settings active).</source>
+        <translation>Das Board setzt sich bei seinem nächsten Start selbst zurück und würde verlieren, was jetzt geschrieben wird. Schalten Sie es zuerst aus und ein (Gerät, Gespeicherte Einstellungen aktivieren).</translation></message>
+    <message><source>{0} (device number {1}, {2})</source>
+        <translation>{0} (Gerätenummer {1}, {2})</translation></message>
+    <message><source>Saving the board's present settings before anything is written.</source>
+        <translation>Die jetzigen Einstellungen des Boards werden gesichert, bevor etwas geschrieben wird.</translation></message>
+    <message><source>Writing. Each value is read back; leave the power on.</source>
+        <translation>Schreiben läuft. Jeder Wert wird zurückgelesen; lassen Sie die Stromversorgung eingeschaltet.</translation></message>
+    <message><source>{0} of {1}: {2}</source>
+        <translation>{0} von {1}: {2}</translation></message>
+    <message><source>not attempted</source>
+        <translation>nicht versucht</translation></message>
+    <message><source>Channel</source>
+        <translation>Kanal</translation></message>
+    <message><source>Deadband</source>
+        <translation>Totbereich</translation></message>
+    <message><source>Calibrations</source>
+        <translation>Kalibrierungen</translation></message>
+    <message><source>&amp;Add selected</source>
+        <translation>Auswahl &amp;hinzufügen</translation></message>
+    <message><source>&amp;Leave out selected</source>
+        <translation>Auswahl &amp;weglassen</translation></message>
+    <message><source>Double-click a value to change it; type 1500, 1.5 ms, 2.5 V or 3750 counts.</source>
+        <translation>Doppelklicken Sie auf einen Wert, um ihn zu ändern; geben Sie 1500, 1,5 ms, 2,5 V oder 3750 Counts ein.</translation></message>
+    <message><source>Leave out calibrations</source>
+        <translation>Kalibrierungen weglassen</translation></message>
+    <message><source>{0}: {1}. The order is minimum, neutral, maximum.</source>
+        <translation>{0}: {1}. Die Reihenfolge ist Minimum, Neutralstellung, Maximum.</translation></message>
+    <message><source>A board keeps two calibrations for each channel: one for RC pulses, one for analog voltages. Calibrations that are not in the file stay as they are on the board. The number without a unit is the count in the file.</source>
+        <translation>Ein Board speichert zwei Kalibrierungen für jeden Kanal: eine für RC-Impulse, eine für analoge Spannungen. Kalibrierungen, die nicht in der Datei stehen, bleiben auf dem Board, wie sie sind. Die Zahl ohne Einheit ist der Wert in Counts, wie er in der Datei steht.</translation></message>
+    <message><source>N&amp;ote on the calibration:</source>
+        <translation>N&amp;otiz zur Kalibrierung:</translation></message>
+    <message><source>Add the default calibration for the selected channels</source>
+        <translation>Die Standardkalibrierung für die ausgewählten Kanäle hinzufügen</translation></message>
+    <message><source>Remove the calibrations of the selected channels from the file</source>
+        <translation>Die Kalibrierungen der ausgewählten Kanäle aus der Datei entfernen</translation></message>
+    <message><source>Add calibrations</source>
+        <translation>Kalibrierungen hinzufügen</translation></message>
+    <message numerus="yes"><source>{0}: %n change(s) pending; Apply settings writes them.</source>
+        <translation><numerusform>{0}: %n Änderung ausstehend; „Einstellungen anwenden“ schreibt sie.</numerusform><numerusform>{0}: %n Änderungen ausstehend; „Einstellungen anwenden“ schreibt sie.</numerusform></translation></message>
+    <message><source>Checked changes become edits. Nothing is written to the board until you click Apply.</source>
+        <translation>Werte mit Häkchen werden als Änderungen übernommen. Auf das Board wird erst geschrieben, wenn Sie auf „Einstellungen anwenden“ klicken.</translation></message>
+    <message><source>Board, as shown</source>
+        <translation>Board, wie angezeigt</translation></message>
+    <message><source>{0}: settings for a {1} with firmware {2}.</source>
+        <translation>{0}: Einstellungen für einen {1} mit Firmware {2}.</translation></message>
+    <message numerus="yes"><source>%n setting(s) differ, {0} match.</source>
+        <translation><numerusform>%n Einstellung weicht ab, {0} gleich.</numerusform><numerusform>%n Einstellungen weichen ab, {0} gleich.</numerusform></translation></message>
+    <message numerus="yes"><source>&amp;Copy %n value(s) to {0}</source>
+        <translation><numerusform>%n Wert nach {0} &amp;kopieren</numerusform><numerusform>%n Werte nach {0} &amp;kopieren</numerusform></translation></message>
+    <message numerus="yes"><source>%n value(s) copied from {0}.</source>
+        <translation><numerusform>%n Wert aus {0} kopiert.</numerusform><numerusform>%n Werte aus {0} kopiert.</numerusform></translation></message>
+    <message><source>&amp;Edit the file instead</source>
+        <translation>Stattdessen die Datei &amp;bearbeiten</translation></message>
+    <message><source>{0}: settings for a {1}; the board is a {2}.</source>
+        <translation>{0}: Einstellungen für einen {1}; das Board ist ein {2}.</translation></message>
+    <message><source>{0}: settings for a {1} with firmware {2}; the board has {3}.</source>
+        <translation>{0}: Einstellungen für einen {1} mit Firmware {2}; das Board hat {3}.</translation></message>
+    <message numerus="yes"><source>&amp;Load %n change(s)</source>
+        <translation><numerusform>%n Änderung &amp;laden</numerusform><numerusform>%n Änderungen &amp;laden</numerusform></translation></message>
+    <message><source>{0} was not loaded: the board is no longer connected.</source>
+        <translation>{0} wurde nicht geladen: Das Board ist nicht mehr verbunden.</translation></message>
+    <message><source>Copy values from {0}</source>
+        <translation>Werte aus {0} kopieren</translation></message>
+    <message><source>Load settings from {0}</source>
+        <translation>Einstellungen aus {0} laden</translation></message>
+    <message><source>{0}: settings for a {1}.</source>
+        <translation>{0}: Einstellungen für einen {1}.</translation></message>
+    <message><source>Load {0}</source>
+        <translation>{0} laden</translation></message>
+    <message><source>{0}, converted</source>
+        <translation>{0}, konvertiert</translation></message>
+    <message><source>Not in the file, so they stay as they are: {0}.</source>
+        <translation>Nicht in der Datei und daher unverändert: {0}.</translation></message>
+    <message><source>Findings</source>
+        <translation>Befunde</translation></message>
+    <message><source>Acce&amp;pt the proposal</source>
+        <translation>Vorschlag a&amp;nnehmen</translation></message>
+    <message><source>No errors, warnings or suggestions.</source>
+        <translation>Keine Fehler, Warnungen oder Hinweise.</translation></message>
+    <message numerus="yes"><source>%n error(s)</source>
+        <translation><numerusform>%n Fehler</numerusform><numerusform>%n Fehler</numerusform></translation></message>
+    <message numerus="yes"><source>%n warning(s)</source>
+        <translation><numerusform>%n Warnung</numerusform><numerusform>%n Warnungen</numerusform></translation></message>
+    <message numerus="yes"><source>%n suggestion(s)</source>
+        <translation><numerusform>%n Hinweis</numerusform><numerusform>%n Hinweise</numerusform></translation></message>
+    <message><source>Warning</source>
+        <translation>Warnung</translation></message>
+    <message><source>Kind</source>
+        <translation>Art</translation></message>
+    <message><source>Message</source>
+        <translation>Meldung</translation></message>
+    <message><source>Double-click a finding to show its line.</source>
+        <translation>Doppelklicken Sie auf einen Befund, um seine Zeile zu zeigen.</translation></message>
+    <message><source>A file with errors cannot be used.</source>
+        <translation>Eine Datei mit Fehlern kann nicht verwendet werden.</translation></message>
+    <message><source>Suggestion</source>
+        <translation>Hinweis</translation></message>
+    <message><source>Proposal: {0}.</source>
+        <translation>Vorschlag: {0}.</translation></message>
+    <message><source>Bold: differs from the factory default.</source>
+        <translation>Fett: weicht von der Werkseinstellung ab.</translation></message>
+    <message><source>Key</source>
+        <translation>Schlüssel</translation></message>
+    <message><source>Value</source>
+        <translation>Wert</translation></message>
+    <message><source>Default</source>
+        <translation>Standardwert</translation></message>
+    <message><source>Printed {0} by TReX Studio.</source>
+        <translation>Gedruckt {0} von TReX Studio.</translation></message>
+    <message><source>Qt's printing is not installed here ({0}); save a PDF file instead.</source>
+        <translation>Die Druckfunktion von Qt ist hier nicht installiert ({0}); speichern Sie stattdessen eine PDF-Datei.</translation></message>
+    <message><source>{0}, page {1} of {2}</source>
+        <translation>{0}, Seite {1} von {2}</translation></message>
+    <message><source>None are given.</source>
+        <translation>Keine angegeben.</translation></message>
+    <message><source>Save writes this text. Comments and the order of the lines stay as they are; change values on the other pages.</source>
+        <translation>„Speichern“ schreibt diesen Text. Kommentare und die Reihenfolge der Zeilen bleiben; ändern Sie Werte auf den anderen Seiten.</translation></message>
+    <message><source>Chec&amp;k again</source>
+        <translation>&amp;Erneut prüfen</translation></message>
+    <message><source>&amp;Repair values</source>
+        <translation>Werte &amp;reparieren</translation></message>
+    <message><source>This file cannot be used. Correct the text here, then check it again; the other pages open once it has no errors.</source>
+        <translation>Diese Datei kann nicht verwendet werden. Berichtigen Sie den Text hier und prüfen Sie ihn erneut; die anderen Seiten öffnen sich, sobald er keine Fehler mehr hat.</translation></message>
+    <message><source>Line numbers</source>
+        <translation>Zeilennummern</translation></message>
+    <message><source>Read the text again and list its errors</source>
+        <translation>Den Text erneut lesen und seine Fehler auflisten</translation></message>
+    <message><source>Write values with units as wire values, and numbers beyond their range as the nearest one in it; the file changes when you save it</source>
+        <translation>Werte mit Einheiten als Rohwerte schreiben, und Zahlen außerhalb ihres Bereichs als die nächstliegende darin; die Datei ändert sich, wenn Sie speichern</translation></message>
+    <message><source>Text of the settings file</source>
+        <translation>Text der Einstellungsdatei</translation></message>
+    <message><source>This is the text as it was opened, without your changes: {0}. Save offers to rewrite the file from the settings.</source>
+        <translation>Dies ist der Text, wie er geöffnet wurde, ohne Ihre Änderungen: {0}. „Speichern“ bietet an, die Datei aus den Einstellungen neu zu schreiben.</translation></message>
+    <message><source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation></message>
+    <message><source>Text</source>
+        <translation>Text</translation></message>
+    <message><source>&amp;File</source>
+        <translation>&amp;Datei</translation></message>
+    <message><source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation></message>
+    <message><source>&amp;Compare</source>
+        <translation>&amp;Vergleichen</translation></message>
+    <message><source>&amp;Device</source>
+        <translation>&amp;Gerät</translation></message>
+    <message><source>Save settings file</source>
+        <translation>Einstellungsdatei speichern</translation></message>
+    <message><source>Save as PDF</source>
+        <translation>Als PDF speichern</translation></message>
+    <message><source>Compare with</source>
+        <translation>Vergleichen mit</translation></message>
+    <message><source>Tool bar</source>
+        <translation>Werkzeugleiste</translation></message>
+    <message><source>It still has errors.</source>
+        <translation>Sie hat noch Fehler.</translation></message>
+    <message><source>Factory defaults</source>
+        <translation>Werkseinstellungen</translation></message>
+    <message><source>The text no longer has errors; all pages are available.</source>
+        <translation>Der Text hat keine Fehler mehr; alle Seiten sind verfügbar.</translation></message>
+    <message><source>Nothing could be repaired: correct the text in the lines named below.</source>
+        <translation>Nichts konnte repariert werden: Berichtigen Sie den Text in den unten genannten Zeilen.</translation></message>
+    <message><source>Correct the rest in the text.</source>
+        <translation>Berichtigen Sie den Rest im Text.</translation></message>
+    <message><source>&amp;New…</source>
+        <translation>&amp;Neu…</translation></message>
+    <message><source>&amp;Print…</source>
+        <translation>&amp;Drucken…</translation></message>
+    <message><source>Save as P&amp;DF…</source>
+        <translation>Als &amp;PDF speichern…</translation></message>
+    <message><source>&amp;Convert for another board…</source>
+        <translation>Für ein anderes Board &amp;konvertieren…</translation></message>
+    <message><source>With another &amp;file…</source>
+        <translation>Mit einer anderen &amp;Datei…</translation></message>
+    <message><source>With the &amp;board</source>
+        <translation>Mit dem &amp;Board</translation></message>
+    <message><source>With factory &amp;defaults</source>
+        <translation>Mit den &amp;Werkseinstellungen</translation></message>
+    <message><source>&amp;Send to the board…</source>
+        <translation>An das Board &amp;senden…</translation></message>
+    <message><source>{0}[*] – TReX settings file</source>
+        <translation>{0}[*] – TReX-Einstellungsdatei</translation></message>
+    <message><source>Findings ({0})</source>
+        <translation>Befunde ({0})</translation></message>
+    <message><source>Repaired: {0}.</source>
+        <translation>Repariert: {0}.</translation></message>
+    <message><source>Not saved. {0}</source>
+        <translation>Nicht gespeichert. {0}</translation></message>
+    <message><source>The pages were saved in {0}.</source>
+        <translation>Die Seiten wurden in {0} gespeichert.</translation></message>
+    <message><source>Not compared. {0}</source>
+        <translation>Nicht verglichen. {0}</translation></message>
+    <message><source>&amp;Undo {0}</source>
+        <translation>&amp;Rückgängig: {0}</translation></message>
+    <message><source>&amp;Redo {0}</source>
+        <translation>&amp;Wiederherstellen: {0}</translation></message>
+    <message><source>Open settings file</source>
+        <translation>Einstellungsdatei öffnen</translation></message>
+    <message><source>{0} applies and checks the settings shown; read its first lines.</source>
+        <translation>{0} wendet die angezeigten Einstellungen an und prüft sie; lesen Sie die ersten Zeilen der Datei.</translation></message>
+    <message><source>is not a readable settings file.</source>
+        <translation>ist keine lesbare Einstellungsdatei.</translation></message>
+    <message><source>Calibrations that the board does not show now were kept: {0}.</source>
+        <translation>Kalibrierungen, die das Board jetzt nicht zeigt, wurden beibehalten: {0}.</translation></message>
+    <message><source>Export as code</source>
+        <translation>Als Code exportieren</translation></message>
+    <message><source>New settings file</source>
+        <translation>Neue Einstellungsdatei</translation></message>
+    <message><source>&amp;Start the new file with:</source>
+        <translation>Neue Datei &amp;beginnen mit:</translation></message>
+    <message><source>Factory defaults of a {0}, firmware {1}</source>
+        <translation>Werkseinstellungen eines {0}, Firmware {1}</translation></message>
+    <message><source>Factory defaults.</source>
+        <translation>Werkseinstellungen.</translation></message>
+    <message><source>{0} was not saved again: it is still being saved.</source>
+        <translation>{0} wurde nicht erneut gespeichert: Die Datei wird noch gespeichert.</translation></message>
+    <message><source>Beginnings</source>
+        <translation>Vorlagen</translation></message>
+    <message><source>The board as shown: {0}, firmware {1}</source>
+        <translation>Das Board, wie angezeigt: {0}, Firmware {1}</translation></message>
+    <message><source>As shown.</source>
+        <translation>Wie angezeigt.</translation></message>
+    <message><source>Settings applied {0}</source>
+        <translation>Angewendete Einstellungen, {0}</translation></message>
+    <message><source>The settings shown were saved in {0}.</source>
+        <translation>Die angezeigten Einstellungen wurden in {0} gespeichert.</translation></message>
+    <message><source>{0}, settings shown</source>
+        <translation>{0}, angezeigte Einstellungen</translation></message>
+    <message><source>Applied</source>
+        <translation>Angewendet</translation></message>
+    <message><source>{0} was not written: {1}</source>
+        <translation>{0} wurde nicht geschrieben: {1}</translation></message>
+    <message><source>{0} was not saved: {1}</source>
+        <translation>{0} wurde nicht gespeichert: {1}</translation></message>
+    <message><source>holds settings of a {0}.</source>
+        <translation>enthält Einstellungen eines {0}.</translation></message>
+    <message><source>Sample: {0}</source>
+        <translation>Beispiel: {0}</translation></message>
+    <message><source>Next changes {0}. Nothing is written before you apply it.</source>
+        <translation>„Weiter“ ändert {0}. Geschrieben wird erst, wenn Sie es anwenden.</translation></message>
+    <message><source>&amp;Who drives</source>
+        <translation>&amp;Wer steuert</translation></message>
+    <message><source>&amp;Jumpers</source>
+        <translation>&amp;Jumper</translation></message>
+    <message><source>&amp;Sticks</source>
+        <translation>&amp;Knüppel</translation></message>
+    <message><source>Which &amp;motor is which</source>
+        <translation>Welcher &amp;Motor ist welcher</translation></message>
+    <message><source>&amp;Ramps and limits</source>
+        <translation>&amp;Rampen und Grenzen</translation></message>
+    <message><source>Serial &amp;timeout</source>
+        <translation>Serielles &amp;Timeout</translation></message>
+    <message><source>S&amp;kip</source>
+        <translation>Über&amp;springen</translation></message>
+    <message numerus="yes"><source>Next adds %n change(s). Nothing is written before you apply them.</source>
+        <translation><numerusform>„Weiter“ fügt %n Änderung hinzu. Geschrieben wird erst, wenn Sie sie anwenden.</numerusform><numerusform>„Weiter“ fügt %n Änderungen hinzu. Geschrieben wird erst, wenn Sie sie anwenden.</numerusform></translation></message>
+    <message><source>Go on without the changes of this step</source>
+        <translation>Ohne die Änderungen dieses Schrittes fortfahren</translation></message>
+    <message><source>Close the assistant; its changes stay until you apply or discard them</source>
+        <translation>Den Assistenten schließen; seine Änderungen bleiben, bis Sie sie anwenden oder verwerfen</translation></message>
+    <message><source>Nothing has to change: the wheels follow the sticks.</source>
+        <translation>Es muss nichts geändert werden: Die Räder folgen den Knüppeln.</translation></message>
+    <message><source>Switch the motors' power off.</source>
+        <translation>Schalten Sie die Motorversorgung aus.</translation></message>
+    <message><source>Swap the two wires of the left motor.</source>
+        <translation>Vertauschen Sie die beiden Drähte des linken Motors.</translation></message>
+    <message><source>Swap the two wires of the right motor.</source>
+        <translation>Vertauschen Sie die beiden Drähte des rechten Motors.</translation></message>
+    <message><source>Left wheel, forward</source>
+        <translation>Linkes Rad, vorwärts</translation></message>
+    <message><source>Right wheel, forward</source>
+        <translation>Rechtes Rad, vorwärts</translation></message>
+    <message><source>Left wheel, backward</source>
+        <translation>Linkes Rad, rückwärts</translation></message>
+    <message><source>Right wheel, backward</source>
+        <translation>Rechtes Rad, rückwärts</translation></message>
+    <message><source>Nothing</source>
+        <translation>Nichts</translation></message>
+    <message><source>The wheels are &amp;off the ground, and nothing can get caught in them</source>
+        <translation>Die Räder sind vom &amp;Boden abgehoben, und nichts kann sich in ihnen verfangen</translation></message>
+    <message><source>Wir&amp;es swapped – test again</source>
+        <translation>&amp;Drähte vertauscht – erneut testen</translation></message>
+    <message><source>Armed. Hold a button: its motor is driven forward in short, weak pulses; the other one stays at rest. Then say below what turned.</source>
+        <translation>Freigegeben. Halten Sie eine Schaltfläche gedrückt: Der zugehörige Motor läuft in kurzen, schwachen Impulsen vorwärts; der andere steht still. Geben Sie dann unten an, was sich gedreht hat.</translation></message>
+    <message><source>Motor {0} is driven in pulses. Release the button to stop it.</source>
+        <translation>Motor {0} läuft in Impulsen. Lassen Sie die Schaltfläche los, um ihn zu stoppen.</translation></message>
+    <message><source>Nothing turned: the next pulses are stronger (30 % instead of 20 %). If that does not help, check the battery and the wires of this motor.</source>
+        <translation>Nichts hat sich gedreht: Die nächsten Impulse sind stärker (30 % statt 20 %). Wenn das nicht hilft, prüfen Sie die Batterie und die Drähte dieses Motors.</translation></message>
+    <message><source>Motor 1 drives the left wheel, motor 2 the right one, both forward.</source>
+        <translation>Motor 1 treibt das linke Rad an, Motor 2 das rechte, beide vorwärts.</translation></message>
+    <message><source>No wires have to be swapped. Settings make the wheels follow the sticks, but those settings depend on the directions of the sticks, which are not known yet: go back to Sticks. Your answers are kept.</source>
+        <translation>Es müssen keine Drähte vertauscht werden. Einstellungen lassen die Räder den Knüppeln folgen, hängen aber von den Richtungen der Knüppel ab, die noch nicht bekannt sind: Gehen Sie zurück zu „Knüppel“. Ihre Antworten bleiben erhalten.</translation></message>
+    <message><source>Motor 1 drives the right wheel, motor 2 the left one.</source>
+        <translation>Motor 1 treibt das rechte Rad an, Motor 2 das linke.</translation></message>
+    <message><source>Settings correct this; no wires have to be swapped.</source>
+        <translation>Einstellungen berichtigen dies; es müssen keine Drähte vertauscht werden.</translation></message>
+    <message><source>Swap the pair of wires of motor 1 with that of motor 2 (keep their order).</source>
+        <translation>Vertauschen Sie das Drahtpaar von Motor 1 mit dem von Motor 2 (Reihenfolge beibehalten).</translation></message>
+    <message><source>No setting does this for serial commands; your own program can do it instead.</source>
+        <translation>Keine Einstellung bewirkt das für serielle Befehle; Ihr eigenes Programm kann es stattdessen tun.</translation></message>
+    <message><source>No setting of the board does this.</source>
+        <translation>Keine Einstellung des Boards bewirkt das.</translation></message>
+    <message><source>Short, weak pulses while you hold it with the mouse or the space bar</source>
+        <translation>Kurze, schwache Impulse, solange Sie die Schaltfläche mit der Maus oder der Leertaste gedrückt halten</translation></message>
+    <message><source>What turned, and which way?</source>
+        <translation>Was hat sich gedreht, und in welche Richtung?</translation></message>
+    <message><source>Forget both answers and find out again which motor is which</source>
+        <translation>Beide Antworten vergessen und erneut herausfinden, welcher Motor welcher ist</translation></message>
+    <message><source>Nothing turned: the pulses stay below the speed ceiling of the Motors page. Raise it, or check the battery and the wires of this motor.</source>
+        <translation>Nichts hat sich gedreht: Die Impulse bleiben unter der Höchstgeschwindigkeit der Seite „Motoren“. Erhöhen Sie diese, oder prüfen Sie die Batterie und die Drähte dieses Motors.</translation></message>
+    <message><source>Two motors cannot drive the same wheel: try both buttons again.</source>
+        <translation>Zwei Motoren können nicht dasselbe Rad antreiben: Versuchen Sie beide Schaltflächen erneut.</translation></message>
+    <message><source>Hold to pulse motor {0}</source>
+        <translation>Gedrückt halten: Motor {0} pulsen</translation></message>
+    <message><source>Remove the mode jumper to set up the board: it accepts settings only without it. To drive, put it on RC, or on analog for a joystick with potentiometers. The board reads it when it is switched on.</source>
+        <translation>Ziehen Sie den Modus-Jumper ab, um das Board einzurichten: Nur ohne ihn nimmt es Einstellungen an. Zum Fahren stecken Sie ihn auf RC, oder auf Analog für einen Joystick mit Potentiometern. Das Board liest ihn beim Einschalten.</translation></message>
+    <message><source>This board was started in {0} mode. Switch it off, remove the mode jumper and switch it on again. This statement then updates by itself.</source>
+        <translation>Dieses Board wurde im Modus {0} gestartet. Schalten Sie es aus, ziehen Sie den Modus-Jumper ab und schalten Sie es wieder ein. Diese Aussage aktualisiert sich dann von selbst.</translation></message>
+    <message><source>The mix jumper is on: remove it, then push a stick again.</source>
+        <translation>Der Mix-Jumper ist gesteckt: Ziehen Sie ihn ab und bewegen Sie dann wieder einen Knüppel.</translation></message>
+    <message><source>The mix jumper is off: put it on, then push a stick again.</source>
+        <translation>Der Mix-Jumper ist nicht gesteckt: Stecken Sie ihn auf und bewegen Sie dann wieder einen Knüppel.</translation></message>
+    <message><source>Channel 1 is for motor 1, channel 2 for motor 2.</source>
+        <translation>Kanal 1 ist für Motor 1, Kanal 2 für Motor 2.</translation></message>
+    <message><source>Set the current that your motors can draw continuously; the values above are only examples. Speeds that are set at once, without a ramp, bypass the limit for a moment.</source>
+        <translation>Stellen Sie den Strom ein, den Ihre Motoren dauernd aufnehmen dürfen; die obigen Werte sind nur Beispiele. Geschwindigkeiten, die sofort, ohne Rampe, gesetzt werden, umgehen die Begrenzung für einen Augenblick.</translation></message>
+    <message><source>The board stores: {0}.</source>
+        <translation>Das Board speichert: {0}.</translation></message>
+    <message numerus="yes"><source>%n change(s) not applied yet.</source>
+        <translation><numerusform>%n Änderung noch nicht angewendet.</numerusform><numerusform>%n Änderungen noch nicht angewendet.</numerusform></translation></message>
+    <message><source>The changes for the motors were not taken over: open the step and click Next.</source>
+        <translation>Die Änderungen für die Motoren wurden nicht übernommen: Öffnen Sie den Schritt und klicken Sie auf „Weiter“.</translation></message>
+    <message><source>Schematic: the user's guide shows where your board has them.</source>
+        <translation>Schema: Das Benutzerhandbuch zeigt, wo Ihr Board sie hat.</translation></message>
+    <message><source>Put the mix jumper on: channel 2 drives forward and back, channel 1 turns. It takes effect at once.</source>
+        <translation>Stecken Sie den Mix-Jumper auf: Kanal 2 fährt vor und zurück, Kanal 1 lenkt. Das wirkt sofort.</translation></message>
+    <message><source>Remove the mix jumper: channel 1 drives motor 1, channel 2 drives motor 2. It takes effect at once.</source>
+        <translation>Ziehen Sie den Mix-Jumper ab: Kanal 1 steuert Motor 1, Kanal 2 steuert Motor 2. Das wirkt sofort.</translation></message>
+    <message><source>The mix jumper does not matter: it has no effect on serial commands.</source>
+        <translation>Der Mix-Jumper ist unerheblich: Auf serielle Befehle hat er keine Wirkung.</translation></message>
+    <message><source>Remove the mode jumper and leave it off: the board then accepts settings and serial commands. It reads the jumper when it is switched on.</source>
+        <translation>Ziehen Sie den Modus-Jumper ab und lassen Sie ihn weg: Das Board nimmt dann Einstellungen und serielle Befehle an. Es liest den Jumper beim Einschalten.</translation></message>
+    <message><source>&amp;Learn channels…</source>
+        <translation>Kanäle &amp;einlernen…</translation></message>
+    <message><source>The stick is fully &amp;forward now</source>
+        <translation>Der Knüppel ist jetzt ganz &amp;vorn</translation></message>
+    <message><source>The stick is fully &amp;right now</source>
+        <translation>Der Knüppel ist jetzt ganz &amp;rechts</translation></message>
+    <message><source>Both sticks are fully &amp;forward now</source>
+        <translation>Beide Knüppel sind jetzt ganz &amp;vorn</translation></message>
+    <message><source>Channel 1 is for left and right of the stick, channel 2 for forward and back.</source>
+        <translation>Kanal 1 gehört zu links und rechts am Knüppel, Kanal 2 zu vor und zurück.</translation></message>
+    <message><source>Channel 1 (motor 1)</source>
+        <translation>Kanal 1 (Motor 1)</translation></message>
+    <message><source>Channel 2 (motor 2)</source>
+        <translation>Kanal 2 (Motor 2)</translation></message>
+    <message><source>{0}: its direction is not known yet.</source>
+        <translation>{0}: Richtung noch nicht bekannt.</translation></message>
+    <message><source>{0}: the value rises.</source>
+        <translation>{0}: Der Wert steigt.</translation></message>
+    <message><source>{0}: the value falls.</source>
+        <translation>{0}: Der Wert fällt.</translation></message>
+    <message><source>{0}: the stick is still near its middle. Push it all the way.</source>
+        <translation>{0}: Der Knüppel ist noch nahe der Mitte. Bewegen Sie ihn bis zum Anschlag.</translation></message>
+    <message><source>Current limit of each motor</source>
+        <translation>Stromgrenze jedes Motors</translation></message>
+    <message><source>off</source>
+        <translation>aus</translation></message>
+    <message><source>In joint mode the board measures no current, so it cannot limit it.</source>
+        <translation>Im Parallelbetrieb misst das Board keinen Strom und kann ihn daher nicht begrenzen.</translation></message>
+    <message><source>This example was made for a {0}, which measures current in other units. Your board keeps its current limit.</source>
+        <translation>Dieses Beispiel wurde für einen {0} erstellt, der den Strom in anderen Einheiten misst. Ihr Board behält seine Stromgrenze.</translation></message>
+    <message><source>Serial timeout in seconds</source>
+        <translation>Serielles Timeout in Sekunden</translation></message>
+    <message><source>Review and &amp;apply…</source>
+        <translation>Prüfen und &amp;anwenden…</translation></message>
+    <message><source>All changes are stored.</source>
+        <translation>Alle Änderungen sind gespeichert.</translation></message>
+    <message><source>The jumpers are not as they have to be, or were not checked.</source>
+        <translation>Die Jumper sind nicht so, wie sie sein müssen, oder wurden nicht geprüft.</translation></message>
+    <message><source>The directions of the sticks are not known.</source>
+        <translation>Die Richtungen der Knüppel sind nicht bekannt.</translation></message>
+    <message><source>Skipped, or its changes were undone.</source>
+        <translation>Übersprungen, oder die Änderungen wurden rückgängig gemacht.</translation></message>
+    <message><source>It is not known which motor drives which wheel.</source>
+        <translation>Es ist nicht bekannt, welcher Motor welches Rad antreibt.</translation></message>
+    <message><source>The settings for the motors wait for the directions of the sticks.</source>
+        <translation>Die Einstellungen für die Motoren warten auf die Richtungen der Knüppel.</translation></message>
+    <message><source>Switch the board off, put the mode jumper on {0}, {1}.</source>
+        <translation>Schalten Sie das Board aus, stecken Sie den Modus-Jumper auf {0} und {1}.</translation></message>
+    <message><source>Switch on the transmitter, then the board.</source>
+        <translation>Schalten Sie zuerst den Sender ein, dann das Board.</translation></message>
+    <message><source>The motors stay off until the sticks are released (safe-start).</source>
+        <translation>Die Motoren bleiben aus, bis die Knüppel losgelassen werden (Safe-Start).</translation></message>
+    <message><source>Drive first with the wheels off the ground: forward, back, left, right.</source>
+        <translation>Fahren Sie zuerst mit den Rädern in der Luft: vor, zurück, links, rechts.</translation></message>
+    <message><source>&amp;One stick</source>
+        <translation>&amp;Ein Knüppel</translation></message>
+    <message><source>A transmitter or a joystick: forward and back, left and right with one stick. The board mixes both.</source>
+        <translation>Ein Sender oder ein Joystick: vor und zurück, links und rechts mit einem Knüppel. Das Board mischt beides.</translation></message>
+    <message><source>&amp;Two sticks</source>
+        <translation>&amp;Zwei Knüppel</translation></message>
+    <message><source>One stick for each side of the robot, as in a tank.</source>
+        <translation>Ein Knüppel für jede Seite des Roboters, wie bei einem Kettenfahrzeug.</translation></message>
+    <message><source>&amp;A computer</source>
+        <translation>Ein &amp;Computer</translation></message>
+    <message><source>A program, a microcontroller or this window sends commands over the serial line.</source>
+        <translation>Ein Programm, ein Mikrocontroller oder dieses Fenster sendet Befehle über die serielle Leitung.</translation></message>
+    <message><source>Each step can be skipped. The assistant writes nothing by itself: what you choose becomes unapplied changes, which you review at the end.</source>
+        <translation>Jeder Schritt kann übersprungen werden. Der Assistent schreibt nichts von selbst: Was Sie wählen, wird zu nicht angewendeten Änderungen, die Sie am Ende prüfen.</translation></message>
+    <message><source>The board does not respond: it may be switched off.</source>
+        <translation>Das Board antwortet nicht: Es ist vielleicht ausgeschaltet.</translation></message>
+    <message><source>No board is connected, so its jumpers cannot be checked.</source>
+        <translation>Kein Board ist verbunden, daher können seine Jumper nicht geprüft werden.</translation></message>
+    <message><source>This board was started without the mode jumper (serial mode).</source>
+        <translation>Dieses Board wurde ohne Modus-Jumper gestartet (serieller Modus).</translation></message>
+    <message><source>The mix jumper can be checked in serial mode only: in this mode a stick that you push would drive the motors.</source>
+        <translation>Der Mix-Jumper kann nur im seriellen Modus geprüft werden: In diesem Modus würde ein Knüppel, den Sie bewegen, die Motoren antreiben.</translation></message>
+    <message><source>It is not known yet whether the mix jumper is on: the board cannot be asked. Push a stick to one side, and the answer appears here.</source>
+        <translation>Es ist noch nicht bekannt, ob der Mix-Jumper gesteckt ist: Das Board lässt sich nicht danach fragen. Bewegen Sie einen Knüppel zu einer Seite; die Antwort erscheint dann hier.</translation></message>
+    <message><source>The board has to know the middle and the ends of each stick. Learning measures them in about two minutes, in a separate window, and ends with a review. The motors stay off meanwhile. Learn before you go on: the next step, which motor is which, needs the directions of the sticks.</source>
+        <translation>Das Board muss die Mitte und die Endlagen jedes Knüppels kennen. Das Einlernen misst sie in etwa zwei Minuten, in einem eigenen Fenster, und endet mit einer Prüfung. Die Motoren bleiben währenddessen aus. Lernen Sie ein, bevor Sie fortfahren: Der nächste Schritt, welcher Motor welcher ist, braucht die Richtungen der Knüppel.</translation></message>
+    <message><source>Already learned? Then show which way the sticks go: push, hold and click. In serial mode they move no motor.</source>
+        <translation>Schon eingelernt? Dann zeigen Sie, in welche Richtung die Knüppel gehen: auslenken, halten und klicken. Im seriellen Modus bewegen sie keinen Motor.</translation></message>
+    <message><source>Channel 1 (turns)</source>
+        <translation>Kanal 1 (lenkt)</translation></message>
+    <message><source>Channel 2 (drives)</source>
+        <translation>Kanal 2 (fährt)</translation></message>
+    <message><source>{0}: no signal arrives.</source>
+        <translation>{0}: Es kommt kein Signal an.</translation></message>
+    <message><source>Keep w&amp;hat the board has</source>
+        <translation>&amp;Werte des Boards behalten</translation></message>
+    <message><source>Neither ramps nor limits change.</source>
+        <translation>Weder Rampen noch Grenzen ändern sich.</translation></message>
+    <message><source>&amp;Tank</source>
+        <translation>&amp;Kettenfahrzeug</translation></message>
+    <message><source>Ro&amp;ver</source>
+        <translation>Ro&amp;ver</translation></message>
+    <message><source>&amp;Autonomous robot</source>
+        <translation>Autonomer &amp;Roboter</translation></message>
+    <message><source>Acceleration: {0}; brake before a reversal: {1}.</source>
+        <translation>Beschleunigung: {0}; Bremsen vor einer Umkehr: {1}.</translation></message>
+    <message><source>If the cable falls out or the computer fails, only the board itself can notice and stop the motors. Without a serial timeout they keep running at their last speed.</source>
+        <translation>Wenn das Kabel herausfällt oder der Computer versagt, kann nur das Board selbst es bemerken und die Motoren stoppen. Ohne serielles Timeout laufen sie mit ihrer letzten Geschwindigkeit weiter.</translation></message>
+    <message><source>Have the computer send something at least twice in that time; a status query will do. 0.5 s is a good value for most robots.</source>
+        <translation>Lassen Sie den Computer in dieser Zeit mindestens zweimal etwas senden; eine Statusabfrage genügt. 0,5 s sind für die meisten Roboter ein guter Wert.</translation></message>
+    <message><source>Still open:</source>
+        <translation>Noch offen:</translation></message>
+    <message><source>put the mix jumper on</source>
+        <translation>stecken Sie den Mix-Jumper auf</translation></message>
+    <message><source>leave the mix jumper off</source>
+        <translation>lassen Sie den Mix-Jumper weg</translation></message>
+    <message><source>Leave the mode jumper off. The first commands can come from the Motors page of this window.</source>
+        <translation>Lassen Sie den Modus-Jumper weg. Die ersten Befehle können von der Seite „Motoren“ dieses Fensters kommen.</translation></message>
+    <message><source>Who drives your robot?</source>
+        <translation>Wer steuert Ihren Roboter?</translation></message>
+    <message><source>Always</source>
+        <translation>Immer</translation></message>
+    <message><source>Now: to set up</source>
+        <translation>Jetzt: zum Einrichten</translation></message>
+    <message><source>Later: to drive</source>
+        <translation>Später: zum Fahren</translation></message>
+    <message><source>Each is connected to an output of your receiver.</source>
+        <translation>Jeder Kanal ist mit einem Ausgang Ihres Empfängers verbunden.</translation></message>
+    <message><source>Is the transmitter on?</source>
+        <translation>Ist der Sender eingeschaltet?</translation></message>
+    <message><source>How should the motors start and stop?</source>
+        <translation>Wie sollen die Motoren anfahren und anhalten?</translation></message>
+    <message><source>Then, by hand:</source>
+        <translation>Danach von Hand:</translation></message>
+    <message><source>{0} Then test the motors again.</source>
+        <translation>{0} Testen Sie dann die Motoren erneut.</translation></message>
+    <message><source>Current &amp;limit of each motor</source>
+        <translation>&amp;Stromgrenze jedes Motors</translation></message>
+    <message><source>Example of a current limit: {0}.</source>
+        <translation>Beispiel einer Stromgrenze: {0}.</translation></message>
+    <message><source>&amp;Stop the motors after a silence of</source>
+        <translation>Motoren &amp;stoppen nach einer Stille von</translation></message>
+    <message><source>Go to this step</source>
+        <translation>Zu diesem Schritt gehen</translation></message>
+    <message><source>Reading…</source>
+        <translation>Lesen…</translation></message>
+    <message numerus="yes"><source>%n setting(s) would become edits; nothing is written until you click Apply.</source>
+        <translation><numerusform>%n Einstellung würde als Änderung übernommen; geschrieben wird erst, wenn Sie auf „Einstellungen anwenden“ klicken.</numerusform><numerusform>%n Einstellungen würden als Änderungen übernommen; geschrieben wird erst, wenn Sie auf „Einstellungen anwenden“ klicken.</numerusform></translation></message>
+    <message><source>Compare with a settings file</source>
+        <translation>Mit einer Einstellungsdatei vergleichen</translation></message>
+    <message><source>{0} cannot be compared with: {1}</source>
+        <translation>Vergleich mit {0} nicht möglich: {1}</translation></message>
+    <message><source>&amp;Restore selected as edits</source>
+        <translation>Auswahl als Änderungen wieder&amp;herstellen</translation></message>
+    <message><source>{0} is damaged and cannot be restored. {1}</source>
+        <translation>{0} ist beschädigt und kann nicht wiederhergestellt werden. {1}</translation></message>
+    <message><source>{0}, before {1}</source>
+        <translation>{0}, vor: {1}</translation></message>
+    <message numerus="yes"><source>%n setting(s) would be restored, {0} match.</source>
+        <translation><numerusform>%n Einstellung würde wiederhergestellt, {0} gleich.</numerusform><numerusform>%n Einstellungen würden wiederhergestellt, {0} gleich.</numerusform></translation></message>
+    <message><source>Both are the same.</source>
+        <translation>Beide sind gleich.</translation></message>
+    <message><source>Nothing is selected to be restored.</source>
+        <translation>Zum Wiederherstellen ist nichts ausgewählt.</translation></message>
+    <message><source>A damaged snapshot cannot be restored.</source>
+        <translation>Eine beschädigte Sicherung kann nicht wiederhergestellt werden.</translation></message>
+    <message><source>The snapshot is being read.</source>
+        <translation>Die Sicherung wird gelesen.</translation></message>
+    <message><source>To restore one of the two, select it alone.</source>
+        <translation>Um eine der beiden wiederherzustellen, wählen Sie sie allein aus.</translation></message>
+    <message><source>To restore, compare with the board.</source>
+        <translation>Zum Wiederherstellen vergleichen Sie mit dem Board.</translation></message>
+    <message><source>The board does not respond, so nothing can be restored.</source>
+        <translation>Das Board antwortet nicht, daher kann nichts wiederhergestellt werden.</translation></message>
+    <message><source>Settings are being written; wait until that is done.</source>
+        <translation>Einstellungen werden geschrieben; warten Sie, bis das abgeschlossen ist.</translation></message>
+    <message><source>There is nothing to restore.</source>
+        <translation>Es gibt nichts wiederherzustellen.</translation></message>
+    <message><source>Select the settings to restore.</source>
+        <translation>Wählen Sie die Einstellungen aus, die wiederhergestellt werden sollen.</translation></message>
+    <message><source>No board is connected. Connect one to restore a snapshot.</source>
+        <translation>Kein Board ist verbunden. Verbinden Sie eines, um eine Sicherung wiederherzustellen.</translation></message>
+    <message><source>the board as it is now, with edits</source>
+        <translation>Board, wie es jetzt ist, mit Änderungen</translation></message>
+    <message><source>a settings file…</source>
+        <translation>Einstellungsdatei…</translation></message>
+    <message><source>snapshot of {0}</source>
+        <translation>Sicherung von {0}</translation></message>
+    <message><source>snapshot of {0}, before {1}</source>
+        <translation>Sicherung von {0}, vor: {1}</translation></message>
+    <message><source>Turn the selected values into edits and review them; only Apply writes them</source>
+        <translation>Die ausgewählten Werte als Änderungen übernehmen und prüfen; nur „Einstellungen anwenden“ schreibt sie</translation></message>
+    <message><source>This snapshot has no differences to restore.</source>
+        <translation>Diese Sicherung enthält keine Unterschiede zum Wiederherstellen.</translation></message>
+    <message><source>The board, with the edits made here, matches this snapshot.</source>
+        <translation>Das Board stimmt, mit den hier gemachten Änderungen, mit dieser Sicherung überein.</translation></message>
+    <message numerus="yes"><source>%n setting(s) not in the snapshot would stay.</source>
+        <translation><numerusform>%n Einstellung, die nicht in der Sicherung steht, bliebe unverändert.</numerusform><numerusform>%n Einstellungen, die nicht in der Sicherung stehen, blieben unverändert.</numerusform></translation></message>
+    <message><source>Restore snapshot of {0}</source>
+        <translation>Sicherung von {0} wiederherstellen</translation></message>
+    <message><source>Compare &amp;with:</source>
+        <translation>Vergleichen &amp;mit:</translation></message>
+    <message><source>Now, with edits</source>
+        <translation>Jetzt, mit Änderungen</translation></message>
+    <message><source>Snapshot of {0}</source>
+        <translation>Sicherung von {0}</translation></message>
+    <message><source>Select a snapshot to see what it would restore.</source>
+        <translation>Wählen Sie eine Sicherung aus, um zu sehen, was sie wiederherstellen würde.</translation></message>
+    <message><source>Select one snapshot, or two to compare them.</source>
+        <translation>Wählen Sie eine Sicherung aus, oder zwei, um sie zu vergleichen.</translation></message>
+    <message numerus="yes"><source>There is no other snapshot of a {0} to compare with. This one has %n setting(s).</source>
+        <translation><numerusform>Es gibt keine andere Sicherung eines {0} zum Vergleich. Diese hat %n Einstellung.</numerusform><numerusform>Es gibt keine andere Sicherung eines {0} zum Vergleich. Diese hat %n Einstellungen.</numerusform></translation></message>
+    <message><source>This snapshot is of a {0}, and the board here is a {1}: it cannot be restored.</source>
+        <translation>Diese Sicherung ist von einem {0}, und das Board hier ist ein {1}: Sie kann nicht wiederhergestellt werden.</translation></message>
+    <message><source>Note: this snapshot is of device number {0}, the board here is number {1}.</source>
+        <translation>Hinweis: Diese Sicherung ist von Gerätenummer {0}, das Board hier hat Nummer {1}.</translation></message>
+    <message><source>Nothing was restored: {0}</source>
+        <translation>Nichts wurde wiederhergestellt: {0}</translation></message>
+    <message><source>You need a USB-serial adapter with TTL levels (5 V or 3.3 V) and three wires.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Switch the board off. Remove the mode jumper: then it starts in serial mode, which is needed to drive it and to change settings from here. Remove the SO–G jumper, too.&lt;/li&gt;&lt;li&gt;Wire the adapter as shown.&lt;/li&gt;&lt;li&gt;Lift the wheels off the ground, switch the board on, and connect:&lt;/li&gt;&lt;/ol&gt;</source>
+        <translation>Sie brauchen einen USB-Seriell-Adapter mit TTL-Pegeln (5 V oder 3,3 V) und drei Leitungen.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Schalten Sie das Board aus. Ziehen Sie den Modus-Jumper ab: Dann startet es im seriellen Modus, der nötig ist, um es von hier aus zu steuern und Einstellungen zu ändern. Ziehen Sie auch den SO–G-Jumper ab.&lt;/li&gt;&lt;li&gt;Schließen Sie den Adapter wie gezeigt an.&lt;/li&gt;&lt;li&gt;Heben Sie die Räder vom Boden ab, schalten Sie das Board ein und verbinden Sie:&lt;/li&gt;&lt;/ol&gt;</translation></message>
+    <message><source>TT&amp;L adapter</source>
+        <translation>TT&amp;L-Adapter</translation></message>
+    <message><source>You need an RS-232 port of the computer or an RS-232 adapter, and three wires.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Switch the board off. Remove the mode and SO–G jumpers, as for a TTL adapter.&lt;/li&gt;&lt;li&gt;Wire the port to the RS-232 pins as shown, and leave SI and SO free: the voltages of RS-232 can damage them.&lt;/li&gt;&lt;li&gt;Lift the wheels off the ground, switch the board on, and connect:&lt;/li&gt;&lt;/ol&gt;</source>
+        <translation>Sie brauchen einen RS-232-Port am Computer oder einen RS-232-Adapter und drei Leitungen.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Schalten Sie das Board aus. Ziehen Sie Modus- und SO–G-Jumper ab, wie bei einem TTL-Adapter.&lt;/li&gt;&lt;li&gt;Schließen Sie den Port wie gezeigt an die RS-232-Pins an, und lassen Sie SI und SO frei: Die Spannungen von RS-232 können sie beschädigen.&lt;/li&gt;&lt;li&gt;Heben Sie die Räder vom Boden ab, schalten Sie das Board ein und verbinden Sie:&lt;/li&gt;&lt;/ol&gt;</translation></message>
+    <message><source>RS-&amp;232 adapter</source>
+        <translation>RS-&amp;232-Adapter</translation></message>
+    <message><source>You need an RC receiver with a servo cable for each channel, and an adapter to connect the board to this computer.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Set the board up through the adapter first: with the mode jumper on, it accepts no settings.&lt;/li&gt;&lt;li&gt;Switch the board off. Connect the receiver as shown: a servo cable has signal, 5 V and GND. The BEC jumper lets the board feed the receiver, with 100 mA at most.&lt;/li&gt;&lt;li&gt;Put the mode jumper on RC. Lift the wheels off the ground and switch on: the transmitter drives, and this program shows what it does.&lt;/li&gt;&lt;/ol&gt;</source>
+        <translation>Sie brauchen einen RC-Empfänger mit einem Servokabel je Kanal und einen Adapter, um das Board mit diesem Computer zu verbinden.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Richten Sie das Board zuerst über den Adapter ein: Mit gestecktem Modus-Jumper nimmt es keine Einstellungen an.&lt;/li&gt;&lt;li&gt;Schalten Sie das Board aus. Schließen Sie den Empfänger wie gezeigt an: Ein Servokabel hat Signal, 5 V und GND. Mit dem BEC-Jumper versorgt das Board den Empfänger, mit höchstens 100 mA.&lt;/li&gt;&lt;li&gt;Stecken Sie den Modus-Jumper auf RC. Heben Sie die Räder vom Boden ab und schalten Sie ein: Der Sender steuert, und dieses Programm zeigt, was er tut.&lt;/li&gt;&lt;/ol&gt;</translation></message>
+    <message><source>RC recei&amp;ver</source>
+        <translation>RC-&amp;Empfänger</translation></message>
+    <message><source>Wiring: TX of the RS-232 port (pin 3 of nine) to RX, RX (pin 2) to TX, GND (pin 5) to GND of the board</source>
+        <translation>Verdrahtung: TX des RS-232-Ports (Pin 3 von neun) an RX, RX (Pin 2) an TX, GND (Pin 5) an GND des Boards</translation></message>
+    <message><source>RS-232 port</source>
+        <translation>RS-232-Port</translation></message>
+    <message><source>Wiring: channels 1 and 2 of the receiver to channels 1 and 2 of the board, 5 V to 5 V, GND to GND</source>
+        <translation>Verdrahtung: Kanäle 1 und 2 des Empfängers an Kanäle 1 und 2 des Boards, 5 V an 5 V, GND an GND</translation></message>
+    <message><source>Receiver</source>
+        <translation>Empfänger</translation></message>
+    <message><source>Jumpers to drive</source>
+        <translation>Jumper zum Fahren</translation></message>
+    <message><source>First difference, line {0}: {1}. The simulated board: {2} ({3}).</source>
+        <translation>Erster Unterschied, Zeile {0}: {1}. Das simulierte Board: {2} ({3}).</translation></message>
+    <message><source>Compare a traffic log</source>
+        <translation>Datenverkehrsprotokoll vergleichen</translation></message>
+    <message><source>Text (*.txt *.tsv)</source>
+        <translation>Text (*.txt *.tsv)</translation></message>
+    <message numerus="yes"><source>%n transaction(s): the simulated board replies the same.</source>
+        <translation><numerusform>%n Transaktion: Das simulierte Board antwortet gleich.</numerusform><numerusform>%n Transaktionen: Das simulierte Board antwortet gleich.</numerusform></translation></message>
+    <message numerus="yes"><source>Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore as pending edits?</source>
+        <translation><numerusform>Zuvor geändert, aber nicht angewendet: %n Einstellung dieses {0} ({1}). Als ausstehende Änderung wiederherstellen?</numerusform><numerusform>Zuvor geändert, aber nicht angewendet: %n Einstellungen dieses {0} ({1}). Als ausstehende Änderungen wiederherstellen?</numerusform></translation></message>
+    <message><source>{0} is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use it, too.</source>
+        <translation>{0} gehört jetzt zu den ausstehenden Änderungen. Die Einstellung gilt, nachdem das Board aus- und eingeschaltet wurde; dieses Fenster folgt dann. Andere Programme an dieser Leitung müssen sie auch verwenden.</translation></message>
+    <message><source>TReX</source>
+        <translation>TReX</translation></message>
+    <message><source>Wiring: TX of the adapter to SI, RX to SO, GND to GND of the board</source>
+        <translation>Verdrahtung: TX des Adapters an SI, RX an SO, GND an GND des Boards</translation></message>
+    <message><source>a settings file of a TReX</source>
+        <translation>eine Einstellungsdatei eines TReX</translation></message>
+    <message><source>a board</source>
+        <translation>ein Board</translation></message>
+    <message><source>Read the settings from the board and discard the edits made here?</source>
+        <translation>Die Einstellungen vom Board lesen und die hier gemachten Änderungen verwerfen?</translation></message>
+    <message><source>Factor&amp;y line settings: {0}…</source>
+        <translation>&amp;Werkseinstellung der Leitung: {0}…</translation></message>
+    <message><source>Fas&amp;t: {0}…</source>
+        <translation>&amp;Schnell: {0}…</translation></message>
+    <message><source>CRC-7 is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use CRC-7, too.</source>
+        <translation>CRC-7 gehört jetzt zu den ausstehenden Änderungen. Die Einstellung gilt, nachdem das Board aus- und eingeschaltet wurde; dieses Fenster folgt dann. Andere Programme an dieser Leitung müssen CRC-7 auch verwenden.</translation></message>
+    <message><source>Connect my TReX</source>
+        <translation>Meinen TReX verbinden</translation></message>
+    <message><source>No board at hand?</source>
+        <translation>Kein Board zur Hand?</translation></message>
+    <message><source>&amp;Try the demo</source>
+        <translation>&amp;Demo ausprobieren</translation></message>
+    <message><source>Set up, calibrate, drive and understand a Pololu TReX or TReX Jr. You need the board with its supply, and a serial adapter with three wires. No motor moves before you click Run motor, and Esc stops the motors in every window.</source>
+        <translation>Einen Pololu TReX oder TReX Jr einrichten, kalibrieren, ansteuern und verstehen. Sie brauchen das Board mit seiner Stromversorgung und einen seriellen Adapter mit drei Leitungen. Kein Motor bewegt sich, bevor Sie auf „Motor freigeben“ klicken, und Esc stoppt die Motoren in jedem Fenster.</translation></message>
+    <message><source>Discard and reload</source>
+        <translation>Verwerfen und neu laden</translation></message>
+    <message numerus="yes"><source>%n setting(s) of this {0} differ from what was applied last ({1}): lost, changed by something else, or this is another board.</source>
+        <translation><numerusform>%n Einstellung dieses {0} weicht von der zuletzt angewendeten ab ({1}): verloren, von etwas anderem geändert, oder dies ist ein anderes Board.</numerusform><numerusform>%n Einstellungen dieses {0} weichen von den zuletzt angewendeten ab ({1}): verloren, von etwas anderem geändert, oder dies ist ein anderes Board.</numerusform></translation></message>
+    <message><source>Keep the values of the board</source>
+        <translation>Werte des Boards behalten</translation></message>
+    <message><source>S&amp;tatus</source>
+        <translation>St&amp;atus</translation></message>
+    <message><source>&amp;Channels</source>
+        <translation>&amp;Kanäle</translation></message>
+    <message><source>Cali&amp;bration</source>
+        <translation>Ka&amp;librierung</translation></message>
+    <message><source>&amp;Motors</source>
+        <translation>&amp;Motoren</translation></message>
+    <message><source>C&amp;urrents</source>
+        <translation>St&amp;röme</translation></message>
+    <message><source>&amp;Parameters</source>
+        <translation>&amp;Parameter</translation></message>
+    <message><source>&amp;Errors</source>
+        <translation>F&amp;ehler</translation></message>
+    <message><source>T&amp;raffic</source>
+        <translation>Date&amp;nverkehr</translation></message>
+    <message><source>&amp;New settings file…</source>
+        <translation>&amp;Neue Einstellungsdatei…</translation></message>
+    <message><source>&amp;Open settings file…</source>
+        <translation>Einstellungsdatei ö&amp;ffnen…</translation></message>
+    <message><source>&amp;Save settings file…</source>
+        <translation>Einstellungsdatei &amp;speichern…</translation></message>
+    <message><source>Prin&amp;t settings…</source>
+        <translation>Einstellungen &amp;drucken…</translation></message>
+    <message><source>&amp;Export as code…</source>
+        <translation>Als Code &amp;exportieren…</translation></message>
+    <message><source>&amp;History…</source>
+        <translation>&amp;Verlauf…</translation></message>
+    <message><source>Open recor&amp;ding…</source>
+        <translation>Auf&amp;zeichnung öffnen…</translation></message>
+    <message><source>Open fa&amp;ult or stop…</source>
+        <translation>Störung oder Sto&amp;pp öffnen…</translation></message>
+    <message><source>Start recording &amp;with Run motor</source>
+        <translation>Aufzeichnung &amp;mit „Motor freigeben“ starten</translation></message>
+    <message><source>&amp;Keep 30 s around each fault and stop</source>
+        <translation>30 s um jede Störung und jeden Stopp beha&amp;lten</translation></message>
+    <message><source>Compare traffic &amp;log with simulator…</source>
+        <translation>Datenverkehrsprotokoll mit S&amp;imulator vergleichen…</translation></message>
+    <message><source>&amp;Discard all edits</source>
+        <translation>Alle Änderungen &amp;verwerfen</translation></message>
+    <message><source>R&amp;eload settings from device</source>
+        <translation>Einstellungen vom Gerät &amp;neu laden</translation></message>
+    <message><source>&amp;Apply settings…</source>
+        <translation>Einstellungen &amp;anwenden…</translation></message>
+    <message><source>Make stored settings acti&amp;ve…</source>
+        <translation>Gespei&amp;cherte Einstellungen aktivieren…</translation></message>
+    <message><source>Find &amp;other boards on this line</source>
+        <translation>Weitere Boards an dieser Leitung s&amp;uchen</translation></message>
+    <message><source>Change device nu&amp;mber…</source>
+        <translation>&amp;Gerätenummer ändern…</translation></message>
+    <message><source>A&amp;pply a file to several boards…</source>
+        <translation>&amp;Datei auf mehrere Boards anwenden…</translation></message>
+    <message><source>Set &amp;up my robot…</source>
+        <translation>Meinen &amp;Roboter einrichten…</translation></message>
+    <message><source>Lear&amp;n channels…</source>
+        <translation>Kanäle &amp;einlernen…</translation></message>
+    <message><source>&amp;Test the sticks…</source>
+        <translation>&amp;Knüppel testen…</translation></message>
+    <message><source>&amp;Bench test…</source>
+        <translation>&amp;Prüflauf…</translation></message>
+    <message><source>Restore factor&amp;y defaults…</source>
+        <translation>&amp;Werkseinstellungen wiederherstellen…</translation></message>
+    <message><source>Restore ser&amp;ial defaults…</source>
+        <translation>Serielle Standardwerte w&amp;iederherstellen…</translation></message>
+    <message><source>Plot of currents in its o&amp;wn window</source>
+        <translation>Stromkurven in eigenem &amp;Fenster</translation></message>
+    <message><source>&amp;Demo TReX panel</source>
+        <translation>Bedienfeld des &amp;Demo-TReX</translation></message>
+    <message><source>&amp;Board does not respond…</source>
+        <translation>&amp;Board antwortet nicht…</translation></message>
+    <message><source>&amp;User's guide of the board (online)…</source>
+        <translation>Ben&amp;utzerhandbuch des Boards (online)…</translation></message>
+    <message><source>Errors ({0})</source>
+        <translation>Fehler ({0})</translation></message>
+    <message><source>Open &amp;settings file…</source>
+        <translation>Einstellungsdatei ö&amp;ffnen…</translation></message>
+    <message><source>&amp;Open recording…</source>
+        <translation>&amp;Aufzeichnung öffnen…</translation></message>
+    <message><source>Show…</source>
+        <translation>Anzeigen…</translation></message>
+    <message><source>Gamepads need one more package. Install it with {0}, then switch this on again.</source>
+        <translation>Gamepads brauchen ein weiteres Paket. Installieren Sie es mit {0}, dann schalten Sie dies wieder ein.</translation></message>
+    <message><source>Gamepads cannot be read here: {0}.</source>
+        <translation>Gamepads können hier nicht gelesen werden: {0}.</translation></message>
+    <message><source>The program was suspended (Ctrl-Z)</source>
+        <translation>Das Programm wurde angehalten (Strg-Z)</translation></message>
+    <message><source>Internal error ({0})</source>
+        <translation>Interner Fehler ({0})</translation></message>
+    <message><source>The computer was asleep</source>
+        <translation>Der Computer war im Ruhezustand</translation></message>
+    <message><source>Motors that can be stopped are stopped before the computer sleeps</source>
+        <translation>Motoren, die gestoppt werden können, werden gestoppt, bevor der Computer in den Ruhezustand geht</translation></message>
+    <message><source>The screen was locked</source>
+        <translation>Der Bildschirm wurde gesperrt</translation></message>
+    <message><source>The computer goes to sleep</source>
+        <translation>Der Computer geht in den Ruhezustand</translation></message>
+    <message><source>The computer shuts down</source>
+        <translation>Der Computer wird heruntergefahren</translation></message>
+    <message><source>The session ends</source>
+        <translation>Die Sitzung endet</translation></message>
+    <message><source>Connected again to {0}. No motor was started.</source>
+        <translation>Wieder mit {0} verbunden. Kein Motor wurde gestartet.</translation></message>
+    <message><source>Connected again: the adapter of {1} is {0} now. No motor was started.</source>
+        <translation>Wieder verbunden: Der Adapter von {1} ist jetzt {0}. Kein Motor wurde gestartet.</translation></message>
+    <message><source>Not connected.</source>
+        <translation>Nicht verbunden.</translation></message>
+    <message><source>{0} also has {1} open and may take replies. Close it there.</source>
+        <translation>{0} hat {1} ebenfalls geöffnet und kann Antworten abfangen. Schließen Sie den Port dort.</translation></message>
+    <message><source>Connecting to {0} …</source>
+        <translation>Verbinden mit {0} …</translation></message>
+    <message><source>Disconnecting …</source>
+        <translation>Trennen …</translation></message>
+    <message><source>The cable of the Demo {0} is unplugged. Check “Plugged in” on its panel, then connect again.</source>
+        <translation>Das Kabel des Demo-{0} ist ausgesteckt. Setzen Sie auf seinem Bedienfeld das Häkchen bei „Eingesteckt“ und verbinden Sie dann wieder.</translation></message>
+    <message><source>Cable</source>
+        <translation>Kabel</translation></message>
+    <message><source>Plugged in</source>
+        <translation>Eingesteckt</translation></message>
+    <message><source>Replies lost</source>
+        <translation>Verlorene Antworten</translation></message>
+    <message><source>Noise on the line</source>
+        <translation>Störungen auf der Leitung</translation></message>
+    <message><source>Cable plugged in</source>
+        <translation>Kabel eingesteckt</translation></message>
+    <message><source>The Demo {0} is not running. Press Connect.</source>
+        <translation>Der Demo-{0} läuft nicht. Klicken Sie auf „Verbinden“.</translation></message>
+    <message><source>The cable is unplugged. Check “Plugged in”, then press Connect.</source>
+        <translation>Das Kabel ist ausgesteckt. Setzen Sie das Häkchen bei „Eingesteckt“ und klicken Sie dann auf „Verbinden“.</translation></message>
+    <message><source>The cable is plugged in again. Press Connect.</source>
+        <translation>Das Kabel ist wieder eingesteckt. Klicken Sie auf „Verbinden“.</translation></message>
+    <message><source>The Demo {0} is starting …</source>
+        <translation>Der Demo-{0} startet …</translation></message>
+    <message><source>The power is off. Switch it on, then press Connect.</source>
+        <translation>Die Stromversorgung ist aus. Schalten Sie sie ein und klicken Sie dann auf „Verbinden“.</translation></message>
+    <message><source>Demo {0} (no hardware)</source>
+        <translation>Demo-{0} (keine Hardware)</translation></message>
+    <message><source>No board was found.</source>
+        <translation>Kein Board wurde gefunden.</translation></message>
+    <message><source>Ending the search …</source>
+        <translation>Suche wird beendet …</translation></message>
+    <message><source>Looking for {0} at {1} on {2} …</source>
+        <translation>Suche nach {0} mit {1} an {2} …</translation></message>
+    <message><source>Search cancelled.</source>
+        <translation>Suche abgebrochen.</translation></message>
+    <message numerus="yes"><source>%n board(s) found.</source>
+        <translation><numerusform>%n Board gefunden.</numerusform><numerusform>%n Boards gefunden.</numerusform></translation></message>
+    <message><source>At most {0} min left.</source>
+        <translation>Höchstens noch {0} min.</translation></message>
+    <message><source>Opening {0} …</source>
+        <translation>{0} wird geöffnet …</translation></message>
+    <message><source>{0} on {1} at {2}.</source>
+        <translation>{0} an {1} mit {2}.</translation></message>
+    <message><source>{0} on {1} at {2} (RS-232 side).</source>
+        <translation>{0} an {1} mit {2} (RS-232-Seite).</translation></message>
+    <message><source>{0} on {1} at {2}, device {3}.</source>
+        <translation>{0} an {1} mit {2}, Gerät {3}.</translation></message>
+    <message><source>{0} on {1} at {2}, device {3} (RS-232 side).</source>
+        <translation>{0} an {1} mit {2}, Gerät {3} (RS-232-Seite).</translation></message>
+    <message numerus="yes"><source>%n port(s) could not be searched (internal error).</source>
+        <translation><numerusform>%n Port konnte nicht durchsucht werden (interner Fehler).</numerusform><numerusform>%n Ports konnten nicht durchsucht werden (interner Fehler).</numerusform></translation></message>
+    <message><source>At most {0} s left.</source>
+        <translation>Höchstens noch {0} s.</translation></message>
+    <message><source>{0} with device number {1}</source>
+        <translation>{0} mit Gerätenummer {1}</translation></message>
+    <message><source>the Demo {0}</source>
+        <translation>Demo-{0}</translation></message>
+    <message><source>The simulator does not start. Install the program again.</source>
+        <translation>Der Simulator startet nicht. Installieren Sie das Programm neu.</translation></message>
+    <message><source>The simulator ended at once. {0}</source>
+        <translation>Der Simulator hat sich sofort beendet. {0}</translation></message>
+    <message><source>F&amp;ind…</source>
+        <translation>Su&amp;chen…</translation></message>
+    <message><source>Set up CRC…</source>
+        <translation>CRC einrichten…</translation></message>
+    <message><source>Progress</source>
+        <translation>Fortschritt</translation></message>
+    <message><source>Other port or address</source>
+        <translation>Anderer Port oder andere Adresse</translation></message>
+    <message><source>A device such as /dev/ttyUSB0 or COM3, or a network port such as socket://host:port or rfc2217://host:port:</source>
+        <translation>Ein Gerät wie /dev/ttyUSB0 oder COM3, oder ein Netzwerkport wie socket://host:port oder rfc2217://host:port:</translation></message>
+    <message><source>&amp;Connect</source>
+        <translation>&amp;Verbinden</translation></message>
+    <message><source>Dis&amp;connect</source>
+        <translation>&amp;Trennen</translation></message>
+    <message><source>Port</source>
+        <translation>Port</translation></message>
+    <message><source>How this computer talks to the board</source>
+        <translation>Wie dieser Computer mit dem Board kommuniziert</translation></message>
+    <message><source>Find a board</source>
+        <translation>Board suchen</translation></message>
+    <message><source>Find a board whose line settings are unknown</source>
+        <translation>Ein Board suchen, dessen Leitungseinstellungen unbekannt sind</translation></message>
+    <message><source>Let the board detect damaged bytes; shows what will be written first</source>
+        <translation>Das Board beschädigte Bytes erkennen lassen; zeigt zuerst, was geschrieben wird</translation></message>
+    <message><source>Not connected</source>
+        <translation>Nicht verbunden</translation></message>
+    <message><source>Other port or address…</source>
+        <translation>Anderer Port oder andere Adresse…</translation></message>
+    <message><source>&amp;Port:</source>
+        <translation>P&amp;ort:</translation></message>
+    <message><source>Starting the Demo {0} …</source>
+        <translation>Demo-{0} wird gestartet …</translation></message>
+    <message><source>The likely settings come first; a port without a reply takes about half a minute.</source>
+        <translation>Die wahrscheinlichen Einstellungen kommen zuerst; ein Port ohne Antwort dauert etwa eine halbe Minute.</translation></message>
+    <message><source>&amp;Disconnect</source>
+        <translation>&amp;Trennen</translation></message>
+    <message><source>&amp;Full search: also every CRC polynomial and every device number (some minutes)</source>
+        <translation>&amp;Vollständige Suche: auch jedes CRC-Polynom und jede Gerätenummer (einige Minuten)</translation></message>
+    <message><source>&amp;Start</source>
+        <translation>&amp;Starten</translation></message>
+    <message><source>C&amp;ancel</source>
+        <translation>A&amp;bbrechen</translation></message>
+    <message><source>Probes each port for a supported device: each kind at its likely settings, then at every baud rate, with every parity and with CRC. Probing never moves a motor or changes a setting. A TReX that receives probes at another rate counts UART errors, and stops its motors if it is set to do so.</source>
+        <translation>Prüft an jedem Port, ob ein unterstütztes Gerät antwortet: jede Art mit ihren wahrscheinlichen Einstellungen, dann mit jeder Baudrate, mit jeder Parität und mit CRC. Die Suche bewegt nie einen Motor und ändert keine Einstellung. Ein TReX, der Anfragen mit einer anderen Baudrate empfängt, zählt UART-Fehler und stoppt seine Motoren, wenn er so eingestellt ist.</translation></message>
+    <message><source>C&amp;heck the board…</source>
+        <translation>Board &amp;prüfen…</translation></message>
+    <message><source>{0} – connected to this window</source>
+        <translation>{0} – mit diesem Fenster verbunden</translation></message>
+    <message><source>{0} is connected to this window, so it is not searched.</source>
+        <translation>{0} ist mit diesem Fenster verbunden und wird daher nicht durchsucht.</translation></message>
+    <message><source>Ports &amp;without a board</source>
+        <translation>Ports &amp;ohne Board</translation></message>
+    <message><source>Connect and set</source>
+        <translation>Verbinden und einstellen</translation></message>
+    <message><source>Ports to search</source>
+        <translation>Zu durchsuchende Ports</translation></message>
+    <message><source>Found devices</source>
+        <translation>Gefundene Geräte</translation></message>
+    <message><source>What the LEDs mean, the wires, and how to restore serial settings</source>
+        <translation>Was die LEDs bedeuten, die Drähte und wie serielle Einstellungen wiederhergestellt werden</translation></message>
+    <message><source>Copy command</source>
+        <translation>Befehl kopieren</translation></message>
+    <message><source>Shows what will be written first</source>
+        <translation>Zeigt zuerst, was geschrieben wird</translation></message>
+    <message><source>Search &amp;on:</source>
+        <translation>Suchen &amp;an:</translation></message>
+    <message><source>This computer has no serial ports. Plug an adapter in.</source>
+        <translation>Dieser Computer hat keine seriellen Ports. Stecken Sie einen Adapter ein.</translation></message>
+    <message><source>Connect and set other line settings: {0}</source>
+        <translation>Verbinden und andere Leitungseinstellungen setzen: {0}</translation></message>
+    <message><source>Connect to {0}</source>
+        <translation>Mit {0} verbinden</translation></message>
+    <message><source>{0} was not opened: its type is not supported. Supported: {1}.</source>
+        <translation>{0} wurde nicht geöffnet: Dieser Dateityp wird nicht unterstützt. Unterstützt: {1}.</translation></message>
+    <message><source>TReX Studio</source>
+        <translation>TReX Studio</translation></message>
+    <message><source>Recent &amp;files</source>
+        <translation>Z&amp;uletzt verwendete Dateien</translation></message>
+    <message><source>{0} files were dropped, and none was opened: drop one at a time.</source>
+        <translation>{0} Dateien wurden abgelegt, und keine wurde geöffnet: Legen Sie jeweils nur eine ab.</translation></message>
+    <message><source>{0} is {1}. It was not opened, because this window is connected to {2}: disconnect, then open it again.</source>
+        <translation>{0} ist {1}. Die Datei wurde nicht geöffnet, weil dieses Fenster mit {2} verbunden ist: Trennen Sie die Verbindung und öffnen Sie sie dann erneut.</translation></message>
+    <message><source>{0} is no longer there; it was removed from the recent files.</source>
+        <translation>{0} ist nicht mehr vorhanden; der Eintrag wurde aus den zuletzt verwendeten Dateien entfernt.</translation></message>
+    <message><source>&amp;Clear list</source>
+        <translation>Liste &amp;leeren</translation></message>
+    <message><source>Settings are still being written. Disconnect anyway? Unwritten settings stay pending.</source>
+        <translation>Einstellungen werden noch geschrieben. Trotzdem trennen? Nicht geschriebene Einstellungen bleiben ausstehend.</translation></message>
+    <message><source>About TReX Studio</source>
+        <translation>Info über TReX Studio</translation></message>
+    <message><source>&amp;Window</source>
+        <translation>&amp;Fenster</translation></message>
+    <message><source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation></message>
+    <message><source>{0} on {1}</source>
+        <translation>{0} an {1}</translation></message>
+    <message><source>{0} (demo)</source>
+        <translation>{0} (Demo)</translation></message>
+    <message><source>Disconnect</source>
+        <translation>Trennen</translation></message>
+    <message><source>There is no log: {0} could not be written.</source>
+        <translation>Es gibt kein Protokoll: {0} konnte nicht geschrieben werden.</translation></message>
+    <message><source>The window was to be closed</source>
+        <translation>Das Fenster sollte geschlossen werden</translation></message>
+    <message><source>Close the window</source>
+        <translation>Fenster schließen</translation></message>
+    <message><source>No program of this computer shows folders. The log is in {0}.</source>
+        <translation>Kein Programm dieses Computers zeigt Ordner an. Das Protokoll ist in {0}.</translation></message>
+    <message><source>TReX Studio {0}
+
+Set up, calibrate, drive and understand a Pololu TReX or TReX Jr dual motor controller, and drive an Aracna robot.
+
+Not a product of Pololu.</source>
+        <translation>TReX Studio {0}
+
+Zum Einrichten, Kalibrieren, Ansteuern und Verstehen eines Doppel-Motorreglers Pololu TReX oder TReX Jr und zum Steuern eines Roboters Aracna.
+
+Kein Produkt von Pololu.</translation></message>
+    <message><source>&amp;Preferences…</source>
+        <translation>Voreinstellun&amp;gen…</translation></message>
+    <message><source>E&amp;xit</source>
+        <translation>&amp;Beenden</translation></message>
+    <message><source>&amp;Line settings…</source>
+        <translation>&amp;Leitungseinstellungen…</translation></message>
+    <message><source>&amp;Find a board…</source>
+        <translation>&amp;Board suchen…</translation></message>
+    <message><source>&amp;Stop motors</source>
+        <translation>Motoren &amp;stoppen</translation></message>
+    <message><source>&amp;Save report for support…</source>
+        <translation>&amp;Supportbericht speichern…</translation></message>
+    <message><source>Open &amp;log folder</source>
+        <translation>&amp;Protokollordner öffnen</translation></message>
+    <message><source>&amp;About…</source>
+        <translation>&amp;Info…</translation></message>
+    <message><source>a file of the {0}</source>
+        <translation>eine Datei für {0}</translation></message>
+    <message><source>Preferences</source>
+        <translation>Voreinstellungen</translation></message>
+    <message><source>As the system</source>
+        <translation>Wie das System</translation></message>
+    <message><source>Light</source>
+        <translation>Hell</translation></message>
+    <message><source>Dark</source>
+        <translation>Dunkel</translation></message>
+    <message><source>High contrast</source>
+        <translation>Hoher Kontrast</translation></message>
+    <message><source>Theme</source>
+        <translation>Design</translation></message>
+    <message><source>Language</source>
+        <translation>Sprache</translation></message>
+    <message><source>Font size</source>
+        <translation>Schriftgröße</translation></message>
+    <message><source>Units</source>
+        <translation>Einheiten</translation></message>
+    <message><source>&amp;Begin file dialogs in one folder</source>
+        <translation>&amp;Dateidialoge in einem festen Ordner öffnen</translation></message>
+    <message><source>C&amp;hoose…</source>
+        <translation>&amp;Auswählen…</translation></message>
+    <message><source>Connect to known boards automat&amp;ically</source>
+        <translation>Automatisch mit bekannten &amp;Boards verbinden</translation></message>
+    <message><source>When the program starts and when an adapter is plugged in at which a board was found before, if just one board answers. Not after Disconnect, and not while another program uses the port. No motor moves.</source>
+        <translation>Beim Programmstart und beim Einstecken eines Adapters, an dem schon ein Board gefunden wurde, wenn genau ein Board antwortet. Nicht nach „Trennen“, und nicht, solange ein anderes Programm den Port verwendet. Kein Motor bewegt sich.</translation></message>
+    <message><source>&amp;Theme:</source>
+        <translation>D&amp;esign:</translation></message>
+    <message><source>&amp;Font size:</source>
+        <translation>&amp;Schriftgröße:</translation></message>
+    <message><source>&amp;Language:</source>
+        <translation>S&amp;prache:</translation></message>
+    <message><source>&amp;Units:</source>
+        <translation>E&amp;inheiten:</translation></message>
+    <message><source>&amp;Reset to defaults</source>
+        <translation>Auf Standardwerte &amp;zurücksetzen</translation></message>
+    <message><source>Folder of file dialogs</source>
+        <translation>Ordner der Dateidialoge</translation></message>
+    <message><source>The window opens again; motors stop, and the board is connected again</source>
+        <translation>Das Fenster öffnet sich neu; die Motoren werden gestoppt, und das Board wird wieder verbunden</translation></message>
+    <message><source>What is shown first, and what a number typed without a unit means</source>
+        <translation>Was zuerst gezeigt wird, und was eine ohne Einheit eingegebene Zahl bedeutet</translation></message>
+    <message><source>Otherwise each begins in the folder that was used last</source>
+        <translation>Sonst öffnet sich jeder in dem Ordner, der zuletzt verwendet wurde</translation></message>
+    <message><source>Physical units (µs, V, %, s)</source>
+        <translation>Physikalische Einheiten (µs, V, %, s)</translation></message>
+    <message><source>Values of the board (counts, 0 to 127)</source>
+        <translation>Werte des Boards (Counts, 0 bis 127)</translation></message>
+    <message><source>{0} %</source>
+        <translation>{0} %</translation></message>
+    <message><source>Save report for support</source>
+        <translation>Supportbericht speichern</translation></message>
+    <message><source>This is what the report contains, and nothing else. It is only saved as a file, never sent. Names of users and computers, network addresses and serial numbers of adapters are masked. Clear the check box of a file to leave it out.</source>
+        <translation>Dies enthält der Bericht, und nichts anderes. Er wird nur als Datei gespeichert, nie gesendet. Namen von Benutzern und Computern, Netzwerkadressen und Seriennummern von Adaptern sind unkenntlich gemacht. Entfernen Sie das Häkchen bei einer Datei, um sie wegzulassen.</translation></message>
+    <message><source>Collecting …</source>
+        <translation>Zusammenstellen …</translation></message>
+    <message><source>&amp;Save…</source>
+        <translation>&amp;Speichern…</translation></message>
+    <message><source>Zip archives (*.zip)</source>
+        <translation>ZIP-Archive (*.zip)</translation></message>
+    <message><source>Files of the report</source>
+        <translation>Dateien des Berichts</translation></message>
+    <message><source>Content of the file</source>
+        <translation>Inhalt der Datei</translation></message>
+    <message><source>&amp;Files:</source>
+        <translation>&amp;Dateien:</translation></message>
+    <message><source>Con&amp;tent:</source>
+        <translation>&amp;Inhalt:</translation></message>
+    <message><source>The report was written to {0}.</source>
+        <translation>Der Bericht wurde in {0} geschrieben.</translation></message>
+    <message><source>{0} ({1:,} bytes)</source>
+        <translation>{0} ({1:,} Bytes)</translation></message>
+    <message><source>No serial port was found. Plug the adapter in: it is listed here at once.</source>
+        <translation>Kein serieller Port wurde gefunden. Stecken Sie den Adapter ein: Er erscheint hier sofort.</translation></message>
+    <message><source>Find &amp;my board…</source>
+        <translation>&amp;Mein Board suchen…</translation></message>
+    <message><source>Search every port and baud rate; no motor moves</source>
+        <translation>Alle Ports und Baudraten durchsuchen; kein Motor bewegt sich</translation></message>
+    <message><source>A simulated board: nothing can be damaged</source>
+        <translation>Ein simuliertes Board: Nichts kann beschädigt werden</translation></message>
+    <message><source>Recent files</source>
+        <translation>Zuletzt verwendete Dateien</translation></message>
+    <message><source>Welcome to TReX Studio</source>
+        <translation>Willkommen bei TReX Studio</translation></message>
+    <message><source>Connect my &amp;board</source>
+        <translation>Mein &amp;Board verbinden</translation></message>
+    <message><source>Shows the wiring for your adapter or receiver, then connects.</source>
+        <translation>Zeigt die Verdrahtung für Ihren Adapter oder Empfänger, dann wird verbunden.</translation></message>
+    <message><source>The board is wired, but you do not know its port or its serial settings. The search moves no motor.</source>
+        <translation>Das Board ist verdrahtet, aber Sie kennen seinen Port oder seine seriellen Einstellungen nicht. Die Suche bewegt keinen Motor.</translation></message>
+    <message><source>A simulated board: nothing can be damaged.</source>
+        <translation>Ein simuliertes Board: Nichts kann beschädigt werden.</translation></message>
+    <message><source>Help</source>
+        <translation>Hilfe</translation></message>
+    <message><source>Search the help</source>
+        <translation>Hilfe durchsuchen</translation></message>
+    <message><source>Search the help (Ctrl+F)</source>
+        <translation>Hilfe durchsuchen (Strg+F)</translation></message>
+    <message><source>Pages of the help</source>
+        <translation>Seiten der Hilfe</translation></message>
+    <message><source>Nothing was found.</source>
+        <translation>Nichts wurde gefunden.</translation></message>
+    <message><source>The program could not stop the motors itself. The guardian process stopped them at {0}, and the board confirmed that.</source>
+        <translation>Das Programm konnte die Motoren nicht selbst stoppen. Der Wächterprozess hat sie gestoppt ({0}), und das Board hat das bestätigt.</translation></message>
+    <message><source>The program could not stop the motors itself. The guardian process sent a stop at {0}, which the board did not confirm. If a motor still turns, cut its power.</source>
+        <translation>Das Programm konnte die Motoren nicht selbst stoppen. Der Wächterprozess hat einen Stopp gesendet ({0}), den das Board nicht bestätigt hat. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
+    <message><source>TReX Studio did not end properly the last time. If it crashed, a report for support says where.</source>
+        <translation>TReX Studio wurde beim letzten Mal nicht ordnungsgemäß beendet. Falls es abgestürzt ist, sagt ein Supportbericht, wo.</translation></message>
+    <message><source>Search the log</source>
+        <translation>Protokoll durchsuchen</translation></message>
+    <message><source>Search the log (Ctrl+F)</source>
+        <translation>Protokoll durchsuchen (Strg+F)</translation></message>
+    <message><source>O&amp;nly problems</source>
+        <translation>Nur &amp;Probleme</translation></message>
+    <message><source>E&amp;xplain</source>
+        <translation>E&amp;rklären</translation></message>
+    <message><source>Cop&amp;y</source>
+        <translation>Kop&amp;ieren</translation></message>
+    <message><source>Messages, stops, lost connections and written settings will be listed here.</source>
+        <translation>Meldungen, Stopps, verlorene Verbindungen und geschriebene Einstellungen werden hier aufgelistet.</translation></message>
+    <message numerus="yes"><source>%n line(s) copied.</source>
+        <translation><numerusform>%n Zeile kopiert.</numerusform><numerusform>%n Zeilen kopiert.</numerusform></translation></message>
+    <message><source>Save the log</source>
+        <translation>Protokoll speichern</translation></message>
+    <message><source>Text (*.txt)</source>
+        <translation>Text (*.txt)</translation></message>
+    <message><source>Show the help on the message in the line with the cursor</source>
+        <translation>Die Hilfe zur Meldung in der Zeile mit dem Cursor zeigen</translation></message>
+    <message><source>Copy the lines shown</source>
+        <translation>Die angezeigten Zeilen kopieren</translation></message>
+    <message><source>Save the lines shown as text</source>
+        <translation>Die angezeigten Zeilen als Text speichern</translation></message>
+    <message><source>Log</source>
+        <translation>Protokoll</translation></message>
+    <message><source>The log was written to {0}.</source>
+        <translation>Das Protokoll wurde in {0} geschrieben.</translation></message>
+    <message><source>Recorded in {0} ({1}). {2} shows it.</source>
+        <translation>Aufgezeichnet in {0} ({1}). Zum Ansehen: {2}.</translation></message>
+    <message><source>Stop recording</source>
+        <translation>Aufzeichnung beenden</translation></message>
+    <message><source>Record</source>
+        <translation>Aufzeichnen</translation></message>
+    <message><source>{0} is open; close its window before recording over it.</source>
+        <translation>{0} ist geöffnet; schließen Sie das zugehörige Fenster, bevor Sie die Datei mit einer neuen Aufzeichnung überschreiben.</translation></message>
+    <message><source>Save a copy</source>
+        <translation>Kopie speichern</translation></message>
+    <message><source>Recording</source>
+        <translation>Aufzeichnung</translation></message>
+    <message><source>End the recording; motors and connection are not affected</source>
+        <translation>Die Aufzeichnung beenden; Motoren und Verbindung sind nicht betroffen</translation></message>
+    <message><source>Recording  {0}  {1}</source>
+        <translation>Aufzeichnung  {0}  {1}</translation></message>
+    <message numerus="yes"><source>%n sample(s) lost: the disk is too slow</source>
+        <translation><numerusform>%n Messwert verloren: Der Datenträger ist zu langsam</numerusform><numerusform>%n Messwerte verloren: Der Datenträger ist zu langsam</numerusform></translation></message>
+    <message><source>Open recording</source>
+        <translation>Aufzeichnung öffnen</translation></message>
+    <message><source>Recordings (*{0})</source>
+        <translation>Aufzeichnungen (*{0})</translation></message>
+    <message><source>Playback speed</source>
+        <translation>Wiedergabegeschwindigkeit</translation></message>
+    <message><source>Time in the recording</source>
+        <translation>Zeit in der Aufzeichnung</translation></message>
+    <message><source>&amp;Pause</source>
+        <translation>&amp;Pause</translation></message>
+    <message><source>&amp;Play</source>
+        <translation>&amp;Wiedergabe</translation></message>
+    <message><source>Show &amp;all</source>
+        <translation>&amp;Alles zeigen</translation></message>
+    <message><source>&amp;Export span…</source>
+        <translation>Zeitbereich &amp;exportieren…</translation></message>
+    <message><source>Save a cop&amp;y…</source>
+        <translation>&amp;Kopie speichern…</translation></message>
+    <message><source>&amp;Cancel</source>
+        <translation>A&amp;bbrechen</translation></message>
+    <message><source>Exporting, %p %</source>
+        <translation>Exportieren, %p %</translation></message>
+    <message><source>Reading, %p %</source>
+        <translation>Lesen, %p %</translation></message>
+    <message><source>This recording has no events.</source>
+        <translation>Diese Aufzeichnung enthält keine Ereignisse.</translation></message>
+    <message><source>This recording is not complete. {0}</source>
+        <translation>Diese Aufzeichnung ist nicht vollständig. {0}</translation></message>
+    <message><source>CSV for spreadsheets (*.csv)</source>
+        <translation>CSV für Tabellenkalkulationen (*.csv)</translation></message>
+    <message><source>MCAP for PlotJuggler and Foxglove (*.mcap)</source>
+        <translation>MCAP für PlotJuggler und Foxglove (*.mcap)</translation></message>
+    <message><source>Export span</source>
+        <translation>Zeitbereich exportieren</translation></message>
+    <message><source>The open recording cannot be overwritten. Choose another file.</source>
+        <translation>Die geöffnete Aufzeichnung kann nicht überschrieben werden. Wählen Sie eine andere Datei.</translation></message>
+    <message><source>Show the whole recording again</source>
+        <translation>Wieder die ganze Aufzeichnung zeigen</translation></message>
+    <message><source>Save every sample in the plot as CSV or MCAP</source>
+        <translation>Alle Messwerte im Diagramm als CSV oder MCAP speichern</translation></message>
+    <message><source>Keep this recording: the oldest ones of faults and stops are removed</source>
+        <translation>Diese Aufzeichnung behalten: Die ältesten von Störungen und Stopps werden entfernt</translation></message>
+    <message><source>Stop loading or exporting</source>
+        <translation>Laden oder Exportieren abbrechen</translation></message>
+    <message><source>E&amp;vents</source>
+        <translation>E&amp;reignisse</translation></message>
+    <message><source>{0}, recorded {1}</source>
+        <translation>{0}, aufgezeichnet {1}</translation></message>
+    <message><source>{0} – recording</source>
+        <translation>{0} – Aufzeichnung</translation></message>
+    <message><source>The span was saved in {0}.</source>
+        <translation>Der Zeitbereich wurde in {0} gespeichert.</translation></message>
+    <message><source>{0}, {1} long</source>
+        <translation>{0}, Dauer {1}</translation></message>
+    <message><source>Exporting MCAP needs an optional package: {0}</source>
+        <translation>Der Export als MCAP braucht ein optionales Paket: {0}</translation></message>
+    <message><source>The curves show its last {0} of {1} samples; exports contain all of them.</source>
+        <translation>Die Kurven zeigen die letzten {0} von {1} Messwerten; Exporte enthalten alle.</translation></message>
+    <message><source>now</source>
+        <translation>jetzt</translation></message>
+    <message><source>{n} h</source>
+        <translation>{n} h</translation></message>
+    <message><source>{n} min</source>
+        <translation>{n} min</translation></message>
+    <message><source>{n} s</source>
+        <translation>{n} s</translation></message>
+    <message><source>Picture as &amp;PNG…</source>
+        <translation>Bild als &amp;PNG…</translation></message>
+    <message><source>Picture as &amp;SVG…</source>
+        <translation>Bild als &amp;SVG…</translation></message>
+    <message><source>Pictures on a &amp;light background</source>
+        <translation>Bilder mit &amp;hellem Hintergrund</translation></message>
+    <message><source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation></message>
+    <message><source>Pictures (*.{0})</source>
+        <translation>Bilder (*.{0})</translation></message>
+    <message><source>Export</source>
+        <translation>Export</translation></message>
+    <message><source>E&amp;xport</source>
+        <translation>E&amp;xport</translation></message>
+    <message><source>Pictu&amp;re</source>
+        <translation>&amp;Bild</translation></message>
+    <message><source>Save what the plot shows as PNG or SVG</source>
+        <translation>Was das Diagramm zeigt, als PNG oder SVG speichern</translation></message>
+    <message><source>&amp;Visible range as CSV…</source>
+        <translation>Si&amp;chtbarer Bereich als CSV…</translation></message>
+    <message><source>&amp;Everything as CSV…</source>
+        <translation>&amp;Alles als CSV…</translation></message>
+    <message><source>There is nothing to export yet.</source>
+        <translation>Es gibt noch nichts zu exportieren.</translation></message>
+    <message><source>The picture was written to {0}.</source>
+        <translation>Das Bild wurde in {0} geschrieben.</translation></message>
+    <message><source>low {0}</source>
+        <translation>Tief {0}</translation></message>
+    <message><source>peak {0}</source>
+        <translation>Spitze {0}</translation></message>
+    <message><source>mean {0}</source>
+        <translation>Mittel {0}</translation></message>
+    <message><source>RMS {0}</source>
+        <translation>RMS {0}</translation></message>
+    <message numerus="yes"><source>{0} sample(s) written to {1}.</source>
+        <translation><numerusform>{0} Messwert in {1} geschrieben.</numerusform><numerusform>{0} Messwerte in {1} geschrieben.</numerusform></translation></message>
+    <message><source>charge {0}</source>
+        <translation>Ladung {0}</translation></message>
+    <message><source>limit {0}</source>
+        <translation>Grenze {0}</translation></message>
+    <message><source>Choosing one shows its place in the plot.</source>
+        <translation>Ein ausgewähltes Ereignis wird im Diagramm gezeigt.</translation></message>
+    <message><source>Curves and their figures</source>
+        <translation>Kurven und ihre Kennwerte</translation></message>
+    <message><source>Events</source>
+        <translation>Ereignisse</translation></message>
+    <message><source>No events yet. Stops, Apply, faults and limits will be listed here.</source>
+        <translation>Noch keine Ereignisse. Stopps, „Anwenden“, Störungen und Grenzen werden hier aufgelistet.</translation></message>
+    <message><source>Select the curves to draw</source>
+        <translation>Wählen Sie die Kurven aus, die gezeichnet werden</translation></message>
+    <message><source>Newest value; ⚠ means 80 % of the limit or more</source>
+        <translation>Neuester Wert; ⚠ bedeutet 80 % der Grenze oder mehr</translation></message>
+    <message><source>Peak</source>
+        <translation>Spitze</translation></message>
+    <message><source>Highest value in the visible span</source>
+        <translation>Höchster Wert im sichtbaren Zeitbereich</translation></message>
+    <message><source>Mean</source>
+        <translation>Mittel</translation></message>
+    <message><source>Mean over time in the visible span</source>
+        <translation>Zeitlicher Mittelwert im sichtbaren Zeitbereich</translation></message>
+    <message><source>RMS</source>
+        <translation>RMS</translation></message>
+    <message><source>Root mean square in the visible span: what heats wires</source>
+        <translation>Effektivwert im sichtbaren Zeitbereich: was Drähte erwärmt</translation></message>
+    <message><source>Current times time in the visible span, without gaps</source>
+        <translation>Strom mal Zeit im sichtbaren Zeitbereich, ohne Lücken</translation></message>
+    <message><source>Limit</source>
+        <translation>Grenze</translation></message>
+    <message><source>Current limit that the board stores</source>
+        <translation>Stromgrenze, die das Board speichert</translation></message>
+    <message><source>Cursor</source>
+        <translation>Cursor</translation></message>
+    <message><source>Value at the cursor</source>
+        <translation>Wert am Cursor</translation></message>
+    <message><source>To mark</source>
+        <translation>Zur Marke</translation></message>
+    <message><source>From the mark to the cursor; click into the plot or press M to set it</source>
+        <translation>Von der Marke bis zum Cursor; klicken Sie in das Diagramm oder drücken Sie M, um sie zu setzen</translation></message>
+    <message><source>Held</source>
+        <translation>Gehalten</translation></message>
+    <message><source>Highest value since Hold peaks was switched on</source>
+        <translation>Höchster Wert, seit „Spitzen halten“ eingeschaltet wurde</translation></message>
+    <message><source>Low</source>
+        <translation>Tief</translation></message>
+    <message><source>Lowest value in the visible span</source>
+        <translation>Niedrigster Wert im sichtbaren Zeitbereich</translation></message>
+    <message><source>{0}, {1}: {2}, near its limit</source>
+        <translation>{0}, {1}: {2}, nahe der Grenze</translation></message>
+    <message><source>{0}, {1}: {2}, over its limit</source>
+        <translation>{0}, {1}: {2}, über der Grenze</translation></message>
+    <message><source>No events</source>
+        <translation>Keine Ereignisse</translation></message>
+    <message><source>Blue</source>
+        <translation>Blau</translation></message>
+    <message><source>Orange</source>
+        <translation>Orange</translation></message>
+    <message><source>Green</source>
+        <translation>Grün</translation></message>
+    <message><source>Yellow</source>
+        <translation>Gelb</translation></message>
+    <message><source>Purple</source>
+        <translation>Violett</translation></message>
+    <message><source>Red</source>
+        <translation>Rot</translation></message>
+    <message><source>Teal</source>
+        <translation>Türkis</translation></message>
+    <message><source>Pink</source>
+        <translation>Rosa</translation></message>
+    <message><source>Grey</source>
+        <translation>Grau</translation></message>
+    <message><source>As text</source>
+        <translation>Wie Text</translation></message>
+    <message><source>La&amp;yout</source>
+        <translation>La&amp;yout</translation></message>
+    <message><source>Layout</source>
+        <translation>Layout</translation></message>
+    <message><source>Colours of the curves; save and open how the plot is shown</source>
+        <translation>Farben der Kurven; speichern und öffnen, wie das Diagramm gezeigt wird</translation></message>
+    <message><source>Show in a &amp;window of its own</source>
+        <translation>In eigenem &amp;Fenster zeigen</translation></message>
+    <message><source>&amp;Colours</source>
+        <translation>Fa&amp;rben</translation></message>
+    <message><source>Open layout</source>
+        <translation>Layout öffnen</translation></message>
+    <message><source>Save layout</source>
+        <translation>Layout speichern</translation></message>
+    <message><source>&amp;Open layout…</source>
+        <translation>Layout öff&amp;nen…</translation></message>
+    <message><source>&amp;Save layout…</source>
+        <translation>Layout &amp;speichern…</translation></message>
+    <message><source>&amp;Reset layout</source>
+        <translation>Layout &amp;zurücksetzen</translation></message>
+    <message><source>The layout was saved in {0}.</source>
+        <translation>Das Layout wurde in {0} gespeichert.</translation></message>
+    <message><source>Plot layouts (*{0})</source>
+        <translation>Diagramm-Layouts (*{0})</translation></message>
+    <message><source>plot layouts</source>
+        <translation>Diagrammlayouts</translation></message>
+    <message><source>The layout of {0} is shown.</source>
+        <translation>Das Layout aus {0} wird gezeigt.</translation></message>
+    <message><source>Apply</source>
+        <translation>Anwenden</translation></message>
+    <message><source>Timeout</source>
+        <translation>Timeout</translation></message>
+    <message><source>Events in the plot</source>
+        <translation>Ereignisse im Diagramm</translation></message>
+    <message><source>Names of the curves</source>
+        <translation>Namen der Kurven</translation></message>
+    <message><source>{0} ({1} from the mark)</source>
+        <translation>{0} ({1} ab der Marke)</translation></message>
+    <message><source>Time shown</source>
+        <translation>Angezeigte Zeit</translation></message>
+    <message><source>Range of the currents</source>
+        <translation>Bereich der Ströme</translation></message>
+    <message><source>Pa&amp;use</source>
+        <translation>Pa&amp;use</translation></message>
+    <message><source>Hold pea&amp;ks</source>
+        <translation>Spit&amp;zen halten</translation></message>
+    <message><source>Show the &amp;last</source>
+        <translation>Die &amp;letzten</translation></message>
+    <message><source>A fixed range keeps plots comparable; peaks above it are cut off</source>
+        <translation>Ein fester Bereich hält Diagramme vergleichbar; Spitzen darüber werden abgeschnitten</translation></message>
+    <message><source>Ran&amp;ge</source>
+        <translation>Bere&amp;ich</translation></message>
+    <message><source>Keep the highest value of each curve from now on, as a line and a figure</source>
+        <translation>Den höchsten Wert jeder Kurve ab jetzt halten, als Linie und als Zahl</translation></message>
+    <message><source>Back to li&amp;ve</source>
+        <translation>Zurück zu Li&amp;ve</translation></message>
+    <message><source>automatic</source>
+        <translation>automatisch</translation></message>
+    <message><source>Left and Right move the cursor, with Shift in large steps; its values are read out here. M sets a mark, plus and minus zoom, L goes back to live.</source>
+        <translation>Links und Rechts bewegen den Cursor, mit Umschalt in großen Schritten; seine Werte werden hier vorgelesen. M setzt eine Marke, Plus und Minus zoomen, L geht zurück zu Live.</translation></message>
+    <message><source>Plot of currents and speeds against time</source>
+        <translation>Diagramm der Ströme und Geschwindigkeiten über der Zeit</translation></message>
+    <message><source>No data yet</source>
+        <translation>Noch keine Daten</translation></message>
+    <message><source>Search bytes and meanings (Ctrl+F)</source>
+        <translation>Bytes und Bedeutungen durchsuchen (Strg+F)</translation></message>
+    <message><source>Search the traffic log</source>
+        <translation>Datenverkehrsprotokoll durchsuchen</translation></message>
+    <message><source>&amp;Show polling</source>
+        <translation>Ab&amp;frage anzeigen</translation></message>
+    <message><source>O&amp;nly faults</source>
+        <translation>&amp;Nur Fehler</translation></message>
+    <message><source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation></message>
+    <message><source>C&amp;lear</source>
+        <translation>&amp;Leeren</translation></message>
+    <message><source>No row matches the search.</source>
+        <translation>Keine Zeile passt zur Suche.</translation></message>
+    <message><source>No faults so far.</source>
+        <translation>Bisher keine Fehler.</translation></message>
+    <message><source>Save the traffic log</source>
+        <translation>Datenverkehrsprotokoll speichern</translation></message>
+    <message><source>Also show the requests that the program repeats many times a second</source>
+        <translation>Auch die Anfragen anzeigen, die das Programm viele Male pro Sekunde wiederholt</translation></message>
+    <message><source>Show only failed transactions and line errors</source>
+        <translation>Nur fehlgeschlagene Transaktionen und Leitungsfehler anzeigen</translation></message>
+    <message><source>Do not add rows for now; the traffic is still logged</source>
+        <translation>Vorerst keine Zeilen hinzufügen; der Datenverkehr wird weiter protokolliert</translation></message>
+    <message><source>Copy as &amp;Python</source>
+        <translation>Als &amp;Python kopieren</translation></message>
+    <message><source>Copy as C (&amp;POSIX)</source>
+        <translation>Als &amp;C (POSIX) kopieren</translation></message>
+    <message><source>Copy as &amp;Arduino sketch</source>
+        <translation>Als &amp;Arduino-Sketch kopieren</translation></message>
+    <message><source>Copy the selected rows (Ctrl+C), or all rows shown</source>
+        <translation>Die ausgewählten Zeilen kopieren (Strg+C), oder alle angezeigten</translation></message>
+    <message><source>Save the rows shown as text</source>
+        <translation>Die angezeigten Zeilen als Text speichern</translation></message>
+    <message><source>Remove every row</source>
+        <translation>Alle Zeilen entfernen</translation></message>
+    <message><source>polling is hidden</source>
+        <translation>Abfrage ist ausgeblendet</translation></message>
+    <message><source>paused</source>
+        <translation>angehalten</translation></message>
+    <message><source>No traffic yet. While {0} is connected, this page lists every byte on the line and its meaning.</source>
+        <translation>Noch kein Datenverkehr. Solange {0} verbunden ist, listet diese Seite jedes Byte auf der Leitung und seine Bedeutung auf.</translation></message>
+    <message><source>No rows to copy.</source>
+        <translation>Keine Zeilen zum Kopieren.</translation></message>
+    <message><source>No rows to save.</source>
+        <translation>Keine Zeilen zum Speichern.</translation></message>
+    <message><source>shown: {0}</source>
+        <translation>angezeigt: {0}</translation></message>
+    <message><source>transactions: {0}</source>
+        <translation>Transaktionen: {0}</translation></message>
+    <message><source>faults: {0}</source>
+        <translation>Fehler: {0}</translation></message>
+    <message><source>Copied rows: {0}.</source>
+        <translation>Kopierte Zeilen: {0}.</translation></message>
+    <message numerus="yes"><source>{0} row(s) written to {1}.</source>
+        <translation><numerusform>{0} Zeile in {1} geschrieben.</numerusform><numerusform>{0} Zeilen in {1} geschrieben.</numerusform></translation></message>
+    <message><source>events lost: {0}</source>
+        <translation>verlorene Ereignisse: {0}</translation></message>
+    <message><source>Send &amp;bytes</source>
+        <translation>B&amp;ytes senden</translation></message>
+    <message><source>Bytes to send</source>
+        <translation>Zu sendende Bytes</translation></message>
+    <message><source>Bytes t&amp;o send:</source>
+        <translation>Zu sen&amp;dende Bytes:</translation></message>
+    <message><source>Send these bytes as they are (Enter)</source>
+        <translation>Diese Bytes unverändert senden (Enter)</translation></message>
+    <message><source>Sent</source>
+        <translation>Gesendet</translation></message>
+    <message><source>Received</source>
+        <translation>Empfangen</translation></message>
+    <message><source>Took (ms)</source>
+        <translation>Dauer (ms)</translation></message>
+    <message><source>Meaning</source>
+        <translation>Bedeutung</translation></message>
+    <message><source>Traffic on the line</source>
+        <translation>Datenverkehr auf der Leitung</translation></message>
+    <message><source>Details of the selected row</source>
+        <translation>Einzelheiten der ausgewählten Zeile</translation></message>
+    <message><source>Select a row to see all its bytes.</source>
+        <translation>Wählen Sie eine Zeile aus, um alle ihre Bytes zu sehen.</translation></message>
+    <message numerus="yes"><source>took      {0:.1f} ms; %n byte(s) need {1:.1f} ms on this wire</source>
+        <translation><numerusform>Dauer     {0:.1f} ms; %n Byte braucht {1:.1f} ms auf dieser Leitung</numerusform><numerusform>Dauer     {0:.1f} ms; %n Bytes brauchen {1:.1f} ms auf dieser Leitung</numerusform></translation></message>
+    <message><source>Fault: {0}</source>
+        <translation>Fehler: {0}</translation></message>
+    <message><source>sent      {0}</source>
+        <translation>gesendet  {0}</translation></message>
+    <message><source>received  {0}</source>
+        <translation>empfangen {0}</translation></message>
+    <message><source>not connected</source>
+        <translation>nicht verbunden</translation></message>
+    <message><source>no data yet</source>
+        <translation>noch keine Daten</translation></message>
+    <message><source>Columns</source>
+        <translation>Spalten</translation></message>
+    <message><source>Rows</source>
+        <translation>Zeilen</translation></message>
+    <message><source>{0} is still being saved. Close without waiting? Changes may be lost.</source>
+        <translation>{0} wird noch gespeichert. Ohne zu warten schließen? Änderungen können verloren gehen.</translation></message>
+    <message><source>Text files (*.txt);;All files (*)</source>
+        <translation>Textdateien (*.txt);;Alle Dateien (*)</translation></message>
+    <message><source>Unsaved changes</source>
+        <translation>Nicht gespeicherte Änderungen</translation></message>
+    <message><source>Changed on disk</source>
+        <translation>Auf dem Datenträger geändert</translation></message>
+    <message><source>Still saving</source>
+        <translation>Speichern läuft noch</translation></message>
+    <message><source>Rewrite the file</source>
+        <translation>Datei neu schreiben</translation></message>
+    <message><source>Replace the file</source>
+        <translation>Datei ersetzen</translation></message>
+    <message><source>{0} has changes that are not saved. Save them?</source>
+        <translation>{0} hat Änderungen, die nicht gespeichert sind. Sollen sie gespeichert werden?</translation></message>
+    <message><source>{0} was changed by another program since it was opened here. Overwrite those changes?</source>
+        <translation>{0} wurde von einem anderen Programm geändert, seit die Datei hier geöffnet wurde. Sollen diese Änderungen überschrieben werden?</translation></message>
+    <message><source>The changes cannot be merged into the text of the file: {0}.
+
+Rewrite the file from the settings? Its comments will be lost.</source>
+        <translation>Die Änderungen lassen sich nicht in den Text der Datei einfügen: {0}.
+
+Soll die Datei aus den Einstellungen neu geschrieben werden? Ihre Kommentare gehen dabei verloren.</translation></message>
+    <message><source>{0} {1} Replace it?</source>
+        <translation>{0} {1} Ersetzen?</translation></message>
+    <message><source>already exists.</source>
+        <translation>ist bereits vorhanden.</translation></message>
+    <message><source>Information</source>
+        <translation>Information</translation></message>
+    <message><source>OK</source>
+        <translation>OK</translation></message>
+    <message><source>Not done</source>
+        <translation>Nicht erledigt</translation></message>
+    <message><source>{0} LED: {1}</source>
+        <translation>LED {0}: {1}</translation></message>
+    <message><source>Dismiss</source>
+        <translation>Ausblenden</translation></message>
+    <message><source>Copied</source>
+        <translation>Kopiert</translation></message>
+    <message><source>No message</source>
+        <translation>Keine Meldung</translation></message>
+    <message><source>Find now</source>
+        <translation>Jetzt suchen</translation></message>
+    <message><source>Reconnect</source>
+        <translation>Neu verbinden</translation></message>
+    <message><source>Check the board…</source>
+        <translation>Board prüfen…</translation></message>
+    <message><source>Save report…</source>
+        <translation>Supportbericht speichern…</translation></message>
+    <message><source>Connect with its settings</source>
+        <translation>Mit seinen Einstellungen verbinden</translation></message>
+    <message><source>Internal error while processing this file ({0}).</source>
+        <translation>Interner Fehler bei der Verarbeitung dieser Datei ({0}).</translation></message>
+    <message><source>Another file is still being written.</source>
+        <translation>Eine andere Datei wird noch geschrieben.</translation></message>
+    <message><source>{0} was not written. {1}</source>
+        <translation>{0} wurde nicht geschrieben. {1}</translation></message>
+    <message><source>It was not written: {0}.</source>
+        <translation>Sie wurde nicht geschrieben: {0}.</translation></message>
+    <message><source>{0} was not written.</source>
+        <translation>{0} wurde nicht geschrieben.</translation></message>
+    <message><source>Internal error while recording ({0}). The recording has ended.</source>
+        <translation>Interner Fehler beim Aufzeichnen ({0}). Die Aufzeichnung wurde beendet.</translation></message>
+    <message><source>Internal error: the connection was closed.</source>
+        <translation>Interner Fehler: Die Verbindung wurde geschlossen.</translation></message>
+    <message><source>Device Number</source>
+        <translation>Gerätenummer</translation></message>
+    <message><source>The number that addresses this board in packets of the Pololu protocol. The board accepts compact packets whatever its number. Several boards on one line need different numbers.</source>
+        <translation>Die Nummer, mit der Pakete des Pololu-Protokolls dieses Board ansprechen. Kompakte Pakete nimmt das Board unabhängig von seiner Nummer an. Mehrere Boards an einer Leitung brauchen verschiedene Nummern.</translation></message>
+    <message><source>Required Channels</source>
+        <translation>Erforderliche Kanäle</translation></message>
+    <message><source>In RC mode, losing the signal of a required channel for more than 0.5 s puts the board into safe-start: the motors stop until the signal is back and the sticks are at neutral.</source>
+        <translation>Im RC-Modus versetzt ein Signalausfall eines erforderlichen Kanals von mehr als 0,5 s das Board in den Safe-Start: Die Motoren stoppen, bis das Signal wieder da ist und die Knüppel in Neutralstellung sind.</translation></message>
+    <message><source>Ignored Channels</source>
+        <translation>Ignorierte Kanäle</translation></message>
+    <message><source>An ignored channel is held at its neutral value, whatever is connected. Select the inputs that are not connected.</source>
+        <translation>Ein ignorierter Kanal wird auf seinem Neutralwert gehalten, was auch immer angeschlossen ist. Wählen Sie die Eingänge aus, die nicht angeschlossen sind.</translation></message>
+    <message><source>Reversed Channels</source>
+        <translation>Umgekehrte Kanäle</translation></message>
+    <message><source>Swaps forward and reverse of the selected channels.</source>
+        <translation>Vertauscht vorwärts und rückwärts der ausgewählten Kanäle.</translation></message>
+    <message><source>Parabolic Channels</source>
+        <translation>Parabolische Kanäle</translation></message>
+    <message><source>A parabolic channel responds gently near neutral and strongly near the ends (a parabola instead of a straight line).</source>
+        <translation>Ein parabolischer Kanal reagiert nahe der Neutralstellung sanft und nahe den Enden stark (eine Parabel statt einer Geraden).</translation></message>
+    <message><source>Motor 1 Deadband Brake PWM</source>
+        <translation>Brems-PWM im Totbereich Motor 1</translation></message>
+    <message><source>How hard the motor is braked while its channel is within the deadband: 100 % is a full brake, 0 lets the motor coast.</source>
+        <translation>Wie stark der Motor gebremst wird, solange sein Kanal im Totbereich ist: 100 % ist volle Bremsung, bei 0 läuft der Motor aus.</translation></message>
+    <message><source>Deadband Brake PWM</source>
+        <translation>Brems-PWM im Totbereich</translation></message>
+    <message><source>Motor 2 Deadband Brake PWM</source>
+        <translation>Brems-PWM im Totbereich Motor 2</translation></message>
+    <message><source>Serial Timeout</source>
+        <translation>Serielles Timeout</translation></message>
+    <message><source>The motors stop when the board receives no byte for this long. It protects you when the computer or the cable fails. 0 switches it off.</source>
+        <translation>Die Motoren stoppen, wenn das Board so lange kein Byte empfängt. Das schützt Sie, wenn der Computer oder das Kabel versagt. 0 schaltet es aus.</translation></message>
+    <message><source>UART-Error Shutdown</source>
+        <translation>Abschaltung bei UART-Fehlern</translation></message>
+    <message><source>Whether a serial error (noise, wrong baud rate, malformed packet) stops the motors. The board still accepts commands, and the next motor command starts them again.</source>
+        <translation>Ob ein serieller Fehler (Störung, falsche Baudrate, fehlerhaftes Paket) die Motoren stoppt. Das Board nimmt weiterhin Befehle an, und der nächste Motorbefehl startet sie wieder.</translation></message>
+    <message><source>The default of on is doubtful: public programs that send a stray byte with each command, or pause within a packet, would stutter with it.</source>
+        <translation>Der Standardwert „ein“ ist zweifelhaft: Öffentliche Programme, die mit jedem Befehl ein überzähliges Byte senden oder innerhalb eines Pakets pausieren, würden damit stottern.</translation></message>
+    <message><source>Motor 1 PWM Prescaler</source>
+        <translation>PWM-Vorteiler Motor 1</translation></message>
+    <message><source>Divides the clock of the motor's PWM. Together with PWM Maximum it sets the PWM frequency: lower frequencies whine and heat the motor, frequencies above the driver's rating heat the driver.</source>
+        <translation>Teilt den Takt der PWM des Motors. Zusammen mit dem PWM-Maximum bestimmt er die PWM-Frequenz: Niedrigere Frequenzen pfeifen und erwärmen den Motor, Frequenzen über dem für den Treiber zulässigen Wert erwärmen den Treiber.</translation></message>
+    <message><source>PWM Prescaler</source>
+        <translation>PWM-Vorteiler</translation></message>
+    <message><source>clock / 8</source>
+        <translation>Takt / 8</translation></message>
+    <message><source>clock / 64</source>
+        <translation>Takt / 64</translation></message>
+    <message><source>clock / 256</source>
+        <translation>Takt / 256</translation></message>
+    <message><source>clock / 1024</source>
+        <translation>Takt / 1024</translation></message>
+    <message><source>Motor 2 PWM Prescaler</source>
+        <translation>PWM-Vorteiler Motor 2</translation></message>
+    <message><source>Motor 1 PWM Maximum</source>
+        <translation>PWM-Maximum Motor 1</translation></message>
+    <message><source>The value at which the PWM counter starts again. Together with the prescaler it sets the PWM frequency: a smaller maximum gives a higher frequency.</source>
+        <translation>Der Wert, bei dem der PWM-Zähler wieder von vorn beginnt. Zusammen mit dem Vorteiler bestimmt er die PWM-Frequenz: Ein kleineres Maximum ergibt eine höhere Frequenz.</translation></message>
+    <message><source>PWM Maximum</source>
+        <translation>PWM-Maximum</translation></message>
+    <message><source>Motor 2 PWM Maximum</source>
+        <translation>PWM-Maximum Motor 2</translation></message>
+    <message><source>Auxiliary Motor PWM Maximum</source>
+        <translation>PWM-Maximum Hilfsmotor</translation></message>
+    <message><source>Motor 1 Acceleration</source>
+        <translation>Beschleunigung Motor 1</translation></message>
+    <message><source>How fast the speed may grow after an accelerate command, in speed steps (of 127) per 100 ms. 0 means at once. Slowing down in the same direction has no ramp.</source>
+        <translation>Wie schnell die Geschwindigkeit nach einem Beschleunigungsbefehl zunehmen darf, in Geschwindigkeitsstufen (von 127) je 100 ms. 0 bedeutet sofort. Das Verlangsamen in derselben Richtung hat keine Rampe.</translation></message>
+    <message><source>no ramp</source>
+        <translation>keine Rampe</translation></message>
+    <message><source>Acceleration</source>
+        <translation>Beschleunigung</translation></message>
+    <message><source>Motor 2 Acceleration</source>
+        <translation>Beschleunigung Motor 2</translation></message>
+    <message><source>Auxiliary Motor Acceleration</source>
+        <translation>Beschleunigung Hilfsmotor</translation></message>
+    <message><source>How fast the auxiliary motor may speed up after an accelerate command, in speed steps (of 127) per 100 ms. 0 means at once.</source>
+        <translation>Wie schnell der Hilfsmotor nach einem Beschleunigungsbefehl schneller werden darf, in Geschwindigkeitsstufen (von 127) je 100 ms. 0 bedeutet sofort.</translation></message>
+    <message><source>Motor 1 Brake Duration</source>
+        <translation>Bremsdauer Motor 1</translation></message>
+    <message><source>How long the motor is fully braked before an accelerate command reverses it.</source>
+        <translation>Wie lange der Motor voll gebremst wird, bevor ein Beschleunigungsbefehl seine Richtung umkehrt.</translation></message>
+    <message><source>no braking</source>
+        <translation>kein Bremsen</translation></message>
+    <message><source>Brake Duration</source>
+        <translation>Bremsdauer</translation></message>
+    <message><source>Motor 2 Brake Duration</source>
+        <translation>Bremsdauer Motor 2</translation></message>
+    <message><source>Motor 1 Current Limit</source>
+        <translation>Stromgrenze Motor 1</translation></message>
+    <message><source>Above this current the board lowers the motor's speed and latches an over-limit bit. Use accelerate commands with it: set commands bypass it for a moment. 0 switches it off. It has no effect in joint mode.</source>
+        <translation>Über diesem Strom verringert das Board die Geschwindigkeit des Motors und setzt ein Überstrom-Bit, das gesetzt bleibt. Verwenden Sie dazu Beschleunigungsbefehle: Befehle, die sofort setzen, umgehen die Begrenzung für einen Augenblick. 0 schaltet sie aus. Im Parallelbetrieb hat sie keine Wirkung.</translation></message>
+    <message><source>Current Limit</source>
+        <translation>Stromgrenze</translation></message>
+    <message><source>Motor 2 Current Limit</source>
+        <translation>Stromgrenze Motor 2</translation></message>
+    <message><source>Motor 1 Current Limit Proportionality Constant P</source>
+        <translation>Proportionalfaktor P der Stromgrenze Motor 1</translation></message>
+    <message><source>How strongly the limiter responds to each count above the limit. A large value reacts fast but may make the motor pulse.</source>
+        <translation>Wie stark die Strombegrenzung auf jeden Count über der Grenze reagiert. Ein großer Wert reagiert schnell, kann den Motor aber pulsieren lassen.</translation></message>
+    <message><source>Current Limit Proportionality Constant P</source>
+        <translation>Proportionalfaktor P der Stromgrenze</translation></message>
+    <message><source>Motor 2 Current Limit Proportionality Constant P</source>
+        <translation>Proportionalfaktor P der Stromgrenze Motor 2</translation></message>
+    <message><source>Enable UART Response Delay</source>
+        <translation>UART-Antwortverzögerung einschalten</translation></message>
+    <message><source>Makes the board wait 1 ms before it replies, for computers that switch slowly from sending to receiving.</source>
+        <translation>Lässt das Board vor jeder Antwort 1 ms warten, für Computer, die langsam vom Senden auf Empfangen umschalten.</translation></message>
+    <message><source>1 ms</source>
+        <translation>1 ms</translation></message>
+    <message><source>Motor Mode</source>
+        <translation>Motormodus</translation></message>
+    <message><source>Independent: two motors. Joint: both drivers together drive one stronger motor as motor 1, without current sensing and mixing.</source>
+        <translation>Unabhängig: zwei Motoren. Parallelbetrieb: Beide Treiber zusammen treiben als Motor 1 einen stärkeren Motor an, ohne Strommessung und ohne Mischer.</translation></message>
+    <message><source>independent</source>
+        <translation>unabhängig</translation></message>
+    <message><source>joint</source>
+        <translation>Parallelbetrieb</translation></message>
+    <message><source>Channel Input Source</source>
+        <translation>Eingangsquelle der Kanäle</translation></message>
+    <message><source>Whether the five inputs are read as RC pulses or as voltages while the board is in serial mode. In RC and analog mode the jumper decides.</source>
+        <translation>Ob die fünf Eingänge als RC-Impulse oder als Spannungen gelesen werden, solange das Board im seriellen Modus ist. In den Modi RC und Analog entscheidet der Jumper.</translation></message>
+    <message><source>CRC-7 Polynomial</source>
+        <translation>CRC-7-Polynom</translation></message>
+    <message><source>The polynomial of the checksum after every packet, used when CRC-7 is chosen in the UART settings. Its top bit is always 1.</source>
+        <translation>Das Polynom der Prüfsumme nach jedem Paket; verwendet, wenn in den UART-Einstellungen CRC-7 gewählt ist. Sein höchstes Bit ist immer 1.</translation></message>
+    <message><source>UART Settings</source>
+        <translation>UART-Einstellungen</translation></message>
+    <message><source>Baud rate, error detection (none, CRC-7 or parity) and stop bits of the serial line. A wrong setting makes the board unreachable until the program's settings match.</source>
+        <translation>Baudrate, Fehlererkennung (keine, CRC-7 oder Parität) und Stoppbits der seriellen Leitung. Eine falsche Einstellung macht das Board unerreichbar, bis die Einstellungen des Programms dazu passen.</translation></message>
+    <message><source>Reset All Parameters to Factory Defaults</source>
+        <translation>Alle Parameter auf Werkseinstellungen zurücksetzen</translation></message>
+    <message><source>Resets every parameter to its factory default at the next power cycle.</source>
+        <translation>Setzt beim nächsten Aus- und Einschalten alle Parameter auf ihre Werkseinstellungen zurück.</translation></message>
+</context>
+</TS>

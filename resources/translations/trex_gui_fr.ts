@@ -1,0 +1,5929 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="fr" sourcelanguage="en">
+<context>
+    <name>trex_gui</name>
+    <message><source>it is not an ordinary file</source>
+        <translation>ce n'est pas un fichier ordinaire</translation></message>
+    <message><source>this is a binary file; settings are text</source>
+        <translation>c'est un fichier binaire ; les réglages sont du texte</translation></message>
+    <message><source>it is a folder, not a file</source>
+        <translation>c'est un dossier, pas un fichier</translation></message>
+    <message><source>it cannot be read</source>
+        <translation>le fichier ne peut pas être lu</translation></message>
+    <message><source>it cannot be written</source>
+        <translation>le fichier ne peut pas être écrit</translation></message>
+    <message><source>warning</source>
+        <translation>avertissement</translation></message>
+    <message><source>it cannot be written: permission denied</source>
+        <translation>le fichier ne peut pas être écrit : permission refusée</translation></message>
+    <message><source>there is no such file</source>
+        <translation>ce fichier n'existe pas</translation></message>
+    <message><source>is larger than {0} KiB; {1} are not that long</source>
+        <translation>dépasse {0} KiB ; ce contenu ({1}) n'est jamais aussi long</translation></message>
+    <message><source>this is not UTF-8 text</source>
+        <translation>ce n'est pas du texte UTF-8</translation></message>
+    <message><source>line {0}</source>
+        <translation>ligne {0}</translation></message>
+    <message><source>there is no folder {0}</source>
+        <translation>le dossier {0} n'existe pas</translation></message>
+    <message><source>permission denied</source>
+        <translation>permission refusée</translation></message>
+    <message><source>It cannot be written: {0}.</source>
+        <translation>Le fichier ne peut pas être écrit : {0}.</translation></message>
+    <message><source>another line of this program</source>
+        <translation>une autre liaison de ce programme</translation></message>
+    <message><source>{0} (process {1})</source>
+        <translation>{0} (processus {1})</translation></message>
+    <message><source> by another program</source>
+        <translation> par un autre programme</translation></message>
+    <message><source>{0} cannot be opened: {1}.</source>
+        <translation>Impossible d'ouvrir {0} : {1}.</translation></message>
+    <message><source>The line to {0} is gone. Plug it in, then connect again.</source>
+        <translation>La liaison avec {0} a disparu. Rebranchez le câble, puis reconnectez.</translation></message>
+    <message><source>{0} cannot be reached: {1}.</source>
+        <translation>Impossible de joindre {0} : {1}.</translation></message>
+    <message><source>There is no port {0}. Ports of this computer: {1}.</source>
+        <translation>Le port {0} n'existe pas. Ports de cet ordinateur : {1}.</translation></message>
+    <message><source>none</source>
+        <translation>aucun</translation></message>
+    <message><source>{0} is in use by another program, or locked by its driver; for up to 5 seconds after a crash also by the guardian process that stops the motors.</source>
+        <translation>{0} est utilisé par un autre programme ou verrouillé par son pilote ; jusqu'à 5 secondes après un plantage, il peut aussi l'être par le processus gardien qui arrête les moteurs.</translation></message>
+    <message><source>The guardian process is still stopping the motors on {0}, which takes up to 5 seconds. Then connect again.</source>
+        <translation>Le processus gardien est encore en train d'arrêter les moteurs sur {0}, ce qui prend jusqu'à 5 secondes. Reconnectez ensuite.</translation></message>
+    <message><source>{0} is in use{1}. Close it there, then connect again.</source>
+        <translation>{0} est utilisé{1}. Libérez-le d'abord, puis reconnectez.</translation></message>
+    <message><source>{0} cannot be set to {1} ({2}).</source>
+        <translation>{0} ne peut pas être réglé sur {1} ({2}).</translation></message>
+    <message><source>It belongs to root; this opens it until it is unplugged: {0}</source>
+        <translation>Il appartient à root ; cette commande l'ouvre jusqu'à ce qu'il soit débranché : {0}</translation></message>
+    <message><source>Join its group, then log out and in again: {0} (or, until it is unplugged: {1}).</source>
+        <translation>Rejoignez son groupe, puis fermez et rouvrez votre session : {0} (ou, jusqu'à ce qu'il soit débranché : {1}).</translation></message>
+    <message><source>the port takes nothing</source>
+        <translation>le port n'accepte rien</translation></message>
+    <message><source>Permission denied for {0}. {1}</source>
+        <translation>Permission refusée pour {0}. {1}</translation></message>
+    <message><source> by {0}</source>
+        <translation> par {0}</translation></message>
+    <message><source>Another program reads {0}, too, and has taken bytes from it. Close it there, then connect again.</source>
+        <translation>Un autre programme lit aussi {0} et en a pris des octets. Libérez-le dans ce programme, puis reconnectez.</translation></message>
+    <message><source>the port cannot be set to {0}</source>
+        <translation>le port ne peut pas être réglé sur {0}</translation></message>
+    <message><source>It sends without a request ({0} …).</source>
+        <translation>Il émet sans requête ({0} …).</translation></message>
+    <message><source>even parity</source>
+        <translation>parité paire</translation></message>
+    <message><source>odd parity</source>
+        <translation>parité impaire</translation></message>
+    <message><source>2 stop bits</source>
+        <translation>2 bits d'arrêt</translation></message>
+    <message><source>no error detection</source>
+        <translation>sans détection d'erreurs</translation></message>
+    <message><source>1 stop bit</source>
+        <translation>1 bit d'arrêt</translation></message>
+    <message><source>{0} baud, {1}, {2}</source>
+        <translation>{0} bauds, {1}, {2}</translation></message>
+    <message><source>{0} at {1}</source>
+        <translation>{0} à {1}</translation></message>
+    <message><source>{0}: there is no kind of port {1!r}; try socket:// or rfc2217://.</source>
+        <translation>{0} : ce type de port n'existe pas ({1!r}) ; essayez socket:// ou rfc2217://.</translation></message>
+    <message><source>{0} is not {1}://host:port, such as {1}://192.168.1.20:2217.</source>
+        <translation>{0} n'est pas de la forme {1}://hôte:port, par exemple {1}://192.168.1.20:2217.</translation></message>
+    <message><source>{0} baud</source>
+        <translation>{0} bauds</translation></message>
+    <message><source>Opened {0}.</source>
+        <translation>Ouvert : {0}.</translation></message>
+    <message><source>this is no traffic log: the traffic page and trexcmd --traffic write them</source>
+        <translation>ce n'est pas un journal de trafic : la page Trafic et trexcmd --traffic en créent</translation></message>
+    <message><source>this is not a row of a traffic log</source>
+        <translation>ce n'est pas une ligne d'un journal de trafic</translation></message>
+    <message><source>{0} cannot be written: {1}.</source>
+        <translation>{0} ne peut pas être écrit : {1}.</translation></message>
+    <message><source>Aracna {0}</source>
+        <translation>Aracna {0}</translation></message>
+    <message><source>No probe for an Aracna was sent on {0}: its baud rate is set at the other end of the network, and a TReX at another rate could take the probe for a command. If you know that it is an Aracna, connect once with: trex-gui --device aracna --port {1}</source>
+        <translation>Aucune requête de détection d'un Aracna n'a été envoyée sur {0} : le débit est réglé à l'autre bout du réseau, et un TReX à un autre débit pourrait prendre cette requête pour une commande. Si vous savez que c'est un Aracna, connectez-le une fois avec : trex-gui --device aracna --port {1}</translation></message>
+    <message><source>No Aracna responds on {0}: everything sent comes back, and nothing else. The adapter's TX and RX are joined; an Aracna never echoes.</source>
+        <translation>Aucun Aracna ne répond sur {0} : tout ce qui est envoyé revient, et rien d'autre. Les broches TX et RX de l'adaptateur sont reliées ; un Aracna ne renvoie jamais d'écho.</translation></message>
+    <message><source>No probe for an Aracna was sent: {0} cannot be set to {1}.</source>
+        <translation>Aucune requête de détection d'un Aracna n'a été envoyée : {0} ne peut pas être réglé sur {1}.</translation></message>
+    <message><source>Rename {0}</source>
+        <translation>Renommer {0}</translation></message>
+    <message><source>Duplicate {0}</source>
+        <translation>Dupliquer {0}</translation></message>
+    <message><source>Delete {0}</source>
+        <translation>Supprimer {0}</translation></message>
+    <message><source>Move {0}</source>
+        <translation>Déplacer {0}</translation></message>
+    <message><source>pose</source>
+        <translation>pose</translation></message>
+    <message><source>Add pose {0}</source>
+        <translation>Ajouter la pose {0}</translation></message>
+    <message><source>Change pose {0}</source>
+        <translation>Modifier la pose {0}</translation></message>
+    <message><source>sequence</source>
+        <translation>séquence</translation></message>
+    <message><source>Change sequence {0}</source>
+        <translation>Modifier la séquence {0}</translation></message>
+    <message><source>Add sequence {0}</source>
+        <translation>Ajouter la séquence {0}</translation></message>
+    <message><source>Uses the authors' poses, but was not made by them.</source>
+        <translation>Utilise les poses des auteurs du robot, mais n'a pas été faite par eux.</translation></message>
+    <message><source>Step</source>
+        <translation>Étape</translation></message>
+    <message><source>Pose</source>
+        <translation>Pose</translation></message>
+    <message><source>Time</source>
+        <translation>Temps</translation></message>
+    <message><source>Remarks</source>
+        <translation>Remarques</translation></message>
+    <message numerus="yes"><source>%n step(s), {0:g} s</source>
+        <translation><numerusform>%n étape, {0:g} s</numerusform><numerusform>%n étapes, {0:g} s</numerusform></translation></message>
+    <message><source>Undefined poses: {0}</source>
+        <translation>Poses non définies : {0}</translation></message>
+    <message><source>{0} (built in)</source>
+        <translation>{0} (intégrée)</translation></message>
+    <message><source>Not renamed: {0}.</source>
+        <translation>Non renommé : {0}.</translation></message>
+    <message><source>{0} ms</source>
+        <translation>{0} ms</translation></message>
+    <message><source>Motor {0}</source>
+        <translation>Moteur {0}</translation></message>
+    <message><source>The recording ends here.</source>
+        <translation>L'enregistrement se termine ici.</translation></message>
+    <message><source>Recording {0} ended with the connection.</source>
+        <translation>Enregistrement {0} terminé avec la connexion.</translation></message>
+    <message><source>Recording {0} ended: the number of motors has changed.</source>
+        <translation>Enregistrement {0} terminé : le nombre de moteurs a changé.</translation></message>
+    <message><source>Stopped: nothing more is sent.</source>
+        <translation>Arrêt : plus rien n'est envoyé.</translation></message>
+    <message><source>{0}. Nothing more is sent; a running motion continues to its goal.</source>
+        <translation>{0}. Plus rien n'est envoyé ; un mouvement en cours continue jusqu'à sa cible.</translation></message>
+    <message><source>The robot is waiting for motor {0} and reads nothing until it responds.</source>
+        <translation>Le robot attend le moteur {0} et ne lit rien tant que celui-ci ne répond pas.</translation></message>
+    <message numerus="yes"><source>%n time(s)</source>
+        <translation><numerusform>%n fois</numerusform><numerusform>%n fois</numerusform></translation></message>
+    <message><source>repeating</source>
+        <translation>en boucle</translation></message>
+    <message><source>slowly to the start</source>
+        <translation>lentement jusqu'au départ</translation></message>
+    <message><source>{0}. No robot is connected; the motion continues (about {1:.0f} s).</source>
+        <translation>{0}. Aucun robot n'est connecté ; le mouvement continue (environ {1:.0f} s).</translation></message>
+    <message><source>{0}. Nothing more is sent; the running motion continues to its goal (about {1:.0f} s).</source>
+        <translation>{0}. Plus rien n'est envoyé ; le mouvement en cours continue jusqu'à sa cible (environ {1:.0f} s).</translation></message>
+    <message><source>No robot is connected.</source>
+        <translation>Aucun robot n'est connecté.</translation></message>
+    <message><source>A sequence is playing. Stop it first.</source>
+        <translation>Une séquence est en cours. Arrêtez-la d'abord.</translation></message>
+    <message><source>The robot does not respond.</source>
+        <translation>Le robot ne répond pas.</translation></message>
+    <message numerus="yes"><source>Connected to Aracna: firmware {0}, %n motor(s).</source>
+        <translation><numerusform>Connecté à l'Aracna : firmware {0}, %n moteur.</numerusform><numerusform>Connecté à l'Aracna : firmware {0}, %n moteurs.</numerusform></translation></message>
+    <message><source>The board has restarted; it is ready again in a second …</source>
+        <translation>La carte a redémarré ; elle sera prête dans une seconde …</translation></message>
+    <message><source>The robot is not responding. Is its power on? Waiting for it …</source>
+        <translation>Le robot ne répond pas. Est-il sous tension ? Attente …</translation></message>
+    <message><source>There is nothing to play: the sequence has no steps.</source>
+        <translation>Il n'y a rien à jouer : la séquence n'a aucune étape.</translation></message>
+    <message numerus="yes"><source>Cropped to the limits of the joints: %n step(s).</source>
+        <translation><numerusform>Ramenée aux limites des articulations : %n étape.</numerusform><numerusform>Ramenées aux limites des articulations : %n étapes.</numerusform></translation></message>
+    <message><source>Speeds not set: {0}</source>
+        <translation>Vitesses non réglées : {0}</translation></message>
+    <message><source>LED not switched: {0}</source>
+        <translation>LED non commutée : {0}</translation></message>
+    <message><source>Not moved: {0}</source>
+        <translation>Pas de mouvement : {0}</translation></message>
+    <message><source>Aborted: {0}</source>
+        <translation>Interrompu : {0}</translation></message>
+    <message><source>Move to {0}.</source>
+        <translation>Aller à {0}.</translation></message>
+    <message numerus="yes"><source>Playing %n step(s), {0}.</source>
+        <translation><numerusform>Lecture de %n étape, {0}.</numerusform><numerusform>Lecture de %n étapes, {0}.</numerusform></translation></message>
+    <message><source>The running motion ends by itself in about {0:.1f} s.</source>
+        <translation>Le mouvement en cours se termine de lui-même dans {0:.1f} s environ.</translation></message>
+    <message><source>{0}. Nothing more is sent to the robot.</source>
+        <translation>{0}. Plus rien n'est envoyé au robot.</translation></message>
+    <message><source>Which leg is which is assumed; even motors are inner joints, odd ones outer.</source>
+        <translation>L'attribution des pattes est supposée ; les moteurs pairs sont les articulations intérieures, les impairs les extérieures.</translation></message>
+    <message><source>Motor {0} is at {1}, {2} from its goal {3}.</source>
+        <translation>Le moteur {0} est à {1}, soit {2} par rapport à sa cible {3}.</translation></message>
+    <message><source>unlimited</source>
+        <translation>illimitée</translation></message>
+    <message><source>The reply was lost (or no motor responds): positions are not known.</source>
+        <translation>La réponse s'est perdue (ou aucun moteur ne répond) : les positions ne sont pas connues.</translation></message>
+    <message><source>The robot does not respond at all. Check its power and the cable.</source>
+        <translation>Le robot ne répond pas du tout. Vérifiez son alimentation et le câble.</translation></message>
+    <message><source>Front left</source>
+        <translation>Avant gauche</translation></message>
+    <message><source>Front right</source>
+        <translation>Avant droite</translation></message>
+    <message><source>Back right</source>
+        <translation>Arrière droite</translation></message>
+    <message><source>Back left</source>
+        <translation>Arrière gauche</translation></message>
+    <message><source>Motor {0}, {1} leg</source>
+        <translation>Moteur {0}, patte {1}</translation></message>
+    <message><source>stuck here</source>
+        <translation>figé ici</translation></message>
+    <message><source>no reply (−1)</source>
+        <translation>pas de réponse (−1)</translation></message>
+    <message><source>The robot is waiting for motor {0} and reads nothing until it responds. Check the servo power, the board's power, the cable of this servo, and whether it is blocked. A reset of the board ends the wait; it does not stop the servos.</source>
+        <translation>Le robot attend le moteur {0} et ne lit rien tant que celui-ci ne répond pas. Vérifiez l'alimentation des servos, celle de la carte, le câble de ce servo, et s'il est bloqué. Une réinitialisation de la carte met fin à l'attente ; elle n'arrête pas les servos.</translation></message>
+    <message><source>Cropped to the limits of the joints: {0}.</source>
+        <translation>Ramené aux limites des articulations : {0}.</translation></message>
+    <message><source>Played to the end.</source>
+        <translation>Joué jusqu'à la fin.</translation></message>
+    <message><source>The sequence has ended after its step.</source>
+        <translation>La séquence s'est terminée après son étape.</translation></message>
+    <message><source>The sequence was stopped.</source>
+        <translation>La séquence a été arrêtée.</translation></message>
+    <message><source>The sequence was aborted: the board has restarted.</source>
+        <translation>La séquence a été interrompue : la carte a redémarré.</translation></message>
+    <message><source>The sequence was aborted: the robot waits for a motor.</source>
+        <translation>La séquence a été interrompue : le robot attend un moteur.</translation></message>
+    <message><source>The sequence was aborted: a motor did not accept its speed.</source>
+        <translation>La séquence a été interrompue : un moteur n'a pas accepté sa vitesse.</translation></message>
+    <message><source>The sequence was aborted: a motor was far from its goal.</source>
+        <translation>La séquence a été interrompue : un moteur était loin de sa cible.</translation></message>
+    <message><source>The sequence was aborted: the robot does not respond.</source>
+        <translation>La séquence a été interrompue : le robot ne répond pas.</translation></message>
+    <message><source>The board has restarted. Its servos continue to their goals.</source>
+        <translation>La carte a redémarré. Ses servos continuent jusqu'à leurs cibles.</translation></message>
+    <message><source>inner</source>
+        <translation>intérieur</translation></message>
+    <message><source>outer</source>
+        <translation>extérieur</translation></message>
+    <message><source>Motor {0} did not report its position (−1).</source>
+        <translation>Le moteur {0} n'a pas transmis sa position (−1).</translation></message>
+    <message><source>moving …</source>
+        <translation>en mouvement …</translation></message>
+    <message><source>motor {0} to {1} instead of {2}</source>
+        <translation>moteur {0} à {1} au lieu de {2}</translation></message>
+    <message><source>{0} missed</source>
+        <translation>{0} : manquée</translation></message>
+    <message><source>Lies down flat in 3 s and stands up in 3 s, from any position.</source>
+        <translation>Se couche à plat en 3 s et se relève en 3 s, depuis n'importe quelle position.</translation></message>
+    <message><source>Lifts two opposite legs, swings the other two, changes over and swings them back.</source>
+        <translation>Lève deux pattes opposées, fait pivoter les deux autres, alterne et les ramène.</translation></message>
+    <message><source>All motors together, 100 units about the centre.</source>
+        <translation>Tous les moteurs ensemble, ±100 unités autour du centre.</translation></message>
+    <message><source>To and fro between two poses; motors that stay more than 50 units off are suspect.</source>
+        <translation>Va-et-vient entre deux poses ; les moteurs qui restent à plus de 50 unités de leur cible sont suspects.</translation></message>
+    <message><source>Down to half-stand and up again.</source>
+        <translation>Descend à la pose « half-stand » et remonte.</translation></message>
+    <message><source>By way of half-stand to flat, from any position.</source>
+        <translation>Passe par « half-stand » jusqu'à « flat », depuis n'importe quelle position.</translation></message>
+    <message><source>a time scale is more than 0, not {0}</source>
+        <translation>une échelle de temps est supérieure à 0, pas {0}</translation></message>
+    <message><source>{0} uses poses that are not defined: {1}</source>
+        <translation>{0} utilise des poses qui ne sont pas définies : {1}</translation></message>
+    <message><source>{0} has no steps</source>
+        <translation>{0} n'a aucune étape</translation></message>
+    <message><source>poses</source>
+        <translation>poses</translation></message>
+    <message><source>neither a pose nor a sequence: it has no colon</source>
+        <translation>ni une pose ni une séquence : il manque le deux-points</translation></message>
+    <message><source>a sequence has a colon after its name</source>
+        <translation>une séquence a un deux-points après son nom</translation></message>
+    <message><source>this is not UTF-8 text; it is read as Western European, and Save writes UTF-8</source>
+        <translation>ce n'est pas du texte UTF-8 ; il est lu comme texte d'Europe occidentale, et « Enregistrer » écrit de l'UTF-8</translation></message>
+    <message><source>this is a binary file; poses are text</source>
+        <translation>c'est un fichier binaire ; les poses sont du texte</translation></message>
+    <message><source>the first line should name the robot and its servos; assuming 8 servos</source>
+        <translation>la première ligne devrait nommer le robot et ses servos ; 8 servos sont supposés</translation></message>
+    <message><source>sequence {0} uses the pose {1}, which is not in the file</source>
+        <translation>la séquence {0} utilise la pose {1}, qui n'est pas dans le fichier</translation></message>
+    <message><source>the number of servos is 1 to {0}{1}; assuming {2}</source>
+        <translation>le nombre de servos va de 1 à {0}{1} ; {2} sont supposés</translation></message>
+    <message><source>{0} resolutions are expected and {1} found</source>
+        <translation>{0} résolutions attendues, {1} trouvées</translation></message>
+    <message><source>pose {0} has {1} positions of {2}</source>
+        <translation>la pose {0} a {1} positions sur {2}</translation></message>
+    <message><source>pose {0}: positions are numbers from 0 to {1}</source>
+        <translation>pose {0} : les positions sont des nombres de 0 à {1}</translation></message>
+    <message><source>{0} to {1} ms</source>
+        <translation>{0} à {1} ms</translation></message>
+    <message><source>sequence {0}: a step is a pose, a bar and {1}</source>
+        <translation>séquence {0} : une étape se compose d'une pose, d'une barre et de {1}</translation></message>
+    <message><source>a {0} has a name before its colon</source>
+        <translation>une {0} a un nom avant son deux-points</translation></message>
+    <message><source>, not {0!r}</source>
+        <translation>, pas {0!r}</translation></message>
+    <message><source>{0}; assuming {1} for every servo</source>
+        <translation>{0} ; {1} est supposé pour chaque servo</translation></message>
+    <message><source>{0}; missing ones become {1}</source>
+        <translation>{0} ; celles qui manquent deviennent {1}</translation></message>
+    <message><source>pose {0} has {1} positions for {2} servos</source>
+        <translation>la pose {0} a {1} positions pour {2} servos</translation></message>
+    <message><source>the {0} {1} is repeated in line {2}</source>
+        <translation>la {0} {1} est répétée à la ligne {2}</translation></message>
+    <message><source>{0}, not {1!r} (motor {2})</source>
+        <translation>{0}, pas {1!r} (moteur {2})</translation></message>
+    <message><source>{0}, not {1!r}</source>
+        <translation>{0}, pas {1!r}</translation></message>
+    <message><source>{0}; the line is kept, but not used</source>
+        <translation>{0} ; la ligne est conservée, mais pas utilisée</translation></message>
+    <message><source>{0}; the last ones are kept, but not used</source>
+        <translation>{0} ; les dernières sont conservées, mais pas utilisées</translation></message>
+    <message><source>apart from blanks around its name, {0}</source>
+        <translation>aux espaces autour du nom près, {0}</translation></message>
+    <message><source>{0}, which counts; this one is called {1} now</source>
+        <translation>{0}, qui fait foi ; celle-ci s'appelle maintenant {1}</translation></message>
+    <message><source>a name has at least one character</source>
+        <translation>un nom a au moins un caractère</translation></message>
+    <message><source>a name has no control characters</source>
+        <translation>un nom n'a pas de caractères de contrôle</translation></message>
+    <message><source>a {0}'s name has no colon and no line end, unlike {1!r}</source>
+        <translation>le nom d'une {0} n'a ni deux-points ni fin de ligne, contrairement à {1!r}</translation></message>
+    <message><source>a name has at most {0} characters, not {1}</source>
+        <translation>un nom a au plus {0} caractères, pas {1}</translation></message>
+    <message><source>a name has no colon, comma or bar, which separate values: {0}</source>
+        <translation>un nom n'a ni deux-points, ni virgule, ni barre, qui séparent les valeurs : {0}</translation></message>
+    <message><source>the name {0} is taken</source>
+        <translation>le nom {0} est déjà pris</translation></message>
+    <message><source>a step names a pose without comma, bar or line end, unlike {0!r}</source>
+        <translation>une étape désigne une pose sans virgule, barre ni fin de ligne, contrairement à {0!r}</translation></message>
+    <message><source>a step takes {0} to {1} ms, not {2}</source>
+        <translation>une étape dure de {0} à {1} ms, pas {2}</translation></message>
+    <message><source>positions are 0 to {0}, not {1} (motor {2} of {3})</source>
+        <translation>les positions vont de 0 à {0}, pas {1} (moteur {2} de {3})</translation></message>
+    <message><source>limits are 0 to {0} in order, not {1} to {2}</source>
+        <translation>les limites vont de 0 à {0}, dans l'ordre, pas de {1} à {2}</translation></message>
+    <message><source>No Aracna responds on {0}. It does not listen while it moves: if it is moving, wait until it stops. Check that the robot's board has power, that the adapter's TX goes to its RX and its RX to its TX (or that both radios are on the same channel), and that ground is connected.</source>
+        <translation>Aucun Aracna ne répond sur {0}. Il n'écoute pas pendant qu'il bouge : s'il bouge, attendez qu'il s'arrête. Vérifiez que la carte du robot est alimentée, que TX de l'adaptateur va à son RX et RX à son TX (ou que les deux radios sont sur le même canal), et que la masse est reliée.</translation></message>
+    <message><source>Everything sent on {0} comes back, and nothing else: the adapter's TX and RX are joined.</source>
+        <translation>Tout ce qui est envoyé sur {0} revient, et rien d'autre : les broches TX et RX de l'adaptateur sont reliées.</translation></message>
+    <message><source>An Aracna on {0} reports that it starts, but does not respond afterwards. It may be restarting repeatedly: check its power supply.</source>
+        <translation>Un Aracna sur {0} signale qu'il démarre, mais ne répond pas ensuite. Il redémarre peut-être sans cesse : vérifiez son alimentation.</translation></message>
+    <message><source>Something responds on {0}, but not like an Aracna: {1}. Another device, perhaps a TReX at another baud rate, or interference on the line.</source>
+        <translation>Quelque chose répond sur {0}, mais pas comme un Aracna : {1}. C'est un autre appareil, peut-être un TReX à un autre débit, ou des parasites sur la liaison.</translation></message>
+    <message><source>The robot has not replied yet; it is still being queried.</source>
+        <translation>Le robot n'a pas encore répondu ; il est encore interrogé.</translation></message>
+    <message><source>One command at a time: the robot has not replied to the last one yet.</source>
+        <translation>Une commande à la fois : le robot n'a pas encore répondu à la dernière.</translation></message>
+    <message><source>The robot did not reply in time.</source>
+        <translation>Le robot n'a pas répondu à temps.</translation></message>
+    <message><source>The reply does not match the command: {0}.</source>
+        <translation>La réponse ne correspond pas à la commande : {0}.</translation></message>
+    <message><source>The robot is waiting for motor {0}, which has not reached its goal.</source>
+        <translation>Le robot attend le moteur {0}, qui n'a pas atteint sa cible.</translation></message>
+    <message><source>The robot is stuck: nothing was sent.</source>
+        <translation>Le robot est figé : rien n'a été envoyé.</translation></message>
+    <message><source>Motor {0} did not accept speed {1}; it still has speed {2}.</source>
+        <translation>Le moteur {0} n'a pas accepté la vitesse {1} ; il garde la vitesse {2}.</translation></message>
+    <message><source>Motor {0} did not accept speed {1}: it does not respond.</source>
+        <translation>Le moteur {0} n'a pas accepté la vitesse {1} : il ne répond pas.</translation></message>
+    <message><source>No motor accepted its speed. Check the servo power.</source>
+        <translation>Aucun moteur n'a accepté sa vitesse. Vérifiez l'alimentation des servos.</translation></message>
+    <message><source>The robot did not confirm its speeds, so no motor was moved. {0}</source>
+        <translation>Le robot n'a pas confirmé ses vitesses ; aucun moteur n'a donc été déplacé. {0}</translation></message>
+    <message><source>{0} It is blocked, or servo power was off. The sequence does not continue by itself.</source>
+        <translation>{0} Il est bloqué, ou les servos n'étaient pas alimentés. La séquence ne reprend pas d'elle-même.</translation></message>
+    <message><source>Motor {0} is {1} units off its goal.</source>
+        <translation>Le moteur {0} est à {1} unités de sa cible.</translation></message>
+    <message><source>A sequence is playing: stop it first.</source>
+        <translation>Une séquence est en cours : arrêtez-la d'abord.</translation></message>
+    <message><source>Newer speeds replaced these.</source>
+        <translation>Des vitesses plus récentes ont remplacé celles-ci.</translation></message>
+    <message><source>Stopped before it was sent.</source>
+        <translation>Arrêté avant l'envoi.</translation></message>
+    <message><source>The robot's board has restarted.</source>
+        <translation>La carte du robot a redémarré.</translation></message>
+    <message><source>Another robot now responds on this port.</source>
+        <translation>Un autre robot répond maintenant sur ce port.</translation></message>
+    <message><source>The robot stopped responding.</source>
+        <translation>Le robot a cessé de répondre.</translation></message>
+    <message><source>The connection was closed before this was done.</source>
+        <translation>La connexion a été fermée avant que ce soit fait.</translation></message>
+    <message><source>Internal error in the connection: {0}</source>
+        <translation>Erreur interne de la connexion : {0}</translation></message>
+    <message><source>There is no step to play.</source>
+        <translation>Il n'y a aucune étape à jouer.</translation></message>
+    <message><source>Cannot play endlessly: there is no step.</source>
+        <translation>Impossible de jouer sans fin : il n'y a aucune étape.</translation></message>
+    <message><source>The number of rounds is 0 (endless) or more, not {0}.</source>
+        <translation>Le nombre de cycles est 0 (sans fin) ou plus, pas {0}.</translation></message>
+    <message><source>The time scale is {0:g} to {1:g}, not {2:g}.</source>
+        <translation>L'échelle de temps va de {0:g} à {1:g}, pas {2:g}.</translation></message>
+    <message><source>A step{0} has {1} positions; the robot has {2} motors.</source>
+        <translation>Une étape{0} a {1} positions ; le robot a {2} moteurs.</translation></message>
+    <message><source>The positions of a step{0} are 0 to {1}: {2}.</source>
+        <translation>Les positions d'une étape{0} vont de 0 à {1} : {2}.</translation></message>
+    <message><source>A step{0} takes more than 0 s, not {1:g} s.</source>
+        <translation>Une étape{0} dure plus de 0 s, pas {1:g} s.</translation></message>
+    <message><source>not a command of an Aracna</source>
+        <translation>pas une commande d'un Aracna</translation></message>
+    <message><source>the robot has started, busy for a second</source>
+        <translation>le robot a démarré, occupé pendant une seconde</translation></message>
+    <message><source>{0}, then query whether it is free</source>
+        <translation>{0}, puis demander s'il est libre</translation></message>
+    <message><source>no reply</source>
+        <translation>pas de réponse</translation></message>
+    <message><source>incomplete reply</source>
+        <translation>réponse incomplète</translation></message>
+    <message><source>no reply to the command itself</source>
+        <translation>pas de réponse à la commande elle-même</translation></message>
+    <message><source>1 motor</source>
+        <translation>1 moteur</translation></message>
+    <message><source>the LED is on</source>
+        <translation>la LED est allumée</translation></message>
+    <message><source>the LED is off</source>
+        <translation>la LED est éteinte</translation></message>
+    <message><source>go to {0}</source>
+        <translation>aller à {0}</translation></message>
+    <message><source>set speeds {0}</source>
+        <translation>régler les vitesses {0}</translation></message>
+    <message><source>unsolicited: {0}</source>
+        <translation>non sollicité : {0}</translation></message>
+    <message><source>firmware {0}, {1}</source>
+        <translation>firmware {0}, {1}</translation></message>
+    <message><source>firmware {0}</source>
+        <translation>firmware {0}</translation></message>
+    <message><source>speeds {0}</source>
+        <translation>vitesses {0}</translation></message>
+    <message><source>at {0}</source>
+        <translation>à {0}</translation></message>
+    <message><source>not a reply of an Aracna: {0}</source>
+        <translation>pas une réponse d'un Aracna : {0}</translation></message>
+    <message><source>incomplete line: {0}</source>
+        <translation>ligne incomplète : {0}</translation></message>
+    <message><source>{0} motors</source>
+        <translation>{0} moteurs</translation></message>
+    <message><source>followed by {0}</source>
+        <translation>suivi de {0}</translation></message>
+    <message><source>This link has no stop: a running motion ends only by itself, or by cutting the servo power.</source>
+        <translation>Cette liaison n'a pas de commande d'arrêt : un mouvement en cours ne se termine que de lui-même, ou en coupant l'alimentation des servos.</translation></message>
+    <message><source>Playing step {0} of {1}.</source>
+        <translation>Étape {0} sur {1} en cours.</translation></message>
+    <message><source>Stop sequence</source>
+        <translation>Arrêter la séquence</translation></message>
+    <message><source>End the sequence, send nothing more, stay where the robot is (Esc, anywhere)</source>
+        <translation>Terminer la séquence, ne plus rien envoyer, laisser le robot où il est (Échap, partout)</translation></message>
+    <message><source>End afte&amp;r this step</source>
+        <translation>Te&amp;rminer après cette étape</translation></message>
+    <message><source>The motion continues by itself for about {0:.0f} s.</source>
+        <translation>Le mouvement continue de lui-même pendant {0:.0f} s environ.</translation></message>
+    <message><source>At rest: nothing is sent.</source>
+        <translation>Au repos : rien n'est envoyé.</translation></message>
+    <message><source>Unknown: the last motion may continue for about {0:.0f} s.</source>
+        <translation>Inconnu : le dernier mouvement peut continuer pendant {0:.0f} s environ.</translation></message>
+    <message><source>The sequence begins.</source>
+        <translation>La séquence commence.</translation></message>
+    <message><source>Playing step {0} of {1} “{2}”.</source>
+        <translation>Étape {0} sur {1} « {2} » en cours.</translation></message>
+    <message><source>Playing step {0} of {1}, round {3} of {4}.</source>
+        <translation>Étape {0} sur {1} en cours, cycle {3} sur {4}.</translation></message>
+    <message><source>Let the step finish, then blend out</source>
+        <translation>Finir l'étape, puis faire la transition de sortie</translation></message>
+    <message><source>Unknown: an earlier motion may continue for about {0:.0f} s.</source>
+        <translation>Inconnu : un mouvement antérieur peut continuer pendant {0:.0f} s environ.</translation></message>
+    <message><source>Stuck: the robot is waiting for motor {0} and reads nothing.</source>
+        <translation>Figé : le robot attend le moteur {0} et ne lit rien.</translation></message>
+    <message><source>Waiting for motor {0} to arrive …</source>
+        <translation>En attente de l'arrivée du moteur {0} …</translation></message>
+    <message><source>Playing blend-in.</source>
+        <translation>Transition d'entrée en cours.</translation></message>
+    <message><source>Playing blend-out.</source>
+        <translation>Transition de sortie en cours.</translation></message>
+    <message><source>Playing step {0} of {1} “{2}”, round {3} of {4}.</source>
+        <translation>Étape {0} sur {1} « {2} » en cours, cycle {3} sur {4}.</translation></message>
+    <message><source>Unknown: the last motion may still be running.</source>
+        <translation>Inconnu : le dernier mouvement est peut-être encore en cours.</translation></message>
+    <message><source>Nothing is sent. Whether it moves is unknown until its first move.</source>
+        <translation>Rien n'est envoyé. On ne sait pas s'il bouge avant son premier mouvement.</translation></message>
+    <message><source>The motion ends by itself in about {0:.1f} s.</source>
+        <translation>Le mouvement se termine de lui-même dans {0:.1f} s environ.</translation></message>
+    <message><source>The only way to stop a motion: the protocol has no stop command.</source>
+        <translation>Le seul moyen d'arrêter un mouvement : le protocole n'a pas de commande d'arrêt.</translation></message>
+    <message><source>The debug LED; it blinks while the firmware boots</source>
+        <translation>La LED de débogage ; elle clignote pendant le démarrage du firmware</translation></message>
+    <message><source>Power</source>
+        <translation>Alimentation</translation></message>
+    <message><source>Robot on</source>
+        <translation>Robot en marche</translation></message>
+    <message><source>The robot's own switch: board and servos</source>
+        <translation>L'interrupteur du robot : carte et servos</translation></message>
+    <message><source>Restart board</source>
+        <translation>Redémarrer la carte</translation></message>
+    <message><source>The reset line: the firmware restarts, the servos continue to their goals</source>
+        <translation>La ligne de réinitialisation : le firmware redémarre, les servos continuent jusqu'à leurs cibles</translation></message>
+    <message><source>Servo power</source>
+        <translation>Alimentation des servos</translation></message>
+    <message><source>The power of the servos only: without it they stop, hold nothing and lose their speeds; the firmware waits for them</source>
+        <translation>L'alimentation des servos seuls : sans elle, ils s'arrêtent, ne tiennent plus et perdent leurs vitesses ; le firmware les attend</translation></message>
+    <message><source>Slowed</source>
+        <translation>Ralenti</translation></message>
+    <message><source>Dead</source>
+        <translation>En panne</translation></message>
+    <message><source>Blocked</source>
+        <translation>Bloqué</translation></message>
+    <message><source>Servos</source>
+        <translation>Servos</translation></message>
+    <message><source>Real position</source>
+        <translation>Position réelle</translation></message>
+    <message><source>Moving indefinitely: waiting for a servo that is blocked or dead.</source>
+        <translation>Mouvement sans fin : en attente d'un servo bloqué ou en panne.</translation></message>
+    <message><source>no power</source>
+        <translation>pas d'alimentation</translation></message>
+    <message><source>Demo Aracna</source>
+        <translation>Démo Aracna</translation></message>
+    <message><source>Clear all faults</source>
+        <translation>Supprimer tous les défauts</translation></message>
+    <message><source>Noise</source>
+        <translation>Bruit</translation></message>
+    <message><source>LED: on</source>
+        <translation>LED : allumée</translation></message>
+    <message><source>LED: off</source>
+        <translation>LED : éteinte</translation></message>
+    <message><source>LED: blinks</source>
+        <translation>LED : clignote</translation></message>
+    <message><source>Robot switched on</source>
+        <translation>Robot en marche</translation></message>
+    <message><source>{0}: real position</source>
+        <translation>{0} : position réelle</translation></message>
+    <message><source>Unplugged, the port disappears; a running motion continues to its goal</source>
+        <translation>Débranché, le port disparaît ; un mouvement en cours continue jusqu'à sa cible</translation></message>
+    <message><source>The wire back is broken: the robot executes commands, no reply arrives</source>
+        <translation>Le fil de retour est coupé : le robot exécute les commandes, aucune réponse n'arrive</translation></message>
+    <message><source>This share of the bytes is corrupted in either direction; this protocol does not detect that, and a corrupted command may restart the firmware</source>
+        <translation>Cette part des octets est altérée dans les deux sens ; ce protocole ne le détecte pas, et une commande altérée peut redémarrer le firmware</translation></message>
+    <message><source>Moving indefinitely: waiting for servos that have no power.</source>
+        <translation>Mouvement sans fin : en attente de servos sans alimentation.</translation></message>
+    <message><source>The power is off: no reply, and no servo holds.</source>
+        <translation>L'alimentation est coupée : pas de réponse, et aucun servo ne tient.</translation></message>
+    <message><source>Booting: blinks for a second and reads nothing.</source>
+        <translation>Démarrage : clignote pendant une seconde et ne lit rien.</translation></message>
+    <message><source>Idle: waiting for commands.</source>
+        <translation>Inactif : en attente de commandes.</translation></message>
+    <message><source>Setting speeds: reading them back from the servos.</source>
+        <translation>Réglage des vitesses : elles sont relues dans les servos.</translation></message>
+    <message><source>Moving: reads nothing until every servo has arrived.</source>
+        <translation>En mouvement : ne lit rien avant que tous les servos soient arrivés.</translation></message>
+    <message><source>The robot's switch is off: board and servos have no power.</source>
+        <translation>L'interrupteur du robot est sur arrêt : carte et servos ne sont pas alimentés.</translation></message>
+    <message><source>Off: no servo moves, holds or replies.</source>
+        <translation>Coupée : aucun servo ne bouge, ne tient ni ne répond.</translation></message>
+    <message><source>dead</source>
+        <translation>en panne</translation></message>
+    <message><source>How often the firmware has started</source>
+        <translation>Nombre de démarrages du firmware</translation></message>
+    <message><source>Servos alive, free and unloaded, a quiet line, everything switched on</source>
+        <translation>Servos en état, libres et sans charge, liaison sans bruit, tout en marche</translation></message>
+    <message><source>It loses {0} % of its speed; at the right end it stops</source>
+        <translation>Il perd {0} % de sa vitesse ; à l'extrémité droite, il s'arrête</translation></message>
+    <message><source>{0}: slowed by a load, in per cent</source>
+        <translation>{0} : ralenti par une charge, en pour cent</translation></message>
+    <message><source>{0} does not respond, as when unplugged: speeds read as −1, and a move waits for it indefinitely</source>
+        <translation>{0} ne répond pas, comme débranché : les vitesses lues valent −1, et un mouvement l'attend sans fin</translation></message>
+    <message><source>Something blocks {0}: it stays “moving”, and the firmware waits</source>
+        <translation>Quelque chose bloque {0} : il reste « en mouvement », et le firmware attend</translation></message>
+    <message><source>What is lost once</source>
+        <translation>Ce qui se perd une fois</translation></message>
+    <message><source>A lost byte of a command may leave too few values in it, which restarts the firmware</source>
+        <translation>Un octet perdu d'une commande peut y laisser trop peu de valeurs, ce qui redémarre le firmware</translation></message>
+    <message><source>Lose it</source>
+        <translation>Le perdre</translation></message>
+    <message><source>It is lost in the next transfer</source>
+        <translation>Il se perd au prochain transfert</translation></message>
+    <message><source>limp until its first goal</source>
+        <translation>relâché jusqu'à sa première cible</translation></message>
+    <message><source>Starts: {0}</source>
+        <translation>Démarrages : {0}</translation></message>
+    <message><source>{0}: dead</source>
+        <translation>{0} : en panne</translation></message>
+    <message><source>{0}: blocked</source>
+        <translation>{0} : bloqué</translation></message>
+    <message><source>Reply byte</source>
+        <translation>Octet de réponse</translation></message>
+    <message><source>Command byte</source>
+        <translation>Octet de commande</translation></message>
+    <message><source>Reply: end</source>
+        <translation>Réponse : fin</translation></message>
+    <message><source>holds</source>
+        <translation>tient sa position</translation></message>
+    <message><source>cannot reach {0}</source>
+        <translation>ne peut pas atteindre {0}</translation></message>
+    <message><source>moving to {0}</source>
+        <translation>va vers {0}</translation></message>
+    <message><source>N/A</source>
+        <translation>N/D</translation></message>
+    <message><source>Line</source>
+        <translation>Liaison</translation></message>
+    <message><source>Requests:</source>
+        <translation>Requêtes :</translation></message>
+    <message><source>Failures:</source>
+        <translation>Échecs :</translation></message>
+    <message><source>{0} replies to {1} requests ({2:.2f} %)</source>
+        <translation>{0} réponses à {1} requêtes ({2:.2f} %)</translation></message>
+    <message><source>Timeouts: {0}, corrupted: {1}, unrecognized lines: {2}, restarts: {3}; slowest reply: {4:.0f} ms (without motions)</source>
+        <translation>Délais dépassés : {0}, altérées : {1}, lignes non reconnues : {2}, redémarrages : {3} ; réponse la plus lente : {4:.0f} ms (hors mouvements)</translation></message>
+    <message><source>Plot of the motors' positions against time</source>
+        <translation>Courbes des positions des moteurs en fonction du temps</translation></message>
+    <message numerus="yes"><source>Aracna, firmware {0}, %n motor(s)</source>
+        <translation><numerusform>Aracna, firmware {0}, %n moteur</numerusform><numerusform>Aracna, firmware {0}, %n moteurs</numerusform></translation></message>
+    <message><source>Stuck: the robot waited for motor {0} and accepted no command.</source>
+        <translation>Figé : le robot attendait le moteur {0} et n'acceptait aucune commande.</translation></message>
+    <message><source>blend-in</source>
+        <translation>transition d'entrée</translation></message>
+    <message><source>blend-out</source>
+        <translation>transition de sortie</translation></message>
+    <message><source>Curve</source>
+        <translation>Courbe</translation></message>
+    <message><source>Positions are unknown; the last motion may still be running.</source>
+        <translation>Les positions sont inconnues ; le dernier mouvement est peut-être encore en cours.</translation></message>
+    <message><source>The reply was lost, or no motor responded: positions are unknown.</source>
+        <translation>La réponse s'est perdue, ou aucun moteur n'a répondu : les positions sont inconnues.</translation></message>
+    <message><source>Positions are not known yet.</source>
+        <translation>Les positions ne sont pas encore connues.</translation></message>
+    <message><source>At rest.</source>
+        <translation>Au repos.</translation></message>
+    <message><source>{0} Playing: {1}.</source>
+        <translation>{0} En cours : {1}.</translation></message>
+    <message><source>Full lines: as last reported; dashed: goal.</source>
+        <translation>Traits pleins : dernières positions transmises ; tirets : cible.</translation></message>
+    <message><source>Present</source>
+        <translation>Actuelle</translation></message>
+    <message><source>present position</source>
+        <translation>position actuelle</translation></message>
+    <message><source>Goal</source>
+        <translation>Cible</translation></message>
+    <message><source>goal</source>
+        <translation>cible</translation></message>
+    <message><source>Difference</source>
+        <translation>Écart</translation></message>
+    <message><source>difference</source>
+        <translation>écart</translation></message>
+    <message><source>Speed</source>
+        <translation>Vitesse</translation></message>
+    <message><source>speed</source>
+        <translation>vitesse</translation></message>
+    <message><source>Draw the position of this motor in the plot</source>
+        <translation>Tracer la position de ce moteur dans le graphique</translation></message>
+    <message><source>The robot did not respond.</source>
+        <translation>Le robot n'a pas répondu.</translation></message>
+    <message><source>Moving for {0:.1f} s of about {1:.1f} s; motor {2} is waited for.</source>
+        <translation>En mouvement depuis {0:.1f} s sur {1:.1f} s environ ; le moteur {2} est attendu.</translation></message>
+    <message><source>step {0}, round {1}</source>
+        <translation>étape {0}, cycle {1}</translation></message>
+    <message><source>{0}: draw its curve</source>
+        <translation>{0} : tracer sa courbe</translation></message>
+    <message><source>Save pose file</source>
+        <translation>Enregistrer le fichier de poses</translation></message>
+    <message><source>Open pose file</source>
+        <translation>Ouvrir un fichier de poses</translation></message>
+    <message><source>Not saved. {0}.</source>
+        <translation>Non enregistré. {0}.</translation></message>
+    <message><source>Pose files (*{0});;All files (*)</source>
+        <translation>Fichiers de poses (*{0});;Tous les fichiers (*)</translation></message>
+    <message><source>Not opened. {0}.</source>
+        <translation>Non ouvert. {0}.</translation></message>
+    <message><source>{0} was opened.</source>
+        <translation>{0} a été ouvert.</translation></message>
+    <message><source>Saved in {0}.</source>
+        <translation>Enregistré dans {0}.</translation></message>
+    <message><source>And {0} more.</source>
+        <translation>Et encore {0}.</translation></message>
+    <message><source>Sequences and gaits</source>
+        <translation>Séquences et allures</translation></message>
+    <message><source>New sequence</source>
+        <translation>Nouvelle séquence</translation></message>
+    <message><source>Remove this step</source>
+        <translation>Supprimer cette étape</translation></message>
+    <message><source>Move this step up</source>
+        <translation>Monter cette étape</translation></message>
+    <message><source>Move this step down</source>
+        <translation>Descendre cette étape</translation></message>
+    <message><source>Choose a sequence; built-in gaits cannot be changed</source>
+        <translation>Choisissez une séquence ; les allures intégrées ne peuvent pas être modifiées</translation></message>
+    <message><source>There are no poses</source>
+        <translation>Il n'y a pas de poses</translation></message>
+    <message><source>A step cannot use “{0}”: remove comma and bar from the pose's name</source>
+        <translation>Une étape ne peut pas utiliser « {0} » : enlevez la virgule et la barre du nom de la pose</translation></message>
+    <message><source>Steps</source>
+        <translation>Étapes</translation></message>
+    <message><source>Choose a sequence or a gait to see its steps.</source>
+        <translation>Choisissez une séquence ou une allure pour voir ses étapes.</translation></message>
+    <message><source>&amp;New</source>
+        <translation>&amp;Nouveau</translation></message>
+    <message><source>Add s&amp;tep</source>
+        <translation>Ajouter une éta&amp;pe</translation></message>
+    <message><source>Add a step to “{0}” after the current one</source>
+        <translation>Ajouter une étape vers « {0} » après l'étape actuelle</translation></message>
+    <message><source> ms</source>
+        <translation> ms</translation></message>
+    <message><source>No steps yet. Add one: it uses the current pose.</source>
+        <translation>Pas encore d'étapes. Ajoutez-en une : elle utilise la pose actuelle.</translation></message>
+    <message><source>Milliseconds of step {0}</source>
+        <translation>Millisecondes de l'étape {0}</translation></message>
+    <message><source>Pose of step {0}</source>
+        <translation>Pose de l'étape {0}</translation></message>
+    <message><source>Rename</source>
+        <translation>Renommer</translation></message>
+    <message><source>Duplicate</source>
+        <translation>Dupliquer</translation></message>
+    <message><source>Delete</source>
+        <translation>Supprimer</translation></message>
+    <message><source>Move up</source>
+        <translation>Monter</translation></message>
+    <message><source>Move down</source>
+        <translation>Descendre</translation></message>
+    <message><source>Pose file</source>
+        <translation>Fichier de poses</translation></message>
+    <message><source>Undo</source>
+        <translation>Annuler</translation></message>
+    <message><source>Redo</source>
+        <translation>Rétablir</translation></message>
+    <message><source>&amp;Open…</source>
+        <translation>&amp;Ouvrir…</translation></message>
+    <message><source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation></message>
+    <message><source>Save &amp;as…</source>
+        <translation>Enregistrer &amp;sous…</translation></message>
+    <message><source>{0}, changed</source>
+        <translation>{0}, modifié</translation></message>
+    <message><source>Not saved yet</source>
+        <translation>Pas encore enregistré</translation></message>
+    <message numerus="yes"><source>%n step(s)</source>
+        <translation><numerusform>%n étape</numerusform><numerusform>%n étapes</numerusform></translation></message>
+    <message><source>needs {0:.2f} s: motor {1}</source>
+        <translation>nécessite {0:.2f} s : moteur {1}</translation></message>
+    <message><source>Rounds</source>
+        <translation>Cycles</translation></message>
+    <message><source>Loop fore&amp;ver</source>
+        <translation>En &amp;boucle</translation></message>
+    <message><source>Speed in percent</source>
+        <translation>Vitesse en pour cent</translation></message>
+    <message><source>&amp;Blend in</source>
+        <translation>Transit&amp;ion d'entrée</translation></message>
+    <message><source>B&amp;lend out to stand</source>
+        <translation>Transition &amp;de sortie vers « stand »</translation></message>
+    <message><source>Pla&amp;y</source>
+        <translation>&amp;Jouer</translation></message>
+    <message><source>Play the current sequence or gait.</source>
+        <translation>Jouer la séquence ou l'allure actuelle.</translation></message>
+    <message><source>Positions outside the limits are cropped.</source>
+        <translation>Les positions hors limites sont ramenées aux limites.</translation></message>
+    <message><source>Some motors are too slow.</source>
+        <translation>Certains moteurs sont trop lents.</translation></message>
+    <message><source>{0}, {1} per round, {2} in total.</source>
+        <translation>{0}, {1} par cycle, {2} au total.</translation></message>
+    <message><source>{0} min {1:02d} s</source>
+        <translation>{0} min {1:02d} s</translation></message>
+    <message><source>Repeat until stopped.</source>
+        <translation>Répéter jusqu'à l'arrêt.</translation></message>
+    <message><source> %</source>
+        <translation> %</translation></message>
+    <message><source>Also while playing, from the next step on. 50 %: each step takes twice.</source>
+        <translation>Aussi en cours de lecture, à partir de l'étape suivante. 50 % : chaque étape dure deux fois plus longtemps.</translation></message>
+    <message><source>First go slowly, in 3 s, to the start.</source>
+        <translation>Aller d'abord lentement, en 3 s, au départ.</translation></message>
+    <message><source>At the end go slowly, in 3 s, to the pose “stand”.</source>
+        <translation>À la fin, aller lentement, en 3 s, à la pose « stand ».</translation></message>
+    <message><source>Choose a sequence or a gait to play it.</source>
+        <translation>Choisissez une séquence ou une allure pour la jouer.</translation></message>
+    <message><source>{0}, {1}.</source>
+        <translation>{0}, {1}.</translation></message>
+    <message><source>{0}, {1} per round, until stopped.</source>
+        <translation>{0}, {1} par cycle, jusqu'à l'arrêt.</translation></message>
+    <message><source>{0:.1f} s</source>
+        <translation>{0:.1f} s</translation></message>
+    <message><source>R&amp;ounds</source>
+        <translation>&amp;Cycles</translation></message>
+    <message><source>&amp;Speed</source>
+        <translation>&amp;Vitesse</translation></message>
+    <message><source>not defined</source>
+        <translation>non définie</translation></message>
+    <message><source>limited: motor {0}</source>
+        <translation>limité : moteur {0}</translation></message>
+    <message><source>Cannot play: {0}.</source>
+        <translation>Impossible de jouer : {0}.</translation></message>
+    <message><source>No poses. Capture the robot's position, or open a pose file.</source>
+        <translation>Aucune pose. Capturez la position du robot, ou ouvrez un fichier de poses.</translation></message>
+    <message><source>Move every motor to this pose, within its limits.</source>
+        <translation>Amener tous les moteurs à cette pose, dans leurs limites.</translation></message>
+    <message><source>Poses</source>
+        <translation>Poses</translation></message>
+    <message><source>Set this pose to the robot's position</source>
+        <translation>Donner à cette pose la position du robot</translation></message>
+    <message><source>Capt&amp;ure</source>
+        <translation>Capt&amp;urer</translation></message>
+    <message><source>&amp;Go to</source>
+        <translation>&amp;Aller à</translation></message>
+    <message><source>Motor {0}: {1:.0f}°, limits {2} to {3}</source>
+        <translation>Moteur {0} : {1:.0f}°, limites {2} à {3}</translation></message>
+    <message><source>Position of motor {0} in this pose</source>
+        <translation>Position du moteur {0} dans cette pose</translation></message>
+    <message><source>Motor {0}: {1:.0f}°, limits {2} to {3}, sent as {4}</source>
+        <translation>Moteur {0} : {1:.0f}°, limites {2} à {3}, envoyé : {4}</translation></message>
+    <message><source>Save the robot's position as a new pose.</source>
+        <translation>Enregistrer la position du robot comme nouvelle pose.</translation></message>
+    <message><source>The robot's position is known after its first move.</source>
+        <translation>La position du robot est connue après son premier mouvement.</translation></message>
+    <message><source>Not captured: {0}.</source>
+        <translation>Non capturée : {0}.</translation></message>
+    <message><source>The robot from above</source>
+        <translation>Le robot vu de dessus</translation></message>
+    <message><source>Legs at their reported positions, goals dashed; the table says both in numbers.</source>
+        <translation>Pattes aux positions transmises, cibles en tirets ; le tableau donne les deux en chiffres.</translation></message>
+    <message><source>▲ front*</source>
+        <translation>▲ avant*</translation></message>
+    <message><source>{0}: {1}</source>
+        <translation>{0} : {1}</translation></message>
+    <message><source>goal in units</source>
+        <translation>cible en unités</translation></message>
+    <message><source>lowest position</source>
+        <translation>position la plus basse</translation></message>
+    <message><source>highest position</source>
+        <translation>position la plus haute</translation></message>
+    <message><source>goal in degrees</source>
+        <translation>cible en degrés</translation></message>
+    <message><source>state</source>
+        <translation>état</translation></message>
+    <message><source>the servo holds {0}</source>
+        <translation>le servo garde {0}</translation></message>
+    <message><source>Leg*</source>
+        <translation>Patte*</translation></message>
+    <message><source>Which leg is which is assumed</source>
+        <translation>L'attribution des pattes est supposée</translation></message>
+    <message><source>Motor</source>
+        <translation>Moteur</translation></message>
+    <message><source>Handle: the goal. Wedge below: the last reported position.</source>
+        <translation>Curseur : la cible. Repère triangulaire en dessous : la dernière position transmise.</translation></message>
+    <message><source>Last reported position</source>
+        <translation>Dernière position transmise</translation></message>
+    <message><source>Present position minus goal</source>
+        <translation>Position actuelle moins cible</translation></message>
+    <message><source>Setting and degrees per second</source>
+        <translation>Réglage et degrés par seconde</translation></message>
+    <message><source>From</source>
+        <translation>De</translation></message>
+    <message><source>To</source>
+        <translation>À</translation></message>
+    <message><source>Present position unknown</source>
+        <translation>Position actuelle inconnue</translation></message>
+    <message><source>Speed setting 1-1023, 0.669 °/s each; 0 is unlimited, not “stopped”. Above about 870 (AX-18A) or 530 (AX-12A) a servo gets no faster.</source>
+        <translation>Réglage de vitesse 1-1023, 0,669 °/s par unité ; 0 signifie illimitée, et non « arrêté ». Au-delà d'environ 870 (AX-18A) ou 530 (AX-12A), un servo ne va pas plus vite.</translation></message>
+    <message><source>Present position {0}</source>
+        <translation>Position actuelle {0}</translation></message>
+    <message><source> = fastest</source>
+        <translation> = au plus vite</translation></message>
+    <message><source>differ</source>
+        <translation>différentes</translation></message>
+    <message><source>Motor positions are unknown before the first move: this robot reports them only in its reply to one.</source>
+        <translation>Les positions des moteurs sont inconnues avant le premier mouvement : ce robot ne les transmet que dans sa réponse à un mouvement.</translation></message>
+    <message><source>That move runs at speed {0} ({1}), unless you choose other speeds.</source>
+        <translation>Ce mouvement se fait à la vitesse {0} ({1}), sauf si vous choisissez d'autres vitesses.</translation></message>
+    <message><source>Full lines: last reported; dashed: goal. A sketch: angles are drawn flat.</source>
+        <translation>Traits pleins : dernières positions transmises ; tirets : cible. Schéma : les angles sont dessinés à plat.</translation></message>
+    <message><source>Move every motor to its goal, within its limits (Ctrl+M)</source>
+        <translation>Amener tous les moteurs à leur cible, dans leurs limites (Ctrl+M)</translation></message>
+    <message><source>Motor positions are unknown; the last motion may still be running. The next move will report them.</source>
+        <translation>Les positions des moteurs sont inconnues ; le dernier mouvement est peut-être encore en cours. Le prochain mouvement les transmettra.</translation></message>
+    <message><source>Pre&amp;sent</source>
+        <translation>Act&amp;uelle</translation></message>
+    <message><source>Present positions</source>
+        <translation>Positions actuelles</translation></message>
+    <message><source>Ce&amp;ntre</source>
+        <translation>Ce&amp;ntre</translation></message>
+    <message><source>512 = 150°; nothing moves yet</source>
+        <translation>512 = 150° ; rien ne bouge encore</translation></message>
+    <message><source>S&amp;tand</source>
+        <translation>De&amp;bout</translation></message>
+    <message><source>Inner 512, outer 550; nothing moves yet</source>
+        <translation>Intérieures 512, extérieures 550 ; rien ne bouge encore</translation></message>
+    <message><source>Speed of all motors</source>
+        <translation>Vitesse de tous les moteurs</translation></message>
+    <message><source>Mo&amp;ve</source>
+        <translation>&amp;Déplacer</translation></message>
+    <message><source>Send while dra&amp;gging</source>
+        <translation>Envoyer pendant le &amp;glissement</translation></message>
+    <message><source>Reset li&amp;mits</source>
+        <translation>Réinitialiser les li&amp;mites</translation></message>
+    <message><source>Inner 50–600, outer 0–550: tuned on the robot by its authors</source>
+        <translation>Intérieures 50–600, extérieures 0–550 : ajustées sur le robot par ses auteurs</translation></message>
+    <message><source>&amp;Limits instead of speeds</source>
+        <translation>Limites au lieu des vit&amp;esses</translation></message>
+    <message><source>Speed &amp;of all:</source>
+        <translation>&amp;Vitesse de tous :</translation></message>
+    <message><source>No robot is connected; goals and limits can be set already.</source>
+        <translation>Aucun robot n'est connecté ; les cibles et les limites peuvent déjà être réglées.</translation></message>
+    <message><source>Every motor has reached its goal within a few units.</source>
+        <translation>Tous les moteurs ont atteint leur cible à quelques unités près.</translation></message>
+    <message><source>The newest goal is sent as soon as the robot has reached the last one</source>
+        <translation>La cible la plus récente est envoyée dès que le robot a atteint la précédente</translation></message>
+    <message><source>How far each joint may turn; goals are cropped before sending</source>
+        <translation>Jusqu'où chaque articulation peut tourner ; les cibles sont ramenées aux limites avant l'envoi</translation></message>
+    <message><source>{0:.1f} commands/s</source>
+        <translation>{0:.1f} commandes/s</translation></message>
+    <message><source>Set sliders to:</source>
+        <translation>Position des curseurs :</translation></message>
+    <message><source>&amp;Stop sequence</source>
+        <translation>&amp;Arrêter la séquence</translation></message>
+    <message><source>Pages</source>
+        <translation>Pages</translation></message>
+    <message><source>a robot</source>
+        <translation>un robot</translation></message>
+    <message><source>a pose file of an Aracna</source>
+        <translation>un fichier de poses d'un Aracna</translation></message>
+    <message><source>&amp;Aracna</source>
+        <translation>A&amp;racna</translation></message>
+    <message><source>Pos&amp;es</source>
+        <translation>Po&amp;ses</translation></message>
+    <message><source>Stop &amp;recording</source>
+        <translation>Arrêter l'enregist&amp;rement</translation></message>
+    <message><source>&amp;Record…</source>
+        <translation>Démarrer l'enregist&amp;rement…</translation></message>
+    <message><source>Nothing can be recorded: no robot is connected.</source>
+        <translation>Rien ne peut être enregistré : aucun robot n'est connecté.</translation></message>
+    <message><source>Aracna, Open recording</source>
+        <translation>Aracna, Ouvrir un enregistrement</translation></message>
+    <message><source>Connect my Aracna</source>
+        <translation>Connecter mon Aracna</translation></message>
+    <message><source>No robot at hand?</source>
+        <translation>Pas de robot sous la main ?</translation></message>
+    <message><source>Tr&amp;y the demo</source>
+        <translation>&amp;Essayer la démo</translation></message>
+    <message><source>R&amp;obot</source>
+        <translation>R&amp;obot</translation></message>
+    <message><source>Lo&amp;g</source>
+        <translation>Journa&amp;l</translation></message>
+    <message><source>&amp;Traffic</source>
+        <translation>&amp;Trafic</translation></message>
+    <message><source>&amp;Move to the sliders' goals</source>
+        <translation>&amp;Déplacer vers les cibles des curseurs</translation></message>
+    <message><source>Sliders to the &amp;present position</source>
+        <translation>Curseurs à la &amp;position actuelle</translation></message>
+    <message><source>Sliders to the &amp;centre</source>
+        <translation>Curseurs au &amp;centre</translation></message>
+    <message><source>Sliders to &amp;stand</source>
+        <translation>Curseurs en position de&amp;bout</translation></message>
+    <message><source>Pla&amp;y the current sequence or gait</source>
+        <translation>&amp;Jouer la séquence ou l'allure actuelle</translation></message>
+    <message><source>&amp;End sequence after this step</source>
+        <translation>&amp;Terminer la séquence après cette étape</translation></message>
+    <message><source>Ope&amp;n recording…</source>
+        <translation>Ou&amp;vrir un enregistrement…</translation></message>
+    <message><source>Set up &amp;goals and limits without a robot</source>
+        <translation>Ré&amp;gler cibles et limites sans robot</translation></message>
+    <message><source>Reset the joints' &amp;limits</source>
+        <translation>Réinitialiser les li&amp;mites des articulations</translation></message>
+    <message><source>&amp;Debug LED of the board</source>
+        <translation>&amp;LED de débogage de la carte</translation></message>
+    <message><source>&amp;New pose file</source>
+        <translation>&amp;Nouveau fichier de poses</translation></message>
+    <message><source>&amp;Open pose file…</source>
+        <translation>&amp;Ouvrir un fichier de poses…</translation></message>
+    <message><source>&amp;Save pose file</source>
+        <translation>&amp;Enregistrer le fichier de poses</translation></message>
+    <message><source>Save pose file &amp;as…</source>
+        <translation>Enregistrer le fichier de poses &amp;sous…</translation></message>
+    <message><source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation></message>
+    <message><source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation></message>
+    <message><source>&amp;Capture the present position as a pose</source>
+        <translation>&amp;Capturer la position actuelle comme pose</translation></message>
+    <message><source>&amp;Demo Aracna panel</source>
+        <translation>Panneau &amp;Démo Aracna</translation></message>
+    <message><source>&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Wire an FTDI cable to the header of the ArbotiX board, or put an XBee radio into its socket. Both share one line: use only one of them.&lt;/li&gt;&lt;li&gt;Give the legs room. This robot has no stop: a motion ends by itself, or when its servo power is cut.&lt;/li&gt;&lt;li&gt;Switch on the board and the servo power, without which the first move never ends, and connect. Nothing moves until you choose Move.&lt;/li&gt;&lt;/ol&gt;</source>
+        <translation>&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Reliez un câble FTDI au connecteur de la carte ArbotiX, ou enfichez une radio XBee dans son support. Les deux partagent une même liaison : n'en utilisez qu'un.&lt;/li&gt;&lt;li&gt;Laissez de la place aux pattes. Ce robot n'a pas d'arrêt : un mouvement se termine de lui-même, ou quand l'alimentation de ses servos est coupée.&lt;/li&gt;&lt;li&gt;Mettez sous tension la carte et les servos, sans quoi le premier mouvement ne se termine jamais, puis connectez. Rien ne bouge tant que vous n'avez pas choisi « Déplacer ».&lt;/li&gt;&lt;/ol&gt;</translation></message>
+    <message><source>Open pose fi&amp;le…</source>
+        <translation>Ouvrir un &amp;fichier de poses…</translation></message>
+    <message><source>Set &amp;up goals and limits</source>
+        <translation>&amp;Régler cibles et limites</translation></message>
+    <message><source>ArbotiX</source>
+        <translation>ArbotiX</translation></message>
+    <message><source>Wiring: TX of the adapter to RX, RX to TX, GND to GND of the board</source>
+        <translation>Câblage : TX de l'adaptateur vers RX, RX vers TX, GND vers GND de la carte</translation></message>
+    <message><source>bench tests</source>
+        <translation>essais au banc</translation></message>
+    <message><source>it is not a text file</source>
+        <translation>ce n'est pas un fichier texte</translation></message>
+    <message><source>line 1: a bench test begins with {0!r}</source>
+        <translation>ligne 1 : un essai au banc commence par {0!r}</translation></message>
+    <message><source>motor: expected 1 or 2, not {0}</source>
+        <translation>moteur : 1 ou 2 attendu, pas {0}</translation></message>
+    <message><source>the line “# {0}: …” is missing</source>
+        <translation>la ligne « # {0}: … » manque</translation></message>
+    <message><source>line {0}: expected the columns {1}</source>
+        <translation>ligne {0} : colonnes attendues : {1}</translation></message>
+    <message><source>line {0}: expected a name and a value</source>
+        <translation>ligne {0} : un nom et une valeur sont attendus</translation></message>
+    <message><source>{0}: invalid value “{1}”</source>
+        <translation>{0} : valeur non valide « {1} »</translation></message>
+    <message><source>line {0} or below: {1}</source>
+        <translation>ligne {0} ou plus bas : {1}</translation></message>
+    <message><source>line {0}: invalid row “{1}”</source>
+        <translation>ligne {0} : ligne non valide « {1} »</translation></message>
+    <message><source>the speed of a bench test is −{0} to {0} and not 0, not {1}</source>
+        <translation>la vitesse d'un essai au banc va de −{0} à {0} sans être 0, pas {1}</translation></message>
+    <message><source>a bench test lasts {0:g} to {1:g} s, not {2:g} s</source>
+        <translation>un essai au banc dure de {0:g} à {1:g} s, pas {2:g} s</translation></message>
+    <message><source>the period of a bench test is {0:g} to {1:g} s, not {2:g} s</source>
+        <translation>la période d'un essai au banc va de {0:g} à {1:g} s, pas {2:g} s</translation></message>
+    <message><source>{0}: reversed is suggested.</source>
+        <translation>{0} ; réglage conseillé : inversée.</translation></message>
+    <message><source>{0}: not reversed is suggested.</source>
+        <translation>{0} ; réglage conseillé : non inversée.</translation></message>
+    <message><source>The measured ends are up to {0} further out.</source>
+        <translation>Les extrémités mesurées sont jusqu'à {0} plus loin.</translation></message>
+    <message><source>It never goes above its rest position, so maximum is set to the limit of the input.</source>
+        <translation>Elle ne va jamais au-dessus de sa position de repos ; le maximum est donc réglé à la limite de l'entrée.</translation></message>
+    <message><source>It never goes below its rest position, so minimum is set to the limit of the input.</source>
+        <translation>Elle ne va jamais en dessous de sa position de repos ; le minimum est donc réglé à la limite de l'entrée.</translation></message>
+    <message><source>The value fell when the stick went forward or right first</source>
+        <translation>La valeur a diminué quand le manche est d'abord allé vers l'avant ou vers la droite</translation></message>
+    <message><source>The value rose when the stick went forward or right first</source>
+        <translation>La valeur a augmenté quand le manche est d'abord allé vers l'avant ou vers la droite</translation></message>
+    <message><source>The other position is above the one at rest, which should be off</source>
+        <translation>L'autre position est au-dessus de celle de repos, qui devrait être inactive</translation></message>
+    <message><source>The other position is below the one at rest, which should be off</source>
+        <translation>L'autre position est en dessous de celle de repos, qui devrait être inactive</translation></message>
+    <message><source>At rest its noise is {0}: the deadband is twice that.</source>
+        <translation>Au repos, son bruit est de {0} : la zone morte vaut le double.</translation></message>
+    <message><source>learned channels</source>
+        <translation>voies apprises</translation></message>
+    <message><source>done</source>
+        <translation>terminé</translation></message>
+    <message><source>calibration of channel {0}</source>
+        <translation>étalonnage de la voie {0}</translation></message>
+    <message><source>Calibration of channel {0}</source>
+        <translation>Étalonnage de la voie {0}</translation></message>
+    <message><source>stored settings</source>
+        <translation>réglages enregistrés</translation></message>
+    <message><source> It also echoes what is sent.</source>
+        <translation> Il renvoie aussi l'écho de ce qui est envoyé.</translation></message>
+    <message><source>Switched off and on, it will run at {0}.</source>
+        <translation>Une fois l'alimentation coupée et remise, elle fonctionnera à {0}.</translation></message>
+    <message><source>Something is connected to {0}, but it does not respond like a TReX: it sent {1} at {2}{3}. It is another device, or the line is noisy.</source>
+        <translation>Quelque chose est connecté à {0}, mais ne répond pas comme un TReX : il a envoyé {1} à {2}{3}. C'est un autre appareil, ou la liaison est bruitée.</translation></message>
+    <message><source>It is set to {0} baud, which firmware {1} runs at half the rate: connect at {2}.</source>
+        <translation>Elle est réglée sur {0} bauds, que le firmware {1} fait fonctionner à la moitié : connectez à {2}.</translation></message>
+    <message><source>It is set to {0} stop bits; both numbers work on this line.</source>
+        <translation>Elle est réglée sur {0} bits d'arrêt ; les deux nombres fonctionnent sur cette liaison.</translation></message>
+    <message><source> The port cannot be set to {0} baud, so nothing was probed there.</source>
+        <translation> Le port ne peut pas être réglé sur {0} bauds ; rien n'y a donc été cherché.</translation></message>
+    <message><source>No TReX responds on {0} at any baud rate, with any parity or with CRC. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), and that ground is connected. A board with a custom CRC polynomial is only found by the full scan.</source>
+        <translation>Aucun TReX ne répond sur {0}, quels que soient le débit et la parité, ni avec CRC. Vérifiez que la carte est alimentée (une LED est allumée), que TX de l'adaptateur va à SI et son RX à SO (ou aux deux broches RS-232, sans jamais mélanger), et que la masse est reliée. Une carte dont le polynôme CRC est personnalisé n'est trouvée que par la recherche complète.</translation></message>
+    <message><source>, and something at {0} more</source>
+        <translation>, et quelque chose à {0} autres réglages</translation></message>
+    <message><source>Its UART settings hold {0:#04x}, which is not a known setting.</source>
+        <translation>Ses réglages UART contiennent {0:#04x}, qui n'est pas un réglage connu.</translation></message>
+    <message><source>No TReX responds on {0}: everything sent comes back, and nothing else, at every rate. Either this is the RS-232 side of a board that is off, or the adapter's TX and RX are joined.</source>
+        <translation>Aucun TReX ne répond sur {0} : tout ce qui est envoyé revient, et rien d'autre, à tous les débits. Soit c'est le côté RS-232 d'une carte hors tension, soit TX et RX de l'adaptateur sont reliés.</translation></message>
+    <message><source>No TReX responds on {0}. Its baud rate is set at the other end of the network, so only that one could be tried, without parity and without CRC.</source>
+        <translation>Aucun TReX ne répond sur {0}. Le débit est réglé à l'autre bout du réseau ; seul celui-ci a donc pu être essayé, sans parité et sans CRC.</translation></message>
+    <message><source>The connection was lost: motors may still turn.</source>
+        <translation>La connexion est perdue : les moteurs peuvent encore tourner.</translation></message>
+    <message><source>Cut their power.</source>
+        <translation>Coupez leur alimentation.</translation></message>
+    <message><source>The board does not respond.</source>
+        <translation>La carte ne répond pas.</translation></message>
+    <message><source>Check its power and the cable.</source>
+        <translation>Vérifiez son alimentation et le câble.</translation></message>
+    <message><source>Channel {0} is required but has no signal.</source>
+        <translation>La voie {0} est requise, mais n'a pas de signal.</translation></message>
+    <message><source>Safe-start keeps the motors off: switch the transmitter on and release its sticks.</source>
+        <translation>Le démarrage sécurisé maintient les moteurs à l'arrêt : allumez l'émetteur et relâchez ses manches.</translation></message>
+    <message><source>Channel {0} is {1} above neutral.</source>
+        <translation>La voie {0} est à {1} au-dessus du neutre.</translation></message>
+    <message><source>Safe-start holds the motors until it is within about {2}: release the stick, or calibrate the channel.</source>
+        <translation>Le démarrage sécurisé bloque les moteurs jusqu'à ce que l'écart soit d'au plus {2} environ : relâchez le manche, ou étalonnez la voie.</translation></message>
+    <message><source>Channel {0} is {1} below neutral.</source>
+        <translation>La voie {0} est à {1} en dessous du neutre.</translation></message>
+    <message><source>Channel 5 requests serial override.</source>
+        <translation>La voie 5 demande la priorité série.</translation></message>
+    <message><source>Safe-start holds the motors until this switch is off once.</source>
+        <translation>Le démarrage sécurisé bloque les moteurs tant que cet interrupteur n'a pas été inactif une fois.</translation></message>
+    <message><source>Safe-start may be holding the motors.</source>
+        <translation>Le démarrage sécurisé bloque peut-être les moteurs.</translation></message>
+    <message><source>Release all sticks.</source>
+        <translation>Relâchez tous les manches.</translation></message>
+    <message><source>Motor {0} has no drive: its driver shut down (too hot, a short circuit, or low voltage).</source>
+        <translation>Le moteur {0} n'est plus alimenté : son driver s'est coupé (surchauffe, court-circuit ou tension trop basse).</translation></message>
+    <message><source>Reduce the load, check wires and battery, let it cool.</source>
+        <translation>Réduisez la charge, vérifiez les fils et la batterie, laissez-le refroidir.</translation></message>
+    <message><source>Serial timeout ({0}): the board received nothing and stopped the motors.</source>
+        <translation>Délai série dépassé ({0}) : la carte n'a rien reçu et a arrêté les moteurs.</translation></message>
+    <message><source>Check the cable, or set a longer Serial Timeout in Parameters.</source>
+        <translation>Vérifiez le câble, ou réglez un « Délai série » plus long dans Paramètres.</translation></message>
+    <message><source>Serial errors ({0}): the board stops the motors when bytes arrive corrupted.</source>
+        <translation>Erreurs série ({0}) : la carte arrête les moteurs quand des octets arrivent altérés.</translation></message>
+    <message><source>Check cable and ground; UART-Error Shutdown can be turned off in Parameters.</source>
+        <translation>Vérifiez le câble et la masse ; « Arrêt sur erreur UART » peut être désactivé dans Paramètres.</translation></message>
+    <message><source>Stopping: the board has not confirmed it yet.</source>
+        <translation>Arrêt en cours : la carte ne l'a pas encore confirmé.</translation></message>
+    <message><source>The stop is being repeated; motors may still turn.</source>
+        <translation>L'ordre d'arrêt est répété ; les moteurs peuvent encore tourner.</translation></message>
+    <message><source>Stopped. The motors are locked for {0} s.</source>
+        <translation>Arrêt effectué. Les moteurs sont verrouillés pendant {0} s.</translation></message>
+    <message><source>Then Run motor arms them again.</source>
+        <translation>Ensuite, « Activer les moteurs » les active de nouveau.</translation></message>
+    <message><source>No board is connected.</source>
+        <translation>Aucune carte n'est connectée.</translation></message>
+    <message><source>Choose a port above and press Connect.</source>
+        <translation>Choisissez un port ci-dessus et cliquez sur « Connecter ».</translation></message>
+    <message><source>The program is connecting to the board.</source>
+        <translation>Le programme se connecte à la carte.</translation></message>
+    <message><source>The connection is being closed.</source>
+        <translation>La connexion est en cours de fermeture.</translation></message>
+    <message><source>The board has not reported yet what controls the motors.</source>
+        <translation>La carte n'a pas encore indiqué ce qui commande les moteurs.</translation></message>
+    <message><source>The board reports that serial commands do not control the motors.</source>
+        <translation>La carte indique que les commandes série ne commandent pas les moteurs.</translation></message>
+    <message><source>Switch it off and on.</source>
+        <translation>Coupez et remettez son alimentation.</translation></message>
+    <message><source>The RC channels control the motors, not serial commands.</source>
+        <translation>Les voies RC commandent les moteurs, et non les commandes série.</translation></message>
+    <message><source>To drive by serial commands, turn on the override switch (channel 5), or switch the board off, remove the mode jumper and switch it on.</source>
+        <translation>Pour piloter par commandes série, activez l'interrupteur de priorité (voie 5), ou coupez l'alimentation de la carte, retirez le cavalier de mode et remettez l'alimentation.</translation></message>
+    <message><source>The analog channels control the motors, not serial commands.</source>
+        <translation>Les voies analogiques commandent les moteurs, et non les commandes série.</translation></message>
+    <message><source>Commands without a device number would reach several boards.</source>
+        <translation>Des commandes sans numéro d'appareil atteindraient plusieurs cartes.</translation></message>
+    <message><source>Select one of the boards on this line.</source>
+        <translation>Sélectionnez l'une des cartes de cette liaison.</translation></message>
+    <message><source>The motors cannot be armed at this moment.</source>
+        <translation>Les moteurs ne peuvent pas être activés pour le moment.</translation></message>
+    <message><source>Stopped. {0}</source>
+        <translation>Arrêt effectué. {0}</translation></message>
+    <message><source>Run motor arms the motors again.</source>
+        <translation>« Activer les moteurs » les active de nouveau.</translation></message>
+    <message><source>Not armed: nothing is sent yet.</source>
+        <translation>Moteurs non activés : rien n'est encore envoyé.</translation></message>
+    <message><source>Put the robot on blocks, then press Run motor.</source>
+        <translation>Posez le robot sur cales, puis cliquez sur « Activer les moteurs ».</translation></message>
+    <message><source>Motor {0} is slowed down: current over the limit.</source>
+        <translation>Le moteur {0} est ralenti : courant au-dessus de la limite.</translation></message>
+    <message><source>Reduce the load, or raise the current limit in Parameters.</source>
+        <translation>Réduisez la charge, ou augmentez la limite de courant dans Paramètres.</translation></message>
+    <message><source>The motors are armed: the controls on the Motors page move them.</source>
+        <translation>Les moteurs sont activés : les commandes de la page Moteurs les font tourner.</translation></message>
+    <message><source>Esc stops everything.</source>
+        <translation>Échap arrête tout.</translation></message>
+    <message><source>Channel 5 overrides the sticks for as long as its switch is on.</source>
+        <translation>La voie 5 a priorité sur les manches tant que son interrupteur est actif.</translation></message>
+    <message><source>Joint mode: both drivers work as one motor.</source>
+        <translation>Mode jumelé : les deux drivers fonctionnent comme un seul moteur.</translation></message>
+    <message><source>If the green LED is steady instead, safe-start is over.</source>
+        <translation>Si la LED verte est fixe, le démarrage sécurisé est terminé.</translation></message>
+    <message><source>on</source>
+        <translation>activé</translation></message>
+    <message><source>flickers with each packet</source>
+        <translation>scintille à chaque paquet</translation></message>
+    <message><source>flashes fast</source>
+        <translation>clignote vite</translation></message>
+    <message><source>Not written: the board stores other settings than when it was reviewed.</source>
+        <translation>Non écrit : la carte contient d'autres réglages que lors de la vérification.</translation></message>
+    <message><source>The same settings for several boards</source>
+        <translation>Les mêmes réglages pour plusieurs cartes</translation></message>
+    <message><source>It does not respond. Check that it has power.</source>
+        <translation>Elle ne répond pas. Vérifiez qu'elle est alimentée.</translation></message>
+    <message><source>Not verified: {0}. {1}</source>
+        <translation>Non vérifié : {0}. {1}</translation></message>
+    <message><source>The line was closed.</source>
+        <translation>La liaison a été fermée.</translation></message>
+    <message><source>In joint mode the board measures no current, so a test could not be aborted.</source>
+        <translation>En mode jumelé, la carte ne mesure pas de courant : un essai ne pourrait pas être interrompu.</translation></message>
+    <message><source>No current was read yet.</source>
+        <translation>Aucun courant n'a encore été lu.</translation></message>
+    <message><source>The board stopped responding.</source>
+        <translation>La carte a cessé de répondre.</translation></message>
+    <message><source>The connection was closed.</source>
+        <translation>La connexion a été fermée.</translation></message>
+    <message><source>Serial commands no longer control the motors.</source>
+        <translation>Les commandes série ne commandent plus les moteurs.</translation></message>
+    <message><source>Stop was pressed.</source>
+        <translation>L'arrêt a été demandé.</translation></message>
+    <message><source>Bench test of motor {0}: {1}</source>
+        <translation>Essai au banc du moteur {0} : {1}</translation></message>
+    <message><source>Motor {0} drew {1:.2f} A, more than the abort current of {2:g} A.</source>
+        <translation>Le moteur {0} a consommé {1:.2f} A, plus que le courant d'interruption de {2:g} A.</translation></message>
+    <message><source>The board's serial timeout stopped the motors.</source>
+        <translation>Le délai série de la carte a arrêté les moteurs.</translation></message>
+    <message><source>The driver of motor {0} reported a fault.</source>
+        <translation>Le driver du moteur {0} a signalé un défaut.</translation></message>
+    <message><source>No current was read for {0:g} s.</source>
+        <translation>Aucun courant n'a été lu pendant {0:g} s.</translation></message>
+    <message><source>Motor {0} exceeded its current limit.</source>
+        <translation>Le moteur {0} a dépassé sa limite de courant.</translation></message>
+    <message numerus="yes"><source>%n board(s) on this line.</source>
+        <translation><numerusform>%n carte sur cette liaison.</numerusform><numerusform>%n cartes sur cette liaison.</numerusform></translation></message>
+    <message><source>No other board replies on this line. Each needs power, the serial settings of this one, and a device number of its own.</source>
+        <translation>Aucune autre carte ne répond sur cette liaison. Chacune doit être alimentée, avoir les réglages série de celle-ci et un numéro d'appareil qui lui est propre.</translation></message>
+    <message><source>Another board was selected.</source>
+        <translation>Une autre carte a été sélectionnée.</translation></message>
+    <message><source>Minimum and maximum must differ.</source>
+        <translation>Le minimum et le maximum doivent être différents.</translation></message>
+    <message><source>A pulse cannot be shorter than {0}.</source>
+        <translation>Une impulsion ne peut pas être plus courte que {0}.</translation></message>
+    <message><source>A pulse cannot be longer than {0}.</source>
+        <translation>Une impulsion ne peut pas être plus longue que {0}.</translation></message>
+    <message><source>A voltage cannot be lower than {0}.</source>
+        <translation>Une tension ne peut pas être inférieure à {0}.</translation></message>
+    <message><source>A voltage cannot be higher than {0}.</source>
+        <translation>Une tension ne peut pas être supérieure à {0}.</translation></message>
+    <message><source>Minimum cannot pass neutral.</source>
+        <translation>Le minimum ne peut pas dépasser le neutre.</translation></message>
+    <message><source>Maximum cannot pass neutral.</source>
+        <translation>Le maximum ne peut pas passer sous le neutre.</translation></message>
+    <message><source>The deadband cannot be wider than the travel.</source>
+        <translation>La zone morte ne peut pas être plus large que la course.</translation></message>
+    <message><source>That would leave {0} on each side of neutral, {1} of it deadband: too little to reach every output value.</source>
+        <translation>Il ne resterait que {0} de chaque côté du neutre, dont {1} de zone morte : trop peu pour atteindre toutes les valeurs de sortie.</translation></message>
+    <message><source>Neutral cannot pass minimum.</source>
+        <translation>Le neutre ne peut pas passer sous le minimum.</translation></message>
+    <message><source>Neutral cannot pass maximum.</source>
+        <translation>Le neutre ne peut pas dépasser le maximum.</translation></message>
+    <message><source>The deadband ends at neutral.</source>
+        <translation>La zone morte s'arrête au neutre.</translation></message>
+    <message><source>Motor 1</source>
+        <translation>Moteur 1</translation></message>
+    <message><source>Motor 2</source>
+        <translation>Moteur 2</translation></message>
+    <message><source>Auxiliary</source>
+        <translation>Auxiliaire</translation></message>
+    <message><source>Flip</source>
+        <translation>Retournement</translation></message>
+    <message><source>Override</source>
+        <translation>Priorité</translation></message>
+    <message><source>RC pulses</source>
+        <translation>Impulsions RC</translation></message>
+    <message><source>analog voltages</source>
+        <translation>tensions analogiques</translation></message>
+    <message><source>drives motor 1; with the mix jumper on it steers</source>
+        <translation>commande le moteur 1 ; avec le cavalier Mix, elle commande la direction</translation></message>
+    <message><source>drives motor 2; with the mix jumper on it drives forward and back</source>
+        <translation>commande le moteur 2 ; avec le cavalier Mix, elle commande la marche avant et arrière</translation></message>
+    <message><source>drives the auxiliary motor, which turns one way only</source>
+        <translation>commande le moteur auxiliaire, qui ne tourne que dans un sens</translation></message>
+    <message><source>is the flip switch: motors 1 and 2 change places and directions</source>
+        <translation>est l'interrupteur de retournement : les moteurs 1 et 2 échangent leurs places et leurs sens</translation></message>
+    <message><source>is the override switch: serial commands control the motors</source>
+        <translation>est l'interrupteur de priorité : les commandes série commandent les moteurs</translation></message>
+    <message><source>drives motor 1 (the mix jumper is off)</source>
+        <translation>commande le moteur 1 (sans le cavalier Mix)</translation></message>
+    <message><source>steers: it moves both motors (the mix jumper is on)</source>
+        <translation>commande la direction : elle agit sur les deux moteurs (avec le cavalier Mix)</translation></message>
+    <message><source>drives motor 2 (the mix jumper is off)</source>
+        <translation>commande le moteur 2 (sans le cavalier Mix)</translation></message>
+    <message><source>drives both motors forward and back (the mix jumper is on)</source>
+        <translation>commande les deux moteurs en marche avant et arrière (avec le cavalier Mix)</translation></message>
+    <message><source>drives the one motor that both drivers power (joint mode, no mixing)</source>
+        <translation>commande le seul moteur, alimenté par les deux drivers (mode jumelé, sans mixage)</translation></message>
+    <message><source>has no motor: in joint mode both drivers power motor 1</source>
+        <translation>n'a pas de moteur : en mode jumelé, les deux drivers alimentent le moteur 1</translation></message>
+    <message><source>Not learned: it has the factory default calibration.</source>
+        <translation>Non apprise : elle a l'étalonnage d'usine.</translation></message>
+    <message><source>Read only; does not drive. In RC and analog mode it {1}.</source>
+        <translation>Seulement lue ; ne commande rien. En mode RC ou analogique, elle {1}.</translation></message>
+    <message><source>above about {0}</source>
+        <translation>au-dessus d'environ {0}</translation></message>
+    <message><source>below about {0}</source>
+        <translation>en dessous d'environ {0}</translation></message>
+    <message><source>Learned: the board stores a calibration of its own for it.</source>
+        <translation>Apprise : la carte a enregistré un étalonnage propre à cette voie.</translation></message>
+    <message><source>The board reads {0} now, and only shows and accepts calibrations for them. To see these, make it read {1}: set Channel Input Source, apply, and switch the board off and on.</source>
+        <translation>La carte lit actuellement : {0} ; elle n'affiche et n'accepte que les étalonnages correspondants. Pour voir ceux-ci, faites-lui lire : {1}. Réglez « Source des entrées des voies », appliquez, puis coupez et remettez l'alimentation de la carte.</translation></message>
+    <message><source>applied {0}</source>
+        <translation>appliqué le {0}</translation></message>
+    <message><source>read {0}</source>
+        <translation>lu le {0}</translation></message>
+    <message><source>Neutral ({1}) is beyond the input: {3}. No stick position gives 0.</source>
+        <translation>Le neutre ({1}) est hors de la plage de l'entrée : {3}. Aucune position du manche ne donne 0.</translation></message>
+    <message><source>a pulse is {0} to {1}</source>
+        <translation>une impulsion dure de {0} à {1}</translation></message>
+    <message><source>a voltage is {0} to {1}</source>
+        <translation>une tension va de {0} à {1}</translation></message>
+    <message><source>The deadband ({0} to each side of neutral) reaches minimum and maximum: there is nothing between 0 and full output.</source>
+        <translation>La zone morte ({0} de chaque côté du neutre) atteint le minimum et le maximum : il n'y a rien entre 0 et la sortie maximale.</translation></message>
+    <message><source>is ignored: it is held off, whatever its input is</source>
+        <translation>est ignorée : elle est maintenue inactive, quelle que soit son entrée</translation></message>
+    <message><source>is ignored: it is held at neutral, whatever its input is</source>
+        <translation>est ignorée : elle est maintenue au neutre, quelle que soit son entrée</translation></message>
+    <message><source>Does not drive now: serial commands override it. Otherwise it {1}.</source>
+        <translation>Ne commande rien maintenant : les commandes série ont priorité. Sinon, elle {1}.</translation></message>
+    <message><source>The board reads {0} now, and only shows and accepts calibrations for them. To see these: switch it off, put the mode jumper to RC, switch it on.</source>
+        <translation>La carte lit actuellement : {0} ; elle n'affiche et n'accepte que les étalonnages correspondants. Pour voir ceux-ci : coupez son alimentation, placez le cavalier de mode sur RC, remettez l'alimentation.</translation></message>
+    <message><source>The board reads {0} now, and only shows and accepts calibrations for them. To see these: switch it off, put the mode jumper to analog, switch it on.</source>
+        <translation>La carte lit actuellement : {0} ; elle n'affiche et n'accepte que les étalonnages correspondants. Pour voir ceux-ci : coupez son alimentation, placez le cavalier de mode sur analogique, remettez l'alimentation.</translation></message>
+    <message><source>Minimum ({0}) and maximum ({2}) are beyond the input: {3}. Full output is never reached.</source>
+        <translation>Le minimum ({0}) et le maximum ({2}) sont hors de la plage de l'entrée : {3}. La sortie maximale n'est jamais atteinte.</translation></message>
+    <message><source>The deadband ({0} to each side of neutral) reaches minimum: there is nothing between 0 and full output on that side.</source>
+        <translation>La zone morte ({0} de chaque côté du neutre) atteint le minimum : il n'y a rien entre 0 et la sortie maximale de ce côté.</translation></message>
+    <message><source>On now. It {1}.</source>
+        <translation>Active maintenant. Elle {1}.</translation></message>
+    <message><source>Channel {0} {1}.</source>
+        <translation>La voie {0} {1}.</translation></message>
+    <message><source>{0} It accepts a calibration only when minimum is not above neutral, neutral is not above maximum, and minimum and maximum differ.</source>
+        <translation>{0} Elle n'accepte un étalonnage que si le minimum n'est pas au-dessus du neutre, si le neutre n'est pas au-dessus du maximum, et si le minimum et le maximum sont différents.</translation></message>
+    <message><source>{0} The edits are kept meanwhile.</source>
+        <translation>{0} Les modifications sont conservées en attendant.</translation></message>
+    <message><source>Minimum ({0}) cannot be above neutral ({1}).</source>
+        <translation>Le minimum ({0}) ne peut pas être au-dessus du neutre ({1}).</translation></message>
+    <message><source>Maximum ({0}) cannot be below neutral ({1}).</source>
+        <translation>Le maximum ({0}) ne peut pas être en dessous du neutre ({1}).</translation></message>
+    <message><source>Minimum and maximum cannot both be {0}.</source>
+        <translation>Le minimum et le maximum ne peuvent pas valoir tous deux {0}.</translation></message>
+    <message><source>The board would reject this: {0}.</source>
+        <translation>La carte le rejetterait : {0}.</translation></message>
+    <message><source>Minimum ({0}) is beyond the input: {3}. Full output on that side is never reached.</source>
+        <translation>Le minimum ({0}) est hors de la plage de l'entrée : {3}. La sortie maximale de ce côté n'est jamais atteinte.</translation></message>
+    <message><source>The deadband ({0} to each side of neutral) reaches maximum: there is nothing between 0 and full output on that side.</source>
+        <translation>La zone morte ({0} de chaque côté du neutre) atteint le maximum : il n'y a rien entre 0 et la sortie maximale de ce côté.</translation></message>
+    <message><source>{0} while the input is {1}</source>
+        <translation>{0} tant que l'entrée est {1}</translation></message>
+    <message><source>Maximum ({2}) is beyond the input: {3}. Full output on that side is never reached.</source>
+        <translation>Le maximum ({2}) est hors de la plage de l'entrée : {3}. La sortie maximale de ce côté n'est jamais atteinte.</translation></message>
+    <message><source>{0}; it is reversed</source>
+        <translation>{0} ; elle est inversée</translation></message>
+    <message><source>Selecting device {0} …</source>
+        <translation>Sélection de l'appareil {0} …</translation></message>
+    <message><source>The board has stopped responding. Is its power on? Waiting for it …</source>
+        <translation>La carte a cessé de répondre. Est-elle sous tension ? Attente …</translation></message>
+    <message><source>Connected to {0}.</source>
+        <translation>Connecté à {0}.</translation></message>
+    <message><source>No reply yet. Trying other settings: {0} …</source>
+        <translation>Pas encore de réponse. Essai d'autres réglages : {0} …</translation></message>
+    <message><source>noisy: {0:.1f} % of the requests of the last {1:.0f} s answered</source>
+        <translation>bruitée : {0:.1f} % des requêtes des {1:.0f} dernières secondes ont reçu une réponse</translation></message>
+    <message><source>being measured …</source>
+        <translation>mesure en cours …</translation></message>
+    <message><source>good: {0:.1f} % of the requests of the last {1:.0f} s answered</source>
+        <translation>bonne : {0:.1f} % des requêtes des {1:.0f} dernières secondes ont reçu une réponse</translation></message>
+    <message><source>{0}. The stop is not confirmed: {1} If a motor still turns, cut its power.</source>
+        <translation>{0}. L'arrêt n'est pas confirmé : {1} Si un moteur tourne encore, coupez son alimentation.</translation></message>
+    <message><source>{0}. No board is connected that could be stopped, and motors may still turn: cut their power.</source>
+        <translation>{0}. Aucune carte n'est connectée qui puisse être arrêtée, et les moteurs peuvent encore tourner : coupez leur alimentation.</translation></message>
+    <message><source>{0}: noisy; shorten cable, check ground</source>
+        <translation>{0} : bruitée ; raccourcir le câble, vérifier la masse</translation></message>
+    <message><source>Line: good</source>
+        <translation>Liaison : bonne</translation></message>
+    <message><source>{0:.1f} % lost</source>
+        <translation>{0:.1f} % de pertes</translation></message>
+    <message><source>{0}: noisy; shorten cable, check ground, use CRC</source>
+        <translation>{0} : bruitée ; raccourcir le câble, vérifier la masse, utiliser le CRC</translation></message>
+    <message><source>The stop is not confirmed. If a motor still turns, cut its power.</source>
+        <translation>L'arrêt n'est pas confirmé. Si un moteur tourne encore, coupez son alimentation.</translation></message>
+    <message><source>{0}. The stop was sent, and is not confirmed yet.</source>
+        <translation>{0}. L'ordre d'arrêt a été envoyé, mais n'est pas encore confirmé.</translation></message>
+    <message><source>{0}, so the motors were stopped.</source>
+        <translation>{0} : les moteurs ont donc été arrêtés.</translation></message>
+    <message><source>{0}. The line is closed.</source>
+        <translation>{0}. La liaison est fermée.</translation></message>
+    <message><source>{0}. The board has confirmed the stop.</source>
+        <translation>{0}. La carte a confirmé l'arrêt.</translation></message>
+    <message><source>The board accepts changes in serial mode only: switch it off, remove the mode jumper, switch it on. Edits are kept.</source>
+        <translation>La carte n'accepte des modifications qu'en mode série : coupez son alimentation, retirez le cavalier de mode, remettez l'alimentation. Les modifications sont conservées.</translation></message>
+    <message><source>Nothing was written: another board was selected.</source>
+        <translation>Rien n'a été écrit : une autre carte a été sélectionnée.</translation></message>
+    <message><source>Edits, notes or settings were kept here for another board with this device number. They are in {0} now.</source>
+        <translation>Des modifications, des notes ou des réglages étaient conservés ici pour une autre carte ayant ce numéro d'appareil. Ils se trouvent maintenant dans {0}.</translation></message>
+    <message><source>Reset to factory defaults</source>
+        <translation>Réinitialisation aux réglages d'usine</translation></message>
+    <message><source>Nothing was written: without a device number it would reach several boards. Select one of the boards on this line.</source>
+        <translation>Rien n'a été écrit : sans numéro d'appareil, cela atteindrait plusieurs cartes. Sélectionnez l'une des cartes de cette liaison.</translation></message>
+    <message><source>Nothing was written: other settings were read from the board.</source>
+        <translation>Rien n'a été écrit : d'autres réglages ont été lus dans la carte.</translation></message>
+    <message numerus="yes"><source>%n edit(s) not applied to the previous {0}: kept, and offered when it is connected again.</source>
+        <translation><numerusform>%n modification non appliquée à l'appareil précédent ({0}) : elle est conservée, et proposée quand il sera reconnecté.</numerusform><numerusform>%n modifications non appliquées à l'appareil précédent ({0}) : elles sont conservées, et proposées quand il sera reconnecté.</numerusform></translation></message>
+    <message numerus="yes"><source>%n earlier change(s) still pending. Click Apply to write to this board.</source>
+        <translation><numerusform>%n modification antérieure encore en attente. Cliquez sur « Appliquer les réglages » pour l'écrire dans cette carte.</numerusform><numerusform>%n modifications antérieures encore en attente. Cliquez sur « Appliquer les réglages » pour les écrire dans cette carte.</numerusform></translation></message>
+    <message numerus="yes"><source>%n edit(s) of the former board kept: they return when it is selected again.</source>
+        <translation><numerusform>%n modification de la carte précédente conservée : elle revient quand cette carte est de nouveau sélectionnée.</numerusform><numerusform>%n modifications de la carte précédente conservées : elles reviennent quand cette carte est de nouveau sélectionnée.</numerusform></translation></message>
+    <message><source>Nothing was written: the board does not respond.</source>
+        <translation>Rien n'a été écrit : la carte ne répond pas.</translation></message>
+    <message><source>{0}, device {1}</source>
+        <translation>{0}, appareil {1}</translation></message>
+    <message><source>{0} set</source>
+        <translation>{0} : réglé</translation></message>
+    <message><source>The line is noisy: {0:.1f} % lost</source>
+        <translation>La liaison est bruitée : {0:.1f} % de pertes</translation></message>
+    <message><source>The line is good again</source>
+        <translation>La liaison est de nouveau bonne</translation></message>
+    <message><source>Reading again failed. {0}</source>
+        <translation>La relecture a échoué. {0}</translation></message>
+    <message><source>No stop is known to have reached the {0} that was driven at {1}: another board responded. If its motor still turns, cut its power.</source>
+        <translation>Rien n'indique qu'un arrêt ait atteint la carte {0} qui était pilotée sur {1} : une autre carte a répondu. Si un moteur de la première tourne encore, coupez son alimentation.</translation></message>
+    <message><source>The board received nothing within its Serial Timeout and stopped its motors.</source>
+        <translation>La carte n'a rien reçu pendant son « Délai série » et a arrêté ses moteurs.</translation></message>
+    <message><source>The board stopped its motors because of an error on the line ({0}): UART-Error Shutdown is set.</source>
+        <translation>La carte a arrêté ses moteurs à cause d'une erreur sur la liaison ({0}) : « Arrêt sur erreur UART » est activé.</translation></message>
+    <message><source>The connection is not responding, so the stop could not be sent. The guardian process sends it now. If a motor still turns, cut its power.</source>
+        <translation>La connexion ne répond pas ; l'ordre d'arrêt n'a donc pas pu être envoyé. Le processus gardien l'envoie maintenant. Si un moteur tourne encore, coupez son alimentation.</translation></message>
+    <message><source>The connection is not responding, so the stop could not be sent. If a motor still turns, cut its power.</source>
+        <translation>La connexion ne répond pas ; l'ordre d'arrêt n'a donc pas pu être envoyé. Si un moteur tourne encore, coupez son alimentation.</translation></message>
+    <message><source>Another board responds now: {0}, at {1}.</source>
+        <translation>Une autre carte répond maintenant : {0}, sur {1}.</translation></message>
+    <message><source>The line to {0} was lost before a stop was confirmed. The board at this port has confirmed one; if it is another board, cut the power of the first.</source>
+        <translation>La liaison avec {0} a été perdue avant la confirmation d'un arrêt. La carte de ce port en a confirmé un ; si c'est une autre carte, coupez l'alimentation de la première.</translation></message>
+    <message><source>{0} The motors were stopped. Press Run motor to continue.</source>
+        <translation>{0} Les moteurs ont été arrêtés. Cliquez sur « Activer les moteurs » pour continuer.</translation></message>
+    <message><source>{0} A stop was sent but is not confirmed yet.</source>
+        <translation>{0} Un ordre d'arrêt a été envoyé, mais n'est pas encore confirmé.</translation></message>
+    <message><source>The board that disconnected while driving is back.</source>
+        <translation>La carte qui s'était déconnectée pendant la conduite est de retour.</translation></message>
+    <message><source>This may be another board: {0}, at {1}, does not store the settings of the one that was driven.</source>
+        <translation>C'est peut-être une autre carte : {0}, sur {1}, ne contient pas les réglages de celle qui était pilotée.</translation></message>
+    <message><source>Serial commands no longer reach the motors.</source>
+        <translation>Les commandes série n'atteignent plus les moteurs.</translation></message>
+    <message><source>A setting of the board changed, so the motors were stopped.</source>
+        <translation>Un réglage de la carte a changé ; les moteurs ont donc été arrêtés.</translation></message>
+    <message><source>The board was restarted, so the motors were stopped.</source>
+        <translation>La carte a été redémarrée ; les moteurs ont donc été arrêtés.</translation></message>
+    <message><source>The board stops them {0} after the last byte it received; if not, cut their power.</source>
+        <translation>La carte les arrête {0} après le dernier octet reçu ; si ce n'est pas le cas, coupez leur alimentation.</translation></message>
+    <message><source>The board does not respond: motors may still turn.</source>
+        <translation>La carte ne répond pas : les moteurs peuvent encore tourner.</translation></message>
+    <message><source>Check its power and the cable; the stop is being repeated.</source>
+        <translation>Vérifiez son alimentation et le câble ; l'ordre d'arrêt est répété.</translation></message>
+    <message><source>The board stops them {0} after the last byte it received.</source>
+        <translation>La carte les arrête {0} après le dernier octet reçu.</translation></message>
+    <message><source>{0} Doubtful: the line is noisy and has no CRC.</source>
+        <translation>{0} Douteux : la liaison est bruitée et n'a pas de CRC.</translation></message>
+    <message><source>Setpoint: none</source>
+        <translation>Consigne : aucune</translation></message>
+    <message><source>forward</source>
+        <translation>avant</translation></message>
+    <message><source>reverse</source>
+        <translation>arrière</translation></message>
+    <message><source>Serial timeout is off: motors keep turning if the cable or this computer fails.</source>
+        <translation>Le délai série est désactivé : les moteurs continuent de tourner si le câble ou cet ordinateur tombe en panne.</translation></message>
+    <message><source>Setpoint: coast</source>
+        <translation>Consigne : roue libre</translation></message>
+    <message><source>Setpoint: {0}</source>
+        <translation>Consigne : {0}</translation></message>
+    <message><source>Channel {0}: {1}</source>
+        <translation>Voie {0} : {1}</translation></message>
+    <message><source>Board: N/A</source>
+        <translation>Carte : N/D</translation></message>
+    <message><source>Board: {0}</source>
+        <translation>Carte : {0}</translation></message>
+    <message><source>Serial timeout is off, and the guardian process could not be started: motors keep turning if the cable, this computer or this program fails.</source>
+        <translation>Le délai série est désactivé, et le processus gardien n'a pas pu être démarré : les moteurs continuent de tourner si le câble, cet ordinateur ou ce programme tombe en panne.</translation></message>
+    <message><source>Setpoint: brake, {0:.0f} %</source>
+        <translation>Consigne : freinage, {0:.0f} %</translation></message>
+    <message><source>Channel {0}: N/A</source>
+        <translation>Voie {0} : N/D</translation></message>
+    <message><source>Channel {0}: no signal</source>
+        <translation>Voie {0} : pas de signal</translation></message>
+    <message><source>serial in control</source>
+        <translation>liaison série aux commandes</translation></message>
+    <message><source>serial not in control</source>
+        <translation>liaison série pas aux commandes</translation></message>
+    <message><source>no current sensing in joint mode</source>
+        <translation>pas de mesure de courant en mode jumelé</translation></message>
+    <message><source>The guardian process could not be started: if this program fails, motors keep turning for the serial timeout of {0:g} s.</source>
+        <translation>Le processus gardien n'a pas pu être démarré : si ce programme tombe en panne, les moteurs continuent de tourner pendant le délai série de {0:g} s.</translation></message>
+    <message><source>channel {0} at {1} (overridden)</source>
+        <translation>voie {0} à {1} (priorité série)</translation></message>
+    <message><source>Serial timeout of {0:g} s is short for a network port: one late reply stops the motors while you drive. Set a longer one, or connect the board to this computer.</source>
+        <translation>Un délai série de {0:g} s est court pour un port réseau : une seule réponse tardive arrête les moteurs pendant la conduite. Réglez un délai plus long, ou connectez la carte à cet ordinateur.</translation></message>
+    <message><source>Serial timeout of {0:g} s is short for {1} baud: one lost reply stops the motors while you drive. Set a longer one, or a faster baud rate.</source>
+        <translation>Un délai série de {0:g} s est court pour {1} bauds : une seule réponse perdue arrête les moteurs pendant la conduite. Réglez un délai plus long, ou un débit plus élevé.</translation></message>
+    <message><source>See the rows below.</source>
+        <translation>Voir les lignes ci-dessous.</translation></message>
+    <message><source>Check cable and ground, and that no other program sends on this line.</source>
+        <translation>Vérifiez le câble et la masse, et qu'aucun autre programme n'émet sur cette liaison.</translation></message>
+    <message><source>Check cable and ground, and that every program on this line uses the same polynomial.</source>
+        <translation>Vérifiez le câble et la masse, et que tous les programmes sur cette liaison utilisent le même polynôme.</translation></message>
+    <message><source>Check cable, ground and baud rate, and keep motor leads away from the line.</source>
+        <translation>Vérifiez le câble, la masse et le débit, et éloignez les fils des moteurs de la liaison.</translation></message>
+    <message><source>Use a lower baud rate.</source>
+        <translation>Utilisez un débit plus bas.</translation></message>
+    <message><source>Check cable and ground, and that every program on this line uses the same parity.</source>
+        <translation>Vérifiez le câble et la masse, et que tous les programmes sur cette liaison utilisent la même parité.</translation></message>
+    <message><source>Let no other program send on this line.</source>
+        <translation>Ne laissez aucun autre programme émettre sur cette liaison.</translation></message>
+    <message><source>Let other programs request fewer channels at once.</source>
+        <translation>Faites en sorte que les autres programmes demandent moins de voies à la fois.</translation></message>
+    <message><source>Stop</source>
+        <translation>Arrêt</translation></message>
+    <message><source>The board stopped responding</source>
+        <translation>La carte a cessé de répondre</translation></message>
+    <message><source>Disconnected</source>
+        <translation>Déconnecté</translation></message>
+    <message><source>Latched before connecting, perhaps by the search for the board: {0}</source>
+        <translation>Mémorisé avant la connexion, peut-être à cause de la recherche de la carte : {0}</translation></message>
+    <message><source>Connected to {0} on {1}.</source>
+        <translation>Connecté à {0} sur {1}.</translation></message>
+    <message><source>A setting changed: the board was restarted, or another program wrote to it</source>
+        <translation>Un réglage a changé : la carte a été redémarrée, ou un autre programme y a écrit</translation></message>
+    <message><source>Device {0} selected: {1}</source>
+        <translation>Appareil {0} sélectionné : {1}</translation></message>
+    <message><source>Disconnected before a stop was confirmed: motors may still turn</source>
+        <translation>Déconnecté avant la confirmation d'un arrêt : les moteurs peuvent encore tourner</translation></message>
+    <message><source>{0} and {1} more</source>
+        <translation>{0} et encore {1}</translation></message>
+    <message><source>Apply: {0}</source>
+        <translation>Appliqué : {0}</translation></message>
+    <message><source>Stop: {0}</source>
+        <translation>Arrêt : {0}</translation></message>
+    <message><source>The board responds again</source>
+        <translation>La carte répond de nouveau</translation></message>
+    <message><source>The board was switched off and on</source>
+        <translation>L'alimentation de la carte a été coupée et remise</translation></message>
+    <message><source>{0} ({1} failed)</source>
+        <translation>{0} (échecs : {1})</translation></message>
+    <message><source>The gamepad “{0}” was disconnected. Plug it in again to continue.</source>
+        <translation>La manette « {0} » a été déconnectée. Rebranchez-la pour continuer.</translation></message>
+    <message><source>Another control drives now.</source>
+        <translation>Une autre commande pilote maintenant.</translation></message>
+    <message><source>button {0}</source>
+        <translation>bouton {0}</translation></message>
+    <message><source>axis {0}</source>
+        <translation>axe {0}</translation></message>
+    <message><source>Driving with a gamepad was switched off.</source>
+        <translation>La conduite à la manette a été désactivée.</translation></message>
+    <message><source>Another gamepad was chosen.</source>
+        <translation>Une autre manette a été choisie.</translation></message>
+    <message><source>The gamepad settings were changed.</source>
+        <translation>Les réglages de la manette ont été modifiés.</translation></message>
+    <message><source>No gamepad is connected. Plug one in or switch it on.</source>
+        <translation>Aucune manette n'est connectée. Branchez-en une ou allumez-la.</translation></message>
+    <message><source>Press Run motor, then move a stick.</source>
+        <translation>Cliquez sur « Activer les moteurs », puis bougez un manche.</translation></message>
+    <message><source>Release the sticks: driving starts only after both axes have been at rest. A worn stick may need a wider dead zone.</source>
+        <translation>Relâchez les manches : la conduite ne commence que lorsque les deux axes ont été au repos. Un manche usé peut nécessiter une zone morte plus large.</translation></message>
+    <message><source>Release {0}, then hold it to drive.</source>
+        <translation>Relâchez le {0}, puis maintenez-le enfoncé pour piloter.</translation></message>
+    <message><source>Hold {0} and move a stick to drive.</source>
+        <translation>Maintenez le {0} enfoncé et bougez un manche pour piloter.</translation></message>
+    <message><source>Move a stick to drive.</source>
+        <translation>Bougez un manche pour piloter.</translation></message>
+    <message><source>Driving. Release the sticks to stop.</source>
+        <translation>Conduite en cours. Relâchez les manches pour arrêter.</translation></message>
+    <message><source>Driving. Release {0} to stop.</source>
+        <translation>Conduite en cours. Relâchez le {0} pour arrêter.</translation></message>
+    <message><source>button {0} ({1})</source>
+        <translation>bouton {0} ({1})</translation></message>
+    <message><source>axis {0} ({1})</source>
+        <translation>axe {0} ({1})</translation></message>
+    <message><source>left stick, sideways</source>
+        <translation>manche gauche, horizontal</translation></message>
+    <message><source>left stick, up and down</source>
+        <translation>manche gauche, vertical</translation></message>
+    <message><source>right stick, sideways</source>
+        <translation>manche droit, horizontal</translation></message>
+    <message><source>right stick, up and down</source>
+        <translation>manche droit, vertical</translation></message>
+    <message><source>left trigger</source>
+        <translation>gâchette gauche</translation></message>
+    <message><source>right trigger</source>
+        <translation>gâchette droite</translation></message>
+    <message><source>left shoulder</source>
+        <translation>bouton de tranche gauche</translation></message>
+    <message><source>right shoulder</source>
+        <translation>bouton de tranche droit</translation></message>
+    <message><source>left stick pressed</source>
+        <translation>manche gauche enfoncé</translation></message>
+    <message><source>right stick pressed</source>
+        <translation>manche droit enfoncé</translation></message>
+    <message><source>cross up</source>
+        <translation>croix haut</translation></message>
+    <message><source>cross down</source>
+        <translation>croix bas</translation></message>
+    <message><source>cross left</source>
+        <translation>croix gauche</translation></message>
+    <message><source>cross right</source>
+        <translation>croix droite</translation></message>
+    <message><source>A, the lowest of four</source>
+        <translation>A, le plus bas des quatre</translation></message>
+    <message><source>B, the right one of four</source>
+        <translation>B, le plus à droite des quatre</translation></message>
+    <message><source>X, the left one of four</source>
+        <translation>X, le plus à gauche des quatre</translation></message>
+    <message><source>Y, the highest of four</source>
+        <translation>Y, le plus haut des quatre</translation></message>
+    <message><source>The gamepad “{0}” was disconnected.</source>
+        <translation>La manette « {0} » a été déconnectée.</translation></message>
+    <message><source>Press Run motor, then hold {0} and move a stick.</source>
+        <translation>Cliquez sur « Activer les moteurs », puis maintenez le {0} enfoncé et bougez un manche.</translation></message>
+    <message><source>Connect to a board to test its motors.</source>
+        <translation>Connectez une carte pour essayer ses moteurs.</translation></message>
+    <message><source>Settings are being written.</source>
+        <translation>Des réglages sont en cours d'écriture.</translation></message>
+    <message><source>After a stop the motors are locked for another {0:.0f} s.</source>
+        <translation>Après un arrêt, les moteurs restent verrouillés pendant encore {0:.0f} s.</translation></message>
+    <message><source>Press Run motor.</source>
+        <translation>Cliquez sur « Activer les moteurs ».</translation></message>
+    <message><source>Another control drives the motors now.</source>
+        <translation>Une autre commande pilote maintenant les moteurs.</translation></message>
+    <message><source>{0} A test needs serial control.</source>
+        <translation>{0} Un essai nécessite la commande par liaison série.</translation></message>
+    <message><source>Bring the motors to rest first ({0}).</source>
+        <translation>Mettez d'abord les moteurs au repos ({0}).</translation></message>
+    <message><source>Active above {0} (inferred: it switches halfway between neutral and maximum).</source>
+        <translation>Active au-dessus de {0} (déduit : elle bascule à mi-chemin entre le neutre et le maximum).</translation></message>
+    <message><source>Active below {0} (inferred: it switches halfway between neutral and minimum).</source>
+        <translation>Active en dessous de {0} (déduit : elle bascule à mi-chemin entre le neutre et le minimum).</translation></message>
+    <message><source>At rest it is active.</source>
+        <translation>Au repos, elle est active.</translation></message>
+    <message><source>At rest it is off.</source>
+        <translation>Au repos, elle est inactive.</translation></message>
+    <message><source>Above its rest position the motor speeds up again, whatever the sign: at {0} to {1} of {2}.</source>
+        <translation>Au-dessus de la position de repos, le moteur accélère de nouveau, quel que soit le signe : à {0}, jusqu'à {1} sur {2}.</translation></message>
+    <message><source>Below its rest position the motor speeds up again, whatever the sign: at {0} to {1} of {2}.</source>
+        <translation>En dessous de la position de repos, le moteur accélère de nouveau, quel que soit le signe : à {0}, jusqu'à {1} sur {2}.</translation></message>
+    <message><source>Cannot continue: the motors could not be confirmed as stopped. {0}</source>
+        <translation>Impossible de continuer : l'arrêt des moteurs n'a pas pu être confirmé. {0}</translation></message>
+    <message><source>Learn channels</source>
+        <translation>Apprendre les voies</translation></message>
+    <message><source>The test has ended; it changes nothing in the board.</source>
+        <translation>Le test est terminé ; il ne change rien dans la carte.</translation></message>
+    <message><source>Nothing was changed.</source>
+        <translation>Rien n'a été modifié.</translation></message>
+    <message><source>These values are stored already.</source>
+        <translation>Ces valeurs sont déjà enregistrées.</translation></message>
+    <message><source>The board accepted the stop, but {0}. Check the motors: if one turns, something else drives it, such as another controller on this line; cut its power. Continue only if they are not turning.</source>
+        <translation>La carte a accepté l'arrêt, mais {0}. Contrôlez les moteurs : si l'un d'eux tourne, autre chose le commande, par exemple un autre contrôleur sur cette liaison ; coupez l'alimentation de ce moteur. Ne continuez que s'ils ne tournent pas.</translation></message>
+    <message><source>What was learned is stored.</source>
+        <translation>Ce qui a été appris est enregistré.</translation></message>
+    <message><source>Connect to a board first.</source>
+        <translation>Connectez d'abord une carte.</translation></message>
+    <message><source>The board has stopped responding: its power or its cable was cut.</source>
+        <translation>La carte a cessé de répondre : son alimentation ou son câble a été coupé.</translation></message>
+    <message><source>The connection to the board was lost.</source>
+        <translation>La connexion avec la carte a été perdue.</translation></message>
+    <message><source>The board was started in another mode.</source>
+        <translation>La carte a été démarrée dans un autre mode.</translation></message>
+    <message><source>The motors were armed, so this has ended.</source>
+        <translation>Les moteurs ont été activés ; l'opération est donc terminée.</translation></message>
+    <message><source>The sticks drive the motors now: the channels are in control.</source>
+        <translation>Les manches commandent maintenant les moteurs : la commande est passée aux voies.</translation></message>
+    <message><source>The board is in {0} mode. Channel 5 has given the motors to the serial line, but with the next move of its switch the sticks drive the motors again; and the board rejects settings. Switch it off, remove the mode jumper and switch it on.</source>
+        <translation>La carte est en mode {0}. La voie 5 a cédé les moteurs à la liaison série, mais au prochain mouvement de son interrupteur, les manches commanderont de nouveau les moteurs ; de plus, la carte rejette les réglages. Coupez son alimentation, retirez le cavalier de mode et remettez l'alimentation.</translation></message>
+    <message><source>The board is in {0} mode: the sticks drive the motors, and it rejects settings. Switch it off, remove the mode jumper and switch it on.</source>
+        <translation>La carte est en mode {0} : les manches commandent les moteurs, et elle rejette les réglages. Coupez son alimentation, retirez le cavalier de mode et remettez l'alimentation.</translation></message>
+    <message><source>motor {0} draws {1:.1f} A</source>
+        <translation>le moteur {0} consomme {1:.1f} A</translation></message>
+    <message><source> and </source>
+        <translation> et </translation></message>
+    <message><source>It moved during sampling, between {0} and {1}. Release it and sample again.</source>
+        <translation>La valeur a bougé pendant la mesure, entre {0} et {1}. Lâchez tout et refaites la mesure.</translation></message>
+    <message><source>Release it and sample again; if it continues, the stick or the transmitter is warming up or worn.</source>
+        <translation>Lâchez tout et refaites la mesure ; si cela continue, le manche ou l'émetteur est en train de chauffer, ou usé.</translation></message>
+    <message><source>Bring the transmitter nearer, or check antenna and cable.</source>
+        <translation>Rapprochez l'émetteur, ou vérifiez l'antenne et le câble.</translation></message>
+    <message><source>At rest its noise is {0}: a deadband wide enough to hide it would take a quarter of the travel. Repair the cable, the supply or the stick first.</source>
+        <translation>Au repos, son bruit est de {0} : une zone morte assez large pour le masquer prendrait un quart de la course. Réparez d'abord le câble, l'alimentation ou le manche.</translation></message>
+    <message><source>An input to which nothing is connected does that, too.</source>
+        <translation>Une entrée à laquelle rien n'est raccordé fait cela aussi.</translation></message>
+    <message><source>Either nothing is connected to it (its voltage then means nothing), or what is connected was not moved.</source>
+        <translation>Soit rien n'y est raccordé (sa tension ne signifie alors rien), soit ce qui y est raccordé n'a pas été bougé.</translation></message>
+    <message><source>At least {1} are needed: the deadband, and a count for each of the {2} speeds.</source>
+        <translation>Il faut au moins {1} : la zone morte, et un count pour chacune des {2} vitesses.</translation></message>
+    <message><source>Push it the other way too; if it cannot go there, it was at an end during sampling.</source>
+        <translation>Poussez le manche aussi dans l'autre sens ; s'il ne peut pas y aller, il était à une extrémité pendant la mesure.</translation></message>
+    <message><source>It may be further out: go back, push it there and hold it for {0:.1f} s.</source>
+        <translation>Elle est peut-être plus loin : revenez en arrière, poussez-y le manche et maintenez-le {0:.1f} s.</translation></message>
+    <message><source>Should it be reversed, or not?</source>
+        <translation>Faut-il l'inverser, ou non ?</translation></message>
+    <message><source>No signal: no valid pulse arrives.</source>
+        <translation>Pas de signal : aucune impulsion valide n'arrive.</translation></message>
+    <message><source>Is the transmitter on, and is the receiver connected to this channel?</source>
+        <translation>L'émetteur est-il allumé, et le récepteur est-il raccordé à cette voie ?</translation></message>
+    <message><source>No signal.</source>
+        <translation>Pas de signal.</translation></message>
+    <message><source>It drifted up by {0} during sampling.</source>
+        <translation>La valeur a dérivé de {0} vers le haut pendant la mesure.</translation></message>
+    <message><source>It drifted down by {0} during sampling.</source>
+        <translation>La valeur a dérivé de {0} vers le bas pendant la mesure.</translation></message>
+    <message><source>The signal comes and goes: {0:.0%} of the samples had no valid pulse.</source>
+        <translation>Le signal va et vient : {0:.0%} des échantillons n'avaient pas d'impulsion valide.</translation></message>
+    <message><source>Pulses far from all others: {0} of {1}.</source>
+        <translation>Impulsions très éloignées de toutes les autres : {0} sur {1}.</translation></message>
+    <message><source>The radio link is poor, or the cable picks up noise.</source>
+        <translation>La liaison radio est mauvaise, ou le câble capte des parasites.</translation></message>
+    <message><source>About {0:.0%} of the pulses are lost (estimated: the value often repeats where it otherwise varies).</source>
+        <translation>Environ {0:.0%} des impulsions sont perdues (estimation : la valeur se répète souvent là où elle varie d'habitude).</translation></message>
+    <message><source>The board repeats the last value, so that losses below a third, or of a steadier signal, go unnoticed.</source>
+        <translation>La carte répète la dernière valeur ; des pertes inférieures à un tiers, ou d'un signal plus stable, passent donc inaperçues.</translation></message>
+    <message><source>At rest the noise is {0}, more than the deadband ({1}): the motor would creep.</source>
+        <translation>Au repos, le bruit est de {0}, plus que la zone morte ({1}) : le moteur tournerait lentement tout seul.</translation></message>
+    <message><source>It never moved, although a steady signal arrives.</source>
+        <translation>La valeur n'a jamais bougé, bien qu'un signal stable arrive.</translation></message>
+    <message><source>Either another stick controls this channel, or it was not moved.</source>
+        <translation>Soit un autre manche commande cette voie, soit le sien n'a pas été bougé.</translation></message>
+    <message><source>Nothing moves on this input: it stays at {0}.</source>
+        <translation>Rien ne bouge sur cette entrée : elle reste à {0}.</translation></message>
+    <message><source>Nothing moves on this input: it stays at {0}, an end of the measuring range.</source>
+        <translation>Rien ne bouge sur cette entrée : elle reste à {0}, une extrémité de la plage de mesure.</translation></message>
+    <message><source>It went only {0} from its rest position.</source>
+        <translation>La valeur ne s'est éloignée que de {0} de sa position de repos.</translation></message>
+    <message><source>It went one way only, never below its rest position.</source>
+        <translation>La valeur n'est allée que dans un sens, jamais en dessous de sa position de repos.</translation></message>
+    <message><source>It went one way only, never above its rest position.</source>
+        <translation>La valeur n'est allée que dans un sens, jamais au-dessus de sa position de repos.</translation></message>
+    <message><source>The low end is only {0} from the rest position.</source>
+        <translation>L'extrémité basse n'est qu'à {0} de la position de repos.</translation></message>
+    <message><source>The high end is only {0} from the rest position.</source>
+        <translation>L'extrémité haute n'est qu'à {0} de la position de repos.</translation></message>
+    <message><source>The low end was only passed, not held.</source>
+        <translation>L'extrémité basse n'a été atteinte qu'en passant, sans maintien.</translation></message>
+    <message><source>The high end was only passed, not held.</source>
+        <translation>L'extrémité haute n'a été atteinte qu'en passant, sans maintien.</translation></message>
+    <message><source>Both ends were only passed, not held.</source>
+        <translation>Les deux extrémités n'ont été atteintes qu'en passant, sans maintien.</translation></message>
+    <message><source>They may be further out: go back, push it to each and hold it for {0:.1f} s.</source>
+        <translation>Elles sont peut-être plus loin : revenez en arrière, poussez le manche vers chacune et maintenez-l'y {0:.1f} s.</translation></message>
+    <message><source>Its rest position ({0}) is not between its ends ({1} and {2}).</source>
+        <translation>Sa position de repos ({0}) n'est pas entre ses extrémités ({1} et {2}).</translation></message>
+    <message><source>Was a trim moved? Begin again with the sticks at rest.</source>
+        <translation>Un trim a-t-il été bougé ? Recommencez avec les manches au repos.</translation></message>
+    <message><source>It went {0} to one side, but only {1} below its rest position.</source>
+        <translation>La valeur est allée à {0} d'un côté, mais seulement à {1} en dessous de sa position de repos.</translation></message>
+    <message><source>Was it pushed all the way?</source>
+        <translation>Le manche a-t-il été poussé jusqu'au bout ?</translation></message>
+    <message><source>It went {0} to one side, but only {1} above its rest position.</source>
+        <translation>La valeur est allée à {0} d'un côté, mais seulement à {1} au-dessus de sa position de repos.</translation></message>
+    <message><source>The board would reject the measured values: {0}.</source>
+        <translation>La carte rejetterait les valeurs mesurées : {0}.</translation></message>
+    <message><source>The board would reject these values: {0}.</source>
+        <translation>La carte rejetterait ces valeurs : {0}.</translation></message>
+    <message><source>It rests at {0}: with this neutral it would give {1} there.</source>
+        <translation>Au repos, la voie est à {0} : avec ce neutre, elle donnerait {1} à cet endroit.</translation></message>
+    <message><source>After release it rests at {0}, not at {1}, and would give {2} there.</source>
+        <translation>Une fois relâchée, la voie reste à {0}, et non à {1}, et donnerait {2} à cet endroit.</translation></message>
+    <message><source>Was a hand on it during sampling, or was a trim moved?</source>
+        <translation>Une main y était-elle posée pendant la mesure, ou un trim a-t-il été bougé ?</translation></message>
+    <message><source>Go back and sample it again, or use the new rest position.</source>
+        <translation>Revenez en arrière et refaites la mesure, ou utilisez la nouvelle position de repos.</translation></message>
+    <message><source>The deadband ({0} to each side of neutral) reaches minimum: there is nothing between 0 and full output.</source>
+        <translation>La zone morte ({0} de chaque côté du neutre) atteint le minimum : il n'y a rien entre 0 et la sortie maximale.</translation></message>
+    <message><source>The deadband ({0} to each side of neutral) reaches maximum: there is nothing between 0 and full output.</source>
+        <translation>La zone morte ({0} de chaque côté du neutre) atteint le maximum : il n'y a rien entre 0 et la sortie maximale.</translation></message>
+    <message><source>Maximum is beyond the {0} that was reached: there is no full output.</source>
+        <translation>Le maximum est au-delà de la valeur atteinte ({0}) : il n'y a pas de sortie maximale.</translation></message>
+    <message><source>Minimum is beyond the {0} that was reached: there is no full output.</source>
+        <translation>Le minimum est au-delà de la valeur atteinte ({0}) : il n'y a pas de sortie maximale.</translation></message>
+    <message><source>Beyond its rest position the motor speeds up again, whatever the sign: at {0} to {1} of {2}.</source>
+        <translation>Au-delà de la position de repos, le moteur accélère de nouveau, quel que soit le signe : à {0}, jusqu'à {1} sur {2}.</translation></message>
+    <message><source>Check that no trim and no broken wire can bring it there.</source>
+        <translation>Vérifiez qu'aucun trim ni aucun fil coupé ne peut l'y amener.</translation></message>
+    <message><source>Its rest position ({0}) is too close to its switching point ({1}).</source>
+        <translation>Sa position de repos ({0}) est trop proche de son point de basculement ({1}).</translation></message>
+    <message><source>It may switch by itself.</source>
+        <translation>Elle peut basculer d'elle-même.</translation></message>
+    <message><source>It is active in all its positions: none is beyond {0}, where it switches.</source>
+        <translation>Elle est active dans toutes ses positions : aucune n'est au-delà de {0}, où elle bascule.</translation></message>
+    <message><source>It is inactive in all its positions: none is beyond {0}, where it switches.</source>
+        <translation>Elle est inactive dans toutes ses positions : aucune n'est au-delà de {0}, où elle bascule.</translation></message>
+    <message><source>Full output not reached yet: forward (+127) and reverse (−127).</source>
+        <translation>Sortie maximale pas encore atteinte : avant (+127) et arrière (−127).</translation></message>
+    <message><source>In {0} mode safe-start would release the motors now.</source>
+        <translation>En mode {0}, le démarrage sécurisé libérerait les moteurs maintenant.</translation></message>
+    <message><source>Ignored: the board holds it at neutral. There is nothing to test.</source>
+        <translation>Ignorée : la carte la maintient au neutre. Il n'y a rien à tester.</translation></message>
+    <message><source>Good.</source>
+        <translation>C'est bon.</translation></message>
+    <message><source>Only on was seen. Move the switch to its other position.</source>
+        <translation>Seule la position active a été vue. Mettez l'interrupteur dans son autre position.</translation></message>
+    <message><source>Full output not reached yet. Push it all the way.</source>
+        <translation>Sortie maximale pas encore atteinte. Poussez jusqu'au bout.</translation></message>
+    <message><source>Full output reached. Let it rest for a moment.</source>
+        <translation>Sortie maximale atteinte. Laissez au repos un instant.</translation></message>
+    <message><source>Full output not reached yet: reverse (−127).</source>
+        <translation>Sortie maximale pas encore atteinte : arrière (−127).</translation></message>
+    <message><source>Full output not reached yet: forward (+127).</source>
+        <translation>Sortie maximale pas encore atteinte : avant (+127).</translation></message>
+    <message><source>In {0} mode safe-start would hold the motors now. {1}</source>
+        <translation>En mode {0}, le démarrage sécurisé bloquerait les moteurs maintenant. {1}</translation></message>
+    <message><source>Move the switch to all its positions.</source>
+        <translation>Mettez l'interrupteur dans toutes ses positions.</translation></message>
+    <message><source>Only off was seen. Move the switch to its other position.</source>
+        <translation>Seule la position inactive a été vue. Mettez l'interrupteur dans son autre position.</translation></message>
+    <message><source>Full output reached. Release it: at rest the output must be 0, but it is {0}.</source>
+        <translation>Sortie maximale atteinte. Relâchez : au repos, la sortie doit être 0, mais elle est {0}.</translation></message>
+    <message><source>auxiliary {0}</source>
+        <translation>auxiliaire {0}</translation></message>
+    <message><source>motor {0} brake</source>
+        <translation>moteur {0} freinage</translation></message>
+    <message><source>motor {0} {1:+d}</source>
+        <translation>moteur {0} {1:+d}</translation></message>
+    <message><source>Hexadecimal, such as 9F 07</source>
+        <translation>Hexadécimal, par exemple 9F 07</translation></message>
+    <message><source>Connect a board to send this.</source>
+        <translation>Connectez une carte pour envoyer ceci.</translation></message>
+    <message><source>Settings are being written; wait until they are.</source>
+        <translation>Des réglages sont en cours d'écriture ; attendez qu'ils soient écrits.</translation></message>
+    <message><source>Choose Run motor first.</source>
+        <translation>Choisissez d'abord « Activer les moteurs ».</translation></message>
+    <message><source>A stop would not reach that board: address device {0}.</source>
+        <translation>Un arrêt n'atteindrait pas cette carte : adressez l'appareil {0}.</translation></message>
+    <message numerus="yes"><source>and %n more packet(s)</source>
+        <translation><numerusform>et encore %n paquet</numerusform><numerusform>et encore %n paquets</numerusform></translation></message>
+    <message><source>Every board on this line would store it: address {0}.</source>
+        <translation>Toutes les cartes de cette liaison l'enregistreraient : adressez {0}.</translation></message>
+    <message><source>Every board on this line would store it: select one of them.</source>
+        <translation>Toutes les cartes de cette liaison l'enregistreraient : sélectionnez l'une d'elles.</translation></message>
+    <message><source>Sent {0}; the reply is {1}.</source>
+        <translation>{0} envoyé ; la réponse est {1}.</translation></message>
+    <message><source>Sent {0}; there was no reply.</source>
+        <translation>{0} envoyé ; il n'y a pas eu de réponse.</translation></message>
+    <message><source>{0} (may move a motor)</source>
+        <translation>{0} (peut faire tourner un moteur)</translation></message>
+    <message><source>{0} (stored at once, without a snapshot)</source>
+        <translation>{0} (enregistré aussitôt, sans instantané)</translation></message>
+    <message><source>Sent by hand: {0}</source>
+        <translation>Envoyé à la main : {0}</translation></message>
+    <message><source>Parameter</source>
+        <translation>Paramètre</translation></message>
+    <message><source>Pinned</source>
+        <translation>Épinglés</translation></message>
+    <message><source>Motors and speed ramp</source>
+        <translation>Moteurs et rampe de vitesse</translation></message>
+    <message><source>Braking</source>
+        <translation>Freinage</translation></message>
+    <message><source>Current</source>
+        <translation>Courant</translation></message>
+    <message><source>PWM</source>
+        <translation>PWM</translation></message>
+    <message><source>Inputs</source>
+        <translation>Entrées</translation></message>
+    <message><source>Serial</source>
+        <translation>Liaison série</translation></message>
+    <message><source>System</source>
+        <translation>Système</translation></message>
+    <message><source>{0} ({1} modified)</source>
+        <translation>{0} ({1} modifiés)</translation></message>
+    <message><source>{0} {1}</source>
+        <translation>{0} {1}</translation></message>
+    <message><source>Motors 1 and 2 {0}</source>
+        <translation>Moteurs 1 et 2 : {0}</translation></message>
+    <message><source>How often in a second the PWM of the motor switches. Low frequencies whine and heat the motor, frequencies above the driver's rating heat the driver. Type any number or use the arrow keys: prescaler and maximum are set to the nearest frequency there is.</source>
+        <translation>Nombre de commutations par seconde du PWM du moteur. Une fréquence basse fait siffler et chauffer le moteur, une fréquence supérieure à la valeur nominale du driver fait chauffer celui-ci. Tapez un nombre quelconque ou utilisez les flèches : le prédiviseur et le maximum sont réglés sur la fréquence possible la plus proche.</translation></message>
+    <message><source>This firmware has stored beyond that: wire value {0}.</source>
+        <translation>Ce firmware a enregistré au-delà : valeur brute {0}.</translation></message>
+    <message><source>The vendor's documents or staff confirm range and default.</source>
+        <translation>Les documents ou le personnel du fabricant confirment la plage et la valeur par défaut.</translation></message>
+    <message><source>The range is confirmed by the vendor; the default is inferred.</source>
+        <translation>La plage est confirmée par le fabricant ; la valeur par défaut est déduite.</translation></message>
+    <message><source>The default is confirmed by the vendor; the range is inferred.</source>
+        <translation>La valeur par défaut est confirmée par le fabricant ; la plage est déduite.</translation></message>
+    <message><source>Range and default are inferred.</source>
+        <translation>La plage et la valeur par défaut sont déduites.</translation></message>
+    <message><source>PWM Frequency</source>
+        <translation>Fréquence PWM</translation></message>
+    <message><source>{0} to {1}</source>
+        <translation>{0} à {1}</translation></message>
+    <message><source>{0} s to full speed</source>
+        <translation>{0} s jusqu'à la pleine vitesse</translation></message>
+    <message><source>{0} to {1} s to full speed, or {2}</source>
+        <translation>{0} à {1} s jusqu'à la pleine vitesse, ou {2}</translation></message>
+    <message><source>{0} PWM Frequency</source>
+        <translation>{0} : fréquence PWM</translation></message>
+    <message><source>not given</source>
+        <translation>non indiqué</translation></message>
+    <message><source>not read</source>
+        <translation>non lu</translation></message>
+    <message><source>Takes effect when the board is switched off and on.</source>
+        <translation>Prend effet quand l'alimentation de la carte est coupée puis remise.</translation></message>
+    <message><source>User's guide of the board</source>
+        <translation>Guide d'utilisation de la carte</translation></message>
+    <message><source>The meaning of the wire values is inferred, too.</source>
+        <translation>La signification des valeurs brutes est déduite, elle aussi.</translation></message>
+    <message><source>The vendor's parameter document was not available. The board rejects any value that it does not support.</source>
+        <translation>Le document du fabricant sur les paramètres n'était pas disponible. La carte rejette toute valeur qu'elle ne prend pas en charge.</translation></message>
+    <message><source>{0} differs: {1}.</source>
+        <translation>{0} diffère : {1}.</translation></message>
+    <message><source>Reset to default: {0}</source>
+        <translation>Réinitialiser à la valeur par défaut : {0}</translation></message>
+    <message><source>Stored: {0}.</source>
+        <translation>Enregistré : {0}.</translation></message>
+    <message><source>nothing</source>
+        <translation>rien</translation></message>
+    <message><source>{0:.0f} Hz</source>
+        <translation>{0:.0f} Hz</translation></message>
+    <message><source>prescaler {0}, maximum {1}</source>
+        <translation>prédiviseur {0}, maximum {1}</translation></message>
+    <message><source>Range: {0}.</source>
+        <translation>Plage : {0}.</translation></message>
+    <message><source>Default: {0}.</source>
+        <translation>Valeur par défaut : {0}.</translation></message>
+    <message><source>User's guide, section {0}</source>
+        <translation>Guide d'utilisation, section {0}</translation></message>
+    <message><source>{0} (wire value {1} to {2})</source>
+        <translation>{0} (valeur brute {1} à {2})</translation></message>
+    <message><source>Wire value: {0}.</source>
+        <translation>Valeur brute : {0}.</translation></message>
+    <message><source>Still active: {0}.</source>
+        <translation>Encore actif : {0}.</translation></message>
+    <message><source>Recording {0} ended: the board or its input source has changed.</source>
+        <translation>L'enregistrement {0} s'est terminé : la carte ou sa source des entrées a changé.</translation></message>
+    <message><source>What the board accepted was not remembered. {0}</source>
+        <translation>Ce que la carte a accepté n'a pas été mémorisé. {0}</translation></message>
+    <message><source>Nothing was written because no snapshot could be saved first. {0}</source>
+        <translation>Rien n'a été écrit, car aucun instantané n'a pu être enregistré au préalable. {0}</translation></message>
+    <message numerus="yes"><source>Apply of %n setting(s)</source>
+        <translation><numerusform>Application de %n réglage</numerusform><numerusform>Application de %n réglages</numerusform></translation></message>
+    <message><source>Nothing more was written. {0}</source>
+        <translation>Rien d'autre n'a été écrit. {0}</translation></message>
+    <message><source>What was applied to this board cannot be remembered. {0}</source>
+        <translation>Ce qui a été appliqué à cette carte ne peut pas être mémorisé. {0}</translation></message>
+    <message><source>What is kept here for this {0} (notes, calibrations, applied settings) is of {1}, when it was at another USB adapter or socket. If this is another board, give it a device number of its own: boards with the same number share what is kept.</source>
+        <translation>Ce qui est conservé ici pour ce {0} (notes, étalonnages, réglages appliqués) date de {1}, quand il était sur un autre adaptateur USB ou une autre prise. S'il s'agit d'une autre carte, donnez-lui son propre numéro d'appareil : les cartes de même numéro partagent ce qui est conservé.</translation></message>
+    <message><source>Setting</source>
+        <translation>Réglage</translation></message>
+    <message><source>Wire</source>
+        <translation>Valeur brute</translation></message>
+    <message><source>Result</source>
+        <translation>Résultat</translation></message>
+    <message><source>stored</source>
+        <translation>enregistré</translation></message>
+    <message><source>Note: {0}</source>
+        <translation>Note : {0}</translation></message>
+    <message><source>{0} is left out: it could not be read from the board.</source>
+        <translation>{0} est omis : impossible de le lire dans la carte.</translation></message>
+    <message><source>The {0} calibrations are left out: the board accepts them only while it reads its inputs as {0}.</source>
+        <translation>Les étalonnages {0} sont omis : la carte ne les accepte que si elle lit ses entrées en {0}.</translation></message>
+    <message><source>These settings are for a {0}, not a {1}</source>
+        <translation>Ces réglages sont pour un {0}, pas pour un {1}</translation></message>
+    <message><source>There are no settings to compare with</source>
+        <translation>Il n'y a pas de réglages auxquels comparer</translation></message>
+    <message><source>Discard edits</source>
+        <translation>Abandonner les modifications</translation></message>
+    <message><source>Unapplied edits cannot be saved for the next start. {0}</source>
+        <translation>Les modifications non appliquées ne peuvent pas être enregistrées pour le prochain démarrage. {0}</translation></message>
+    <message><source>Restore edits</source>
+        <translation>Restaurer les modifications</translation></message>
+    <message><source>Edits of this board</source>
+        <translation>Modifications de cette carte</translation></message>
+    <message><source>Note on {0}</source>
+        <translation>Note sur {0}</translation></message>
+    <message><source>This snapshot is damaged and cannot be restored. {0}</source>
+        <translation>Cet instantané est endommagé et ne peut pas être restauré. {0}</translation></message>
+    <message><source>damaged</source>
+        <translation>endommagé</translation></message>
+    <message numerus="yes"><source>And %n more problem(s).</source>
+        <translation><numerusform>Et %n autre problème.</numerusform><numerusform>Et %n autres problèmes.</numerusform></translation></message>
+    <message><source>When the settings of the board were saved</source>
+        <translation>Quand les réglages de la carte ont été enregistrés</translation></message>
+    <message><source>Before</source>
+        <translation>Avant</translation></message>
+    <message><source>The operation that followed</source>
+        <translation>L'opération qui a suivi</translation></message>
+    <message><source>Board</source>
+        <translation>Carte</translation></message>
+    <message><source>Model and firmware</source>
+        <translation>Modèle et firmware</translation></message>
+    <message><source>No.</source>
+        <translation>N°</translation></message>
+    <message><source>Device number</source>
+        <translation>Numéro d'appareil</translation></message>
+    <message><source>Adapter</source>
+        <translation>Adaptateur</translation></message>
+    <message><source>The port that the board was connected to</source>
+        <translation>Le port auquel la carte était connectée</translation></message>
+    <message><source>today {0}</source>
+        <translation>aujourd'hui {0}</translation></message>
+    <message><source>yesterday {0}</source>
+        <translation>hier {0}</translation></message>
+    <message><source>The board is in {0} mode, so the sticks control the motors and not this program. Skip this step, or switch the board off, remove the mode jumper and switch it on.</source>
+        <translation>La carte est en mode {0} : ce sont les manches qui commandent les moteurs, et non ce programme. Passez cette étape, ou coupez l'alimentation de la carte, retirez le cavalier de mode et remettez l'alimentation.</translation></message>
+    <message><source>Joint mode: both outputs drive one motor, so there is nothing to find.</source>
+        <translation>Mode jumelé : les deux sorties alimentent un seul moteur, il n'y a donc rien à identifier.</translation></message>
+    <message><source>Lift the robot so that its wheels turn freely, then confirm that here.</source>
+        <translation>Soulevez le robot pour que ses roues tournent librement, puis confirmez-le ici.</translation></message>
+    <message><source>The wheels may touch the ground.</source>
+        <translation>Les roues touchent peut-être le sol.</translation></message>
+    <message><source>No board is connected, so nothing can be changed.</source>
+        <translation>Aucune carte n'est connectée, rien ne peut donc être modifié.</translation></message>
+    <message><source>The board is in {0} mode and rejects settings: go back to the jumpers, or skip.</source>
+        <translation>La carte est en mode {0} et rejette les réglages : revenez aux cavaliers, ou passez cette étape.</translation></message>
+    <message><source>The assistant was closed.</source>
+        <translation>L'assistant a été fermé.</translation></message>
+    <message><source>Another step of the assistant was opened.</source>
+        <translation>Une autre étape de l'assistant a été ouverte.</translation></message>
+    <message><source>Set up my robot</source>
+        <translation>Configurer mon robot</translation></message>
+    <message><source>Speed setpoint {0}</source>
+        <translation>Consigne de vitesse {0}</translation></message>
+    <message><source>Channel {0}</source>
+        <translation>Voie {0}</translation></message>
+    <message><source>{0} channel {1}</source>
+        <translation>voie {1} ({0})</translation></message>
+    <message><source>minimum {0} is above neutral {1}</source>
+        <translation>le minimum {0} est au-dessus du neutre {1}</translation></message>
+    <message><source>neutral {0} is above maximum {1}</source>
+        <translation>le neutre {0} est au-dessus du maximum {1}</translation></message>
+    <message><source>minimum and maximum are both {0}; they must differ</source>
+        <translation>le minimum et le maximum valent tous deux {0} ; ils doivent être différents</translation></message>
+    <message><source>a calibration value is 0 to {0}, not {1}</source>
+        <translation>une valeur d'étalonnage va de 0 à {0}, et non {1}</translation></message>
+    <message><source>{0} is {1}; a calibration value is 0 to {2}</source>
+        <translation>{0} vaut {1} ; une valeur d'étalonnage va de 0 à {2}</translation></message>
+    <message><source>calibration: {0}</source>
+        <translation>étalonnage : {0}</translation></message>
+    <message><source>parameter number</source>
+        <translation>numéro de paramètre</translation></message>
+    <message><source>parameter value</source>
+        <translation>valeur de paramètre</translation></message>
+    <message><source>the request came back instead of a status</source>
+        <translation>la requête est revenue à la place d'un état</translation></message>
+    <message><source>motors are numbered 1 and 2, not {0}</source>
+        <translation>les moteurs portent les numéros 1 et 2, et non {0}</translation></message>
+    <message><source>{0} is not the signature of a TReX</source>
+        <translation>{0} n'est pas la signature d'un TReX</translation></message>
+    <message><source>a write ends in 55 2A, not {0}</source>
+        <translation>une écriture se termine par 55 2A, et non {0}</translation></message>
+    <message><source>speed of the auxiliary motor</source>
+        <translation>vitesse du moteur auxiliaire</translation></message>
+    <message><source>channels are numbered 1 to 5, not {0}</source>
+        <translation>les voies sont numérotées de 1 à 5, et non {0}</translation></message>
+    <message><source>0 or 1 says who controls the motors, not {0}</source>
+        <translation>0 ou 1 indique qui commande les moteurs, et non {0}</translation></message>
+    <message><source>a channel mask is 0 to {0}, not {1}</source>
+        <translation>un masque de voies va de 0 à {0}, et non {1}</translation></message>
+    <message><source>{0:#04x} names channels that a TReX does not have</source>
+        <translation>{0:#04x} désigne des voies qu'un TReX n'a pas</translation></message>
+    <message><source>a parameter is 0 to 127, not {0}</source>
+        <translation>un paramètre va de 0 à 127, et non {0}</translation></message>
+    <message><source>{0} is not a TReX result code (0 to 3)</source>
+        <translation>{0} n'est pas un code de résultat du TReX (0 à 3)</translation></message>
+    <message><source>{0:#04x} is not a TReX mode (R, A, r or a)</source>
+        <translation>{0:#04x} n'est pas un mode du TReX (R, A, r ou a)</translation></message>
+    <message><source>{0!r} are no settings of a board</source>
+        <translation>{0!r} ne correspond pas aux réglages d'une carte</translation></message>
+    <message><source>The stop was sent, but the channels control the motors: it takes effect only when channel 5 gives control to serial commands. Release the sticks, or cut the power.</source>
+        <translation>L'ordre d'arrêt a été envoyé, mais les voies commandent les moteurs : il n'agit que lorsque la voie 5 donne la main aux commandes série. Relâchez les manches ou coupez l'alimentation.</translation></message>
+    <message><source>minimum</source>
+        <translation>minimum</translation></message>
+    <message><source>neutral</source>
+        <translation>neutre</translation></message>
+    <message><source>maximum</source>
+        <translation>maximum</translation></message>
+    <message><source>deadband</source>
+        <translation>zone morte</translation></message>
+    <message><source>get signature</source>
+        <translation>lire la signature</translation></message>
+    <message><source>get mode</source>
+        <translation>lire le mode</translation></message>
+    <message><source>get whether serial controls the motors</source>
+        <translation>lire si la liaison série commande les moteurs</translation></message>
+    <message><source>get status bits, and clear them</source>
+        <translation>lire les bits d'état et les effacer</translation></message>
+    <message><source>get UART error bits, and clear them</source>
+        <translation>lire les bits d'erreur UART et les effacer</translation></message>
+    <message><source>get currents of both motors</source>
+        <translation>lire les courants des deux moteurs</translation></message>
+    <message><source>get which calibrations differ from the default</source>
+        <translation>lire quels étalonnages diffèrent de la valeur par défaut</translation></message>
+    <message><source>null command: nothing</source>
+        <translation>commande vide : rien</translation></message>
+    <message><source>RC mode</source>
+        <translation>mode RC</translation></message>
+    <message><source>analog mode</source>
+        <translation>mode analogique</translation></message>
+    <message><source>serial mode, RC inputs</source>
+        <translation>mode série, entrées RC</translation></message>
+    <message><source>serial mode, analog inputs</source>
+        <translation>mode série, entrées analogiques</translation></message>
+    <message><source>rejected: no such parameter (code 1)</source>
+        <translation>rejeté : paramètre inexistant (code 1)</translation></message>
+    <message><source>rejected: this value is not allowed (code 2)</source>
+        <translation>rejeté : valeur non autorisée (code 2)</translation></message>
+    <message><source>rejected: not in serial mode (code 3)</source>
+        <translation>rejeté : pas en mode série (code 3)</translation></message>
+    <message><source>RC mode: a radio receiver drives the motors.</source>
+        <translation>Mode RC : un récepteur radio commande les moteurs.</translation></message>
+    <message><source>Analog mode: voltages (joysticks, potentiometers) drive the motors.</source>
+        <translation>Mode analogique : des tensions (joysticks, potentiomètres) commandent les moteurs.</translation></message>
+    <message><source>Serial mode, with inputs read as RC pulses.</source>
+        <translation>Mode série, entrées lues comme impulsions RC.</translation></message>
+    <message><source>Serial mode, with inputs read as voltages.</source>
+        <translation>Mode série, entrées lues comme tensions.</translation></message>
+    <message><source>motor 1 (mixed: turn)</source>
+        <translation>moteur 1 (avec mixage : rotation)</translation></message>
+    <message><source>motor 2 (mixed: forward)</source>
+        <translation>moteur 2 (avec mixage : avance)</translation></message>
+    <message><source>auxiliary motor</source>
+        <translation>moteur auxiliaire</translation></message>
+    <message><source>flip switch</source>
+        <translation>interrupteur de retournement</translation></message>
+    <message><source>serial override switch</source>
+        <translation>interrupteur de priorité série</translation></message>
+    <message><source>no signal</source>
+        <translation>pas de signal</translation></message>
+    <message><source> Joint mode: both drivers work together as motor 1, motor 2 is ignored.</source>
+        <translation> Mode jumelé : les deux drivers travaillent ensemble comme moteur 1, le moteur 2 est ignoré.</translation></message>
+    <message><source>analog</source>
+        <translation>analogique</translation></message>
+    <message><source>channel {0}</source>
+        <translation>voie {0}</translation></message>
+    <message><source>channels {0}</source>
+        <translation>voies {0}</translation></message>
+    <message><source>accelerate</source>
+        <translation>accélérer</translation></message>
+    <message><source>set</source>
+        <translation>régler immédiatement</translation></message>
+    <message><source>no TReX</source>
+        <translation>aucun TReX</translation></message>
+    <message><source>Serial commands control the motors (serial mode).</source>
+        <translation>Les commandes série commandent les moteurs (mode série).</translation></message>
+    <message><source>Serial commands control the motors: channel 5 overrides the other inputs.</source>
+        <translation>Les commandes série commandent les moteurs : la voie 5 leur donne la priorité sur les autres entrées.</translation></message>
+    <message><source>motor {0}: {1:.2f} A</source>
+        <translation>moteur {0} : {1:.2f} A</translation></message>
+    <message><source>all channels</source>
+        <translation>toutes les voies</translation></message>
+    <message><source>no channel</source>
+        <translation>aucune voie</translation></message>
+    <message><source>coast</source>
+        <translation>roue libre</translation></message>
+    <message><source>yes</source>
+        <translation>oui</translation></message>
+    <message><source>no</source>
+        <translation>non</translation></message>
+    <message><source>The {0} channels control the motors. Serial commands take effect only when channel 5 gives control to them; for serial mode, switch the board off, remove the mode jumper and switch it on.</source>
+        <translation>Les voies ({0}) commandent les moteurs. Les commandes série n'agissent que lorsque la voie 5 leur donne la main ; pour le mode série, coupez l'alimentation de la carte, retirez le cavalier de mode et remettez l'alimentation.</translation></message>
+    <message><source>motor {0}: {1} counts</source>
+        <translation>moteur {0} : {1} counts</translation></message>
+    <message><source>no {0}</source>
+        <translation>aucun {0}</translation></message>
+    <message><source>parameter {0:#04x}, which {1} has</source>
+        <translation>paramètre {0:#04x}, qu'{1} ne possède</translation></message>
+    <message><source>get raw inputs of {0}</source>
+        <translation>lire les entrées brutes : {0}</translation></message>
+    <message><source>get remapped inputs of {0}</source>
+        <translation>lire les entrées converties : {0}</translation></message>
+    <message><source>get current of motor {0}</source>
+        <translation>lire le courant du moteur {0}</translation></message>
+    <message><source>get calibration of channel {0}</source>
+        <translation>lire l'étalonnage de la voie {0}</translation></message>
+    <message><source>set calibration of channel {0}: {1}</source>
+        <translation>régler l'étalonnage de la voie {0} : {1}</translation></message>
+    <message><source>get {0}</source>
+        <translation>lire {0}</translation></message>
+    <message><source>set {0} to {1}</source>
+        <translation>régler {0} à {1}</translation></message>
+    <message><source>{0} motor {1} to {2}</source>
+        <translation>{0} le moteur {1} : {2}</translation></message>
+    <message><source>{0} motor 1 to {1}, motor 2 to {2}</source>
+        <translation>{0} le moteur 1 : {1}, le moteur 2 : {2}</translation></message>
+    <message><source>{0} auxiliary motor to {1}</source>
+        <translation>{0} le moteur auxiliaire : {1}</translation></message>
+    <message><source>brake with {0}</source>
+        <translation>freiner à {0}</translation></message>
+    <message><source>the models are {0}, not {1!r}</source>
+        <translation>les modèles sont {0}, et non {1!r}</translation></message>
+    <message><source>PWM prescaler is 0 to {0}, not {1}</source>
+        <translation>le prédiviseur PWM va de 0 à {0}, et non {1}</translation></message>
+    <message><source>brake duty</source>
+        <translation>taux de freinage</translation></message>
+    <message><source>a motor's speed is -127 to 127, not {0}</source>
+        <translation>la vitesse d'un moteur va de -127 à 127, et non {0}</translation></message>
+    <message><source>No TReX responds on {0}. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that ground is connected, and that the board's serial settings are these. If both LEDs blink together, the board is in learning mode: remove the SO–G jumper, then switch it off and on.</source>
+        <translation>Aucun TReX ne répond sur {0}. Vérifiez que la carte est alimentée (une LED est allumée), que TX de l'adaptateur va à SI et son RX à SO (ou aux deux broches RS-232, sans jamais mélanger), que la masse est reliée et que les réglages série de la carte sont bien ceux-ci. Si les deux LED clignotent ensemble, la carte est en mode apprentissage : retirez le cavalier SO–G, puis coupez et remettez l'alimentation.</translation></message>
+    <message><source>No TReX responds on {0}. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that ground is connected, and that the board's serial settings are these, its device number is {1}. If both LEDs blink together, the board is in learning mode: remove the SO–G jumper, then switch it off and on.</source>
+        <translation>Aucun TReX ne répond sur {0}. Vérifiez que la carte est alimentée (une LED est allumée), que TX de l'adaptateur va à SI et son RX à SO (ou aux deux broches RS-232, sans jamais mélanger), que la masse est reliée, que les réglages série de la carte sont bien ceux-ci et que son numéro d'appareil est {1}. Si les deux LED clignotent ensemble, la carte est en mode apprentissage : retirez le cavalier SO–G, puis coupez et remettez l'alimentation.</translation></message>
+    <message><source>Everything sent on {0} comes back, and nothing else. Either this is the RS-232 side of a board that is off or set to another baud rate, or the adapter's TX and RX are joined.</source>
+        <translation>Tout ce qui est envoyé sur {0} revient, et rien d'autre. Soit il s'agit du côté RS-232 d'une carte hors tension ou réglée sur un autre débit, soit TX et RX de l'adaptateur sont reliés entre eux.</translation></message>
+    <message><source>Something responds on {0}, but not like a TReX. {1} Usually the baud rate, parity or CRC differs from the board's setting, or another device is connected.</source>
+        <translation>Quelque chose répond sur {0}, mais pas comme un TReX. {1} En général, le débit, la parité ou le CRC diffère du réglage de la carte, ou un autre appareil est connecté.</translation></message>
+    <message><source>The TReX on {0} is in its boot loader, waiting for new firmware. Check that the mix and SO–G jumpers are off, then switch the board off and on and connect again. Its serial settings may be those of the factory now: 19200 baud, no parity, no CRC.</source>
+        <translation>Le TReX sur {0} est dans son chargeur d'amorçage et attend un nouveau firmware. Vérifiez que les cavaliers Mix et SO–G sont retirés, puis coupez et remettez l'alimentation de la carte et connectez-vous à nouveau. Ses réglages série sont peut-être maintenant ceux d'usine : 19200 bauds, sans parité, sans CRC.</translation></message>
+    <message><source>The device on {0} responds like a Pololu qik, not like a TReX. This program does not support it: choose the port of the TReX, or connect the adapter to the TReX.</source>
+        <translation>L'appareil sur {0} répond comme un qik de Pololu, pas comme un TReX. Ce programme ne le prend pas en charge : choisissez le port du TReX, ou branchez l'adaptateur sur le TReX.</translation></message>
+    <message><source>Several boards reply at once on {0} at {1}. Find asks for each device number; of boards that share one, switch off all but one and give it a number of its own.</source>
+        <translation>Plusieurs cartes répondent en même temps sur {0} à {1}. « Rechercher… » interroge chaque numéro d'appareil ; si plusieurs cartes partagent le même, coupez l'alimentation de toutes sauf une et donnez à celle-ci son propre numéro.</translation></message>
+    <message><source>A {1} responds on {0} at {2}, but this connection uses {3}. Connect with the settings of the board.</source>
+        <translation>Un {1} répond sur {0} à {2}, mais cette connexion utilise {3}. Connectez-vous avec les réglages de la carte.</translation></message>
+    <message><source>A {1} responds on {0} with {2}, but this connection uses {3}. Connect with the settings of the board.</source>
+        <translation>Un {1} répond sur {0} avec {2}, mais cette connexion utilise {3}. Connectez-vous avec les réglages de la carte.</translation></message>
+    <message><source>A {1} responds on {0} with CRC polynomial {2}, but this connection uses {3}. Connect with the settings of the board.</source>
+        <translation>Un {1} répond sur {0} avec le polynôme CRC {2}, mais cette connexion utilise {3}. Connectez-vous avec les réglages de la carte.</translation></message>
+    <message><source>A {1} responds on {0}, but its device number is {2}, and this connection uses {3}. Connect with the settings of the board.</source>
+        <translation>Un {1} répond sur {0}, mais son numéro d'appareil est {2}, et cette connexion utilise {3}. Connectez-vous avec les réglages de la carte.</translation></message>
+    <message><source>A {1} responds on {0} only some of the time: the line loses or corrupts bytes. Check cable and ground, keep motor leads away from them, then connect again.</source>
+        <translation>Un {1} ne répond sur {0} que par moments : la liaison perd ou altère des octets. Vérifiez le câble et la masse, éloignez-en les fils des moteurs, puis connectez-vous à nouveau.</translation></message>
+    <message><source>No reply to {0}.</source>
+        <translation>Pas de réponse à {0}.</translation></message>
+    <message><source>Incomplete reply to {0}: only {1} arrived.</source>
+        <translation>Réponse incomplète à {0} : reçu {1} seulement.</translation></message>
+    <message><source>The reply {0} is corrupted: {1}.</source>
+        <translation>La réponse {0} est altérée : {1}.</translation></message>
+    <message><source>Late replies arrived and cannot be matched to requests.</source>
+        <translation>Des réponses tardives sont arrivées et ne peuvent pas être associées aux requêtes.</translation></message>
+    <message><source>The board's replies to {0} differ each time: the line corrupts bytes, so what is stored is not known. Check cable and ground, keep motor leads away from them, or use a lower baud rate or CRC.</source>
+        <translation>Les réponses de la carte à {0} diffèrent à chaque fois : la liaison altère des octets, ce qui est enregistré n'est donc pas connu. Vérifiez le câble et la masse, éloignez-en les fils des moteurs, ou utilisez un débit plus bas ou le CRC.</translation></message>
+    <message><source>The stop was sent, but the board does not confirm it. If a motor still turns, cut its power.</source>
+        <translation>L'ordre d'arrêt a été envoyé, mais la carte ne le confirme pas. Si un moteur tourne encore, coupez son alimentation.</translation></message>
+    <message><source>The stop was sent and the board responds, but the line corrupts bytes. It is sent again until the line is quiet. If a motor still turns, cut its power.</source>
+        <translation>L'ordre d'arrêt a été envoyé et la carte répond, mais la liaison altère des octets. Il est renvoyé jusqu'à ce que la liaison soit calme. Si un moteur tourne encore, coupez son alimentation.</translation></message>
+    <message><source>The program did not respond for more than half a second.</source>
+        <translation>Le programme n'a pas répondu pendant plus d'une demi-seconde.</translation></message>
+    <message><source>The motors are locked for a while after a stop; nothing was sent.</source>
+        <translation>Les moteurs sont verrouillés quelque temps après un arrêt ; rien n'a été envoyé.</translation></message>
+    <message><source>These bytes may move a motor; nothing was sent. Choose Run motor first.</source>
+        <translation>Ces octets peuvent faire tourner un moteur ; rien n'a été envoyé. Choisissez d'abord « Activer les moteurs ».</translation></message>
+    <message><source>These bytes may move a motor of another board, which a stop on this connection does not reach; nothing was sent. Address device {0} in them, or connect with the compact protocol.</source>
+        <translation>Ces octets peuvent faire tourner un moteur d'une autre carte, qu'un arrêt sur cette connexion n'atteint pas ; rien n'a été envoyé. Indiquez-y l'appareil {0} comme destinataire, ou connectez-vous avec le protocole compact.</translation></message>
+    <message><source>A stop came first; nothing was sent.</source>
+        <translation>Un arrêt est intervenu avant ; rien n'a été envoyé.</translation></message>
+    <message><source>Other boards are not looked for while motors are armed or may be moving. Stop the motors first.</source>
+        <translation>Aucune autre carte n'est recherchée tant que des moteurs sont activés ou tournent peut-être encore. Arrêtez d'abord les moteurs.</translation></message>
+    <message><source>Board {0} was not selected, since no stop of the present one is confirmed. If a motor still turns, cut its power.</source>
+        <translation>La carte {0} n'a pas été sélectionnée, car aucun arrêt de la carte actuelle n'est confirmé. Si un moteur tourne encore, coupez son alimentation.</translation></message>
+    <message><source>Board {0} was not selected, since it does not respond. Check that it has power. The board that was selected before still is.</source>
+        <translation>La carte {0} n'a pas été sélectionnée, car elle ne répond pas. Vérifiez qu'elle est alimentée. La carte sélectionnée auparavant le reste.</translation></message>
+    <message><source>Another board on this line has the device number {0}. Choose a number that is free.</source>
+        <translation>Une autre carte de cette liaison a le numéro d'appareil {0}. Choisissez un numéro libre.</translation></message>
+    <message><source>{0}: the board does not know this parameter (code 1); its firmware may be too old for it</source>
+        <translation>{0} : la carte ne connaît pas ce paramètre (code 1) ; son firmware est peut-être trop ancien</translation></message>
+    <message><source>{0}: the board rejects this value (code 2)</source>
+        <translation>{0} : la carte rejette cette valeur (code 2)</translation></message>
+    <message><source>{0}: the board is not in serial mode (code 3); switch it off, remove the mode jumper, switch it on again</source>
+        <translation>{0} : la carte n'est pas en mode série (code 3) ; coupez l'alimentation, retirez le cavalier de mode, remettez l'alimentation</translation></message>
+    <message><source>{0} could not be verified: wrote {1}, but the board reads back {2}</source>
+        <translation>{0} n'a pas pu être vérifié : valeur écrite {1}, mais la carte renvoie {2} à la relecture</translation></message>
+    <message><source>{0} could not be verified: the board reads back {1}</source>
+        <translation>{0} n'a pas pu être vérifié : la carte renvoie {1} à la relecture</translation></message>
+    <message><source>{0} is for {1} inputs, but the board reads {2} now</source>
+        <translation>{0} vaut pour les entrées {1}, mais la carte lit maintenant {2}</translation></message>
+    <message><source>Another board responds now: {0}. Nothing was written to it.</source>
+        <translation>Une autre carte répond maintenant : {0}. Rien n'y a été écrit.</translation></message>
+    <message><source>Another board responds now: {0}. Settings may have been written to it; compare it with its last snapshot.</source>
+        <translation>Une autre carte répond maintenant : {0}. Des réglages y ont peut-être été écrits ; comparez-la à son dernier instantané.</translation></message>
+    <message><source>The board no longer stores the settings that were read from it: it is another one, or was changed meanwhile. Nothing was written.</source>
+        <translation>La carte ne contient plus les réglages qui y ont été lus : c'est une autre carte, ou elle a été modifiée entre-temps. Rien n'a été écrit.</translation></message>
+    <message><source>The line corrupted bytes while {0} was written, and another setting may have been changed instead. Read the board again and compare it with the last snapshot. {1}</source>
+        <translation>La liaison a altéré des octets pendant l'écriture de {0} ; un autre réglage a peut-être été modifié à la place. Relisez la carte et comparez-la au dernier instantané. {1}</translation></message>
+    <message><source>{0} settings differ from what was read before, so none was restored: another board may be connected.</source>
+        <translation>{0} réglages diffèrent de ce qui avait été lu ; aucun n'a donc été restauré : une autre carte est peut-être connectée.</translation></message>
+    <message><source>The writing was cancelled before this was tried.</source>
+        <translation>L'écriture a été annulée avant d'en arriver là.</translation></message>
+    <message><source>{0} {1} may have gone back to the factory default: after a power cycle the board would run at {2}</source>
+        <translation>{0} « {1} » : retour possible à la valeur d'usine ; après avoir coupé et remis l'alimentation, la carte fonctionnerait à {2}</translation></message>
+    <message><source>The board is not responding; scanning for it.</source>
+        <translation>La carte ne répond pas ; recherche en cours.</translation></message>
+    <message><source>Motor 2 over current limit</source>
+        <translation>Moteur 2 au-dessus de la limite de courant</translation></message>
+    <message><source>The current of motor 2 passed its limit and the limiter lowered its speed.</source>
+        <translation>Le courant du moteur 2 a dépassé sa limite et le limiteur a réduit sa vitesse.</translation></message>
+    <message><source>Motor 2 fault</source>
+        <translation>Défaut du moteur 2</translation></message>
+    <message><source>The driver of motor 2 shut itself down: too hot, short circuit or low voltage.</source>
+        <translation>Le driver du moteur 2 s'est coupé : surchauffe, court-circuit ou tension trop basse.</translation></message>
+    <message><source>Motor 1 over current limit</source>
+        <translation>Moteur 1 au-dessus de la limite de courant</translation></message>
+    <message><source>The current of motor 1 passed its limit and the limiter lowered its speed.</source>
+        <translation>Le courant du moteur 1 a dépassé sa limite et le limiteur a réduit sa vitesse.</translation></message>
+    <message><source>Motor 1 fault</source>
+        <translation>Défaut du moteur 1</translation></message>
+    <message><source>The driver of motor 1 shut itself down: too hot, short circuit or low voltage.</source>
+        <translation>Le driver du moteur 1 s'est coupé : surchauffe, court-circuit ou tension trop basse.</translation></message>
+    <message><source>UART error</source>
+        <translation>Erreur UART</translation></message>
+    <message><source>A serial error occurred; the UART error bits show which.</source>
+        <translation>Une erreur série s'est produite ; les bits d'erreur UART indiquent laquelle.</translation></message>
+    <message><source>Serial timeout</source>
+        <translation>Délai série</translation></message>
+    <message><source>No byte arrived within the Serial Timeout, so the board stopped its motors.</source>
+        <translation>Aucun octet n'est arrivé pendant le « Délai série » ; la carte a donc arrêté ses moteurs.</translation></message>
+    <message><source>Format error</source>
+        <translation>Erreur de format</translation></message>
+    <message><source>A packet had an unknown command, a command byte inside it or an invalid data byte.</source>
+        <translation>Un paquet contenait une commande inconnue, un octet de commande en son milieu ou un octet de données non valide.</translation></message>
+    <message><source>CRC error</source>
+        <translation>Erreur CRC</translation></message>
+    <message><source>The CRC byte of a packet was wrong; the packet was discarded.</source>
+        <translation>L'octet CRC d'un paquet était faux ; le paquet a été rejeté.</translation></message>
+    <message><source>Framing error</source>
+        <translation>Erreur de trame</translation></message>
+    <message><source>A stop bit was missing: the baud rates differ, or the line is noisy.</source>
+        <translation>Un bit d'arrêt manquait : les débits diffèrent, ou la liaison est bruitée.</translation></message>
+    <message><source>Data overrun</source>
+        <translation>Débordement de données</translation></message>
+    <message><source>A byte arrived while the receive register was still full.</source>
+        <translation>Un octet est arrivé alors que le registre de réception était encore plein.</translation></message>
+    <message><source>Parity error</source>
+        <translation>Erreur de parité</translation></message>
+    <message><source>A byte had the wrong parity: the parity settings differ, or the line is noisy.</source>
+        <translation>La parité d'un octet était fausse : les réglages de parité diffèrent, ou la liaison est bruitée.</translation></message>
+    <message><source>Read buffer overrun</source>
+        <translation>Débordement du tampon de lecture</translation></message>
+    <message><source>More bytes arrived than the board can buffer; something sends while the board replies.</source>
+        <translation>Il est arrivé plus d'octets que la carte ne peut en mettre en tampon ; quelque chose émet pendant que la carte répond.</translation></message>
+    <message><source>Send buffer overrun</source>
+        <translation>Débordement du tampon d'émission</translation></message>
+    <message><source>A reply was longer than the send buffer.</source>
+        <translation>Une réponse était plus longue que le tampon d'émission.</translation></message>
+    <message><source>{0} is 0 to 127, not {1}</source>
+        <translation>{0} va de 0 à 127, et non {1}</translation></message>
+    <message><source>device number</source>
+        <translation>numéro d'appareil</translation></message>
+    <message><source>a data byte outside a packet</source>
+        <translation>un octet de données hors d'un paquet</translation></message>
+    <message><source>1 byte</source>
+        <translation>1 octet</translation></message>
+    <message><source>a CRC-7 polynomial is 0x80 to 0xFF, not {0:#x}</source>
+        <translation>un polynôme CRC-7 va de 0x80 à 0xFF, et non {0:#x}</translation></message>
+    <message><source>the packet is not complete</source>
+        <translation>le paquet n'est pas complet</translation></message>
+    <message><source>a command byte inside a packet</source>
+        <translation>un octet de commande dans un paquet</translation></message>
+    <message><source>{0:#04x} is not a TReX command</source>
+        <translation>{0:#04x} n'est pas une commande du TReX</translation></message>
+    <message><source>the echo should be {0}</source>
+        <translation>l'écho devrait être {0}</translation></message>
+    <message><source>{0} bytes</source>
+        <translation>{0} octets</translation></message>
+    <message><source>{0} more than the reply has</source>
+        <translation>{0} de trop par rapport à la réponse</translation></message>
+    <message><source>the CRC is {0:02X}, not {1:02X}</source>
+        <translation>le CRC est {0:02X}, et non {1:02X}</translation></message>
+    <message><source>UART settings are a wire value of 0 to 127, not {0}</source>
+        <translation>les réglages UART sont une valeur brute de 0 à 127, et non {0}</translation></message>
+    <message><source>UART settings {0:#04x} name no baud rate</source>
+        <translation>les réglages UART {0:#04x} ne désignent aucun débit</translation></message>
+    <message><source>a TReX runs at {0} baud, not {1}</source>
+        <translation>un TReX fonctionne à {0} bauds, et non {1}</translation></message>
+    <message><source>1 or 2 stop bits, not {0}</source>
+        <translation>1 ou 2 bits d'arrêt, et non {0}</translation></message>
+    <message><source>none or some of the channels 1 to 5, such as 1, 3</source>
+        <translation>aucune, une ou plusieurs des voies 1 à 5, par exemple 1, 3</translation></message>
+    <message><source>the table has no parameter {0!r}</source>
+        <translation>la table n'a pas de paramètre {0!r}</translation></message>
+    <message><source>{0} is {1}, not {2}</source>
+        <translation>{0} accepte {1}, et non {2}</translation></message>
+    <message><source>any of 1 to 5</source>
+        <translation>n'importe lesquelles de 1 à 5</translation></message>
+    <message><source>baud, error detection, stop bits</source>
+        <translation>débit, détection d'erreurs, bits d'arrêt</translation></message>
+    <message><source>a baud rate, error detection and stop bits (low four bits 0 to 10)</source>
+        <translation>un débit, une détection d'erreurs et des bits d'arrêt (quatre bits de poids faible de 0 à 10)</translation></message>
+    <message><source>{0} to {1} (wire value {2} to {3})</source>
+        <translation>{0} à {1} (valeur brute {2} à {3})</translation></message>
+    <message><source>{0} {1} has no parameter {2!r}{3}</source>
+        <translation>{0} {1} n'a pas de paramètre {2!r}{3}</translation></message>
+    <message><source> or </source>
+        <translation> ou </translation></message>
+    <message><source>written as {0}, with a baud rate that the board has</source>
+        <translation>une valeur écrite comme {0}, avec un débit que la carte possède</translation></message>
+    <message><source>; did you mean {0}?</source>
+        <translation> ; vouliez-vous dire {0} ?</translation></message>
+    <message><source>channels 1 to 5 (wire value 0 to {0})</source>
+        <translation>voies 1 à 5 (valeur brute 0 à {0})</translation></message>
+    <message><source>empty</source>
+        <translation>vide</translation></message>
+    <message><source>wire {0}</source>
+        <translation>valeur brute {0}</translation></message>
+    <message><source>Which bytes? Give them in hexadecimal, such as 86 1F.</source>
+        <translation>Quels octets ? Donnez-les en hexadécimal, par exemple 86 1F.</translation></message>
+    <message><source>device {0}: {1}</source>
+        <translation>appareil {0} : {1}</translation></message>
+    <message><source>not a TReX packet: {0}</source>
+        <translation>ce n'est pas un paquet TReX : {0}</translation></message>
+    <message><source>{0} bytes are too many: at most {1} are sent at once.</source>
+        <translation>{0} octets, c'est trop : {1} au plus sont envoyés à la fois.</translation></message>
+    <message><source>“{0}” is not a row of hexadecimal bytes such as 86 1F.</source>
+        <translation>« {0} » n'est pas une suite d'octets hexadécimaux comme 86 1F.</translation></message>
+    <message><source>there is nothing to compare: nothing was sent, except to search</source>
+        <translation>il n'y a rien à comparer : rien n'a été envoyé, sauf pour rechercher</translation></message>
+    <message><source>TReX 1.2, as no signature was read</source>
+        <translation>TReX 1.2, car aucune signature n'a été lue</translation></message>
+    <message><source>1 stored value</source>
+        <translation>1 valeur enregistrée</translation></message>
+    <message><source>{0}, {1} from the file, others as from the factory</source>
+        <translation>{0}, {1} du fichier, le reste comme en sortie d'usine</translation></message>
+    <message><source>traffic logs</source>
+        <translation>journaux de trafic</translation></message>
+    <message><source>{0} stored values</source>
+        <translation>{0} valeurs enregistrées</translation></message>
+    <message><source>{0}; the simulated board has its default.</source>
+        <translation>{0} ; la carte simulée a sa valeur par défaut.</translation></message>
+    <message><source>unsolicited bytes</source>
+        <translation>octets non sollicités</translation></message>
+    <message><source>unsolicited bytes; perhaps a late reply</source>
+        <translation>octets non sollicités ; peut-être une réponse tardive</translation></message>
+    <message><source>only its echo came back</source>
+        <translation>seul son écho est revenu</translation></message>
+    <message><source>corrupted: {0}</source>
+        <translation>altéré : {0}</translation></message>
+    <message><source>accepted values</source>
+        <translation>valeurs acceptées</translation></message>
+    <message><source>it cannot be written: {0}</source>
+        <translation>impossible à écrire : {0}</translation></message>
+    <message><source>{0} is left out: {1} means {2} to a {3}, but {4} to a {5}.</source>
+        <translation>{0} est omis : {1} signifie {2} pour un {3}, mais {4} pour un {5}.</translation></message>
+    <message><source>1 parameter</source>
+        <translation>1 paramètre</translation></message>
+    <message><source>{0} parameters</source>
+        <translation>{0} paramètres</translation></message>
+    <message><source>{0} will change</source>
+        <translation>{0} à modifier</translation></message>
+    <message><source>{0} match</source>
+        <translation>{0} identiques</translation></message>
+    <message><source>1 calibration</source>
+        <translation>1 étalonnage</translation></message>
+    <message><source>{0} calibrations</source>
+        <translation>{0} étalonnages</translation></message>
+    <message><source>a {0} with firmware {1}</source>
+        <translation>un {0} avec le firmware {1}</translation></message>
+    <message><source>{0} ({1}) is left out: {2} does not have it.</source>
+        <translation>{0} ({1}) est omis : {2} ne l'a pas.</translation></message>
+    <message><source>Calibration of {0}</source>
+        <translation>Étalonnage de la {0}</translation></message>
+    <message><source>{0} cannot be carried over</source>
+        <translation>{0} non repris</translation></message>
+    <message><source>{0} note</source>
+        <translation>note sur {0}</translation></message>
+    <message><source>Firmware {0} really runs at {1} baud when set to {2}.</source>
+        <translation>Le firmware {0} fonctionne en réalité à {1} bauds quand il est réglé à {2}.</translation></message>
+    <message><source>Rounded down to steps of {0}: {1} becomes {2}.</source>
+        <translation>Arrondi vers le bas par pas de {0} : {1} devient {2}.</translation></message>
+    <message><source>For a {0}: {1}.</source>
+        <translation>Pour un {0} : {1}.</translation></message>
+    <message><source>A {0} with firmware {1} does not have it.</source>
+        <translation>Un {0} avec le firmware {1} ne l'a pas.</translation></message>
+    <message><source>A {0} has at most {1}.</source>
+        <translation>Un {0} accepte au plus {1}.</translation></message>
+    <message><source>A {0} has at least {1}; 0 switches it off.</source>
+        <translation>Un {0} accepte au moins {1} ; 0 le désactive.</translation></message>
+    <message><source>The same value in steps of {0}: {1} becomes {2}.</source>
+        <translation>La même valeur par pas de {0} : {1} devient {2}.</translation></message>
+    <message><source>these are settings of a {0}</source>
+        <translation>ce sont des réglages d'un {0}</translation></message>
+    <message><source>it cannot be changed: {0}</source>
+        <translation>impossible à modifier : {0}</translation></message>
+    <message><source>it cannot be renamed: {0}</source>
+        <translation>impossible à renommer : {0}</translation></message>
+    <message><source>it cannot be read: {0}</source>
+        <translation>impossible à lire : {0}</translation></message>
+    <message><source>{0} {1}: how many snapshots to keep is not known, so none is removed.</source>
+        <translation>{0} {1} : le nombre d'instantanés à conserver n'est pas connu, aucun n'est donc supprimé.</translation></message>
+    <message><source>It is empty.</source>
+        <translation>Il est vide.</translation></message>
+    <message><source>It does not say of which board it is.</source>
+        <translation>Il n'indique pas de quelle carte il s'agit.</translation></message>
+    <message><source>is damaged</source>
+        <translation>est endommagé</translation></message>
+    <message><source>It cannot be read: {0}.</source>
+        <translation>Impossible à lire : {0}.</translation></message>
+    <message><source>it cannot be removed: {0}</source>
+        <translation>impossible à supprimer : {0}</translation></message>
+    <message><source>a history keeps at least one snapshot, not {0}</source>
+        <translation>un historique conserve au moins un instantané, et non {0}</translation></message>
+    <message><source>the folder for snapshots cannot be made: {0}</source>
+        <translation>impossible de créer le dossier des instantanés : {0}</translation></message>
+    <message><source>is missing</source>
+        <translation>est absent</translation></message>
+    <message><source>cannot be read ({0})</source>
+        <translation>est illisible ({0})</translation></message>
+    <message><source>channels 1 to 5</source>
+        <translation>voies 1 à 5</translation></message>
+    <message><source>a list</source>
+        <translation>une liste</translation></message>
+    <message><source>a group of settings</source>
+        <translation>un groupe de réglages</translation></message>
+    <message><source>a block of text</source>
+        <translation>un bloc de texte</translation></message>
+    <message><source>; write {0}</source>
+        <translation> ; écrivez {0}</translation></message>
+    <message><source>; {0} is written {1}</source>
+        <translation> ; {0} s'écrit {1}</translation></message>
+    <message><source>{0}: {1} becomes {2}</source>
+        <translation>{0} : {1} devient {2}</translation></message>
+    <message><source>{0} in quotes</source>
+        <translation>{0} entre guillemets</translation></message>
+    <message><source>{name} is off while a computer drives the motors: if the cable or the computer fails, the motors keep running at their last setpoint.</source>
+        <translation>{name} est désactivé alors qu'un ordinateur commande les moteurs : si le câble ou l'ordinateur tombe en panne, les moteurs continuent de tourner à leur dernière consigne.</translation></message>
+    <message><source>No effect in joint mode: {limits}. The board measures no current then, so the motor is not protected.</source>
+        <translation>Sans effet en mode jumelé : {limits}. La carte ne mesure alors aucun courant, le moteur n'est donc pas protégé.</translation></message>
+    <message><source>{limit} is {value}, but its proportionality constant P, how strongly the limiter reacts, is 0. Inferred: the behaviour of the board is not documented, and the limit may have no effect.</source>
+        <translation>{limit} vaut {value}, mais sa constante de proportionnalité P, c'est-à-dire la force de réaction du limiteur, est à 0. Déduit : le comportement de la carte n'est pas documenté, et la limite peut rester sans effet.</translation></message>
+    <message><source>{limit} is {value} and {ramp} is 0, which means at once. Inferred: as soon as the current falls below the limit, the motor jumps back to its full target speed, so it may run in jerks.</source>
+        <translation>{limit} vaut {value} et {ramp} est à 0, c'est-à-dire immédiat. Déduit : dès que le courant repasse sous la limite, le moteur revient d'un coup à sa pleine vitesse de consigne ; il peut donc tourner par à-coups.</translation></message>
+    <message><source>The PWM of motor {motor} runs at {now} (inferred), but the motor driver of a {product} is rated for {highest}; above that it gets hot.</source>
+        <translation>Le PWM du moteur {motor} fonctionne à {now} (déduit), mais le driver de moteur d'un {product} est prévu pour {highest} ; au-delà, il chauffe.</translation></message>
+    <message><source>The PWM of motor {motor} runs at {now} (inferred), but the motor driver of a {product} is rated for {highest}; above that it gets hot. The prescaler {prescaler} gives {gives}.</source>
+        <translation>Le PWM du moteur {motor} fonctionne à {now} (déduit), mais le driver de moteur d'un {product} est prévu pour {highest} ; au-delà, il chauffe. Le prédiviseur {prescaler} donne {gives}.</translation></message>
+    <message><source>Both required and ignored: {channels}. The signal moves nothing, but without it the motors may not run in RC mode (inferred).</source>
+        <translation>À la fois requis et ignoré : {channels}. Le signal ne fait rien bouger, mais sans lui les moteurs risquent de ne pas tourner en mode RC (déduit).</translation></message>
+    <message><source>The deadband of {channel} reaches from neutral to its {ends}: there is nothing between standstill and full speed on that side.</source>
+        <translation>La zone morte de la {channel} s'étend du neutre jusqu'au {ends} : il n'y a rien entre l'arrêt et la pleine vitesse de ce côté.</translation></message>
+    <message><source>The minimum of {channel}, {count}, is below {limit}, the lowest count that the board measures: full speed on that side is never reached.</source>
+        <translation>Le minimum de la {channel}, {count}, est inférieur à {limit}, la plus petite valeur en counts que la carte mesure : la pleine vitesse n'est jamais atteinte de ce côté.</translation></message>
+    <message><source>The maximum of {channel}, {count}, is above {limit}, the highest count that the board measures: full speed on that side is never reached.</source>
+        <translation>Le maximum de la {channel}, {count}, est supérieur à {limit}, la plus grande valeur en counts que la carte mesure : la pleine vitesse n'est jamais atteinte de ce côté.</translation></message>
+    <message><source>{name} is {value} instead of the default {default}, but CRC-7 is not switched on: no packet is checked with it.</source>
+        <translation>{name} vaut {value} au lieu de la valeur par défaut {default}, mais CRC-7 n'est pas activé : aucun paquet n'est vérifié avec.</translation></message>
+    <message><source>With {value} as {name} the checksum of every packet is 0, so CRC-7 detects no errors at all.</source>
+        <translation>Avec {value} pour {name}, la somme de contrôle de chaque paquet est 0 : CRC-7 ne détecte alors aucune erreur.</translation></message>
+    <message><source>A {board} set to {baud} baud really runs at {real} baud; firmware {fixed_in} corrects this. Programs must use {real} baud.</source>
+        <translation>Un {board} réglé à {baud} bauds fonctionne en réalité à {real} bauds ; le firmware {fixed_in} corrige cela. Les programmes doivent utiliser {real} bauds.</translation></message>
+    <message><source>This computer's serial port does not support {baud} baud: after the next power cycle it could not reach the board any more.</source>
+        <translation>Le port série de cet ordinateur ne prend pas en charge {baud} bauds : après la prochaine coupure et remise de l'alimentation, il ne pourrait plus atteindre la carte.</translation></message>
+    <message><source>After the next power cycle the line settings of the board are {new}; now they are {now}. Change the programs that use the board then.</source>
+        <translation>Après la prochaine coupure et remise de l'alimentation, les réglages de liaison de la carte seront {new} ; ce sont actuellement {now}. Modifiez alors les programmes qui utilisent la carte.</translation></message>
+    <message><source>{0} to {1}</source><comment>set a parameter</comment>
+        <translation>{0} à {1}</translation></message>
+    <message><source>Set {0}</source>
+        <translation>Régler {0}</translation></message>
+    <message><source>{0} and {1}</source>
+        <translation>{0} et {1}</translation></message>
+    <message><source>{0} with firmware {1}</source>
+        <translation>{0} avec le firmware {1}</translation></message>
+    <message><source>settings are plain 'key: value' lines</source>
+        <translation>les réglages sont de simples lignes « clé: valeur »</translation></message>
+    <message><source>there are no settings here; the first is 'product: TReX'</source>
+        <translation>il n'y a pas de réglages ici ; le premier est 'product: TReX'</translation></message>
+    <message><source>a second document begins here; settings are one</source>
+        <translation>un second document commence ici ; les réglages n'en forment qu'un</translation></message>
+    <message><source>the character U+{0:04X} has no place in a text file</source>
+        <translation>le caractère U+{0:04X} n'a pas sa place dans un fichier texte</translation></message>
+    <message><source>the text is incomplete or damaged here ({0}); {1}</source>
+        <translation>le texte est incomplet ou endommagé ici ({0}) ; {1}</translation></message>
+    <message><source>this is not a setting; {0}</source>
+        <translation>ceci n'est pas un réglage ; {0}</translation></message>
+    <message><source>anchors (&amp; and *) are not allowed; {0}</source>
+        <translation>les ancres (&amp; et *) ne sont pas autorisées ; {0}</translation></message>
+    <message><source>tags (!) are not allowed; {0}</source>
+        <translation>les tags (!) ne sont pas autorisés ; {0}</translation></message>
+    <message><source>there are more settings here than any board has</source>
+        <translation>il y a ici plus de réglages que n'en a aucune carte</translation></message>
+    <message><source>this number cannot be read; {0}</source>
+        <translation>ce nombre est illisible ; {0}</translation></message>
+    <message><source>merge keys (&lt;&lt;) are not allowed; {0}</source>
+        <translation>les clés de fusion (&lt;&lt;) ne sont pas autorisées ; {0}</translation></message>
+    <message><source>this is nested too deeply; {0}</source>
+        <translation>l'imbrication est trop profonde ici ; {0}</translation></message>
+    <message><source>Lets both motors and the auxiliary be driven; nothing moves yet</source>
+        <translation>Permet de piloter les deux moteurs et l'auxiliaire ; rien ne bouge encore</translation></message>
+    <message><source>Channels control the motors; Run motor needs serial control.</source>
+        <translation>Les voies commandent les moteurs ; « Activer les moteurs » exige la commande par liaison série.</translation></message>
+    <message><source>Stop motors</source>
+        <translation>Arrêter les moteurs</translation></message>
+    <message><source>Stop both motors and the auxiliary now (Esc, anywhere)</source>
+        <translation>Arrêter tout de suite les deux moteurs et l'auxiliaire (Échap, partout)</translation></message>
+    <message><source>&amp;Run motor</source>
+        <translation>Ac&amp;tiver les moteurs</translation></message>
+    <message><source>There are unapplied changes.</source>
+        <translation>Il y a des modifications non appliquées.</translation></message>
+    <message><source>&amp;Apply settings</source>
+        <translation>A&amp;ppliquer les réglages</translation></message>
+    <message><source>Unknown: motors may still turn. The stop is being repeated.</source>
+        <translation>Inconnu : les moteurs tournent peut-être encore. L'ordre d'arrêt est répété.</translation></message>
+    <message><source>The board driven before may still turn its motors. Cut their power.</source>
+        <translation>Les moteurs de la carte pilotée auparavant tournent peut-être encore. Coupez leur alimentation.</translation></message>
+    <message><source>Channels control the motors: Stop does not affect them.</source>
+        <translation>Les voies commandent les moteurs : « Arrêter les moteurs » n'agit pas sur eux.</translation></message>
+    <message><source>Several boards on this line: select the one to drive.</source>
+        <translation>Plusieurs cartes sur cette liaison : sélectionnez celle à piloter.</translation></message>
+    <message><source>Not armed: no command is sent until you click Run motor.</source>
+        <translation>Moteurs non activés : aucune commande n'est envoyée tant que vous n'avez pas cliqué sur « Activer les moteurs ».</translation></message>
+    <message><source>Set the serial timeout</source>
+        <translation>Régler le délai série</translation></message>
+    <message><source>Write the changed parameters into the board (Ctrl+Enter)</source>
+        <translation>Écrire les paramètres modifiés dans la carte (Ctrl+Entrée)</translation></message>
+    <message><source>Armed. Drive them on the Motors page.</source>
+        <translation>Moteurs activés. Pilotez-les sur la page Moteurs.</translation></message>
+    <message><source>Stopping …</source>
+        <translation>Arrêt en cours …</translation></message>
+    <message><source>Set &amp;{0} s</source>
+        <translation>Régler sur &amp;{0} s</translation></message>
+    <message><source>Set the serial timeout to {0} s</source>
+        <translation>Régler le délai série sur {0} s</translation></message>
+    <message><source>Writes only this setting now: the board stops its motors {0} s after the last byte. Other changes stay pending.</source>
+        <translation>N'écrit que ce réglage maintenant : la carte arrête ses moteurs {0} s après le dernier octet. Les autres modifications restent en attente.</translation></message>
+    <message><source>Armed. Setpoint: {0}</source>
+        <translation>Moteurs activés. Consigne : {0}</translation></message>
+    <message><source>Stopped. Motors are locked for {0} s.</source>
+        <translation>Arrêt effectué. Les moteurs sont verrouillés pendant {0} s.</translation></message>
+    <message><source>nothing to write</source>
+        <translation>rien à écrire</translation></message>
+    <message numerus="yes"><source>&amp;Write to %n board(s)</source>
+        <translation><numerusform>Écrire &amp;dans %n carte</numerusform><numerusform>Écrire &amp;dans %n cartes</numerusform></translation></message>
+    <message><source>Each checked board gets these settings, one board after the other, with a snapshot before. Each keeps its device number and its serial settings. The first error while writing ends the work.</source>
+        <translation>Chaque carte cochée reçoit ces réglages, l'une après l'autre, avec un instantané au préalable. Chacune garde son numéro d'appareil et ses réglages série. La première erreur d'écriture met fin à l'opération.</translation></message>
+    <message><source>Boards to write to</source>
+        <translation>Cartes dans lesquelles écrire</translation></message>
+    <message><source>&amp;End after this board</source>
+        <translation>&amp;Terminer après cette carte</translation></message>
+    <message><source>Close</source>
+        <translation>Fermer</translation></message>
+    <message><source>This file cannot be used: it has errors. Nothing was changed.</source>
+        <translation>Ce fichier est inutilisable : il contient des erreurs. Rien n'a été modifié.</translation></message>
+    <message><source>Stored</source>
+        <translation>Enregistré</translation></message>
+    <message><source>File</source>
+        <translation>Fichier</translation></message>
+    <message><source>Changes</source>
+        <translation>Modifications</translation></message>
+    <message numerus="yes"><source>%n setting(s)</source>
+        <translation><numerusform>%n réglage</numerusform><numerusform>%n réglages</numerusform></translation></message>
+    <message><source>read, with warnings</source>
+        <translation>lue, avec avertissements</translation></message>
+    <message><source>read</source>
+        <translation>lue</translation></message>
+    <message><source>waiting</source>
+        <translation>en attente</translation></message>
+    <message><source>being read …</source>
+        <translation>lecture …</translation></message>
+    <message><source>being written …</source>
+        <translation>écriture …</translation></message>
+    <message><source>written and verified</source>
+        <translation>écrite et vérifiée</translation></message>
+    <message><source>not tried</source>
+        <translation>non essayée</translation></message>
+    <message><source>&amp;Write to boards</source>
+        <translation>Écrire &amp;dans les cartes</translation></message>
+    <message><source>Changes of board {0}</source>
+        <translation>Modifications de la carte {0}</translation></message>
+    <message><source>Stop was pressed, which has ended the work.</source>
+        <translation>L'arrêt a été demandé, ce qui a mis fin à l'opération.</translation></message>
+    <message numerus="yes"><source>Written to %n board(s).</source>
+        <translation><numerusform>Écrit dans %n carte.</numerusform><numerusform>Écrit dans %n cartes.</numerusform></translation></message>
+    <message><source>Board {0}: {1}</source>
+        <translation>Carte {0} : {1}</translation></message>
+    <message><source>Apply {0} to several boards</source>
+        <translation>Appliquer {0} à plusieurs cartes</translation></message>
+    <message numerus="yes"><source>%n board(s) left out; the reason is beside each.</source>
+        <translation><numerusform>%n carte omise ; la raison est indiquée à côté.</numerusform><numerusform>%n cartes omises ; la raison est indiquée à côté de chacune.</numerusform></translation></message>
+    <message><source>Channel input</source>
+        <translation>Entrée de la voie</translation></message>
+    <message><source>{value}, {distance} above neutral</source>
+        <translation>{value}, {distance} au-dessus du neutre</translation></message>
+    <message><source>{value}, {distance} below neutral</source>
+        <translation>{value}, {distance} en dessous du neutre</translation></message>
+    <message><source>Output</source>
+        <translation>Sortie</translation></message>
+    <message><source>{value} of {full}</source>
+        <translation>{value} sur {full}</translation></message>
+    <message><source>{value}, limit {limit:.2f} A</source>
+        <translation>{value}, limite {limit:.2f} A</translation></message>
+    <message><source>{value}, near the limit of {limit:.2f} A</source>
+        <translation>{value}, proche de la limite de {limit:.2f} A</translation></message>
+    <message><source>{value}, over the limit of {limit:.2f} A</source>
+        <translation>{value}, au-dessus de la limite de {limit:.2f} A</translation></message>
+    <message><source>min</source>
+        <translation>min</translation></message>
+    <message><source>max</source>
+        <translation>max</translation></message>
+    <message><source>{value}, neutral</source>
+        <translation>{value}, neutre</translation></message>
+    <message><source>Bench test of motor {0}: {1}, {2:%Y-%m-%d %H:%M}</source>
+        <translation>Essai au banc du moteur {0} : {1}, {2:%Y-%m-%d %H:%M}</translation></message>
+    <message><source>{0:%H:%M:%S}, motor {1}: {2}</source>
+        <translation>{0:%H:%M:%S}, moteur {1} : {2}</translation></message>
+    <message><source>Bench test</source>
+        <translation>Essai au banc</translation></message>
+    <message><source>Test to compare with</source>
+        <translation>Essai auquel comparer</translation></message>
+    <message><source>How far from the steady current counts as settled, in percent</source>
+        <translation>Écart au courant établi considéré comme stabilisé, en pour cent</translation></message>
+    <message><source>Sa&amp;ve…</source>
+        <translation>Enre&amp;gistrer…</translation></message>
+    <message><source>&amp;Close</source>
+        <translation>Fe&amp;rmer</translation></message>
+    <message><source>The window of the bench test was closed.</source>
+        <translation>La fenêtre de l'essai au banc a été fermée.</translation></message>
+    <message><source>Release to stop</source>
+        <translation>Relâcher pour arrêter</translation></message>
+    <message><source>Hold to run</source>
+        <translation>Maintenir pour faire tourner</translation></message>
+    <message><source>Motor {0} is running: {1:.1f} of {2:g} s.</source>
+        <translation>Le moteur {0} tourne : {1:.1f} sur {2:g} s.</translation></message>
+    <message><source>Armed. Hold the button: the motor runs only while it is held.</source>
+        <translation>Moteurs activés. Maintenez le bouton enfoncé : le moteur ne tourne que tant que vous le maintenez.</translation></message>
+    <message><source>Runs the test while it is held, with the mouse or the space bar</source>
+        <translation>Effectue l'essai tant qu'il est maintenu, avec la souris ou la barre d'espace</translation></message>
+    <message><source>Open a saved test</source>
+        <translation>Ouvrir un essai enregistré</translation></message>
+    <message><source>Save this test to compare with later, or a picture of it</source>
+        <translation>Enregistrer cet essai pour le comparer plus tard, ou une image de celui-ci</translation></message>
+    <message><source>The test is complete.</source>
+        <translation>L'essai est terminé.</translation></message>
+    <message><source>the previous test</source>
+        <translation>l'essai précédent</translation></message>
+    <message><source>Compar&amp;e with</source>
+        <translation>&amp;Comparer avec</translation></message>
+    <message><source>Settled &amp;within</source>
+        <translation>Sta&amp;bilisé à ±</translation></message>
+    <message><source>Aborted after {0:.2f} s: {1}</source>
+        <translation>Interrompu après {0:.2f} s : {1}</translation></message>
+    <message><source>Released after {0:.2f} s.</source>
+        <translation>Relâché après {0:.2f} s.</translation></message>
+    <message><source>1 to {0}, full speed</source>
+        <translation>1 à {0}, pleine vitesse</translation></message>
+    <message><source>Test</source>
+        <translation>Essai</translation></message>
+    <message><source>Motor to test</source>
+        <translation>Moteur à essayer</translation></message>
+    <message><source>Speed profile</source>
+        <translation>Profil de vitesse</translation></message>
+    <message><source>First direction</source>
+        <translation>Premier sens</translation></message>
+    <message><source>Highest speed of the test</source>
+        <translation>Vitesse la plus élevée de l'essai</translation></message>
+    <message><source>Duration of the test</source>
+        <translation>Durée de l'essai</translation></message>
+    <message><source>Period of the test</source>
+        <translation>Période de l'essai</translation></message>
+    <message><source>How setpoints are sent</source>
+        <translation>Mode d'envoi des consignes</translation></message>
+    <message><source>Abort current</source>
+        <translation>Courant d'interruption</translation></message>
+    <message><source>Abort at the board's &amp;limit, too</source>
+        <translation>Interrompre aussi à la &amp;limite de la carte</translation></message>
+    <message><source>&amp;Motor</source>
+        <translation>&amp;Moteur</translation></message>
+    <message><source>Pro&amp;file</source>
+        <translation>Pro&amp;fil</translation></message>
+    <message><source>Direc&amp;tion</source>
+        <translation>Sen&amp;s</translation></message>
+    <message><source>&amp;Duration</source>
+        <translation>&amp;Durée</translation></message>
+    <message><source>Se&amp;nt as</source>
+        <translation>&amp;Envoi</translation></message>
+    <message><source>Abort &amp;above</source>
+        <translation>Interrompre au-dess&amp;us de</translation></message>
+    <message><source>1 to {0}, the speed ceiling of the Motors page</source>
+        <translation>1 à {0}, la vitesse maximale de la page Moteurs</translation></message>
+    <message><source>A step has no period.</source>
+        <translation>Un échelon n'a pas de période.</translation></message>
+    <message><source>How long the speed rises before it is constant.</source>
+        <translation>Durée de montée de la vitesse avant qu'elle soit constante.</translation></message>
+    <message><source>Half of it in each direction.</source>
+        <translation>La moitié dans chaque sens.</translation></message>
+    <message><source>One full cycle, forward and back.</source>
+        <translation>Un cycle complet, avant et arrière.</translation></message>
+    <message><source>Appl&amp;y…</source>
+        <translation>Appli&amp;quer…</translation></message>
+    <message><source> s</source>
+        <translation> s</translation></message>
+    <message><source>Accelerate uses the board's acceleration, brake duration and current limit; Set at once bypasses the first two and, for a moment, the limit, too.</source>
+        <translation>« Accélérer » utilise l'accélération, la durée de freinage et la limite de courant de la carte ; « Régler immédiatement » contourne les deux premières et aussi, pendant un instant, la limite.</translation></message>
+    <message><source> A</source>
+        <translation> A</translation></message>
+    <message><source>One reading above it stops and disarms all motors. A motor draws most when it starts.</source>
+        <translation>Une seule mesure au-dessus arrête et désactive tous les moteurs. C'est au démarrage qu'un moteur consomme le plus.</translation></message>
+    <message><source>Stop when the board reports that its own current limit was exceeded.</source>
+        <translation>Arrêter quand la carte signale que sa propre limite de courant a été dépassée.</translation></message>
+    <message><source>R&amp;ises in</source>
+        <translation>Monte e&amp;n</translation></message>
+    <message><source>&amp;Period</source>
+        <translation>&amp;Période</translation></message>
+    <message><source>Connect to a board to see its settings.</source>
+        <translation>Connectez une carte pour voir ses réglages.</translation></message>
+    <message><source>Review and write all pending edits, these included</source>
+        <translation>Vérifier et écrire toutes les modifications en attente, y compris celles-ci</translation></message>
+    <message><source>Limit P</source>
+        <translation>Limite P</translation></message>
+    <message><source>{0} (stored: {1})</source>
+        <translation>{0} (enregistré : {1})</translation></message>
+    <message><source>Settings of motor {0}</source>
+        <translation>Réglages du moteur {0}</translation></message>
+    <message><source>Not applied: {0}</source>
+        <translation>Non appliqué : {0}</translation></message>
+    <message><source>Step: at once</source>
+        <translation>Échelon : immédiat</translation></message>
+    <message><source>Ramp: rising linearly</source>
+        <translation>Rampe : montée linéaire</translation></message>
+    <message><source>Reverse: back and forth</source>
+        <translation>Inversion : aller et retour</translation></message>
+    <message><source>Sine</source>
+        <translation>Sinus</translation></message>
+    <message><source>Forward</source>
+        <translation>Avant</translation></message>
+    <message><source>Reverse</source>
+        <translation>Arrière</translation></message>
+    <message><source>Accelerate</source>
+        <translation>Accélérer</translation></message>
+    <message><source>Set at once</source>
+        <translation>Régler immédiatement</translation></message>
+    <message><source>The table of figures has the results as numbers.</source>
+        <translation>Le tableau des valeurs donne les résultats en chiffres.</translation></message>
+    <message><source>Speed setpoint and current drawn, against time</source>
+        <translation>Consigne de vitesse et courant consommé, en fonction du temps</translation></message>
+    <message><source>Speed setpoint, against time</source>
+        <translation>Consigne de vitesse, en fonction du temps</translation></message>
+    <message><source>Current drawn, against time</source>
+        <translation>Courant consommé, en fonction du temps</translation></message>
+    <message><source>Compared</source>
+        <translation>Comparé</translation></message>
+    <message><source>Setpoint</source>
+        <translation>Consigne</translation></message>
+    <message><source>Planned</source>
+        <translation>Prévu</translation></message>
+    <message><source>A</source>
+        <translation>A</translation></message>
+    <message><source>Abort {0:g} A</source>
+        <translation>Interruption {0:g} A</translation></message>
+    <message><source>Limit {0:g} A</source>
+        <translation>Limite {0:g} A</translation></message>
+    <message><source>{0:.2f} s</source>
+        <translation>{0:.2f} s</translation></message>
+    <message><source>From the first setpoint until braking.</source>
+        <translation>De la première consigne jusqu'au freinage.</translation></message>
+    <message><source>Bench tests (*.csv);;Pictures (*.png)</source>
+        <translation>Essais au banc (*.csv);;Images (*.png)</translation></message>
+    <message><source>Save bench test</source>
+        <translation>Enregistrer l'essai au banc</translation></message>
+    <message><source>Bench tests (*.csv);;All files (*)</source>
+        <translation>Essais au banc (*.csv);;Tous les fichiers (*)</translation></message>
+    <message><source>Open bench test</source>
+        <translation>Ouvrir un essai au banc</translation></message>
+    <message><source>{0} was not saved: {1}.</source>
+        <translation>{0} n'a pas été enregistré : {1}.</translation></message>
+    <message><source>{0} was not opened: {1}.</source>
+        <translation>{0} n'a pas été ouvert : {1}.</translation></message>
+    <message><source>Peak current</source>
+        <translation>Courant de crête</translation></message>
+    <message><source>The highest reading.</source>
+        <translation>La mesure la plus élevée.</translation></message>
+    <message><source>Steady current</source>
+        <translation>Courant établi</translation></message>
+    <message><source>At the end of the first constant speed.</source>
+        <translation>À la fin de la première vitesse constante.</translation></message>
+    <message><source>Mean current</source>
+        <translation>Courant moyen</translation></message>
+    <message><source>Charge</source>
+        <translation>Charge</translation></message>
+    <message><source>Setpoint to current</source>
+        <translation>De la consigne au courant</translation></message>
+    <message><source>Until the first reading of two counts: the line, the board and its measurement.</source>
+        <translation>Jusqu'à la première mesure de deux counts : la liaison, la carte et sa mesure.</translation></message>
+    <message><source>Until the current stayed within this share of the steady current, or within two counts of it.</source>
+        <translation>Jusqu'à ce que le courant ne s'écarte plus du courant établi de plus de cette proportion, ou de plus de deux counts.</translation></message>
+    <message><source>Figures of the test</source>
+        <translation>Résultats de l'essai</translation></message>
+    <message><source>This test</source>
+        <translation>Cet essai</translation></message>
+    <message><source>Change</source>
+        <translation>Écart</translation></message>
+    <message><source>Settled within {0:.0f} % after</source>
+        <translation>Stabilisé à ±{0:.0f} % après</translation></message>
+    <message><source>Saved as {0}.</source>
+        <translation>Enregistré sous {0}.</translation></message>
+    <message><source>{0}: {1}.</source>
+        <translation>{0} : {1}.</translation></message>
+    <message><source>Click a board, or press Enter, to show it on every page. Motors stop first.</source>
+        <translation>Cliquez sur une carte, ou appuyez sur Entrée, pour l'afficher sur toutes les pages. Les moteurs s'arrêtent d'abord.</translation></message>
+    <message><source>Progress of the search</source>
+        <translation>Progression de la recherche</translation></message>
+    <message><source>Find boards</source>
+        <translation>Rechercher des cartes</translation></message>
+    <message><source>Cancel</source>
+        <translation>Annuler</translation></message>
+    <message><source>Change number…</source>
+        <translation>Modifier le numéro…</translation></message>
+    <message><source>Apply a file…</source>
+        <translation>Appliquer un fichier…</translation></message>
+    <message><source>Change device number</source>
+        <translation>Modifier le numéro d'appareil</translation></message>
+    <message><source>Before it is written, the line is asked for the new number: if another board has it, nothing is written. A board that is off, or has other serial settings, cannot be noticed. The new number takes effect at once, and a snapshot is saved first.</source>
+        <translation>Avant l'écriture, le nouveau numéro est demandé sur la liaison : si une autre carte le possède, rien n'est écrit. Une carte hors tension, ou qui a d'autres réglages série, ne peut pas être détectée. Le nouveau numéro prend effet immédiatement, et un instantané est enregistré d'abord.</translation></message>
+    <message><source>New device number</source>
+        <translation>Nouveau numéro d'appareil</translation></message>
+    <message><source>&amp;Write number</source>
+        <translation>Écrire le &amp;numéro</translation></message>
+    <message><source>Board:</source>
+        <translation>Carte :</translation></message>
+    <message><source>&amp;New number:</source>
+        <translation>Nouveau n&amp;uméro :</translation></message>
+    <message><source>The board has this number already.</source>
+        <translation>La carte a déjà ce numéro.</translation></message>
+    <message><source>Boards on this line</source>
+        <translation>Cartes sur cette liaison</translation></message>
+    <message><source>Ask for each device number which board has it; nothing is changed</source>
+        <translation>Demander pour chaque numéro d'appareil quelle carte le possède ; rien n'est modifié</translation></message>
+    <message><source>Ask for no more numbers</source>
+        <translation>Ne plus demander d'autres numéros</translation></message>
+    <message><source>Give the board that is selected another device number</source>
+        <translation>Donner un autre numéro d'appareil à la carte sélectionnée</translation></message>
+    <message><source>Write a settings file to several boards; each keeps its number</source>
+        <translation>Écrire un fichier de réglages dans plusieurs cartes ; chacune garde son numéro</translation></message>
+    <message><source>Number {0} of {1} …</source>
+        <translation>Numéro {0} sur {1} …</translation></message>
+    <message><source>being left …</source>
+        <translation>changement de carte …</translation></message>
+    <message><source>selected, not responding</source>
+        <translation>sélectionnée, ne répond pas</translation></message>
+    <message><source>selected, armed</source>
+        <translation>sélectionnée, moteurs activés</translation></message>
+    <message><source>selected, may be moving</source>
+        <translation>sélectionnée, peut-être en mouvement</translation></message>
+    <message><source>selected</source>
+        <translation>sélectionnée</translation></message>
+    <message><source>responding</source>
+        <translation>répond</translation></message>
+    <message><source>not responding</source>
+        <translation>ne répond pas</translation></message>
+    <message><source>reply unreadable</source>
+        <translation>réponse illisible</translation></message>
+    <message><source>not asked yet</source>
+        <translation>pas encore interrogée</translation></message>
+    <message><source>Several boards seem to have this number. Switch off all but one, and give it a number of its own.</source>
+        <translation>Plusieurs cartes semblent avoir ce numéro. Coupez l'alimentation de toutes sauf une, et donnez à celle-ci son propre numéro.</translation></message>
+    <message><source>It replied before. Check its power and its wires.</source>
+        <translation>Elle a répondu auparavant. Vérifiez son alimentation et son câblage.</translation></message>
+    <message><source>Taken: {0}.</source>
+        <translation>Déjà pris : {0}.</translation></message>
+    <message><source>Both off</source>
+        <translation>Les deux éteintes</translation></message>
+    <message><source>No power</source>
+        <translation>Pas d'alimentation</translation></message>
+    <message><source>Check the supply and its leads. If only a blue LED is lit, the board has no firmware.</source>
+        <translation>Vérifiez l'alimentation et ses fils. Si seule une LED bleue est allumée, la carte n'a pas de firmware.</translation></message>
+    <message><source>Red on</source>
+        <translation>Rouge allumée</translation></message>
+    <message><source>Running, serial commands control the motors</source>
+        <translation>En marche, les commandes série commandent les moteurs</translation></message>
+    <message><source>Compare the wires with the picture, then search with Find. Green lights while the board receives a command: if it never does, nothing arrives.</source>
+        <translation>Comparez le câblage avec l'image, puis lancez « Rechercher… ». La LED verte s'allume pendant que la carte reçoit une commande : si elle ne s'allume jamais, rien n'arrive.</translation></message>
+    <message><source>Green on, or flashing fast</source>
+        <translation>Verte allumée, ou clignotant vite</translation></message>
+    <message><source>Running, the channels control the motors</source>
+        <translation>En marche, les voies commandent les moteurs</translation></message>
+    <message><source>As above: the board responds in RC and analog mode, too. Red lights while it receives a command. Fast flashes are safe-start.</source>
+        <translation>Comme ci-dessus : la carte répond aussi en mode RC et en mode analogique. La LED rouge s'allume pendant qu'elle reçoit une commande. Un clignotement rapide signale le démarrage sécurisé.</translation></message>
+    <message><source>Both blink together</source>
+        <translation>Les deux clignotent ensemble</translation></message>
+    <message><source>Learning mode</source>
+        <translation>Mode apprentissage</translation></message>
+    <message><source>The board does not respond while it learns its channels. Remove the SO–G jumper, then switch the board off and on.</source>
+        <translation>La carte ne répond pas pendant qu'elle apprend ses voies. Retirez le cavalier SO–G, puis coupez et remettez l'alimentation.</translation></message>
+    <message><source>Red and green alternate</source>
+        <translation>Rouge et verte en alternance</translation></message>
+    <message><source>Waiting for the boot loader hand-shake</source>
+        <translation>Attente de la prise de contact du chargeur d'amorçage</translation></message>
+    <message><source>Switch the board off, remove the mix and SO–G jumpers, and switch it on. Or go on with the hand-shake for lost serial settings.</source>
+        <translation>Coupez l'alimentation de la carte, retirez les cavaliers Mix et SO–G, et remettez l'alimentation. Ou poursuivez la prise de contact en cas de réglages série perdus.</translation></message>
+    <message><source>Green flashes once a second</source>
+        <translation>La verte clignote une fois par seconde</translation></message>
+    <message><source>Boot loader, waiting for new firmware</source>
+        <translation>Chargeur d'amorçage, en attente d'un nouveau firmware</translation></message>
+    <message><source>Switch the board off and on, with the jumpers removed.</source>
+        <translation>Coupez et remettez l'alimentation de la carte, cavaliers retirés.</translation></message>
+    <message><source>Jumpers</source>
+        <translation>Cavaliers</translation></message>
+    <message><source>Switch the board off. Remove the mode jumper. Put the mix and SO–G jumpers on.</source>
+        <translation>Coupez l'alimentation de la carte. Retirez le cavalier de mode. Mettez les cavaliers Mix et SO–G.</translation></message>
+    <message><source>Both are off.</source>
+        <translation>Les deux sont éteintes.</translation></message>
+    <message><source>Nothing: the board has no power.</source>
+        <translation>Rien : la carte n'est pas alimentée.</translation></message>
+    <message><source>Switch on</source>
+        <translation>Mettre sous tension</translation></message>
+    <message><source>Switch the board on.</source>
+        <translation>Mettez la carte sous tension.</translation></message>
+    <message><source>Red and green alternate, about once a second.</source>
+        <translation>Rouge et verte en alternance, environ une fois par seconde.</translation></message>
+    <message><source>Nothing: the SO–G jumper holds its line to ground.</source>
+        <translation>Rien : le cavalier SO–G maintient sa ligne à la masse.</translation></message>
+    <message><source>Mix off</source>
+        <translation>Retirer Mix</translation></message>
+    <message><source>Remove the mix jumper. Leave the power on.</source>
+        <translation>Retirez le cavalier Mix. Laissez l'alimentation en marche.</translation></message>
+    <message><source>Red and green alternate, four times as fast.</source>
+        <translation>Rouge et verte en alternance, quatre fois plus vite.</translation></message>
+    <message><source>SO–G off</source>
+        <translation>Retirer SO–G</translation></message>
+    <message><source>Remove the SO–G jumper. Leave the power on.</source>
+        <translation>Retirez le cavalier SO–G. Laissez l'alimentation en marche.</translation></message>
+    <message><source>Green flashes briefly, once a second.</source>
+        <translation>La verte clignote brièvement, une fois par seconde.</translation></message>
+    <message><source>The boot loader answers each byte with a question mark. The serial settings should be those of the factory now.</source>
+        <translation>Le chargeur d'amorçage répond à chaque octet par un point d'interrogation. Les réglages série devraient maintenant être ceux d'usine.</translation></message>
+    <message><source>Connect</source>
+        <translation>Connecter</translation></message>
+    <message><source>Switch the board off and on, with all three jumpers removed. Then connect at 19200 baud, without parity and CRC.</source>
+        <translation>Coupez et remettez l'alimentation de la carte, les trois cavaliers retirés. Connectez-vous ensuite à 19200 bauds, sans parité ni CRC.</translation></message>
+    <message><source>Five flashes, then red stays on.</source>
+        <translation>Cinq clignotements, puis la rouge reste allumée.</translation></message>
+    <message><source>The TReX responds at the factory settings.</source>
+        <translation>Le TReX répond avec les réglages d'usine.</translation></message>
+    <message><source>Mode may also be on: the board responds in every mode.</source>
+        <translation>Le cavalier de mode peut aussi être en place : la carte répond dans tous les modes.</translation></message>
+    <message><source>Search with Find first: it finds a board at any of its settings. If that fails, these steps from Pololu's support forum restore the serial settings of the factory. One user saw the LEDs alternate for three seconds only, and nothing was restored: then begin again. Compare the other settings with your last snapshot afterwards (Ctrl+H).</source>
+        <translation>Lancez d'abord « Rechercher… » : cela trouve une carte quels que soient ses réglages. En cas d'échec, ces étapes, tirées du forum d'assistance de Pololu, restaurent les réglages série d'usine. Un utilisateur n'a vu les LED alterner que pendant trois secondes, et rien n'a été restauré : dans ce cas, recommencez. Comparez ensuite les autres réglages avec votre dernier instantané (Ctrl+H).</translation></message>
+    <message><source>&amp;Back</source>
+        <translation>&amp;Précédent</translation></message>
+    <message><source>&amp;Next</source>
+        <translation>&amp;Suivant</translation></message>
+    <message><source>Board does not respond</source>
+        <translation>La carte ne répond pas</translation></message>
+    <message><source>Ways to a board that responds</source>
+        <translation>Moyens d'obtenir une réponse de la carte</translation></message>
+    <message><source>&amp;What the board shows</source>
+        <translation>Ce que &amp;montre la carte</translation></message>
+    <message><source>&amp;Lost serial settings</source>
+        <translation>&amp;Réglages série perdus</translation></message>
+    <message><source>&amp;Find now</source>
+        <translation>Rec&amp;hercher maintenant</translation></message>
+    <message><source>&amp;Connect at factory settings</source>
+        <translation>&amp;Connecter avec les réglages d'usine</translation></message>
+    <message><source>Jumpers to connect</source>
+        <translation>Cavaliers pour la connexion</translation></message>
+    <message><source>What the LEDs show</source>
+        <translation>Ce que montrent les LED</translation></message>
+    <message><source>What this computer receives</source>
+        <translation>Ce que reçoit cet ordinateur</translation></message>
+    <message><source>19200 baud, without parity and CRC, whatever the device number</source>
+        <translation>19200 bauds, sans parité ni CRC, quel que soit le numéro d'appareil</translation></message>
+    <message><source>Settings are still being written. Close anyway? Unwritten settings are offered when the board is connected again.</source>
+        <translation>Des réglages sont encore en cours d'écriture. Fermer quand même ? Les réglages non écrits seront proposés quand la carte sera de nouveau connectée.</translation></message>
+    <message><source>Review and apply…</source>
+        <translation>Vérifier et appliquer…</translation></message>
+    <message><source>Close anyway</source>
+        <translation>Fermer quand même</translation></message>
+    <message><source>Save as a settings file…</source>
+        <translation>Enregistrer comme fichier de réglages…</translation></message>
+    <message><source>Keep and close</source>
+        <translation>Conserver et fermer</translation></message>
+    <message><source>Discard and close</source>
+        <translation>Abandonner et fermer</translation></message>
+    <message><source>Show &amp;matching settings, too</source>
+        <translation>Afficher aussi les réglages &amp;identiques</translation></message>
+    <message><source>Select &amp;all</source>
+        <translation>&amp;Tout sélectionner</translation></message>
+    <message><source>Select &amp;none</source>
+        <translation>&amp;Ne rien sélectionner</translation></message>
+    <message><source>Comparison of settings</source>
+        <translation>Comparaison des réglages</translation></message>
+    <message><source>After</source>
+        <translation>Après</translation></message>
+    <message><source>For a {0}: {1} carried over, {2} changed, {3} left out.</source>
+        <translation>Pour un {0} : {1} repris, {2} modifiés, {3} omis.</translation></message>
+    <message><source>Converted settings</source>
+        <translation>Réglages convertis</translation></message>
+    <message><source>Changed.</source>
+        <translation>Modifié.</translation></message>
+    <message><source>Left out.</source>
+        <translation>Omis.</translation></message>
+    <message><source>Carried over.</source>
+        <translation>Repris.</translation></message>
+    <message><source>In the file</source>
+        <translation>Dans le fichier</translation></message>
+    <message><source>Board to convert for</source>
+        <translation>Carte cible de la conversion</translation></message>
+    <message><source>&amp;Convert</source>
+        <translation>&amp;Convertir</translation></message>
+    <message><source>For a {0}</source>
+        <translation>Pour un {0}</translation></message>
+    <message><source>Convert &amp;for:</source>
+        <translation>Convertir &amp;pour :</translation></message>
+    <message><source>Convert {0}</source>
+        <translation>Convertir {0}</translation></message>
+    <message><source>Opens the converted settings as a new file, with the comments of this one. {0} stays as it is.</source>
+        <translation>Ouvre les réglages convertis dans un nouveau fichier, avec les commentaires de celui-ci. {0} reste inchangé.</translation></message>
+    <message><source>{0}, firmware {1}</source>
+        <translation>{0}, firmware {1}</translation></message>
+    <message numerus="yes"><source>%n count(s)</source>
+        <translation><numerusform>%n count</numerusform><numerusform>%n counts</numerusform></translation></message>
+    <message><source>Enter 0 to {0}, such as 2.5 V, 2500 mV or 512 counts.</source>
+        <translation>Entrez 0 à {0}, par exemple 2,5 V, 2500 mV ou 512 counts.</translation></message>
+    <message><source>Not a value</source>
+        <translation>Pas une valeur</translation></message>
+    <message><source>{0} is not a valid value. {1}</source>
+        <translation>{0} n'est pas une valeur valide. {1}</translation></message>
+    <message><source>Enter 0 to {0}, such as 1500 µs, 1.5 ms or 3750 counts.</source>
+        <translation>Entrez 0 à {0}, par exemple 1500 µs, 1,5 ms ou 3750 counts.</translation></message>
+    <message><source>on: the channels control the motors</source>
+        <translation>allumée : les voies commandent les moteurs</translation></message>
+    <message><source>Safe-start: the motors wait until the sticks are centred.</source>
+        <translation>Démarrage sécurisé : les moteurs attendent que les manches soient centrés.</translation></message>
+    <message><source>flickers</source>
+        <translation>scintille</translation></message>
+    <message><source>off: the power is off</source>
+        <translation>éteinte : l'alimentation est coupée</translation></message>
+    <message><source>on: serial commands control the motors</source>
+        <translation>allumée : les commandes série commandent les moteurs</translation></message>
+    <message><source>The power is off: the board does not reply.</source>
+        <translation>L'alimentation est coupée : la carte ne répond pas.</translation></message>
+    <message><source>Safe-start: the motors wait until channel 5 no longer requests override.</source>
+        <translation>Démarrage sécurisé : les moteurs attendent que la voie 5 ne demande plus la priorité.</translation></message>
+    <message><source>Power cycle</source>
+        <translation>Couper et remettre l'alimentation</translation></message>
+    <message><source>Power on</source>
+        <translation>Mettre sous tension</translation></message>
+    <message><source>SO–G holds the serial output to ground: no reply gets out.</source>
+        <translation>SO–G maintient la sortie série à la masse : aucune réponse ne sort.</translation></message>
+    <message><source>motor 1</source>
+        <translation>moteur 1</translation></message>
+    <message><source>motor 2</source>
+        <translation>moteur 2</translation></message>
+    <message><source>auxiliary</source>
+        <translation>auxiliaire</translation></message>
+    <message><source>flip</source>
+        <translation>retournement</translation></message>
+    <message><source>override</source>
+        <translation>priorité</translation></message>
+    <message><source>Power and jumpers</source>
+        <translation>Alimentation et cavaliers</translation></message>
+    <message><source>The board's power switch</source>
+        <translation>L'interrupteur d'alimentation de la carte</translation></message>
+    <message><source>Off for a second: jumpers are read, stored settings take effect</source>
+        <translation>Coupée une seconde : les cavaliers sont lus, les réglages enregistrés prennent effet</translation></message>
+    <message><source>Battery voltage</source>
+        <translation>Tension de la batterie</translation></message>
+    <message><source>Supply</source>
+        <translation>Alimentation</translation></message>
+    <message><source>Mode jumper</source>
+        <translation>Cavalier de mode</translation></message>
+    <message><source>The mode jumper; the board reads it when power comes on</source>
+        <translation>Le cavalier de mode ; la carte le lit à la mise sous tension</translation></message>
+    <message><source>Mix</source>
+        <translation>Mix</translation></message>
+    <message><source>The mix jumper: input 2 drives forward, input 1 turns; takes effect at once</source>
+        <translation>Le cavalier Mix : l'entrée 2 fait avancer, l'entrée 1 fait tourner ; prend effet immédiatement</translation></message>
+    <message><source>SO–G</source>
+        <translation>SO–G</translation></message>
+    <message><source>Connects SO to ground; with Mix a power-up then learns the inputs' calibration</source>
+        <translation>Relie SO à la masse ; avec Mix, une mise sous tension apprend alors l'étalonnage des entrées</translation></message>
+    <message><source>Battery</source>
+        <translation>Batterie</translation></message>
+    <message><source>No signal</source>
+        <translation>Pas de signal</translation></message>
+    <message><source>Move by themselves</source>
+        <translation>Mouvement automatique</translation></message>
+    <message><source>All sticks swing slowly; moving one holds that one</source>
+        <translation>Tous les manches oscillent lentement ; en déplacer un l'immobilise</translation></message>
+    <message><source>Centre</source>
+        <translation>Centrer</translation></message>
+    <message><source>Hold all sticks centred, as safe-start requires</source>
+        <translation>Maintenir tous les manches au centre, comme l'exige le démarrage sécurisé</translation></message>
+    <message><source>Centre all sticks</source>
+        <translation>Centrer tous les manches</translation></message>
+    <message><source>Motors</source>
+        <translation>Moteurs</translation></message>
+    <message><source>Load</source>
+        <translation>Charge</translation></message>
+    <message><source>Fault</source>
+        <translation>Défaut</translation></message>
+    <message><source>RC mode.</source>
+        <translation>Mode RC.</translation></message>
+    <message><source>Analog mode.</source>
+        <translation>Mode analogique.</translation></message>
+    <message><source>Serial mode.</source>
+        <translation>Mode série.</translation></message>
+    <message><source>Serial mode, inputs read as voltages.</source>
+        <translation>Mode série, entrées lues comme tensions.</translation></message>
+    <message><source>Serial commands control the motors.</source>
+        <translation>Les commandes série commandent les moteurs.</translation></message>
+    <message><source>Learning: remove the Mix jumper to begin.</source>
+        <translation>Apprentissage : retirez le cavalier Mix pour commencer.</translation></message>
+    <message><source>Learning: waits for a signal on any input.</source>
+        <translation>Apprentissage : attend un signal sur une entrée.</translation></message>
+    <message><source>Learning: leave the sticks centred for two seconds.</source>
+        <translation>Apprentissage : laissez les manches centrés deux secondes.</translation></message>
+    <message><source>Learning: one flash per input; green is learned.</source>
+        <translation>Apprentissage : un clignotement par entrée ; vert signifie apprise.</translation></message>
+    <message><source>Learning: hold each stick at both ends, ten seconds in all.</source>
+        <translation>Apprentissage : maintenez chaque manche aux deux extrémités, dix secondes en tout.</translation></message>
+    <message><source>Learned; green is good. Remove SO–G, then power cycle.</source>
+        <translation>Apprentissage terminé ; vert signifie réussi. Retirez SO–G, puis coupez et remettez l'alimentation.</translation></message>
+    <message><source>Boot loader: remove Mix, then SO–G.</source>
+        <translation>Chargeur d'amorçage : retirez Mix, puis SO–G.</translation></message>
+    <message><source>Boot loader: waits for firmware. Power cycle to leave.</source>
+        <translation>Chargeur d'amorçage : attend un firmware. Coupez et remettez l'alimentation pour en sortir.</translation></message>
+    <message><source>serial</source>
+        <translation>série</translation></message>
+    <message><source>RC</source>
+        <translation>RC</translation></message>
+    <message><source>turn</source>
+        <translation>rotation</translation></message>
+    <message><source>Demo TReX</source>
+        <translation>Démo TReX</translation></message>
+    <message><source>Factory state</source>
+        <translation>État d'usine</translation></message>
+    <message><source>5 override</source>
+        <translation>5 priorité</translation></message>
+    <message><source>A weak battery sags when the motors start, and the board resets</source>
+        <translation>La tension d'une batterie faible chute au démarrage des moteurs, et la carte redémarre</translation></message>
+    <message><source>Unplugged, the port disappears and motors keep running unless Serial Timeout is set</source>
+        <translation>Débranché, le port disparaît et les moteurs continuent de tourner sauf si « Délai série » est réglé</translation></message>
+    <message><source>The wire from SO is broken: the board executes commands, no reply arrives</source>
+        <translation>Le fil de SO est coupé : la carte exécute les commandes, aucune réponse n'arrive</translation></message>
+    <message><source>This share of the bytes is corrupted in either direction; CRC detects them</source>
+        <translation>Cette proportion des octets est altérée dans chaque sens ; le CRC les détecte</translation></message>
+    <message><source>lit while a packet arrives</source>
+        <translation>allumée pendant l'arrivée d'un paquet</translation></message>
+    <message><source>fast flash: safe-start, the motors wait</source>
+        <translation>clignotement rapide : démarrage sécurisé, les moteurs attendent</translation></message>
+    <message><source>Channel 5 hands control to serial commands.</source>
+        <translation>La voie 5 donne la main aux commandes série.</translation></message>
+    <message><source>The sticks control the motors.</source>
+        <translation>Les manches commandent les moteurs.</translation></message>
+    <message><source>Safe-start: the motors wait for a signal on input {0}.</source>
+        <translation>Démarrage sécurisé : les moteurs attendent un signal sur l'entrée {0}.</translation></message>
+    <message><source>{0} to learn the inputs.</source>
+        <translation>{0} pour apprendre les entrées.</translation></message>
+    <message><source>{0} to enter {1} mode.</source>
+        <translation>{0} pour passer en mode {1}.</translation></message>
+    <message><source>LEDs of the board</source>
+        <translation>LED de la carte</translation></message>
+    <message><source>Resets everything: stored settings, jumpers, sticks, loads and faults of the line</source>
+        <translation>Réinitialise tout : réglages enregistrés, cavaliers, manches, charges et défauts de la liaison</translation></message>
+    <message><source>No jumper: serial</source>
+        <translation>Sans cavalier : série</translation></message>
+    <message><source>Analog</source>
+        <translation>Analogique</translation></message>
+    <message><source>{0:.1f} V at the board</source>
+        <translation>{0:.1f} V sur la carte</translation></message>
+    <message><source>switched off</source>
+        <translation>coupée</translation></message>
+    <message><source>Mode is read at power-up; Mix takes effect at once.</source>
+        <translation>Le mode est lu à la mise sous tension ; Mix prend effet immédiatement.</translation></message>
+    <message><source>Input {0}</source>
+        <translation>Entrée {0}</translation></message>
+    <message><source>invalid</source>
+        <translation>non valide</translation></message>
+    <message><source>Stick of input {0}</source>
+        <translation>Manche de l'entrée {0}</translation></message>
+    <message><source>Unplug input {0}: an RC input is invalid 0.1 s later</source>
+        <translation>Débrancher l'entrée {0} : une entrée RC devient non valide 0,1 s plus tard</translation></message>
+    <message><source>Load of motor {0}</source>
+        <translation>Charge du moteur {0}</translation></message>
+    <message><source>The driver of motor {0} shuts down, as when hot or shorted</source>
+        <translation>Le driver du moteur {0} se coupe, comme en cas de surchauffe ou de court-circuit</translation></message>
+    <message><source>Error of one byte</source>
+        <translation>Erreur d'un octet</translation></message>
+    <message><source>An error of the serial line that the board reports</source>
+        <translation>Une erreur de la liaison série que la carte signale</translation></message>
+    <message><source>Corrupt one byte</source>
+        <translation>Altérer un octet</translation></message>
+    <message><source>The next byte reaches the board with this error; the Status page counts it. Only a board with parity detects a parity error.</source>
+        <translation>Le prochain octet arrive à la carte avec cette erreur ; la page État la compte. Seule une carte avec parité détecte une erreur de parité.</translation></message>
+    <message><source>{0} to start the boot loader.</source>
+        <translation>{0} pour démarrer le chargeur d'amorçage.</translation></message>
+    <message><source>brake</source>
+        <translation>freinage</translation></message>
+    <message><source>Input {0}: {1} in RC and analog mode, only measured in serial mode. A double click centres it.</source>
+        <translation>Entrée {0} : {1} en mode RC et analogique, seulement mesurée en mode série. Un double clic la centre.</translation></message>
+    <message><source>No signal at input {0}</source>
+        <translation>Pas de signal à l'entrée {0}</translation></message>
+    <message><source>The current that motor {0} draws at full speed; at the right end it stalls, which triggers current limits and faults</source>
+        <translation>Le courant que consomme le moteur {0} à pleine vitesse ; à l'extrémité droite, il cale, ce qui déclenche limites de courant et défauts</translation></message>
+    <message><source>Driver fault of motor {0}</source>
+        <translation>Défaut du driver du moteur {0}</translation></message>
+    <message><source>Overrun</source>
+        <translation>Débordement</translation></message>
+    <message><source>Findings about the settings</source>
+        <translation>Constats sur les réglages</translation></message>
+    <message><source>Accept</source>
+        <translation>Accepter</translation></message>
+    <message><source>Add this change to the edits; nothing is written until you click Apply</source>
+        <translation>Ajouter cette modification ; rien n'est écrit tant que vous ne cliquez pas sur « Appliquer les réglages »</translation></message>
+    <message><source>&amp;Delete…</source>
+        <translation>&amp;Supprimer…</translation></message>
+    <message><source>&amp;Open folder</source>
+        <translation>&amp;Ouvrir le dossier</translation></message>
+    <message numerus="yes"><source>Permanently delete %n snapshot(s), the newest of {0}?</source>
+        <translation><numerusform>Supprimer définitivement %n instantané ({0}) ?</numerusform><numerusform>Supprimer définitivement %n instantanés (le plus récent : {0}) ?</numerusform></translation></message>
+    <message><source>Search times, boards, adapters (Ctrl+F)</source>
+        <translation>Rechercher heures, cartes, adaptateurs (Ctrl+F)</translation></message>
+    <message><source>History</source>
+        <translation>Historique</translation></message>
+    <message><source>There are no snapshots yet.
+
+Before settings are applied or defaults restored, in this window or with trexcmd, everything that the board stores is saved here. You can compare a snapshot with the board and restore all or part of it.</source>
+        <translation>Il n'y a pas encore d'instantanés.
+
+Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans cette fenêtre ou avec trexcmd, tout ce que la carte contient est enregistré ici. Vous pouvez comparer un instantané avec la carte et le restaurer en tout ou en partie.</translation></message>
+    <message><source>Save a copy of the snapshot</source>
+        <translation>Enregistrer une copie de l'instantané</translation></message>
+    <message><source>Search snapshots</source>
+        <translation>Rechercher dans les instantanés</translation></message>
+    <message><source>Snapshots</source>
+        <translation>Instantanés</translation></message>
+    <message><source>No snapshot matches the search.</source>
+        <translation>Aucun instantané ne correspond à la recherche.</translation></message>
+    <message><source>Which snapshots are kept</source>
+        <translation>Quels instantanés sont conservés</translation></message>
+    <message><source>How many snapshots are kept</source>
+        <translation>Nombre d'instantanés conservés</translation></message>
+    <message><source>&amp;Set</source>
+        <translation>&amp;Définir</translation></message>
+    <message><source>Save a copy as a settings file</source>
+        <translation>Enregistrer une copie comme fichier de réglages</translation></message>
+    <message><source>&amp;Keep</source>
+        <translation>&amp;Conserver</translation></message>
+    <message><source>snapshots</source>
+        <translation>instantanés</translation></message>
+    <message><source>A copy was saved in {0}.</source>
+        <translation>Une copie a été enregistrée dans {0}.</translation></message>
+    <message><source>the newest</source>
+        <translation>les derniers</translation></message>
+    <message><source>all</source>
+        <translation>tous</translation></message>
+    <message numerus="yes"><source>Permanently remove the oldest %n of {0} snapshots?</source>
+        <translation><numerusform>Supprimer définitivement %n instantané sur {0}, le plus ancien ?</numerusform><numerusform>Supprimer définitivement %n instantanés sur {0}, les plus anciens ?</numerusform></translation></message>
+    <message><source>The snapshots are in {0}.</source>
+        <translation>Les instantanés se trouvent dans {0}.</translation></message>
+    <message><source>Remove {0}</source>
+        <translation>En supprimer {0}</translation></message>
+    <message><source>Nothing was saved. {0}</source>
+        <translation>Rien n'a été enregistré. {0}</translation></message>
+    <message><source>{0:.0f} to {1:.0f} counts</source>
+        <translation>{0:.0f} à {1:.0f} counts</translation></message>
+    <message><source>on</source><comment>jumper</comment>
+        <translation>en place</translation></message>
+    <message><source>off</source><comment>jumper</comment>
+        <translation>retiré</translation></message>
+    <message><source>either</source>
+        <translation>au choix</translation></message>
+    <message><source>mode jumper at {0}</source>
+        <translation>cavalier de mode sur {0}</translation></message>
+    <message><source>no mode jumper</source>
+        <translation>pas de cavalier de mode</translation></message>
+    <message><source>SO–G jumper on</source>
+        <translation>cavalier SO–G en place</translation></message>
+    <message><source>no SO–G jumper</source>
+        <translation>pas de cavalier SO–G</translation></message>
+    <message><source>Mode</source>
+        <translation>Mode</translation></message>
+    <message><source>mix jumper on</source>
+        <translation>cavalier Mix en place</translation></message>
+    <message><source>no mix jumper</source>
+        <translation>pas de cavalier Mix</translation></message>
+    <message numerus="yes"><source>&amp;Learn channel(s) {0} again</source>
+        <translation><numerusform>&amp;Réapprendre la voie {0}</numerusform><numerusform>&amp;Réapprendre les voies {0}</numerusform></translation></message>
+    <message><source>Push every stick forward or right first, all the way; then the other way. Move switches to all positions.</source>
+        <translation>Poussez d'abord chaque manche à fond vers l'avant ou vers la droite, puis dans l'autre sens. Mettez les interrupteurs dans toutes leurs positions.</translation></message>
+    <message><source>Hold each end until its check mark appears, for at least {0:.1f} s: this line ({1} baud) carries only {2:.1f} measurements per second. Then click Next.</source>
+        <translation>Maintenez chaque extrémité jusqu'à l'apparition de sa coche, pendant au moins {0:.1f} s : cette liaison ({1} bauds) ne transmet que {2:.1f} mesures par seconde. Cliquez ensuite sur « Suivant ».</translation></message>
+    <message><source>Push every stick to all its ends, then release it. Move every switch to all its positions. The motors stay off: in serial mode the sticks do not drive them.</source>
+        <translation>Poussez chaque manche vers toutes ses extrémités, puis relâchez-le. Mettez chaque interrupteur dans toutes ses positions. Les moteurs restent à l'arrêt : en mode série, les manches ne les commandent pas.</translation></message>
+    <message><source>&amp;Use these values…</source>
+        <translation>&amp;Utiliser ces valeurs…</translation></message>
+    <message><source>Stop the motors and &amp;test</source>
+        <translation>Arrêter les moteurs et &amp;tester</translation></message>
+    <message><source>Measurements</source>
+        <translation>Mesures</translation></message>
+    <message><source>Stop the motors</source>
+        <translation>Arrêter les moteurs</translation></message>
+    <message><source>Try &amp;again</source>
+        <translation>Réess&amp;ayer</translation></message>
+    <message><source>Stop the motors again and begin again.</source>
+        <translation>Arrêter à nouveau les moteurs et recommencer.</translation></message>
+    <message><source>The new values are in the board. The test does not start by itself, because the motors may be running: it has to stop them first.</source>
+        <translation>Les nouvelles valeurs sont dans la carte. Le test ne démarre pas de lui-même, car les moteurs tournent peut-être : il doit d'abord les arrêter.</translation></message>
+    <message><source>The board sends no measurements: the line is busy or disturbed. Waiting …</source>
+        <translation>La carte n'envoie aucune mesure : la liaison est occupée ou perturbée. Attente …</translation></message>
+    <message><source>The motors are stopped. Release every stick and set every switch to off. Then click Next to measure the rest positions.</source>
+        <translation>Les moteurs sont arrêtés. Relâchez tous les manches et mettez tous les interrupteurs en position inactive. Cliquez ensuite sur « Suivant » pour mesurer les positions de repos.</translation></message>
+    <message><source>No channel is at rest. Correct the problems below, then click “Sample again”.</source>
+        <translation>Aucune voie n'est au repos. Corrigez les problèmes ci-dessous, puis cliquez sur « Refaire la mesure ».</translation></message>
+    <message><source>Check the new values. You can change them; clear the check box of a channel to keep its old values. Nothing is written yet: you confirm all changes in the next window.</source>
+        <translation>Vérifiez les nouvelles valeurs. Vous pouvez les modifier ; décochez la case d'une voie pour garder ses anciennes valeurs. Rien n'est encore écrit : vous confirmez toutes les modifications dans la fenêtre suivante.</translation></message>
+    <message><source>If a channel does not get a good result, learn its values again.</source>
+        <translation>Si une voie ne donne pas un bon résultat, apprenez à nouveau ses valeurs.</translation></message>
+    <message><source>Test every stick</source>
+        <translation>Tester chaque manche</translation></message>
+    <message><source>Hands off the sticks</source>
+        <translation>Lâcher les manches</translation></message>
+    <message><source>All sticks to all ends</source>
+        <translation>Tous les manches à toutes les extrémités</translation></message>
+    <message><source>Review</source>
+        <translation>Vérifier</translation></message>
+    <message><source>Test the sticks</source>
+        <translation>Tester les manches</translation></message>
+    <message><source>The motors are stopped: co&amp;ntinue</source>
+        <translation>Les moteurs sont à l'arrêt : &amp;continuer</translation></message>
+    <message><source>Sample &amp;again</source>
+        <translation>Re&amp;faire la mesure</translation></message>
+    <message><source>Measure the rest positions of all channels once more.</source>
+        <translation>Mesurer encore une fois les positions de repos de toutes les voies.</translation></message>
+    <message><source>&amp;Forget these ends</source>
+        <translation>&amp;Oublier ces extrémités</translation></message>
+    <message><source>Forget the ends reached so far. The rest positions are kept.</source>
+        <translation>Oublier les extrémités atteintes jusqu'ici. Les positions de repos sont conservées.</translation></message>
+    <message><source>&amp;Start over</source>
+        <translation>&amp;Recommencer</translation></message>
+    <message><source>Forget everything measured and go back to the rest positions.</source>
+        <translation>Oublier toutes les mesures et revenir aux positions de repos.</translation></message>
+    <message><source>Test &amp;again</source>
+        <translation>Tester à nou&amp;veau</translation></message>
+    <message><source>Forget what was tested so far and begin the test again.</source>
+        <translation>Oublier ce qui a été testé jusqu'ici et recommencer le test.</translation></message>
+    <message><source>Stopping the motors. The next step comes when the board has confirmed the stop and no current flows.</source>
+        <translation>Arrêt des moteurs. L'étape suivante vient quand la carte a confirmé l'arrêt et qu'aucun courant ne circule.</translation></message>
+    <message><source>Not every channel is at rest. Correct the problems below and click “Sample again”, or click Next to continue without channel {0}.</source>
+        <translation>Toutes les voies ne sont pas au repos. Corrigez les problèmes ci-dessous et cliquez sur « Refaire la mesure », ou cliquez sur « Suivant » pour continuer sans la voie {0}.</translation></message>
+    <message><source>Hold each end for a moment, then click Next.</source>
+        <translation>Maintenez chaque extrémité un instant, puis cliquez sur « Suivant ».</translation></message>
+    <message><source>Nothing was learned. The reason is below. Go back, or start over.</source>
+        <translation>Rien n'a été appris. La raison est indiquée ci-dessous. Revenez en arrière, ou recommencez.</translation></message>
+    <message><source>Nothing was learned, so there are no values to use.</source>
+        <translation>Rien n'a été appris, il n'y a donc aucune valeur à utiliser.</translation></message>
+    <message><source>No channel is selected. Select each channel whose new values to use.</source>
+        <translation>Aucune voie n'est sélectionnée. Sélectionnez chaque voie dont il faut utiliser les nouvelles valeurs.</translation></message>
+    <message><source>No channel is selected.</source>
+        <translation>Aucune voie n'est sélectionnée.</translation></message>
+    <message><source>Use the values of all selected channels. Nothing is written yet.</source>
+        <translation>Utiliser les valeurs de toutes les voies sélectionnées. Rien n'est encore écrit.</translation></message>
+    <message><source>Everything is as it should be.</source>
+        <translation>Tout est en ordre.</translation></message>
+    <message><source>There is nothing to test: the board ignores this input, so it holds it at neutral. See the setting Ignored Channels.</source>
+        <translation>Il n'y a rien à tester : la carte ignore cette entrée et la maintient donc au neutre. Voir le réglage « Voies ignorées ».</translation></message>
+    <message><source>The tested channels are good. But in {0} mode the motors would not start. {1}</source>
+        <translation>Les voies testées sont bonnes. Mais en mode {0}, les moteurs ne démarreraient pas. {1}</translation></message>
+    <message><source>{0}. Not done: {1}.</source>
+        <translation>{0}. Non fait : {1}.</translation></message>
+    <message><source>Hands off. Sampling … {0:.1f} s</source>
+        <translation>Lâchez les manches. Mesure … {0:.1f} s</translation></message>
+    <message><source>The board would reject the values of channel {0}: change them, or clear its check box.</source>
+        <translation>La carte rejetterait les valeurs de la voie {0} : modifiez-les, ou décochez sa case.</translation></message>
+    <message><source>The board would reject the values of channel {0}.</source>
+        <translation>La carte rejetterait les valeurs de la voie {0}.</translation></message>
+    <message><source>No end reached yet.</source>
+        <translation>Aucune extrémité encore atteinte.</translation></message>
+    <message><source>not sampled yet</source>
+        <translation>pas encore mesuré</translation></message>
+    <message><source>{0} end: not reached yet</source>
+        <translation>Extrémité {0} : pas encore atteinte</translation></message>
+    <message><source>{0} end: hold it there</source>
+        <translation>Extrémité {0} : à maintenir</translation></message>
+    <message><source>{0} end: reached</source>
+        <translation>Extrémité {0} : atteinte</translation></message>
+    <message><source>{0} end: not needed</source>
+        <translation>Extrémité {0} : pas nécessaire</translation></message>
+    <message><source>low</source>
+        <translation>basse</translation></message>
+    <message><source>high</source>
+        <translation>haute</translation></message>
+    <message><source>Hold it there …</source>
+        <translation>Maintenez cette position …</translation></message>
+    <message><source>The low end was not held. Push it there again and hold it for {0:.1f} s.</source>
+        <translation>L'extrémité basse n'a pas été maintenue. Poussez-y à nouveau et maintenez pendant {0:.1f} s.</translation></message>
+    <message><source>The high end was not held. Push it there again and hold it for {0:.1f} s.</source>
+        <translation>L'extrémité haute n'a pas été maintenue. Poussez-y à nouveau et maintenez pendant {0:.1f} s.</translation></message>
+    <message><source>Not moved yet. Move the switch to every position.</source>
+        <translation>Pas encore bougé. Mettez l'interrupteur dans chaque position.</translation></message>
+    <message><source>Calculated from the values in the board, for each channel by itself. From the manual: full output at and beyond the ends, 0 in the deadband, and what safe-start waits for. Assumed: up to 8 of 127 counts as neutral; the switching points of switches.</source>
+        <translation>Calculé à partir des valeurs de la carte, pour chaque voie séparément. D'après le manuel : sortie maximale aux extrémités et au-delà, 0 dans la zone morte, et ce qu'attend le démarrage sécurisé. Supposé : jusqu'à 8 sur 127 compte comme neutre ; les points de basculement des interrupteurs.</translation></message>
+    <message><source>Left out: its rest position is not known.</source>
+        <translation>Omise : sa position de repos n'est pas connue.</translation></message>
+    <message><source>Raw input of channel {0}</source>
+        <translation>Entrée brute de la voie {0}</translation></message>
+    <message><source>at rest: {0}, noise {1}</source>
+        <translation>au repos : {0}, bruit {1}</translation></message>
+    <message><source>Both ends reached: {0} and {1}.</source>
+        <translation>Les deux extrémités sont atteintes : {0} et {1}.</translation></message>
+    <message><source>Reached: {0}.</source>
+        <translation>Atteint : {0}.</translation></message>
+    <message><source>Low end reached: {0}. Now the other way.</source>
+        <translation>Extrémité basse atteinte : {0}. Maintenant dans l'autre sens.</translation></message>
+    <message><source>High end reached: {0}. Now the other way.</source>
+        <translation>Extrémité haute atteinte : {0}. Maintenant dans l'autre sens.</translation></message>
+    <message><source>Output of channel {0}</source>
+        <translation>Sortie de la voie {0}</translation></message>
+    <message><source>Use {0} &amp;as neutral</source>
+        <translation>Utiliser {0} &amp;comme neutre</translation></message>
+    <message><source>Input now {0}; output {1}.</source>
+        <translation>Entrée actuelle {0} ; sortie {1}.</translation></message>
+    <message numerus="yes"><source>%n earlier pending edit(s) will be written, too.</source>
+        <translation><numerusform>%n modification antérieure en attente sera également écrite.</numerusform><numerusform>%n modifications antérieures en attente seront également écrites.</numerusform></translation></message>
+    <message><source>&amp;Minimum</source>
+        <translation>&amp;Minimum</translation></message>
+    <message><source>&amp;Neutral</source>
+        <translation>&amp;Neutre</translation></message>
+    <message><source>Ma&amp;ximum</source>
+        <translation>Ma&amp;ximum</translation></message>
+    <message><source>&amp;Deadband</source>
+        <translation>&amp;Zone morte</translation></message>
+    <message><source>&amp;Reversed</source>
+        <translation>&amp;Inversée</translation></message>
+    <message><source>unknown</source>
+        <translation>inconnu</translation></message>
+    <message><source>proposed {0}</source>
+        <translation>proposé {0}</translation></message>
+    <message><source>as it was {0}</source>
+        <translation>avant {0}</translation></message>
+    <message><source>Its new values will be used.</source>
+        <translation>Ses nouvelles valeurs seront utilisées.</translation></message>
+    <message><source>was reversed</source>
+        <translation>était inversée</translation></message>
+    <message><source>was not reversed</source>
+        <translation>n'était pas inversée</translation></message>
+    <message><source>The channel was left out.</source>
+        <translation>La voie a été omise.</translation></message>
+    <message><source>This replaces a pending edit of the channel.</source>
+        <translation>Ceci remplace une modification en attente de la voie.</translation></message>
+    <message><source>as it was</source>
+        <translation>avant</translation></message>
+    <message><source>proposed, as it was</source>
+        <translation>proposé, comme avant</translation></message>
+    <message><source>proposed</source>
+        <translation>proposé</translation></message>
+    <message><source>No signal now: the output is 0.</source>
+        <translation>Pas de signal actuellement : la sortie est à 0.</translation></message>
+    <message><source>Channels</source>
+        <translation>Voies</translation></message>
+    <message><source>Nothing was learned.</source>
+        <translation>Rien n'a été appris.</translation></message>
+    <message><source>Keeps its old values.</source>
+        <translation>Garde ses anciennes valeurs.</translation></message>
+    <message><source>Check this channel.</source>
+        <translation>Vérifiez cette voie.</translation></message>
+    <message><source>Use &amp;channel {0}: {1}</source>
+        <translation>Utiliser la &amp;voie {0} : {1}</translation></message>
+    <message><source>Nothing was learned. {0}</source>
+        <translation>Rien n'a été appris. {0}</translation></message>
+    <message><source>{0}
+was {1}</source>
+        <translation>{0}
+avant {1}</translation></message>
+    <message><source>{0} of channel {1}</source>
+        <translation>{0} de la voie {1}</translation></message>
+    <message><source>{0}: beyond a limit that is inferred. The board decides: it may reject the value, or store another one.</source>
+        <translation>{0} : au-delà d'une limite déduite. C'est la carte qui décide : elle peut rejeter la valeur, ou en enregistrer une autre.</translation></message>
+    <message><source>Write an&amp;yway</source>
+        <translation>Écrire &amp;quand même</translation></message>
+    <message><source>Line settings</source>
+        <translation>Réglages de liaison</translation></message>
+    <message><source>These must be the settings that the board has now. A new board talks at 19200 baud, without error detection, with one stop bit. Changing them here changes nothing in the board.</source>
+        <translation>Ce doivent être les réglages que la carte a actuellement. Une carte neuve communique à 19200 bauds, sans détection d'erreurs, avec un bit d'arrêt. Les modifier ici ne change rien dans la carte.</translation></message>
+    <message><source>&amp;Address one board of several by its number (Pololu protocol)</source>
+        <translation>&amp;Adresser une carte parmi plusieurs par son numéro (protocole Pololu)</translation></message>
+    <message><source>&amp;Line:</source>
+        <translation>&amp;Liaison :</translation></message>
+    <message><source>CRC-7 &amp;polynomial:</source>
+        <translation>&amp;Polynôme CRC-7 :</translation></message>
+    <message><source>&amp;Device number:</source>
+        <translation>&amp;Numéro d'appareil :</translation></message>
+    <message><source>&amp;Restore defaults</source>
+        <translation>&amp;Restaurer les valeurs par défaut</translation></message>
+    <message><source>Why this value? Kept on this computer and in files.</source>
+        <translation>Pourquoi cette valeur ? Conservé sur cet ordinateur et dans les fichiers.</translation></message>
+    <message><source>Note</source>
+        <translation>Note</translation></message>
+    <message><source>&amp;All other channels</source>
+        <translation>&amp;Toutes les autres voies</translation></message>
+    <message><source>&amp;Reset to factory defaults</source>
+        <translation>&amp;Réinitialiser aux réglages d'usine</translation></message>
+    <message><source>&amp;Load calibrations from a file…</source>
+        <translation>&amp;Charger des étalonnages depuis un fichier…</translation></message>
+    <message><source>&amp;Save calibrations to a file…</source>
+        <translation>&amp;Enregistrer les étalonnages dans un fichier…</translation></message>
+    <message><source>{0} could not be loaded: {1}</source>
+        <translation>{0} n'a pas pu être chargé : {1}</translation></message>
+    <message><source>{0} has the same calibrations.</source>
+        <translation>{0} contient les mêmes étalonnages.</translation></message>
+    <message><source>{0} could not be saved: {1}</source>
+        <translation>{0} n'a pas pu être enregistré : {1}</translation></message>
+    <message><source>&amp;Copy to</source>
+        <translation>C&amp;opier vers</translation></message>
+    <message><source>&amp;Equal travel to both ends</source>
+        <translation>Course égale vers les &amp;deux extrémités</translation></message>
+    <message><source>As on the &amp;shorter side</source>
+        <translation>Comme du côté le &amp;plus court</translation></message>
+    <message><source>As on the &amp;longer side</source>
+        <translation>Comme du côté le plus &amp;long</translation></message>
+    <message><source>Assumed values: Pololu publishes no factory defaults</source>
+        <translation>Valeurs supposées : Pololu ne publie pas de réglages d'usine</translation></message>
+    <message><source>Load calibrations</source>
+        <translation>Charger des étalonnages</translation></message>
+    <message><source>Save calibrations</source>
+        <translation>Enregistrer les étalonnages</translation></message>
+    <message><source>Calibrations loaded from {0} as edits: {1}.</source>
+        <translation>Étalonnages chargés depuis {0} comme modifications : {1}.</translation></message>
+    <message><source>Copy of the calibration of channel {0}</source>
+        <translation>Copie de l'étalonnage de la voie {0}</translation></message>
+    <message><source>Channel {0} ({1})</source>
+        <translation>Voie {0} ({1})</translation></message>
+    <message><source>The calibrations shown were saved in {0}.</source>
+        <translation>Les étalonnages affichés ont été enregistrés dans {0}.</translation></message>
+    <message><source>Calibrations of {0}</source>
+        <translation>Étalonnages de {0}</translation></message>
+    <message><source>Minimum</source>
+        <translation>Minimum</translation></message>
+    <message><source>Neutral</source>
+        <translation>Neutre</translation></message>
+    <message><source>Maximum</source>
+        <translation>Maximum</translation></message>
+    <message><source>Curve of the channel</source>
+        <translation>Courbe de la voie</translation></message>
+    <message><source>Its handles can be dragged; the fields below set the same values.</source>
+        <translation>Vous pouvez faire glisser ses poignées ; les champs ci-dessous règlent les mêmes valeurs.</translation></message>
+    <message><source>Input of the last 10 seconds</source>
+        <translation>Entrée des 10 dernières secondes</translation></message>
+    <message><source>The input of the last 10 seconds; the newest is at the top</source>
+        <translation>L'entrée des 10 dernières secondes ; la plus récente est en haut</translation></message>
+    <message><source>Now</source>
+        <translation>Maintenant</translation></message>
+    <message><source>flip on</source>
+        <translation>retournement actif</translation></message>
+    <message><source>override on</source>
+        <translation>priorité active</translation></message>
+    <message><source>Ne&amp;utral</source>
+        <translation>Ne&amp;utre</translation></message>
+    <message><source>Dead&amp;band ±</source>
+        <translation>&amp;Zone morte ±</translation></message>
+    <message><source>Re&amp;versed</source>
+        <translation>Inver&amp;sée</translation></message>
+    <message><source>The output changes its sign: forward and reverse are swapped</source>
+        <translation>La sortie change de signe : avant et arrière sont inversés</translation></message>
+    <message><source>Parab&amp;olic</source>
+        <translation>Parabo&amp;lique</translation></message>
+    <message><source>Gentle near neutral, steep near the ends</source>
+        <translation>Doux près du neutre, raide près des extrémités</translation></message>
+    <message><source>I&amp;gnored</source>
+        <translation>I&amp;gnorée</translation></message>
+    <message><source>Held at neutral at any input; for channels without a cable</source>
+        <translation>Maintenue au neutre quelle que soit l'entrée ; pour les voies sans câble</translation></message>
+    <message><source>Re&amp;quired in RC mode</source>
+        <translation>Re&amp;quise en mode RC</translation></message>
+    <message><source>The motors stop when its pulses are missing for half a second</source>
+        <translation>Les moteurs s'arrêtent quand ses impulsions manquent pendant une demi-seconde</translation></message>
+    <message><source>Its values have not been read yet.</source>
+        <translation>Ses valeurs n'ont pas encore été lues.</translation></message>
+    <message><source>, problem</source>
+        <translation>, problème</translation></message>
+    <message><source>Analog voltages</source>
+        <translation>Tensions analogiques</translation></message>
+    <message><source>Ma&amp;ke active…</source>
+        <translation>Rendre act&amp;if…</translation></message>
+    <message><source>stored now</source>
+        <translation>enregistré actuellement</translation></message>
+    <message><source>, edited</source>
+        <translation>, modifiée</translation></message>
+    <message><source>not learned</source>
+        <translation>non apprise</translation></message>
+    <message><source>Input source</source>
+        <translation>Source des entrées</translation></message>
+    <message><source>learned: has its own calibration</source>
+        <translation>apprise : a son propre étalonnage</translation></message>
+    <message><source>Read the other input source</source>
+        <translation>Lire l'autre source des entrées</translation></message>
+    <message><source>No board responds.</source>
+        <translation>Aucune carte ne répond.</translation></message>
+    <message><source>Live value</source>
+        <translation>Valeur en direct</translation></message>
+    <message><source>as last seen</source>
+        <translation>dernière valeur connue</translation></message>
+    <message><source>not learned yet: will be after Apply</source>
+        <translation>pas encore apprise : le sera après application</translation></message>
+    <message><source>not learned: defaults</source>
+        <translation>non apprise : valeurs par défaut</translation></message>
+    <message><source>Stored: the board reads {0} after the next power cycle.</source>
+        <translation>Enregistré : après la prochaine coupure et remise de l'alimentation, la carte lira : {0}.</translation></message>
+    <message><source>The values below were {0}.</source>
+        <translation>État des valeurs ci-dessous : {0}.</translation></message>
+    <message><source>Read {0} after the next power cycle</source>
+        <translation>Lire {0} après la prochaine coupure et remise de l'alimentation</translation></message>
+    <message><source>after Apply</source>
+        <translation>après application</translation></message>
+    <message><source>stored in the board</source>
+        <translation>enregistré dans la carte</translation></message>
+    <message><source>Edited: apply it, then power-cycle the board to read {0}.</source>
+        <translation>Modifié : appliquez, puis coupez et remettez l'alimentation de la carte pour qu'elle lise : {0}.</translation></message>
+    <message><source>{0} (active)</source>
+        <translation>{0} (source active)</translation></message>
+    <message><source>Connect to a board to see and change its calibrations.</source>
+        <translation>Connectez une carte pour voir et modifier ses étalonnages.</translation></message>
+    <message><source>Learn &amp;this channel…</source>
+        <translation>Apprendre &amp;cette voie…</translation></message>
+    <message><source>Learn a&amp;ll…</source>
+        <translation>Tout app&amp;rendre…</translation></message>
+    <message><source>Cop&amp;y, reset, files</source>
+        <translation>Copier, réinitialiser, fic&amp;hiers</translation></message>
+    <message><source>Di&amp;scard</source>
+        <translation>A&amp;bandonner</translation></message>
+    <message><source>No board responds. Edits are kept until a board of the same kind is connected.</source>
+        <translation>Aucune carte ne répond. Les modifications sont conservées jusqu'à ce qu'une carte du même type soit connectée.</translation></message>
+    <message><source>no live value: the board reads the other source</source>
+        <translation>pas de valeur en direct : la carte lit l'autre source</translation></message>
+    <message><source>no live value</source>
+        <translation>pas de valeur en direct</translation></message>
+    <message><source>no signal now: the output is 0</source>
+        <translation>pas de signal actuellement : la sortie est à 0</translation></message>
+    <message><source>&amp;Note:</source>
+        <translation>N&amp;ote :</translation></message>
+    <message><source>Discard the edits of this channel</source>
+        <translation>Abandonner les modifications de cette voie</translation></message>
+    <message><source>For {0}, {1}: {2}</source>
+        <translation>Pour {0}, {1} : {2}</translation></message>
+    <message><source>Drag a handle of the curve, or type {0} or {1} counts. Nothing is written until you click Apply.</source>
+        <translation>Faites glisser une poignée de la courbe, ou tapez {0} ou {1} counts. Rien n'est écrit tant que vous ne cliquez pas sur « Appliquer les réglages ».</translation></message>
+    <message><source>input now {0} ({1}), output {2}</source>
+        <translation>entrée actuelle {0} ({1}), sortie {2}</translation></message>
+    <message><source>Discard edits of channel {0}</source>
+        <translation>Abandonner les modifications de la voie {0}</translation></message>
+    <message><source>the calibration of {0}</source>
+        <translation>l'étalonnage de la {0}</translation></message>
+    <message><source>For {0}: not read yet</source>
+        <translation>Pour {0} : pas encore lu</translation></message>
+    <message><source>For {0}: {1}</source>
+        <translation>Pour {0} : {1}</translation></message>
+    <message><source>The board reads {0} now. Open their tab, or make the board read {1} first, as described above.</source>
+        <translation>La carte lit actuellement : {0}. Ouvrez cet onglet, ou faites d'abord lire {1} à la carte, comme décrit ci-dessus.</translation></message>
+    <message><source>Connect to a board to see its inputs.</source>
+        <translation>Connectez une carte pour voir ses entrées.</translation></message>
+    <message><source>Joint mode: both drivers power motor 1, nothing is mixed.</source>
+        <translation>Mode jumelé : les deux drivers alimentent le moteur 1, rien n'est mixé.</translation></message>
+    <message><source>A count is 0.4 µs.</source>
+        <translation>Un count vaut 0,4 µs.</translation></message>
+    <message><source>A count is 4.89 mV.</source>
+        <translation>Un count vaut 4,89 mV.</translation></message>
+    <message><source>Input and count</source>
+        <translation>Entrée et counts</translation></message>
+    <message><source>Raw, with its calibration</source>
+        <translation>Valeur brute et étalonnage</translation></message>
+    <message><source>The bar shows the raw input. Its marks are the channel's calibration: full output at min and max, none within the shaded deadband around neutral.</source>
+        <translation>La barre montre l'entrée brute. Ses repères sont l'étalonnage de la voie : sortie maximale à min et max, nulle dans la zone morte ombrée autour du neutre.</translation></message>
+    <message><source>Last 10 seconds</source>
+        <translation>10 dernières secondes</translation></message>
+    <message><source>The raw input on the scale of the bar, the newest at the right. Where there was no valid signal the line has a gap.</source>
+        <translation>L'entrée brute à l'échelle de la barre, la plus récente à droite. Là où il n'y avait pas de signal valide, la ligne est interrompue.</translation></message>
+    <message><source>Remapped (−127 to 127)</source>
+        <translation>Convertie (−127 à 127)</translation></message>
+    <message><source>What the board makes of the input. Those of channels 1 and 2 are the speeds for motors 1 and 2, after mixing and flip.</source>
+        <translation>Ce que la carte fait de l'entrée. Pour les voies 1 et 2, ce sont les vitesses des moteurs 1 et 2, après mixage et retournement.</translation></message>
+    <message><source>Moving channel 1 or 2 shows whether the mix jumper is on.</source>
+        <translation>Bouger la voie 1 ou 2 montre si le cavalier Mix est en place.</translation></message>
+    <message><source>The mix jumper is on.</source>
+        <translation>Le cavalier Mix est en place.</translation></message>
+    <message><source>The mix jumper is off.</source>
+        <translation>Le cavalier Mix est retiré.</translation></message>
+    <message><source>Input of channel {0} in the last 10 seconds</source>
+        <translation>Entrée de la voie {0} au cours des 10 dernières secondes</translation></message>
+    <message><source>Remapped channel {0}</source>
+        <translation>Voie {0} convertie</translation></message>
+    <message><source>Connect to a board to see its motor currents.</source>
+        <translation>Connectez une carte pour voir les courants de ses moteurs.</translation></message>
+    <message><source>Motor currents</source>
+        <translation>Courants des moteurs</translation></message>
+    <message><source>No board is connected. Choose a port at the top of the main window and press Connect; without hardware, choose the demo board.</source>
+        <translation>Aucune carte n'est connectée. Choisissez un port en haut de la fenêtre principale et cliquez sur « Connecter » ; sans matériel, choisissez la carte de démo.</translation></message>
+    <message><source>Joint mode: the board does not sense currents.</source>
+        <translation>Mode jumelé : la carte ne mesure pas les courants.</translation></message>
+    <message><source>No current has been read yet.</source>
+        <translation>Aucun courant n'a encore été lu.</translation></message>
+    <message><source>Motor currents, {0}</source>
+        <translation>Courants des moteurs, {0}</translation></message>
+    <message><source>One count of this board is {0:.0f} mA.</source>
+        <translation>Un count de cette carte vaut {0:.0f} mA.</translation></message>
+    <message><source>Reading an error clears it in the board; this program counts each one. Errors in bold were reported since you cleared them.</source>
+        <translation>Lire une erreur l'efface dans la carte ; ce programme compte chacune d'elles. Les erreurs en gras ont été signalées depuis votre dernier acquittement.</translation></message>
+    <message><source>C&amp;lear errors</source>
+        <translation>Ac&amp;quitter les erreurs</translation></message>
+    <message><source>Reset co&amp;unts</source>
+        <translation>Remettre les &amp;compteurs à zéro</translation></message>
+    <message><source>Errors</source>
+        <translation>Erreurs</translation></message>
+    <message><source>Error</source>
+        <translation>Erreur</translation></message>
+    <message><source>Active now</source>
+        <translation>Active maintenant</translation></message>
+    <message><source>Stopping the motors</source>
+        <translation>Arrête les moteurs</translation></message>
+    <message><source>Count</source>
+        <translation>Nombre</translation></message>
+    <message><source>Last seen</source>
+        <translation>Dernière fois</translation></message>
+    <message><source>What it means, and what to do</source>
+        <translation>Signification et remède</translation></message>
+    <message><source>Connection</source>
+        <translation>Connexion</translation></message>
+    <message><source>never</source>
+        <translation>jamais</translation></message>
+    <message><source>before connecting</source>
+        <translation>avant la connexion</translation></message>
+    <message><source>Latched before connecting, perhaps by the search for the board; not counted.</source>
+        <translation>Mémorisée avant la connexion, peut-être par la recherche de la carte ; non comptée.</translation></message>
+    <message><source>The line is noisy and has no CRC: a corrupted reply looks alike.</source>
+        <translation>La liaison est bruitée et n'a pas de CRC : une réponse altérée y ressemble.</translation></message>
+    <message><source>⚠ Yes</source>
+        <translation>⚠ Oui</translation></message>
+    <message><source>Take the errors in bold as known; counts stay, and an error that is still active comes back at once</source>
+        <translation>Considérer les erreurs en gras comme connues ; les compteurs restent, et une erreur encore active revient aussitôt</translation></message>
+    <message><source>Set every count to zero, and forget when errors were seen</source>
+        <translation>Remettre tous les compteurs à zéro et oublier quand les erreurs ont été vues</translation></message>
+    <message><source>{0}; timeouts: {1}, corrupted replies: {2}, slowest reply: {3:.0f} ms</source>
+        <translation>{0} ; délais dépassés : {1}, réponses altérées : {2}, réponse la plus lente : {3:.0f} ms</translation></message>
+    <message><source>No</source>
+        <translation>Non</translation></message>
+    <message><source>Quality:</source>
+        <translation>Qualité :</translation></message>
+    <message><source>Since the connection was opened</source>
+        <translation>Depuis l'ouverture de la connexion</translation></message>
+    <message><source>Reads per second:</source>
+        <translation>Lectures par seconde :</translation></message>
+    <message><source>Connected for:</source>
+        <translation>Connecté depuis :</translation></message>
+    <message><source>Restarts in another mode:</source>
+        <translation>Redémarrages dans un autre mode :</translation></message>
+    <message><source>The board came back in another mode, so its power was off meanwhile; it does not report a restart in the same mode</source>
+        <translation>La carte est revenue dans un autre mode, son alimentation a donc été coupée entre-temps ; elle ne signale pas un redémarrage dans le même mode</translation></message>
+    <message><source>Returned after silence:</source>
+        <translation>Retours après silence :</translation></message>
+    <message><source>The board was silent for a while: its power was low or off, it restarted, or the cable has a bad contact</source>
+        <translation>La carte est restée muette un moment : son alimentation était faible ou coupée, elle a redémarré, ou le câble a un mauvais contact</translation></message>
+    <message><source>{0}
+(doubtful)</source>
+        <translation>{0}
+(douteux)</translation></message>
+    <message><source>Zero</source>
+        <translation>Zéro</translation></message>
+    <message><source>Brake</source>
+        <translation>Freiner</translation></message>
+    <message><source>Current of this motor; the red line is its limit, ⚠ means 80 % of it or more</source>
+        <translation>Courant de ce moteur ; le trait rouge est sa limite, ⚠ signifie 80 % de celle-ci ou plus</translation></message>
+    <message><source>Speed 0: the motor is not driven and coasts</source>
+        <translation>Vitesse 0 : le moteur n'est pas entraîné, il est en roue libre</translation></message>
+    <message><source>Board: serial in control…</source>
+        <translation>Carte : liaison série aux commandes…</translation></message>
+    <message><source>From −127, full speed back, to 127, full speed forward</source>
+        <translation>De −127, pleine vitesse arrière, à 127, pleine vitesse avant</translation></message>
+    <message><source>From 0 to 127, full speed</source>
+        <translation>De 0 à 127, pleine vitesse</translation></message>
+    <message><source>{0}, speed</source>
+        <translation>{0}, vitesse</translation></message>
+    <message><source>{0}, speed as a number</source>
+        <translation>{0}, vitesse en chiffres</translation></message>
+    <message><source>{0}, speed zero</source>
+        <translation>{0}, vitesse zéro</translation></message>
+    <message><source>{0}, brake</source>
+        <translation>{0}, freiner</translation></message>
+    <message><source>{0}, channel command</source>
+        <translation>{0}, commande de la voie</translation></message>
+    <message><source>{0}, current</source>
+        <translation>{0}, courant</translation></message>
+    <message><source>Up to {0}, the speed ceiling above</source>
+        <translation>Jusqu'à {0}, la vitesse maximale réglée ci-dessus</translation></message>
+    <message><source>Hold an arrow key to drive while the pad has the focus.</source>
+        <translation>Maintenez une touche fléchée pour piloter tant que le pavé a le focus.</translation></message>
+    <message><source>Drive pad</source>
+        <translation>Pavé de conduite</translation></message>
+    <message><source>Hold Up or Down to drive; the motors cannot turn separately.</source>
+        <translation>Maintenez Haut ou Bas pour piloter ; les moteurs ne peuvent pas tourner séparément.</translation></message>
+    <message><source>back</source>
+        <translation>arrière</translation></message>
+    <message><source>right</source>
+        <translation>droite</translation></message>
+    <message><source>left</source>
+        <translation>gauche</translation></message>
+    <message><source>{0} {1:.0%}, {2} {3:.0%}.</source>
+        <translation>{0} {1:.0%}, {2} {3:.0%}.</translation></message>
+    <message><source>forward, at most {0:.0f} %</source>
+        <translation>avant, au plus {0:.0f} %</translation></message>
+    <message><source>Full deflection is {0:.0f} % of full speed.</source>
+        <translation>La pleine course correspond à {0:.0f} % de la pleine vitesse.</translation></message>
+    <message><source>The gamepad cannot drive while this window is open, but its stop button works.</source>
+        <translation>La manette ne peut pas piloter tant que cette fenêtre est ouverte, mais son bouton d'arrêt fonctionne.</translation></message>
+    <message><source>Invert</source>
+        <translation>Inverser</translation></message>
+    <message><source>Set up the gamepad</source>
+        <translation>Configurer la manette</translation></message>
+    <message><source>Assignment</source>
+        <translation>Affectation</translation></message>
+    <message><source>How two axes drive two motors</source>
+        <translation>Comment deux axes commandent deux moteurs</translation></message>
+    <message><source>Move it…</source>
+        <translation>Bougez-le…</translation></message>
+    <message><source>Press it…</source>
+        <translation>Appuyez…</translation></message>
+    <message><source>&amp;Forward</source>
+        <translation>&amp;Avant</translation></message>
+    <message><source>&amp;Turn</source>
+        <translation>&amp;Rotation</translation></message>
+    <message><source>&amp;Hold to drive</source>
+        <translation>&amp;Maintenir pour piloter</translation></message>
+    <message><source>&amp;Stop everything</source>
+        <translation>&amp;Tout arrêter</translation></message>
+    <message><source>Dead zone in percent of the travel</source>
+        <translation>Zone morte en pour cent de la course</translation></message>
+    <message><source>Expo in percent</source>
+        <translation>Expo en pour cent</translation></message>
+    <message><source>St&amp;icks:</source>
+        <translation>Man&amp;ches :</translation></message>
+    <message><source>&amp;Dead zone:</source>
+        <translation>&amp;Zone morte :</translation></message>
+    <message><source>&amp;Expo:</source>
+        <translation>&amp;Expo :</translation></message>
+    <message><source>Motor 1:</source>
+        <translation>Moteur 1 :</translation></message>
+    <message><source>Motor 2:</source>
+        <translation>Moteur 2 :</translation></message>
+    <message><source>Without a button to hold, a bumped stick drives the motors. The gamepad cannot drive while this window is open.</source>
+        <translation>Sans bouton à maintenir, un manche heurté fait tourner les moteurs. La manette ne peut pas piloter tant que cette fenêtre est ouverte.</translation></message>
+    <message><source>Live state</source>
+        <translation>État en direct</translation></message>
+    <message><source>Travel around the centre that has no effect</source>
+        <translation>Course autour du centre qui reste sans effet</translation></message>
+    <message><source>0 %: linear. 100 %: cubic, finest around the centre</source>
+        <translation>0 % : linéaire. 100 % : cubique, le plus fin autour du centre</translation></message>
+    <message><source>none: a moved stick drives</source>
+        <translation>aucun : un manche déplacé fait tourner les moteurs</translation></message>
+    <message><source>Push the stick for the left motor fully forward.</source>
+        <translation>Poussez à fond vers l'avant le manche du moteur gauche.</translation></message>
+    <message><source>Push the stick for the right motor fully forward.</source>
+        <translation>Poussez à fond vers l'avant le manche du moteur droit.</translation></message>
+    <message><source>Push the stick that drives fully forward.</source>
+        <translation>Poussez à fond vers l'avant le manche qui fait avancer.</translation></message>
+    <message><source>Push the stick that turns fully to the right.</source>
+        <translation>Poussez à fond vers la droite le manche qui fait tourner.</translation></message>
+    <message><source>Press the button to hold while driving.</source>
+        <translation>Appuyez sur le bouton à maintenir pour piloter.</translation></message>
+    <message><source>Press the button that stops everything.</source>
+        <translation>Appuyez sur le bouton qui arrête tout.</translation></message>
+    <message><source>pressed</source>
+        <translation>appuyé</translation></message>
+    <message><source>{0}: detect</source>
+        <translation>{0} : détecter</translation></message>
+    <message><source>{0}: inverted</source>
+        <translation>{0} : inversé</translation></message>
+    <message><source>&amp;Left motor</source>
+        <translation>Moteur &amp;gauche</translation></message>
+    <message><source>Right &amp;motor</source>
+        <translation>Moteur &amp;droit</translation></message>
+    <message><source>One axis drives, one turns</source>
+        <translation>Un axe fait avancer, l'autre tourner</translation></message>
+    <message><source>An axis for each motor</source>
+        <translation>Un axe par moteur</translation></message>
+    <message><source>Setpoint of motor {0}</source>
+        <translation>Consigne du moteur {0}</translation></message>
+    <message><source>Gamepad</source>
+        <translation>Manette</translation></message>
+    <message><source>Drive with a &amp;gamepad</source>
+        <translation>Piloter avec une mane&amp;tte</translation></message>
+    <message><source>Set &amp;up…</source>
+        <translation>Confi&amp;gurer…</translation></message>
+    <message><source>Turn</source>
+        <translation>Rotation</translation></message>
+    <message><source>Stop whe&amp;n the window loses the focus</source>
+        <translation>Arrêter quand la fenêtre &amp;perd le focus</translation></message>
+    <message><source>The gamepad is being set up and cannot drive.</source>
+        <translation>La manette est en cours de configuration et ne peut pas piloter.</translation></message>
+    <message><source>The gamepad drives only while the Motors page is open.</source>
+        <translation>La manette ne pilote que tant que la page Moteurs est ouverte.</translation></message>
+    <message><source>Another window is in front, so the gamepad cannot drive.</source>
+        <translation>Une autre fenêtre est au premier plan : la manette ne peut pas piloter.</translation></message>
+    <message><source>Drive with a gamepad</source>
+        <translation>Piloter avec une manette</translation></message>
+    <message><source>Stop what the gamepad drives when the window loses the focus</source>
+        <translation>Arrêter ce que pilote la manette quand la fenêtre perd le focus</translation></message>
+    <message><source>Remembered for this board.</source>
+        <translation>Mémorisé pour cette carte.</translation></message>
+    <message><source>Either slider sets both motors; the robot does not turn</source>
+        <translation>L'un ou l'autre curseur règle les deux moteurs ; le robot ne tourne pas</translation></message>
+    <message><source>&amp;Speed ceiling</source>
+        <translation>&amp;Vitesse maximale</translation></message>
+    <message><source>New board: raise this once its motors turn the right way.</source>
+        <translation>Nouvelle carte : augmentez cette valeur une fois que ses moteurs tournent dans le bon sens.</translation></message>
+    <message><source>Options</source>
+        <translation>Options</translation></message>
+    <message><source>Accelerate along the board's ra&amp;mp</source>
+        <translation>Accélérer selon la ra&amp;mpe de la carte</translation></message>
+    <message><source>Se&amp;t at once</source>
+        <translation>Régler immé&amp;diatement</translation></message>
+    <message><source>Drive with arrow &amp;keys or WASD</source>
+        <translation>Piloter avec les &amp;flèches ou les touches WASD</translation></message>
+    <message><source>&amp;Brake strength</source>
+        <translation>&amp;Intensité du freinage</translation></message>
+    <message><source>coast (0 %)</source>
+        <translation>roue libre (0 %)</translation></message>
+    <message><source>L&amp;ock after Stop</source>
+        <translation>Verr&amp;ouillage après un arrêt</translation></message>
+    <message><source>Stop when you lea&amp;ve this page</source>
+        <translation>Arrêter en &amp;quittant cette page</translation></message>
+    <message><source>Return slider to &amp;zero when it is released</source>
+        <translation>Remettre le curseur à &amp;zéro quand il est relâché</translation></message>
+    <message><source>&amp;Link both motors</source>
+        <translation>&amp;Lier les deux moteurs</translation></message>
+    <message><source>none (0 s)</source>
+        <translation>aucun (0 s)</translation></message>
+    <message><source>The motors run differently: stop both, or give both the same speed</source>
+        <translation>Les moteurs tournent différemment : arrêtez-les tous les deux ou donnez-leur la même vitesse</translation></message>
+    <message><source>Highest speed that this program sends to this board; full deflection of pad, keys and gamepad gives this speed. Raising it does not speed up a running motor.</source>
+        <translation>Vitesse la plus élevée que ce programme envoie à cette carte ; la pleine course du pavé, des touches et de la manette donne cette vitesse. L'augmenter n'accélère pas un moteur en marche.</translation></message>
+    <message><source>The board ramps speeds at the Acceleration setting and pauses for the brake duration before reversing</source>
+        <translation>La carte fait varier les vitesses selon le réglage « Accélération » et marque une pause de la durée de freinage avant d'inverser le sens</translation></message>
+    <message><source>Bypasses ramp and brake duration, and for a moment also the current limit</source>
+        <translation>Contourne la rampe et la durée de freinage, et aussi, un instant, la limite de courant</translation></message>
+    <message><source>Held keys drive wherever the focus is on this page, except in number fields, tables and lists; sliders then get no arrow keys. In the pad they always drive.</source>
+        <translation>Les touches maintenues pilotent où que soit le focus sur cette page, sauf dans les champs numériques, les tableaux et les listes ; les curseurs ne reçoivent alors pas les touches fléchées. Dans le pavé, elles pilotent toujours.</translation></message>
+    <message><source>How hard Brake and letting go of pad, keys and held sliders brake; Stop always brakes fully</source>
+        <translation>Force du freinage par « Freiner » et au relâchement du pavé, des touches et des curseurs maintenus ; l'arrêt freine toujours à fond</translation></message>
+    <message><source>Stop both motors and the auxiliary when another page is shown or the window is minimised</source>
+        <translation>Arrêter les deux moteurs et l'auxiliaire quand une autre page est affichée ou que la fenêtre est réduite</translation></message>
+    <message><source>A slider drives only while you hold it; letting go brakes its motor</source>
+        <translation>Un curseur ne fait tourner son moteur que tant que vous le tenez ; le relâcher freine le moteur</translation></message>
+    <message><source>How long Run motor stays locked after Stop or Esc, so that a slider or key still held cannot restart a motor (0 to {0:g} s)</source>
+        <translation>Durée pendant laquelle « Activer les moteurs » reste verrouillé après un arrêt ou Échap, pour qu'un curseur ou une touche encore maintenus ne puissent pas relancer un moteur (0 à {0:g} s)</translation></message>
+    <message><source>Seconds that Run motor is locked after Stop</source>
+        <translation>Secondes pendant lesquelles « Activer les moteurs » est verrouillé après un arrêt</translation></message>
+    <message><source>{0}, as a number</source>
+        <translation>{0}, en chiffres</translation></message>
+    <message><source>acceleration</source>
+        <translation>accélération</translation></message>
+    <message><source>brake duration</source>
+        <translation>durée de freinage</translation></message>
+    <message><source>current limit</source>
+        <translation>limite de courant</translation></message>
+    <message><source>Drive</source>
+        <translation>Conduite</translation></message>
+    <message><source>Stored settings; click a value to open its parameter</source>
+        <translation>Réglages enregistrés ; cliquez sur une valeur pour ouvrir son paramètre</translation></message>
+    <message><source>Both motors</source>
+        <translation>Les deux moteurs</translation></message>
+    <message><source>Motor (joint)</source>
+        <translation>Moteur (jumelé)</translation></message>
+    <message><source>Auxiliary (one way)</source>
+        <translation>Auxiliaire (un seul sens)</translation></message>
+    <message><source>Stored motor settings: not known</source>
+        <translation>Réglages moteur enregistrés : inconnus</translation></message>
+    <message><source>Brake with {0:.0f} % (see Brake strength below)</source>
+        <translation>Freiner à {0:.0f} % (voir « Intensité du freinage » ci-dessous)</translation></message>
+    <message><source>Joint mode: follows motor 1</source>
+        <translation>Mode jumelé : suit le moteur 1</translation></message>
+    <message><source>The Motors page was left while a control was held.</source>
+        <translation>La page Moteurs a été quittée alors qu'une commande était maintenue.</translation></message>
+    <message><source>The Motors page was left.</source>
+        <translation>La page Moteurs a été quittée.</translation></message>
+    <message><source>The PWM frequency is {0}, not {1}.</source>
+        <translation>La fréquence PWM est {0}, et non {1}.</translation></message>
+    <message><source>Baud rate</source>
+        <translation>Débit (bauds)</translation></message>
+    <message><source>Error detection</source>
+        <translation>Détection d'erreurs</translation></message>
+    <message><source>Stop bits</source>
+        <translation>Bits d'arrêt</translation></message>
+    <message><source>{0}, or the nearest the board can store; or speed steps, such as {1}</source>
+        <translation>{0}, ou la valeur la plus proche que la carte peut enregistrer ; ou en pas de vitesse, par exemple {1}</translation></message>
+    <message><source>unknown ({0})</source>
+        <translation>inconnu ({0})</translation></message>
+    <message><source>CRC-7</source>
+        <translation>CRC-7</translation></message>
+    <message><source>{0}: channel {1}</source>
+        <translation>{0} : voie {1}</translation></message>
+    <message><source>Search names and descriptions (Ctrl+F)</source>
+        <translation>Rechercher dans les noms et les descriptions (Ctrl+F)</translation></message>
+    <message><source>Search parameters</source>
+        <translation>Rechercher des paramètres</translation></message>
+    <message><source>Group of parameters</source>
+        <translation>Groupe de paramètres</translation></message>
+    <message><source>&amp;Modified only</source>
+        <translation>&amp;Modifiés seulement</translation></message>
+    <message><source>Not default onl&amp;y</source>
+        <translation>&amp;Différents de la valeur par défaut</translation></message>
+    <message><source>&amp;Both motors as one</source>
+        <translation>Les deux moteurs en&amp;semble</translation></message>
+    <message><source>None of {1} matches</source>
+        <translation>Aucun des {1} ne correspond</translation></message>
+    <message><source>{0} of {1}</source>
+        <translation>{0} sur {1}</translation></message>
+    <message><source>Show only what you have changed</source>
+        <translation>Afficher seulement ce que vous avez modifié</translation></message>
+    <message><source>Show only values that differ from their default</source>
+        <translation>Afficher seulement les valeurs qui diffèrent de leur valeur par défaut</translation></message>
+    <message><source>Make each change to one motor to the other, too, in one step</source>
+        <translation>Reporter en une seule étape chaque modification d'un moteur sur l'autre</translation></message>
+    <message><source>All groups</source>
+        <translation>Tous les groupes</translation></message>
+    <message><source>Click a value and type, or double-click it. Nothing is written until you click Apply.</source>
+        <translation>Cliquez sur une valeur et tapez, ou double-cliquez dessus. Rien n'est écrit tant que vous ne cliquez pas sur « Appliquer les réglages ».</translation></message>
+    <message><source>Discard edi&amp;ts</source>
+        <translation>A&amp;bandonner les modifications</translation></message>
+    <message><source>Re&amp;load</source>
+        <translation>&amp;Recharger</translation></message>
+    <message><source>Connect to a board to see its parameters.</source>
+        <translation>Connectez une carte pour voir ses paramètres.</translation></message>
+    <message><source>No board is responding. Edits are kept until the same kind of board is connected.</source>
+        <translation>Aucune carte ne répond. Les modifications sont conservées jusqu'à la connexion d'une carte du même type.</translation></message>
+    <message><source>Factory defaults take effect after the next power cycle.</source>
+        <translation>Les réglages d'usine prennent effet après avoir coupé et remis l'alimentation.</translation></message>
+    <message numerus="yes"><source>%n pending change(s): click Apply settings to write.</source>
+        <translation><numerusform>%n modification en attente : cliquez sur « Appliquer les réglages » pour l'écrire.</numerusform><numerusform>%n modifications en attente : cliquez sur « Appliquer les réglages » pour les écrire.</numerusform></translation></message>
+    <message><source>Stored, but not active until the board is switched off and on: {0}.</source>
+        <translation>Enregistré, mais inactif tant que l'alimentation de la carte n'a pas été coupée puis remise : {0}.</translation></message>
+    <message><source>{0} of {1} could not be verified; marked below.</source>
+        <translation>{0} sur {1} n'ont pas pu être vérifiés ; ils sont repérés ci-dessous.</translation></message>
+    <message numerus="yes"><source>%n setting(s) written and verified.</source>
+        <translation><numerusform>%n réglage écrit et vérifié.</numerusform><numerusform>%n réglages écrits et vérifiés.</numerusform></translation></message>
+    <message><source>Show the steps for switching the board off and on</source>
+        <translation>Afficher les étapes pour couper et remettre l'alimentation de la carte</translation></message>
+    <message><source>Read every parameter from the board again</source>
+        <translation>Relire tous les paramètres de la carte</translation></message>
+    <message><source>Rejected by the board: {0}</source>
+        <translation>Rejeté par la carte : {0}</translation></message>
+    <message><source>Switch the board off and on to make active: {0}.</source>
+        <translation>Coupez et remettez l'alimentation de la carte pour rendre actif : {0}.</translation></message>
+    <message><source>&amp;Show all parameters</source>
+        <translation>&amp;Afficher tous les paramètres</translation></message>
+    <message><source>N&amp;ote on the value:</source>
+        <translation>N&amp;ote sur la valeur :</translation></message>
+    <message><source>No parameter matches.</source>
+        <translation>Aucun paramètre ne correspond.</translation></message>
+    <message><source>No parameter is selected</source>
+        <translation>Aucun paramètre n'est sélectionné</translation></message>
+    <message><source>Restore stored value</source>
+        <translation>Restaurer la valeur enregistrée</translation></message>
+    <message><source>Parameters</source>
+        <translation>Paramètres</translation></message>
+    <message><source>Edit</source>
+        <translation>Modifier</translation></message>
+    <message><source>Try another &amp;wire value…</source>
+        <translation>Essayer une autre valeur &amp;brute…</translation></message>
+    <message><source>Leave out of the file</source>
+        <translation>Ne pas inclure dans le fichier</translation></message>
+    <message><source>Pi&amp;n to the top</source>
+        <translation>É&amp;pingler en haut</translation></message>
+    <message><source>Other &amp;value…</source>
+        <translation>Autre &amp;valeur…</translation></message>
+    <message><source>Pi&amp;n</source>
+        <translation>É&amp;pingler</translation></message>
+    <message><source>Defa&amp;ult</source>
+        <translation>Valeur par défa&amp;ut</translation></message>
+    <message><source>U&amp;npin</source>
+        <translation>Déséping&amp;ler</translation></message>
+    <message><source>Copy as “{0}”</source>
+        <translation>Copier comme « {0} »</translation></message>
+    <message><source>Copy to {0}</source>
+        <translation>Copier vers {0}</translation></message>
+    <message><source>{0} is {1}. This limit is inferred: no document confirms it. You can try any wire value from 0 to {2}. The board decides: it may reject the value, or store another one, and the program shows which. A value that the board stores is remembered for its firmware.</source>
+        <translation>{0} : {1}. Cette limite est déduite : aucun document ne la confirme. Vous pouvez essayer toute valeur brute de 0 à {2}. La carte décide : elle peut rejeter la valeur ou en enregistrer une autre, et le programme indique laquelle. Une valeur que la carte enregistre est mémorisée pour son firmware.</translation></message>
+    <message><source>Wire value</source>
+        <translation>Valeur brute</translation></message>
+    <message><source>&amp;Try this value</source>
+        <translation>&amp;Essayer cette valeur</translation></message>
+    <message><source>&amp;Wire value:</source>
+        <translation>&amp;Valeur brute :</translation></message>
+    <message><source>Who drives, jumpers, sticks, motors and limits, step by step.</source>
+        <translation>Qui pilote, cavaliers, manches, moteurs et limites, étape par étape.</translation></message>
+    <message><source>compact packets</source>
+        <translation>paquets compacts</translation></message>
+    <message><source>LEDs on the board:</source>
+        <translation>LED sur la carte :</translation></message>
+    <message><source>Set up my r&amp;obot…</source>
+        <translation>Configurer mon r&amp;obot…</translation></message>
+    <message><source>This firmware runs at half of this baud rate.</source>
+        <translation>Ce firmware fonctionne à la moitié de ce débit.</translation></message>
+    <message><source>LEDs that the board shows</source>
+        <translation>LED que la carte allume</translation></message>
+    <message><source>Model:</source>
+        <translation>Modèle :</translation></message>
+    <message><source>Firmware:</source>
+        <translation>Firmware :</translation></message>
+    <message><source>Mode:</source>
+        <translation>Mode :</translation></message>
+    <message><source>In control:</source>
+        <translation>Aux commandes :</translation></message>
+    <message><source>Motors:</source>
+        <translation>Moteurs :</translation></message>
+    <message><source>Port:</source>
+        <translation>Port :</translation></message>
+    <message><source>Settings:</source>
+        <translation>Réglages :</translation></message>
+    <message><source>Connector:</source>
+        <translation>Connecteur :</translation></message>
+    <message><source>joint: one motor</source>
+        <translation>jumelé : un seul moteur</translation></message>
+    <message><source>two independent motors</source>
+        <translation>deux moteurs indépendants</translation></message>
+    <message><source>RS-232 (everything sent comes back)</source>
+        <translation>RS-232 (tout ce qui est envoyé revient)</translation></message>
+    <message><source>TTL (SI and SO)</source>
+        <translation>TTL (SI et SO)</translation></message>
+    <message><source>device number {0}</source>
+        <translation>numéro d'appareil {0}</translation></message>
+    <message><source>&amp;Settings at this time…</source>
+        <translation>&amp;Réglages à cet instant…</translation></message>
+    <message><source>Signal</source>
+        <translation>Signal</translation></message>
+    <message><source>Counts</source>
+        <translation>Counts</translation></message>
+    <message><source>Remapped</source>
+        <translation>Convertie</translation></message>
+    <message><source>Open the settings that the board stored at this time</source>
+        <translation>Ouvrir les réglages que la carte avait enregistrés à cet instant</translation></message>
+    <message><source>Serial mode with {0} inputs</source>
+        <translation>Mode série, entrées {0}</translation></message>
+    <message><source>{0} mode</source>
+        <translation>Mode {0}</translation></message>
+    <message><source>brake {0}</source>
+        <translation>freinage {0}</translation></message>
+    <message><source>{0}.</source>
+        <translation>{0}.</translation></message>
+    <message><source>{0}; serial commands reach the motors.</source>
+        <translation>{0} ; les commandes série atteignent les moteurs.</translation></message>
+    <message><source>{0}; the channels control the motors.</source>
+        <translation>{0} ; les voies commandent les moteurs.</translation></message>
+    <message><source>The seconds around “{0}” were kept. File, Open fault or stop: {1}</source>
+        <translation>Les secondes autour de « {0} » ont été conservées. Fichier, Ouvrir un défaut ou un arrêt : {1}</translation></message>
+    <message><source>The seconds around “{0}” could not be kept. {1}</source>
+        <translation>Les secondes autour de « {0} » n'ont pas pu être conservées. {1}</translation></message>
+    <message><source>Nothing can be recorded: no board is connected.</source>
+        <translation>Rien ne peut être enregistré : aucune carte n'est connectée.</translation></message>
+    <message><source>File, Open recording</source>
+        <translation>Fichier, Ouvrir un enregistrement</translation></message>
+    <message><source>Open fault or stop</source>
+        <translation>Ouvrir un défaut ou un arrêt</translation></message>
+    <message><source>It gets device number {0}, which another board on this line has: both would reply at once, and neither could be read. Give that board another number first.</source>
+        <translation>Elle prendra le numéro d'appareil {0}, qu'une autre carte de cette liaison porte déjà : les deux répondraient en même temps et aucune ne serait lisible. Donnez d'abord un autre numéro à cette autre carte.</translation></message>
+    <message><source>&amp;Let the board reset itself…</source>
+        <translation>&amp;Laisser la carte se réinitialiser…</translation></message>
+    <message><source>At its next start the board will reset every parameter, including those cleared here. Its present settings are saved first (File, History). Unapplied changes are discarded; Undo restores them.</source>
+        <translation>À son prochain démarrage, la carte réinitialisera tous les paramètres, y compris ceux décochés ici. Ses réglages actuels sont d'abord sauvegardés (Fichier, Historique). Les modifications non appliquées sont abandonnées ; « Annuler » les restaure.</translation></message>
+    <message><source>Reset the &amp;board</source>
+        <translation>Réinitialiser la &amp;carte</translation></message>
+    <message><source>Restore serial defaults</source>
+        <translation>Restaurer les réglages série par défaut</translation></message>
+    <message><source>The communication settings go back to their defaults. They become active when the board is switched off and on.</source>
+        <translation>Les réglages de communication reviennent à leurs valeurs par défaut. Ils deviennent actifs une fois l'alimentation de la carte coupée puis remise.</translation></message>
+    <message><source>Restore factory defaults</source>
+        <translation>Restaurer les réglages d'usine</translation></message>
+    <message><source>Every parameter goes back to its default; the channel calibrations stay. Clear the check box of any parameter to keep. Nothing is written before the review.</source>
+        <translation>Chaque paramètre revient à sa valeur par défaut ; les étalonnages des voies restent. Décochez les paramètres à conserver. Rien n'est écrit avant la vérification.</translation></message>
+    <message><source>Factory default</source>
+        <translation>Réglage d'usine</translation></message>
+    <message numerus="yes"><source>&amp;Review %n change(s)…</source>
+        <translation><numerusform>&amp;Vérifier %n modification…</numerusform><numerusform>&amp;Vérifier %n modifications…</numerusform></translation></message>
+    <message><source>Every parameter, by the board's own command, at its next start</source>
+        <translation>Tous les paramètres, par la commande propre de la carte, à son prochain démarrage</translation></message>
+    <message><source>No source confirms the default of: {0}.</source>
+        <translation>Aucune source ne confirme la valeur par défaut de : {0}.</translation></message>
+    <message><source>Switch it on again. The program then reconnects at {0}.</source>
+        <translation>Remettez-la sous tension. Le programme se reconnecte ensuite à {0}.</translation></message>
+    <message><source>The board has to be switched off and on.</source>
+        <translation>Il faut couper et remettre l'alimentation de la carte.</translation></message>
+    <message><source>I have &amp;switched it off and on</source>
+        <translation>J'ai &amp;coupé et remis l'alimentation</translation></message>
+    <message><source>Switch the board off for at least one second.</source>
+        <translation>Coupez l'alimentation de la carte pendant au moins une seconde.</translation></message>
+    <message><source>The program reads the settings again.</source>
+        <translation>Le programme relit les réglages.</translation></message>
+    <message><source>Switch it on again.</source>
+        <translation>Remettez-la sous tension.</translation></message>
+    <message><source>Power cycle completed.</source>
+        <translation>Alimentation coupée et remise.</translation></message>
+    <message><source>Not active until the board is switched off and on: {0}.</source>
+        <translation>Inactif tant que l'alimentation de la carte n'a pas été coupée puis remise : {0}.</translation></message>
+    <message><source>Switch the board off and on</source>
+        <translation>Couper et remettre l'alimentation de la carte</translation></message>
+    <message><source>The board is back, but these settings are still not active: {0}.</source>
+        <translation>La carte est de retour, mais ces réglages ne sont toujours pas actifs : {0}.</translation></message>
+    <message><source>The board still responds. A short interruption is not detected: leave the power off for a full second.</source>
+        <translation>La carte répond encore. Une coupure brève n'est pas détectée : laissez l'alimentation coupée une seconde entière.</translation></message>
+    <message><source>Waiting for the board to stop responding …</source>
+        <translation>Attente que la carte cesse de répondre …</translation></message>
+    <message><source>The board is still not responding. Check its power and the cable. If both are fine, disconnect and press “Find…”, which tries every setting.</source>
+        <translation>La carte ne répond toujours pas. Vérifiez son alimentation et le câble. Si les deux sont en ordre, déconnectez et cliquez sur « Rechercher… », qui essaie tous les réglages.</translation></message>
+    <message><source>The board has stopped responding. Waiting for it to respond again …</source>
+        <translation>La carte a cessé de répondre. Attente qu'elle réponde de nouveau …</translation></message>
+    <message><source>The line was closed. Switch the board off and on, then connect again; “Find…” tries every setting.</source>
+        <translation>La liaison a été fermée. Coupez et remettez l'alimentation de la carte, puis reconnectez ; « Rechercher… » essaie tous les réglages.</translation></message>
+    <message><source>Connected again. The program cannot detect whether the board was switched off meanwhile: confirm it, or switch the board off and on now.</source>
+        <translation>De nouveau connecté. Le programme ne peut pas détecter si l'alimentation de la carte a été coupée entre-temps : confirmez-le, ou coupez et remettez son alimentation maintenant.</translation></message>
+    <message><source>The board is back, and all stored settings are active.</source>
+        <translation>La carte est de retour et tous les réglages enregistrés sont actifs.</translation></message>
+    <message><source>Clear the check box of any setting you want to apply later.</source>
+        <translation>Décochez les réglages que vous voulez appliquer plus tard.</translation></message>
+    <message><source>{0} of {1} could not be verified; still pending.</source>
+        <translation>{0} sur {1} n'ont pas pu être vérifiés ; ils restent en attente.</translation></message>
+    <message numerus="yes"><source>%n setting(s) of the {0} will change.</source>
+        <translation><numerusform>%n réglage du {0} va changer.</numerusform><numerusform>%n réglages du {0} vont changer.</numerusform></translation></message>
+    <message><source>Apply settings</source>
+        <translation>Appliquer les réglages</translation></message>
+    <message><source>Progress of writing</source>
+        <translation>Progression de l'écriture</translation></message>
+    <message><source>New value</source>
+        <translation>Nouvelle valeur</translation></message>
+    <message numerus="yes"><source>&amp;Write %n setting(s)</source>
+        <translation><numerusform>É&amp;crire %n réglage</numerusform><numerusform>É&amp;crire %n réglages</numerusform></translation></message>
+    <message><source>The board is in {0} mode and does not accept settings. Set its mode jumper to serial, then switch it off and on.</source>
+        <translation>La carte est en mode {0} et n'accepte pas de réglages. Retirez son cavalier de mode (mode série), puis coupez et remettez l'alimentation.</translation></message>
+    <message><source>The board's present settings are saved first (File, History). Each value is read back to verify it; serial settings are written last.</source>
+        <translation>Les réglages actuels de la carte sont d'abord sauvegardés (Fichier, Historique). Chaque valeur est relue pour vérification ; les réglages série sont écrits en dernier.</translation></message>
+    <message><source>These calibrations stay pending until the board uses their input source again: {0}.</source>
+        <translation>Ces étalonnages restent en attente jusqu'à ce que la carte utilise de nouveau leur source des entrées : {0}.</translation></message>
+    <message><source>Active only after the board is switched off and on: {0}.</source>
+        <translation>Actif seulement après avoir coupé et remis l'alimentation de la carte : {0}.</translation></message>
+    <message><source>In the board</source>
+        <translation>Dans la carte</translation></message>
+    <message><source>Will be written</source>
+        <translation>Sera écrit</translation></message>
+    <message><source>The connection was lost.</source>
+        <translation>La connexion a été perdue.</translation></message>
+    <message><source>The value that was being written when the connection was lost may be the old one, the new one or, after a power cut, the default. It will be read again.</source>
+        <translation>La valeur en cours d'écriture au moment de la perte de connexion peut être l'ancienne, la nouvelle ou, après une coupure d'alimentation, la valeur par défaut. Elle sera relue.</translation></message>
+    <message numerus="yes"><source>%n finding(s). Accept a proposal, or leave the setting as it is.</source>
+        <translation><numerusform>%n constat. Acceptez la proposition ou laissez le réglage tel quel.</numerusform><numerusform>%n constats. Acceptez une proposition ou laissez le réglage tel quel.</numerusform></translation></message>
+    <message numerus="yes"><source>%n finding(s) left.</source>
+        <translation><numerusform>Il reste %n constat.</numerusform><numerusform>Il reste %n constats.</numerusform></translation></message>
+    <message><source>There is nothing to write: no setting was changed.</source>
+        <translation>Il n'y a rien à écrire : aucun réglage n'a été modifié.</translation></message>
+    <message><source>No board is responding. The edits are kept.</source>
+        <translation>Aucune carte ne répond. Les modifications sont conservées.</translation></message>
+    <message><source>The board will reset itself at its next start and would lose what is written now. Switch it off and on first (Device, Make stored settings active).</source>
+        <translation>La carte va se réinitialiser à son prochain démarrage et perdrait ce qui serait écrit maintenant. Coupez et remettez d'abord son alimentation (Appareil, Rendre actifs les réglages enregistrés).</translation></message>
+    <message><source>{0} (device number {1}, {2})</source>
+        <translation>{0} (numéro d'appareil {1}, {2})</translation></message>
+    <message><source>Saving the board's present settings before anything is written.</source>
+        <translation>Sauvegarde des réglages actuels de la carte avant toute écriture.</translation></message>
+    <message><source>Writing. Each value is read back; leave the power on.</source>
+        <translation>Écriture en cours. Chaque valeur est relue ; ne coupez pas l'alimentation.</translation></message>
+    <message><source>{0} of {1}: {2}</source>
+        <translation>{0} sur {1} : {2}</translation></message>
+    <message><source>not attempted</source>
+        <translation>non tenté</translation></message>
+    <message><source>Channel</source>
+        <translation>Voie</translation></message>
+    <message><source>Deadband</source>
+        <translation>Zone morte</translation></message>
+    <message><source>Calibrations</source>
+        <translation>Étalonnages</translation></message>
+    <message><source>&amp;Add selected</source>
+        <translation>&amp;Ajouter la sélection</translation></message>
+    <message><source>&amp;Leave out selected</source>
+        <translation>&amp;Ne pas inclure la sélection</translation></message>
+    <message><source>Double-click a value to change it; type 1500, 1.5 ms, 2.5 V or 3750 counts.</source>
+        <translation>Double-cliquez sur une valeur pour la modifier ; tapez 1500, 1,5 ms, 2,5 V ou 3750 counts.</translation></message>
+    <message><source>Leave out calibrations</source>
+        <translation>Ne pas inclure les étalonnages</translation></message>
+    <message><source>{0}: {1}. The order is minimum, neutral, maximum.</source>
+        <translation>{0} : {1}. L'ordre est minimum, neutre, maximum.</translation></message>
+    <message><source>A board keeps two calibrations for each channel: one for RC pulses, one for analog voltages. Calibrations that are not in the file stay as they are on the board. The number without a unit is the count in the file.</source>
+        <translation>Une carte garde deux étalonnages par voie : un pour les impulsions RC, un pour les tensions analogiques. Les étalonnages absents du fichier restent tels quels sur la carte. Le nombre sans unité est le nombre de counts du fichier.</translation></message>
+    <message><source>N&amp;ote on the calibration:</source>
+        <translation>N&amp;ote sur l'étalonnage :</translation></message>
+    <message><source>Add the default calibration for the selected channels</source>
+        <translation>Ajouter l'étalonnage par défaut pour les voies sélectionnées</translation></message>
+    <message><source>Remove the calibrations of the selected channels from the file</source>
+        <translation>Retirer du fichier les étalonnages des voies sélectionnées</translation></message>
+    <message><source>Add calibrations</source>
+        <translation>Ajouter des étalonnages</translation></message>
+    <message numerus="yes"><source>{0}: %n change(s) pending; Apply settings writes them.</source>
+        <translation><numerusform>{0} : %n modification en attente ; « Appliquer les réglages » l'écrit.</numerusform><numerusform>{0} : %n modifications en attente ; « Appliquer les réglages » les écrit.</numerusform></translation></message>
+    <message><source>Checked changes become edits. Nothing is written to the board until you click Apply.</source>
+        <translation>Les changements cochés deviennent des modifications. Rien n'est écrit dans la carte tant que vous ne cliquez pas sur « Appliquer les réglages ».</translation></message>
+    <message><source>Board, as shown</source>
+        <translation>Carte, telle qu'affichée</translation></message>
+    <message><source>{0}: settings for a {1} with firmware {2}.</source>
+        <translation>{0} : réglages pour un {1}, firmware {2}.</translation></message>
+    <message numerus="yes"><source>%n setting(s) differ, {0} match.</source>
+        <translation><numerusform>%n réglage diffère, {0} identiques.</numerusform><numerusform>%n réglages diffèrent, {0} identiques.</numerusform></translation></message>
+    <message numerus="yes"><source>&amp;Copy %n value(s) to {0}</source>
+        <translation><numerusform>&amp;Copier %n valeur vers {0}</numerusform><numerusform>&amp;Copier %n valeurs vers {0}</numerusform></translation></message>
+    <message numerus="yes"><source>%n value(s) copied from {0}.</source>
+        <translation><numerusform>%n valeur copiée depuis {0}.</numerusform><numerusform>%n valeurs copiées depuis {0}.</numerusform></translation></message>
+    <message><source>&amp;Edit the file instead</source>
+        <translation>&amp;Modifier plutôt le fichier</translation></message>
+    <message><source>{0}: settings for a {1}; the board is a {2}.</source>
+        <translation>{0} : réglages pour un {1} ; la carte est un {2}.</translation></message>
+    <message><source>{0}: settings for a {1} with firmware {2}; the board has {3}.</source>
+        <translation>{0} : réglages pour un {1}, firmware {2} ; la carte a le firmware {3}.</translation></message>
+    <message numerus="yes"><source>&amp;Load %n change(s)</source>
+        <translation><numerusform>C&amp;harger %n modification</numerusform><numerusform>C&amp;harger %n modifications</numerusform></translation></message>
+    <message><source>{0} was not loaded: the board is no longer connected.</source>
+        <translation>{0} n'a pas été chargé : la carte n'est plus connectée.</translation></message>
+    <message><source>Copy values from {0}</source>
+        <translation>Copier des valeurs depuis {0}</translation></message>
+    <message><source>Load settings from {0}</source>
+        <translation>Charger les réglages de {0}</translation></message>
+    <message><source>{0}: settings for a {1}.</source>
+        <translation>{0} : réglages pour un {1}.</translation></message>
+    <message><source>Load {0}</source>
+        <translation>Charger {0}</translation></message>
+    <message><source>{0}, converted</source>
+        <translation>{0}, converti</translation></message>
+    <message><source>Not in the file, so they stay as they are: {0}.</source>
+        <translation>Absents du fichier, donc inchangés : {0}.</translation></message>
+    <message><source>Findings</source>
+        <translation>Constats</translation></message>
+    <message><source>Acce&amp;pt the proposal</source>
+        <translation>Acce&amp;pter la proposition</translation></message>
+    <message><source>No errors, warnings or suggestions.</source>
+        <translation>Aucune erreur, aucun avertissement, aucune suggestion.</translation></message>
+    <message numerus="yes"><source>%n error(s)</source>
+        <translation><numerusform>%n erreur</numerusform><numerusform>%n erreurs</numerusform></translation></message>
+    <message numerus="yes"><source>%n warning(s)</source>
+        <translation><numerusform>%n avertissement</numerusform><numerusform>%n avertissements</numerusform></translation></message>
+    <message numerus="yes"><source>%n suggestion(s)</source>
+        <translation><numerusform>%n suggestion</numerusform><numerusform>%n suggestions</numerusform></translation></message>
+    <message><source>Warning</source>
+        <translation>Avertissement</translation></message>
+    <message><source>Kind</source>
+        <translation>Type</translation></message>
+    <message><source>Message</source>
+        <translation>Message</translation></message>
+    <message><source>Double-click a finding to show its line.</source>
+        <translation>Double-cliquez sur un constat pour afficher sa ligne.</translation></message>
+    <message><source>A file with errors cannot be used.</source>
+        <translation>Un fichier qui contient des erreurs ne peut pas être utilisé.</translation></message>
+    <message><source>Suggestion</source>
+        <translation>Suggestion</translation></message>
+    <message><source>Proposal: {0}.</source>
+        <translation>Proposition : {0}.</translation></message>
+    <message><source>Bold: differs from the factory default.</source>
+        <translation>Gras : diffère du réglage d'usine.</translation></message>
+    <message><source>Key</source>
+        <translation>Clé</translation></message>
+    <message><source>Value</source>
+        <translation>Valeur</translation></message>
+    <message><source>Default</source>
+        <translation>Valeur par défaut</translation></message>
+    <message><source>Printed {0} by TReX Studio.</source>
+        <translation>Imprimé le {0} par TReX Studio.</translation></message>
+    <message><source>Qt's printing is not installed here ({0}); save a PDF file instead.</source>
+        <translation>Le module d'impression de Qt n'est pas installé ici ({0}) ; enregistrez plutôt un fichier PDF.</translation></message>
+    <message><source>{0}, page {1} of {2}</source>
+        <translation>{0}, page {1} sur {2}</translation></message>
+    <message><source>None are given.</source>
+        <translation>Aucun n'est indiqué.</translation></message>
+    <message><source>Save writes this text. Comments and the order of the lines stay as they are; change values on the other pages.</source>
+        <translation>« Enregistrer » écrit ce texte. Les commentaires et l'ordre des lignes restent tels quels ; modifiez les valeurs sur les autres pages.</translation></message>
+    <message><source>Chec&amp;k again</source>
+        <translation>Vérifier de no&amp;uveau</translation></message>
+    <message><source>&amp;Repair values</source>
+        <translation>&amp;Réparer les valeurs</translation></message>
+    <message><source>This file cannot be used. Correct the text here, then check it again; the other pages open once it has no errors.</source>
+        <translation>Ce fichier ne peut pas être utilisé. Corrigez le texte ici, puis vérifiez-le de nouveau ; les autres pages s'ouvrent dès qu'il n'a plus d'erreurs.</translation></message>
+    <message><source>Line numbers</source>
+        <translation>Numéros de ligne</translation></message>
+    <message><source>Read the text again and list its errors</source>
+        <translation>Relire le texte et lister ses erreurs</translation></message>
+    <message><source>Write values with units as wire values, and numbers beyond their range as the nearest one in it; the file changes when you save it</source>
+        <translation>Écrire les valeurs avec unités en valeurs brutes, et remplacer les nombres hors plage par la valeur permise la plus proche ; le fichier change quand vous l'enregistrez</translation></message>
+    <message><source>Text of the settings file</source>
+        <translation>Texte du fichier de réglages</translation></message>
+    <message><source>This is the text as it was opened, without your changes: {0}. Save offers to rewrite the file from the settings.</source>
+        <translation>Ceci est le texte tel qu'il a été ouvert, sans vos modifications : {0}. « Enregistrer » propose de réécrire le fichier à partir des réglages.</translation></message>
+    <message><source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation></message>
+    <message><source>Text</source>
+        <translation>Texte</translation></message>
+    <message><source>&amp;File</source>
+        <translation>&amp;Fichier</translation></message>
+    <message><source>&amp;Edit</source>
+        <translation>É&amp;dition</translation></message>
+    <message><source>&amp;Compare</source>
+        <translation>&amp;Comparer</translation></message>
+    <message><source>&amp;Device</source>
+        <translation>&amp;Appareil</translation></message>
+    <message><source>Save settings file</source>
+        <translation>Enregistrer le fichier de réglages</translation></message>
+    <message><source>Save as PDF</source>
+        <translation>Enregistrer en PDF</translation></message>
+    <message><source>Compare with</source>
+        <translation>Comparer avec</translation></message>
+    <message><source>Tool bar</source>
+        <translation>Barre d'outils</translation></message>
+    <message><source>It still has errors.</source>
+        <translation>Il contient encore des erreurs.</translation></message>
+    <message><source>Factory defaults</source>
+        <translation>Réglages d'usine</translation></message>
+    <message><source>The text no longer has errors; all pages are available.</source>
+        <translation>Le texte n'a plus d'erreurs ; toutes les pages sont disponibles.</translation></message>
+    <message><source>Nothing could be repaired: correct the text in the lines named below.</source>
+        <translation>Rien n'a pu être réparé : corrigez le texte aux lignes indiquées ci-dessous.</translation></message>
+    <message><source>Correct the rest in the text.</source>
+        <translation>Corrigez le reste dans le texte.</translation></message>
+    <message><source>&amp;New…</source>
+        <translation>&amp;Nouveau…</translation></message>
+    <message><source>&amp;Print…</source>
+        <translation>Im&amp;primer…</translation></message>
+    <message><source>Save as P&amp;DF…</source>
+        <translation>Enregistrer en P&amp;DF…</translation></message>
+    <message><source>&amp;Convert for another board…</source>
+        <translation>&amp;Convertir pour une autre carte…</translation></message>
+    <message><source>With another &amp;file…</source>
+        <translation>Avec un autre &amp;fichier…</translation></message>
+    <message><source>With the &amp;board</source>
+        <translation>Avec la &amp;carte</translation></message>
+    <message><source>With factory &amp;defaults</source>
+        <translation>Avec les réglages d'&amp;usine</translation></message>
+    <message><source>&amp;Send to the board…</source>
+        <translation>&amp;Envoyer à la carte…</translation></message>
+    <message><source>{0}[*] – TReX settings file</source>
+        <translation>{0}[*] – Fichier de réglages TReX</translation></message>
+    <message><source>Findings ({0})</source>
+        <translation>Constats ({0})</translation></message>
+    <message><source>Repaired: {0}.</source>
+        <translation>Réparé : {0}.</translation></message>
+    <message><source>Not saved. {0}</source>
+        <translation>Non enregistré. {0}</translation></message>
+    <message><source>The pages were saved in {0}.</source>
+        <translation>Les pages ont été enregistrées dans {0}.</translation></message>
+    <message><source>Not compared. {0}</source>
+        <translation>Non comparé. {0}</translation></message>
+    <message><source>&amp;Undo {0}</source>
+        <translation>A&amp;nnuler {0}</translation></message>
+    <message><source>&amp;Redo {0}</source>
+        <translation>&amp;Rétablir {0}</translation></message>
+    <message><source>Open settings file</source>
+        <translation>Ouvrir un fichier de réglages</translation></message>
+    <message><source>{0} applies and checks the settings shown; read its first lines.</source>
+        <translation>{0} applique et vérifie les réglages affichés ; lisez ses premières lignes.</translation></message>
+    <message><source>is not a readable settings file.</source>
+        <translation>n'est pas un fichier de réglages lisible.</translation></message>
+    <message><source>Calibrations that the board does not show now were kept: {0}.</source>
+        <translation>Les étalonnages que la carte n'affiche pas actuellement ont été conservés : {0}.</translation></message>
+    <message><source>Export as code</source>
+        <translation>Exporter comme code</translation></message>
+    <message><source>New settings file</source>
+        <translation>Nouveau fichier de réglages</translation></message>
+    <message><source>&amp;Start the new file with:</source>
+        <translation>&amp;Commencer le nouveau fichier avec :</translation></message>
+    <message><source>Factory defaults of a {0}, firmware {1}</source>
+        <translation>Réglages d'usine d'un {0}, firmware {1}</translation></message>
+    <message><source>Factory defaults.</source>
+        <translation>Réglages d'usine.</translation></message>
+    <message><source>{0} was not saved again: it is still being saved.</source>
+        <translation>{0} n'a pas été enregistré une nouvelle fois : son enregistrement est encore en cours.</translation></message>
+    <message><source>Beginnings</source>
+        <translation>Points de départ</translation></message>
+    <message><source>The board as shown: {0}, firmware {1}</source>
+        <translation>La carte telle qu'affichée : {0}, firmware {1}</translation></message>
+    <message><source>As shown.</source>
+        <translation>Tels qu'affichés.</translation></message>
+    <message><source>Settings applied {0}</source>
+        <translation>Réglages appliqués {0}</translation></message>
+    <message><source>The settings shown were saved in {0}.</source>
+        <translation>Les réglages affichés ont été enregistrés dans {0}.</translation></message>
+    <message><source>{0}, settings shown</source>
+        <translation>{0}, réglages affichés</translation></message>
+    <message><source>Applied</source>
+        <translation>Appliqué</translation></message>
+    <message><source>{0} was not written: {1}</source>
+        <translation>{0} n'a pas été écrit : {1}</translation></message>
+    <message><source>{0} was not saved: {1}</source>
+        <translation>{0} n'a pas été enregistré : {1}</translation></message>
+    <message><source>holds settings of a {0}.</source>
+        <translation>contient les réglages d'un {0}.</translation></message>
+    <message><source>Sample: {0}</source>
+        <translation>Exemple : {0}</translation></message>
+    <message><source>Next changes {0}. Nothing is written before you apply it.</source>
+        <translation>« Suivant » modifie {0}. Rien n'est écrit avant que vous ne l'appliquiez.</translation></message>
+    <message><source>&amp;Who drives</source>
+        <translation>&amp;Qui pilote</translation></message>
+    <message><source>&amp;Jumpers</source>
+        <translation>&amp;Cavaliers</translation></message>
+    <message><source>&amp;Sticks</source>
+        <translation>&amp;Manches</translation></message>
+    <message><source>Which &amp;motor is which</source>
+        <translation>Quel m&amp;oteur est lequel</translation></message>
+    <message><source>&amp;Ramps and limits</source>
+        <translation>&amp;Rampes et limites</translation></message>
+    <message><source>Serial &amp;timeout</source>
+        <translation>Délai &amp;série</translation></message>
+    <message><source>S&amp;kip</source>
+        <translation>&amp;Passer</translation></message>
+    <message numerus="yes"><source>Next adds %n change(s). Nothing is written before you apply them.</source>
+        <translation><numerusform>« Suivant » ajoute %n modification. Rien n'est écrit avant que vous ne l'appliquiez.</numerusform><numerusform>« Suivant » ajoute %n modifications. Rien n'est écrit avant que vous ne les appliquiez.</numerusform></translation></message>
+    <message><source>Go on without the changes of this step</source>
+        <translation>Continuer sans les modifications de cette étape</translation></message>
+    <message><source>Close the assistant; its changes stay until you apply or discard them</source>
+        <translation>Fermer l'assistant ; ses modifications restent jusqu'à ce que vous les appliquiez ou les abandonniez</translation></message>
+    <message><source>Nothing has to change: the wheels follow the sticks.</source>
+        <translation>Rien n'est à changer : les roues suivent les manches.</translation></message>
+    <message><source>Switch the motors' power off.</source>
+        <translation>Coupez l'alimentation des moteurs.</translation></message>
+    <message><source>Swap the two wires of the left motor.</source>
+        <translation>Permutez les deux fils du moteur gauche.</translation></message>
+    <message><source>Swap the two wires of the right motor.</source>
+        <translation>Permutez les deux fils du moteur droit.</translation></message>
+    <message><source>Left wheel, forward</source>
+        <translation>Roue gauche, vers l'avant</translation></message>
+    <message><source>Right wheel, forward</source>
+        <translation>Roue droite, vers l'avant</translation></message>
+    <message><source>Left wheel, backward</source>
+        <translation>Roue gauche, vers l'arrière</translation></message>
+    <message><source>Right wheel, backward</source>
+        <translation>Roue droite, vers l'arrière</translation></message>
+    <message><source>Nothing</source>
+        <translation>Rien</translation></message>
+    <message><source>The wheels are &amp;off the ground, and nothing can get caught in them</source>
+        <translation>Les r&amp;oues ne touchent pas le sol et rien ne peut s'y prendre</translation></message>
+    <message><source>Wir&amp;es swapped – test again</source>
+        <translation>Fils &amp;permutés – tester de nouveau</translation></message>
+    <message><source>Armed. Hold a button: its motor is driven forward in short, weak pulses; the other one stays at rest. Then say below what turned.</source>
+        <translation>Moteurs activés. Maintenez un bouton : son moteur est entraîné vers l'avant par de courtes impulsions faibles ; l'autre reste à l'arrêt. Indiquez ensuite ci-dessous ce qui a tourné.</translation></message>
+    <message><source>Motor {0} is driven in pulses. Release the button to stop it.</source>
+        <translation>Le moteur {0} tourne par impulsions. Relâchez le bouton pour l'arrêter.</translation></message>
+    <message><source>Nothing turned: the next pulses are stronger (30 % instead of 20 %). If that does not help, check the battery and the wires of this motor.</source>
+        <translation>Rien n'a tourné : les impulsions suivantes sont plus fortes (30 % au lieu de 20 %). Si cela ne suffit pas, vérifiez la batterie et les fils de ce moteur.</translation></message>
+    <message><source>Motor 1 drives the left wheel, motor 2 the right one, both forward.</source>
+        <translation>Le moteur 1 entraîne la roue gauche, le moteur 2 la roue droite, tous deux vers l'avant.</translation></message>
+    <message><source>No wires have to be swapped. Settings make the wheels follow the sticks, but those settings depend on the directions of the sticks, which are not known yet: go back to Sticks. Your answers are kept.</source>
+        <translation>Aucun fil n'est à permuter. Des réglages permettent aux roues de suivre les manches, mais ils dépendent des sens des manches, qui ne sont pas encore connus : revenez à « Manches ». Vos réponses sont conservées.</translation></message>
+    <message><source>Motor 1 drives the right wheel, motor 2 the left one.</source>
+        <translation>Le moteur 1 entraîne la roue droite, le moteur 2 la roue gauche.</translation></message>
+    <message><source>Settings correct this; no wires have to be swapped.</source>
+        <translation>Des réglages corrigent cela ; aucun fil n'est à permuter.</translation></message>
+    <message><source>Swap the pair of wires of motor 1 with that of motor 2 (keep their order).</source>
+        <translation>Permutez la paire de fils du moteur 1 avec celle du moteur 2 (gardez leur ordre).</translation></message>
+    <message><source>No setting does this for serial commands; your own program can do it instead.</source>
+        <translation>Aucun réglage ne fait cela pour les commandes série ; votre propre programme peut s'en charger.</translation></message>
+    <message><source>No setting of the board does this.</source>
+        <translation>Aucun réglage de la carte ne fait cela.</translation></message>
+    <message><source>Short, weak pulses while you hold it with the mouse or the space bar</source>
+        <translation>Impulsions courtes et faibles tant que vous le maintenez avec la souris ou la barre d'espace</translation></message>
+    <message><source>What turned, and which way?</source>
+        <translation>Qu'est-ce qui a tourné, et dans quel sens ?</translation></message>
+    <message><source>Forget both answers and find out again which motor is which</source>
+        <translation>Oublier les deux réponses et chercher à nouveau quel moteur est lequel</translation></message>
+    <message><source>Nothing turned: the pulses stay below the speed ceiling of the Motors page. Raise it, or check the battery and the wires of this motor.</source>
+        <translation>Rien n'a tourné : les impulsions restent sous la vitesse maximale de la page Moteurs. Augmentez-la, ou vérifiez la batterie et les fils de ce moteur.</translation></message>
+    <message><source>Two motors cannot drive the same wheel: try both buttons again.</source>
+        <translation>Deux moteurs ne peuvent pas entraîner la même roue : essayez à nouveau les deux boutons.</translation></message>
+    <message><source>Hold to pulse motor {0}</source>
+        <translation>Maintenir pour faire tourner le moteur {0} par impulsions</translation></message>
+    <message><source>Remove the mode jumper to set up the board: it accepts settings only without it. To drive, put it on RC, or on analog for a joystick with potentiometers. The board reads it when it is switched on.</source>
+        <translation>Retirez le cavalier de mode pour configurer la carte : elle n'accepte des réglages que sans lui. Pour piloter, placez-le sur RC, ou sur analogique pour un joystick à potentiomètres. La carte le lit à la mise sous tension.</translation></message>
+    <message><source>This board was started in {0} mode. Switch it off, remove the mode jumper and switch it on again. This statement then updates by itself.</source>
+        <translation>Cette carte a démarré en mode {0}. Coupez son alimentation, retirez le cavalier de mode et remettez l'alimentation. Cette indication se met alors à jour d'elle-même.</translation></message>
+    <message><source>The mix jumper is on: remove it, then push a stick again.</source>
+        <translation>Le cavalier Mix est en place : retirez-le, puis poussez de nouveau un manche.</translation></message>
+    <message><source>The mix jumper is off: put it on, then push a stick again.</source>
+        <translation>Le cavalier Mix n'est pas en place : mettez-le, puis poussez de nouveau un manche.</translation></message>
+    <message><source>Channel 1 is for motor 1, channel 2 for motor 2.</source>
+        <translation>La voie 1 est pour le moteur 1, la voie 2 pour le moteur 2.</translation></message>
+    <message><source>Set the current that your motors can draw continuously; the values above are only examples. Speeds that are set at once, without a ramp, bypass the limit for a moment.</source>
+        <translation>Réglez le courant que vos moteurs peuvent absorber en continu ; les valeurs ci-dessus ne sont que des exemples. Les vitesses appliquées d'un coup, sans rampe, contournent la limite un instant.</translation></message>
+    <message><source>The board stores: {0}.</source>
+        <translation>Valeur enregistrée dans la carte : {0}.</translation></message>
+    <message numerus="yes"><source>%n change(s) not applied yet.</source>
+        <translation><numerusform>%n modification pas encore appliquée.</numerusform><numerusform>%n modifications pas encore appliquées.</numerusform></translation></message>
+    <message><source>The changes for the motors were not taken over: open the step and click Next.</source>
+        <translation>Les modifications pour les moteurs n'ont pas été reprises : ouvrez l'étape et cliquez sur « Suivant ».</translation></message>
+    <message><source>Schematic: the user's guide shows where your board has them.</source>
+        <translation>Schéma : le guide d'utilisation montre où ils se trouvent sur votre carte.</translation></message>
+    <message><source>Put the mix jumper on: channel 2 drives forward and back, channel 1 turns. It takes effect at once.</source>
+        <translation>Mettez le cavalier Mix : la voie 2 commande l'avance et le recul, la voie 1 la rotation. L'effet est immédiat.</translation></message>
+    <message><source>Remove the mix jumper: channel 1 drives motor 1, channel 2 drives motor 2. It takes effect at once.</source>
+        <translation>Retirez le cavalier Mix : la voie 1 commande le moteur 1, la voie 2 le moteur 2. L'effet est immédiat.</translation></message>
+    <message><source>The mix jumper does not matter: it has no effect on serial commands.</source>
+        <translation>Le cavalier Mix n'a pas d'importance : il est sans effet sur les commandes série.</translation></message>
+    <message><source>Remove the mode jumper and leave it off: the board then accepts settings and serial commands. It reads the jumper when it is switched on.</source>
+        <translation>Retirez le cavalier de mode et ne le remettez pas : la carte accepte alors les réglages et les commandes série. Elle lit le cavalier à la mise sous tension.</translation></message>
+    <message><source>&amp;Learn channels…</source>
+        <translation>Apprendre les &amp;voies…</translation></message>
+    <message><source>The stick is fully &amp;forward now</source>
+        <translation>Le manche est poussé à fond vers l'a&amp;vant maintenant</translation></message>
+    <message><source>The stick is fully &amp;right now</source>
+        <translation>Le manche est poussé à fond vers la &amp;droite maintenant</translation></message>
+    <message><source>Both sticks are fully &amp;forward now</source>
+        <translation>Les deux manches sont poussés à fond vers l'a&amp;vant maintenant</translation></message>
+    <message><source>Channel 1 is for left and right of the stick, channel 2 for forward and back.</source>
+        <translation>La voie 1 est pour la gauche et la droite du manche, la voie 2 pour l'avant et l'arrière.</translation></message>
+    <message><source>Channel 1 (motor 1)</source>
+        <translation>Voie 1 (moteur 1)</translation></message>
+    <message><source>Channel 2 (motor 2)</source>
+        <translation>Voie 2 (moteur 2)</translation></message>
+    <message><source>{0}: its direction is not known yet.</source>
+        <translation>{0} : son sens n'est pas encore connu.</translation></message>
+    <message><source>{0}: the value rises.</source>
+        <translation>{0} : la valeur augmente.</translation></message>
+    <message><source>{0}: the value falls.</source>
+        <translation>{0} : la valeur diminue.</translation></message>
+    <message><source>{0}: the stick is still near its middle. Push it all the way.</source>
+        <translation>{0} : le manche est encore proche de son milieu. Poussez-le à fond.</translation></message>
+    <message><source>Current limit of each motor</source>
+        <translation>Limite de courant de chaque moteur</translation></message>
+    <message><source>off</source>
+        <translation>désactivé</translation></message>
+    <message><source>In joint mode the board measures no current, so it cannot limit it.</source>
+        <translation>En mode jumelé, la carte ne mesure aucun courant et ne peut donc pas le limiter.</translation></message>
+    <message><source>This example was made for a {0}, which measures current in other units. Your board keeps its current limit.</source>
+        <translation>Cet exemple a été fait pour un {0}, qui mesure le courant dans d'autres unités. Votre carte garde sa limite de courant.</translation></message>
+    <message><source>Serial timeout in seconds</source>
+        <translation>Délai série en secondes</translation></message>
+    <message><source>Review and &amp;apply…</source>
+        <translation>Vérifier et a&amp;ppliquer…</translation></message>
+    <message><source>All changes are stored.</source>
+        <translation>Toutes les modifications sont enregistrées dans la carte.</translation></message>
+    <message><source>The jumpers are not as they have to be, or were not checked.</source>
+        <translation>Les cavaliers ne sont pas comme il le faut, ou n'ont pas été vérifiés.</translation></message>
+    <message><source>The directions of the sticks are not known.</source>
+        <translation>Les sens des manches ne sont pas connus.</translation></message>
+    <message><source>Skipped, or its changes were undone.</source>
+        <translation>Étape passée, ou ses modifications ont été annulées.</translation></message>
+    <message><source>It is not known which motor drives which wheel.</source>
+        <translation>On ne sait pas quel moteur entraîne quelle roue.</translation></message>
+    <message><source>The settings for the motors wait for the directions of the sticks.</source>
+        <translation>Les réglages des moteurs attendent les sens des manches.</translation></message>
+    <message><source>Switch the board off, put the mode jumper on {0}, {1}.</source>
+        <translation>Coupez l'alimentation de la carte, placez le cavalier de mode sur {0}, {1}.</translation></message>
+    <message><source>Switch on the transmitter, then the board.</source>
+        <translation>Allumez l'émetteur, puis la carte.</translation></message>
+    <message><source>The motors stay off until the sticks are released (safe-start).</source>
+        <translation>Les moteurs restent arrêtés jusqu'à ce que les manches soient relâchés (démarrage sécurisé).</translation></message>
+    <message><source>Drive first with the wheels off the ground: forward, back, left, right.</source>
+        <translation>Pilotez d'abord avec les roues décollées du sol : avant, arrière, gauche, droite.</translation></message>
+    <message><source>&amp;One stick</source>
+        <translation>&amp;Un manche</translation></message>
+    <message><source>A transmitter or a joystick: forward and back, left and right with one stick. The board mixes both.</source>
+        <translation>Un émetteur ou un joystick : avant et arrière, gauche et droite avec un seul manche. La carte fait le mixage.</translation></message>
+    <message><source>&amp;Two sticks</source>
+        <translation>&amp;Deux manches</translation></message>
+    <message><source>One stick for each side of the robot, as in a tank.</source>
+        <translation>Un manche pour chaque côté du robot, comme sur un char.</translation></message>
+    <message><source>&amp;A computer</source>
+        <translation>Un &amp;ordinateur</translation></message>
+    <message><source>A program, a microcontroller or this window sends commands over the serial line.</source>
+        <translation>Un programme, un microcontrôleur ou cette fenêtre envoie des commandes par la liaison série.</translation></message>
+    <message><source>Each step can be skipped. The assistant writes nothing by itself: what you choose becomes unapplied changes, which you review at the end.</source>
+        <translation>Chaque étape peut être passée. L'assistant n'écrit rien de lui-même : vos choix deviennent des modifications non appliquées, que vous vérifiez à la fin.</translation></message>
+    <message><source>The board does not respond: it may be switched off.</source>
+        <translation>La carte ne répond pas : elle est peut-être hors tension.</translation></message>
+    <message><source>No board is connected, so its jumpers cannot be checked.</source>
+        <translation>Aucune carte n'est connectée : ses cavaliers ne peuvent pas être vérifiés.</translation></message>
+    <message><source>This board was started without the mode jumper (serial mode).</source>
+        <translation>Cette carte a démarré sans le cavalier de mode (mode série).</translation></message>
+    <message><source>The mix jumper can be checked in serial mode only: in this mode a stick that you push would drive the motors.</source>
+        <translation>Le cavalier Mix ne peut être vérifié qu'en mode série : dans ce mode-ci, un manche poussé ferait tourner les moteurs.</translation></message>
+    <message><source>It is not known yet whether the mix jumper is on: the board cannot be asked. Push a stick to one side, and the answer appears here.</source>
+        <translation>On ne sait pas encore si le cavalier Mix est en place : la carte ne peut pas être interrogée à ce sujet. Poussez un manche d'un côté et la réponse apparaît ici.</translation></message>
+    <message><source>The board has to know the middle and the ends of each stick. Learning measures them in about two minutes, in a separate window, and ends with a review. The motors stay off meanwhile. Learn before you go on: the next step, which motor is which, needs the directions of the sticks.</source>
+        <translation>La carte doit connaître le milieu et les extrémités de chaque manche. L'apprentissage les mesure en deux minutes environ, dans une fenêtre séparée, et se termine par une vérification. Les moteurs restent arrêtés pendant ce temps. Faites l'apprentissage avant de continuer : l'étape suivante, quel moteur est lequel, a besoin des sens des manches.</translation></message>
+    <message><source>Already learned? Then show which way the sticks go: push, hold and click. In serial mode they move no motor.</source>
+        <translation>Déjà appris ? Montrez alors dans quel sens vont les manches : poussez, maintenez et cliquez. En mode série, ils ne font bouger aucun moteur.</translation></message>
+    <message><source>Channel 1 (turns)</source>
+        <translation>Voie 1 (tourne)</translation></message>
+    <message><source>Channel 2 (drives)</source>
+        <translation>Voie 2 (avance)</translation></message>
+    <message><source>{0}: no signal arrives.</source>
+        <translation>{0} : aucun signal n'arrive.</translation></message>
+    <message><source>Keep w&amp;hat the board has</source>
+        <translation>&amp;Garder ce qu'a la carte</translation></message>
+    <message><source>Neither ramps nor limits change.</source>
+        <translation>Ni les rampes ni les limites ne changent.</translation></message>
+    <message><source>&amp;Tank</source>
+        <translation>&amp;Char</translation></message>
+    <message><source>Ro&amp;ver</source>
+        <translation>Ro&amp;ver</translation></message>
+    <message><source>&amp;Autonomous robot</source>
+        <translation>Robot &amp;autonome</translation></message>
+    <message><source>Acceleration: {0}; brake before a reversal: {1}.</source>
+        <translation>Accélération : {0} ; freinage avant inversion : {1}.</translation></message>
+    <message><source>If the cable falls out or the computer fails, only the board itself can notice and stop the motors. Without a serial timeout they keep running at their last speed.</source>
+        <translation>Si le câble se débranche ou si l'ordinateur tombe en panne, seule la carte elle-même peut le remarquer et arrêter les moteurs. Sans délai série, ils continuent à tourner à leur dernière vitesse.</translation></message>
+    <message><source>Have the computer send something at least twice in that time; a status query will do. 0.5 s is a good value for most robots.</source>
+        <translation>Faites envoyer quelque chose à l'ordinateur au moins deux fois pendant ce délai ; une demande d'état suffit. 0,5 s est une bonne valeur pour la plupart des robots.</translation></message>
+    <message><source>Still open:</source>
+        <translation>Encore à faire :</translation></message>
+    <message><source>put the mix jumper on</source>
+        <translation>mettez le cavalier Mix</translation></message>
+    <message><source>leave the mix jumper off</source>
+        <translation>laissez le cavalier Mix retiré</translation></message>
+    <message><source>Leave the mode jumper off. The first commands can come from the Motors page of this window.</source>
+        <translation>Laissez le cavalier de mode retiré. Les premières commandes peuvent venir de la page Moteurs de cette fenêtre.</translation></message>
+    <message><source>Who drives your robot?</source>
+        <translation>Qui pilote votre robot ?</translation></message>
+    <message><source>Always</source>
+        <translation>Toujours</translation></message>
+    <message><source>Now: to set up</source>
+        <translation>Maintenant : pour configurer</translation></message>
+    <message><source>Later: to drive</source>
+        <translation>Plus tard : pour piloter</translation></message>
+    <message><source>Each is connected to an output of your receiver.</source>
+        <translation>Chacune est reliée à une sortie de votre récepteur.</translation></message>
+    <message><source>Is the transmitter on?</source>
+        <translation>L'émetteur est-il allumé ?</translation></message>
+    <message><source>How should the motors start and stop?</source>
+        <translation>Comment les moteurs doivent-ils démarrer et s'arrêter ?</translation></message>
+    <message><source>Then, by hand:</source>
+        <translation>Ensuite, à la main :</translation></message>
+    <message><source>{0} Then test the motors again.</source>
+        <translation>{0} Testez ensuite à nouveau les moteurs.</translation></message>
+    <message><source>Current &amp;limit of each motor</source>
+        <translation>&amp;Limite de courant de chaque moteur</translation></message>
+    <message><source>Example of a current limit: {0}.</source>
+        <translation>Exemple de limite de courant : {0}.</translation></message>
+    <message><source>&amp;Stop the motors after a silence of</source>
+        <translation>&amp;Arrêter les moteurs après un silence de</translation></message>
+    <message><source>Go to this step</source>
+        <translation>Aller à cette étape</translation></message>
+    <message><source>Reading…</source>
+        <translation>Lecture…</translation></message>
+    <message numerus="yes"><source>%n setting(s) would become edits; nothing is written until you click Apply.</source>
+        <translation><numerusform>%n réglage deviendrait une modification ; rien n'est écrit tant que vous ne cliquez pas sur « Appliquer les réglages ».</numerusform><numerusform>%n réglages deviendraient des modifications ; rien n'est écrit tant que vous ne cliquez pas sur « Appliquer les réglages ».</numerusform></translation></message>
+    <message><source>Compare with a settings file</source>
+        <translation>Comparer avec un fichier de réglages</translation></message>
+    <message><source>{0} cannot be compared with: {1}</source>
+        <translation>{0} ne peut pas être comparé : {1}</translation></message>
+    <message><source>&amp;Restore selected as edits</source>
+        <translation>&amp;Restaurer la sélection comme modifications</translation></message>
+    <message><source>{0} is damaged and cannot be restored. {1}</source>
+        <translation>{0} est endommagé et ne peut pas être restauré. {1}</translation></message>
+    <message><source>{0}, before {1}</source>
+        <translation>{0}, avant : {1}</translation></message>
+    <message numerus="yes"><source>%n setting(s) would be restored, {0} match.</source>
+        <translation><numerusform>%n réglage serait restauré, {0} identiques.</numerusform><numerusform>%n réglages seraient restaurés, {0} identiques.</numerusform></translation></message>
+    <message><source>Both are the same.</source>
+        <translation>Les deux sont identiques.</translation></message>
+    <message><source>Nothing is selected to be restored.</source>
+        <translation>Rien n'est sélectionné pour la restauration.</translation></message>
+    <message><source>A damaged snapshot cannot be restored.</source>
+        <translation>Un instantané endommagé ne peut pas être restauré.</translation></message>
+    <message><source>The snapshot is being read.</source>
+        <translation>L'instantané est en cours de lecture.</translation></message>
+    <message><source>To restore one of the two, select it alone.</source>
+        <translation>Pour restaurer l'un des deux, sélectionnez-le seul.</translation></message>
+    <message><source>To restore, compare with the board.</source>
+        <translation>Pour restaurer, comparez avec la carte.</translation></message>
+    <message><source>The board does not respond, so nothing can be restored.</source>
+        <translation>La carte ne répond pas : rien ne peut être restauré.</translation></message>
+    <message><source>Settings are being written; wait until that is done.</source>
+        <translation>Des réglages sont en cours d'écriture ; attendez la fin.</translation></message>
+    <message><source>There is nothing to restore.</source>
+        <translation>Il n'y a rien à restaurer.</translation></message>
+    <message><source>Select the settings to restore.</source>
+        <translation>Sélectionnez les réglages à restaurer.</translation></message>
+    <message><source>No board is connected. Connect one to restore a snapshot.</source>
+        <translation>Aucune carte n'est connectée. Connectez-en une pour restaurer un instantané.</translation></message>
+    <message><source>the board as it is now, with edits</source>
+        <translation>la carte telle qu'elle est maintenant, avec les modifications</translation></message>
+    <message><source>a settings file…</source>
+        <translation>un fichier de réglages…</translation></message>
+    <message><source>snapshot of {0}</source>
+        <translation>instantané ({0})</translation></message>
+    <message><source>snapshot of {0}, before {1}</source>
+        <translation>instantané ({0}), avant : {1}</translation></message>
+    <message><source>Turn the selected values into edits and review them; only Apply writes them</source>
+        <translation>Transformer les valeurs sélectionnées en modifications et les vérifier ; seul « Appliquer les réglages » les écrit</translation></message>
+    <message><source>This snapshot has no differences to restore.</source>
+        <translation>Cet instantané n'a aucune différence à restaurer.</translation></message>
+    <message><source>The board, with the edits made here, matches this snapshot.</source>
+        <translation>La carte, avec les modifications faites ici, correspond à cet instantané.</translation></message>
+    <message numerus="yes"><source>%n setting(s) not in the snapshot would stay.</source>
+        <translation><numerusform>%n réglage absent de l'instantané resterait inchangé.</numerusform><numerusform>%n réglages absents de l'instantané resteraient inchangés.</numerusform></translation></message>
+    <message><source>Restore snapshot of {0}</source>
+        <translation>Restaurer l'instantané ({0})</translation></message>
+    <message><source>Compare &amp;with:</source>
+        <translation>Comparer a&amp;vec :</translation></message>
+    <message><source>Now, with edits</source>
+        <translation>Maintenant, avec les modifications</translation></message>
+    <message><source>Snapshot of {0}</source>
+        <translation>Instantané ({0})</translation></message>
+    <message><source>Select a snapshot to see what it would restore.</source>
+        <translation>Sélectionnez un instantané pour voir ce qu'il restaurerait.</translation></message>
+    <message><source>Select one snapshot, or two to compare them.</source>
+        <translation>Sélectionnez un instantané, ou deux pour les comparer.</translation></message>
+    <message numerus="yes"><source>There is no other snapshot of a {0} to compare with. This one has %n setting(s).</source>
+        <translation><numerusform>Il n'y a pas d'autre instantané d'un {0} pour comparer. Celui-ci contient %n réglage.</numerusform><numerusform>Il n'y a pas d'autre instantané d'un {0} pour comparer. Celui-ci contient %n réglages.</numerusform></translation></message>
+    <message><source>This snapshot is of a {0}, and the board here is a {1}: it cannot be restored.</source>
+        <translation>Cet instantané est celui d'un {0}, et la carte ici est un {1} : il ne peut pas être restauré.</translation></message>
+    <message><source>Note: this snapshot is of device number {0}, the board here is number {1}.</source>
+        <translation>Remarque : cet instantané est celui du numéro d'appareil {0}, la carte ici porte le numéro {1}.</translation></message>
+    <message><source>Nothing was restored: {0}</source>
+        <translation>Rien n'a été restauré : {0}</translation></message>
+    <message><source>You need a USB-serial adapter with TTL levels (5 V or 3.3 V) and three wires.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Switch the board off. Remove the mode jumper: then it starts in serial mode, which is needed to drive it and to change settings from here. Remove the SO–G jumper, too.&lt;/li&gt;&lt;li&gt;Wire the adapter as shown.&lt;/li&gt;&lt;li&gt;Lift the wheels off the ground, switch the board on, and connect:&lt;/li&gt;&lt;/ol&gt;</source>
+        <translation>Il vous faut un adaptateur USB-série à niveaux TTL (5 V ou 3,3 V) et trois fils.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Coupez l'alimentation de la carte. Retirez le cavalier de mode : elle démarre alors en mode série, nécessaire pour la piloter et modifier ses réglages d'ici. Retirez aussi le cavalier SO–G.&lt;/li&gt;&lt;li&gt;Câblez l'adaptateur comme indiqué.&lt;/li&gt;&lt;li&gt;Soulevez les roues du sol, mettez la carte sous tension et connectez :&lt;/li&gt;&lt;/ol&gt;</translation></message>
+    <message><source>TT&amp;L adapter</source>
+        <translation>Adaptateur TT&amp;L</translation></message>
+    <message><source>You need an RS-232 port of the computer or an RS-232 adapter, and three wires.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Switch the board off. Remove the mode and SO–G jumpers, as for a TTL adapter.&lt;/li&gt;&lt;li&gt;Wire the port to the RS-232 pins as shown, and leave SI and SO free: the voltages of RS-232 can damage them.&lt;/li&gt;&lt;li&gt;Lift the wheels off the ground, switch the board on, and connect:&lt;/li&gt;&lt;/ol&gt;</source>
+        <translation>Il vous faut un port RS-232 de l'ordinateur ou un adaptateur RS-232, et trois fils.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Coupez l'alimentation de la carte. Retirez les cavaliers de mode et SO–G, comme pour un adaptateur TTL.&lt;/li&gt;&lt;li&gt;Câblez le port aux broches RS-232 comme indiqué et laissez SI et SO libres : les tensions RS-232 peuvent les endommager.&lt;/li&gt;&lt;li&gt;Soulevez les roues du sol, mettez la carte sous tension et connectez :&lt;/li&gt;&lt;/ol&gt;</translation></message>
+    <message><source>RS-&amp;232 adapter</source>
+        <translation>Adaptateur RS-&amp;232</translation></message>
+    <message><source>You need an RC receiver with a servo cable for each channel, and an adapter to connect the board to this computer.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Set the board up through the adapter first: with the mode jumper on, it accepts no settings.&lt;/li&gt;&lt;li&gt;Switch the board off. Connect the receiver as shown: a servo cable has signal, 5 V and GND. The BEC jumper lets the board feed the receiver, with 100 mA at most.&lt;/li&gt;&lt;li&gt;Put the mode jumper on RC. Lift the wheels off the ground and switch on: the transmitter drives, and this program shows what it does.&lt;/li&gt;&lt;/ol&gt;</source>
+        <translation>Il vous faut un récepteur RC avec un câble servo pour chaque voie, et un adaptateur pour relier la carte à cet ordinateur.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Configurez d'abord la carte par l'adaptateur : quand le cavalier de mode est en place, elle n'accepte aucun réglage.&lt;/li&gt;&lt;li&gt;Coupez l'alimentation de la carte. Raccordez le récepteur comme indiqué : un câble servo comporte signal, 5 V et GND. Le cavalier BEC permet à la carte d'alimenter le récepteur, avec 100 mA au plus.&lt;/li&gt;&lt;li&gt;Placez le cavalier de mode sur RC. Soulevez les roues du sol et mettez sous tension : l'émetteur pilote, et ce programme montre ce qu'il fait.&lt;/li&gt;&lt;/ol&gt;</translation></message>
+    <message><source>RC recei&amp;ver</source>
+        <translation>&amp;Récepteur RC</translation></message>
+    <message><source>Wiring: TX of the RS-232 port (pin 3 of nine) to RX, RX (pin 2) to TX, GND (pin 5) to GND of the board</source>
+        <translation>Câblage : TX du port RS-232 (broche 3 sur neuf) vers RX, RX (broche 2) vers TX, GND (broche 5) vers GND de la carte</translation></message>
+    <message><source>RS-232 port</source>
+        <translation>Port RS-232</translation></message>
+    <message><source>Wiring: channels 1 and 2 of the receiver to channels 1 and 2 of the board, 5 V to 5 V, GND to GND</source>
+        <translation>Câblage : voies 1 et 2 du récepteur vers voies 1 et 2 de la carte, 5 V vers 5 V, GND vers GND</translation></message>
+    <message><source>Receiver</source>
+        <translation>Récepteur</translation></message>
+    <message><source>Jumpers to drive</source>
+        <translation>Cavaliers pour la conduite</translation></message>
+    <message><source>First difference, line {0}: {1}. The simulated board: {2} ({3}).</source>
+        <translation>Première différence, ligne {0} : {1}. La carte simulée : {2} ({3}).</translation></message>
+    <message><source>Compare a traffic log</source>
+        <translation>Comparer un journal de trafic</translation></message>
+    <message><source>Text (*.txt *.tsv)</source>
+        <translation>Texte (*.txt *.tsv)</translation></message>
+    <message numerus="yes"><source>%n transaction(s): the simulated board replies the same.</source>
+        <translation><numerusform>%n transaction : la carte simulée répond la même chose.</numerusform><numerusform>%n transactions : la carte simulée répond la même chose.</numerusform></translation></message>
+    <message numerus="yes"><source>Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore as pending edits?</source>
+        <translation><numerusform>Modifié auparavant mais pas appliqué : %n réglage de ce {0} ({1}). Le restaurer comme modification en attente ?</numerusform><numerusform>Modifiés auparavant mais pas appliqués : %n réglages de ce {0} ({1}). Les restaurer comme modifications en attente ?</numerusform></translation></message>
+    <message><source>{0} is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use it, too.</source>
+        <translation>{0} fait maintenant partie des modifications en attente. La modification prend effet une fois l'alimentation de la carte coupée puis remise ; cette fenêtre suit alors. Les autres programmes de cette liaison doivent l'utiliser aussi.</translation></message>
+    <message><source>TReX</source>
+        <translation>TReX</translation></message>
+    <message><source>Wiring: TX of the adapter to SI, RX to SO, GND to GND of the board</source>
+        <translation>Câblage : TX de l'adaptateur vers SI, RX vers SO, GND vers GND de la carte</translation></message>
+    <message><source>a settings file of a TReX</source>
+        <translation>un fichier de réglages d'un TReX</translation></message>
+    <message><source>a board</source>
+        <translation>une carte</translation></message>
+    <message><source>Read the settings from the board and discard the edits made here?</source>
+        <translation>Lire les réglages de la carte et abandonner les modifications faites ici ?</translation></message>
+    <message><source>Factor&amp;y line settings: {0}…</source>
+        <translation>Réglages de liaison d'&amp;usine : {0}…</translation></message>
+    <message><source>Fas&amp;t: {0}…</source>
+        <translation>&amp;Rapide : {0}…</translation></message>
+    <message><source>CRC-7 is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use CRC-7, too.</source>
+        <translation>CRC-7 fait maintenant partie des modifications en attente. La modification prend effet une fois l'alimentation de la carte coupée puis remise ; cette fenêtre suit alors. Les autres programmes de cette liaison doivent utiliser CRC-7 aussi.</translation></message>
+    <message><source>Connect my TReX</source>
+        <translation>Connecter mon TReX</translation></message>
+    <message><source>No board at hand?</source>
+        <translation>Pas de carte sous la main ?</translation></message>
+    <message><source>&amp;Try the demo</source>
+        <translation>Essa&amp;yer la démo</translation></message>
+    <message><source>Set up, calibrate, drive and understand a Pololu TReX or TReX Jr. You need the board with its supply, and a serial adapter with three wires. No motor moves before you click Run motor, and Esc stops the motors in every window.</source>
+        <translation>Configurer, étalonner, piloter et comprendre un Pololu TReX ou TReX Jr. Il vous faut la carte avec son alimentation, et un adaptateur série avec trois fils. Aucun moteur ne bouge avant que vous ne cliquiez sur « Activer les moteurs », et Échap arrête les moteurs dans toutes les fenêtres.</translation></message>
+    <message><source>Discard and reload</source>
+        <translation>Abandonner et recharger</translation></message>
+    <message numerus="yes"><source>%n setting(s) of this {0} differ from what was applied last ({1}): lost, changed by something else, or this is another board.</source>
+        <translation><numerusform>%n réglage de ce {0} diffère de ce qui a été appliqué en dernier ({1}) : perdu, modifié par autre chose, ou c'est une autre carte.</numerusform><numerusform>%n réglages de ce {0} diffèrent de ce qui a été appliqué en dernier ({1}) : perdus, modifiés par autre chose, ou c'est une autre carte.</numerusform></translation></message>
+    <message><source>Keep the values of the board</source>
+        <translation>Garder les valeurs de la carte</translation></message>
+    <message><source>S&amp;tatus</source>
+        <translation>É&amp;tat</translation></message>
+    <message><source>&amp;Channels</source>
+        <translation>&amp;Voies</translation></message>
+    <message><source>Cali&amp;bration</source>
+        <translation>Étalonna&amp;ge</translation></message>
+    <message><source>&amp;Motors</source>
+        <translation>&amp;Moteurs</translation></message>
+    <message><source>C&amp;urrents</source>
+        <translation>Co&amp;urants</translation></message>
+    <message><source>&amp;Parameters</source>
+        <translation>&amp;Paramètres</translation></message>
+    <message><source>&amp;Errors</source>
+        <translation>Erreu&amp;rs</translation></message>
+    <message><source>T&amp;raffic</source>
+        <translation>Traf&amp;ic</translation></message>
+    <message><source>&amp;New settings file…</source>
+        <translation>&amp;Nouveau fichier de réglages…</translation></message>
+    <message><source>&amp;Open settings file…</source>
+        <translation>&amp;Ouvrir un fichier de réglages…</translation></message>
+    <message><source>&amp;Save settings file…</source>
+        <translation>&amp;Enregistrer un fichier de réglages…</translation></message>
+    <message><source>Prin&amp;t settings…</source>
+        <translation>Im&amp;primer les réglages…</translation></message>
+    <message><source>&amp;Export as code…</source>
+        <translation>E&amp;xporter comme code…</translation></message>
+    <message><source>&amp;History…</source>
+        <translation>&amp;Historique…</translation></message>
+    <message><source>Open recor&amp;ding…</source>
+        <translation>Ouvrir un enregistre&amp;ment…</translation></message>
+    <message><source>Open fa&amp;ult or stop…</source>
+        <translation>Ouvrir un &amp;défaut ou un arrêt…</translation></message>
+    <message><source>Start recording &amp;with Run motor</source>
+        <translation>Démarrer l'enregistrement avec « Acti&amp;ver les moteurs »</translation></message>
+    <message><source>&amp;Keep 30 s around each fault and stop</source>
+        <translation>&amp;Garder 30 s autour de chaque défaut ou arrêt</translation></message>
+    <message><source>Compare traffic &amp;log with simulator…</source>
+        <translation>&amp;Comparer un journal de trafic au simulateur…</translation></message>
+    <message><source>&amp;Discard all edits</source>
+        <translation>A&amp;bandonner toutes les modifications</translation></message>
+    <message><source>R&amp;eload settings from device</source>
+        <translation>Recharg&amp;er les réglages de l'appareil</translation></message>
+    <message><source>&amp;Apply settings…</source>
+        <translation>&amp;Appliquer les réglages…</translation></message>
+    <message><source>Make stored settings acti&amp;ve…</source>
+        <translation>Rendre acti&amp;fs les réglages enregistrés…</translation></message>
+    <message><source>Find &amp;other boards on this line</source>
+        <translation>Rechercher d'autres cartes sur cette liais&amp;on</translation></message>
+    <message><source>Change device nu&amp;mber…</source>
+        <translation>Modifier le nu&amp;méro d'appareil…</translation></message>
+    <message><source>A&amp;pply a file to several boards…</source>
+        <translation>Appliquer un fichier à &amp;plusieurs cartes…</translation></message>
+    <message><source>Set &amp;up my robot…</source>
+        <translation>Confi&amp;gurer mon robot…</translation></message>
+    <message><source>Lear&amp;n channels…</source>
+        <translation>Apprendre les &amp;voies…</translation></message>
+    <message><source>&amp;Test the sticks…</source>
+        <translation>Teste&amp;r les manches…</translation></message>
+    <message><source>&amp;Bench test…</source>
+        <translation>Essai au &amp;banc…</translation></message>
+    <message><source>Restore factor&amp;y defaults…</source>
+        <translation>Restaurer les réglages d'&amp;usine…</translation></message>
+    <message><source>Restore ser&amp;ial defaults…</source>
+        <translation>Restaurer les réglages série par &amp;défaut…</translation></message>
+    <message><source>Plot of currents in its o&amp;wn window</source>
+        <translation>Courbes des c&amp;ourants dans une fenêtre séparée</translation></message>
+    <message><source>&amp;Demo TReX panel</source>
+        <translation>Panneau &amp;Démo TReX</translation></message>
+    <message><source>&amp;Board does not respond…</source>
+        <translation>La carte ne &amp;répond pas…</translation></message>
+    <message><source>&amp;User's guide of the board (online)…</source>
+        <translation>&amp;Guide d'utilisation de la carte (en ligne)…</translation></message>
+    <message><source>Errors ({0})</source>
+        <translation>Erreurs ({0})</translation></message>
+    <message><source>Open &amp;settings file…</source>
+        <translation>Ouvrir un fichier de &amp;réglages…</translation></message>
+    <message><source>&amp;Open recording…</source>
+        <translation>&amp;Ouvrir un enregistrement…</translation></message>
+    <message><source>Show…</source>
+        <translation>Afficher…</translation></message>
+    <message><source>Gamepads need one more package. Install it with {0}, then switch this on again.</source>
+        <translation>Les manettes nécessitent un paquet supplémentaire. Installez-le avec {0}, puis réactivez cette option.</translation></message>
+    <message><source>Gamepads cannot be read here: {0}.</source>
+        <translation>Les manettes ne peuvent pas être lues ici : {0}.</translation></message>
+    <message><source>The program was suspended (Ctrl-Z)</source>
+        <translation>Le programme a été suspendu (Ctrl-Z)</translation></message>
+    <message><source>Internal error ({0})</source>
+        <translation>Erreur interne ({0})</translation></message>
+    <message><source>The computer was asleep</source>
+        <translation>L'ordinateur était en veille</translation></message>
+    <message><source>Motors that can be stopped are stopped before the computer sleeps</source>
+        <translation>Les moteurs qui peuvent être arrêtés le sont avant la mise en veille de l'ordinateur</translation></message>
+    <message><source>The screen was locked</source>
+        <translation>L'écran a été verrouillé</translation></message>
+    <message><source>The computer goes to sleep</source>
+        <translation>L'ordinateur se met en veille</translation></message>
+    <message><source>The computer shuts down</source>
+        <translation>L'ordinateur s'éteint</translation></message>
+    <message><source>The session ends</source>
+        <translation>La session se termine</translation></message>
+    <message><source>Connected again to {0}. No motor was started.</source>
+        <translation>De nouveau connecté à {0}. Aucun moteur n'a été démarré.</translation></message>
+    <message><source>Connected again: the adapter of {1} is {0} now. No motor was started.</source>
+        <translation>De nouveau connecté : l'adaptateur de {1} est maintenant {0}. Aucun moteur n'a été démarré.</translation></message>
+    <message><source>Not connected.</source>
+        <translation>Pas connecté.</translation></message>
+    <message><source>{0} also has {1} open and may take replies. Close it there.</source>
+        <translation>{0} a aussi ouvert {1} et peut intercepter des réponses. Fermez-le dans ce programme.</translation></message>
+    <message><source>Connecting to {0} …</source>
+        <translation>Connexion à {0} …</translation></message>
+    <message><source>Disconnecting …</source>
+        <translation>Déconnexion …</translation></message>
+    <message><source>The cable of the Demo {0} is unplugged. Check “Plugged in” on its panel, then connect again.</source>
+        <translation>Le câble de la démo {0} est débranché. Cochez « Branché » sur son panneau, puis reconnectez.</translation></message>
+    <message><source>Cable</source>
+        <translation>Câble</translation></message>
+    <message><source>Plugged in</source>
+        <translation>Branché</translation></message>
+    <message><source>Replies lost</source>
+        <translation>Réponses perdues</translation></message>
+    <message><source>Noise on the line</source>
+        <translation>Bruit sur la liaison</translation></message>
+    <message><source>Cable plugged in</source>
+        <translation>Câble branché</translation></message>
+    <message><source>The Demo {0} is not running. Press Connect.</source>
+        <translation>La démo {0} n'est pas en marche. Cliquez sur « Connecter ».</translation></message>
+    <message><source>The cable is unplugged. Check “Plugged in”, then press Connect.</source>
+        <translation>Le câble est débranché. Cochez « Branché », puis cliquez sur « Connecter ».</translation></message>
+    <message><source>The cable is plugged in again. Press Connect.</source>
+        <translation>Le câble est de nouveau branché. Cliquez sur « Connecter ».</translation></message>
+    <message><source>The Demo {0} is starting …</source>
+        <translation>La démo {0} démarre …</translation></message>
+    <message><source>The power is off. Switch it on, then press Connect.</source>
+        <translation>L'alimentation est coupée. Remettez-la, puis cliquez sur « Connecter ».</translation></message>
+    <message><source>Demo {0} (no hardware)</source>
+        <translation>Démo {0} (sans matériel)</translation></message>
+    <message><source>No board was found.</source>
+        <translation>Aucune carte n'a été trouvée.</translation></message>
+    <message><source>Ending the search …</source>
+        <translation>Fin de la recherche …</translation></message>
+    <message><source>Looking for {0} at {1} on {2} …</source>
+        <translation>Recherche : {0} à {1} sur {2} …</translation></message>
+    <message><source>Search cancelled.</source>
+        <translation>Recherche annulée.</translation></message>
+    <message numerus="yes"><source>%n board(s) found.</source>
+        <translation><numerusform>%n carte trouvée.</numerusform><numerusform>%n cartes trouvées.</numerusform></translation></message>
+    <message><source>At most {0} min left.</source>
+        <translation>Encore {0} min au plus.</translation></message>
+    <message><source>Opening {0} …</source>
+        <translation>Ouverture de {0} …</translation></message>
+    <message><source>{0} on {1} at {2}.</source>
+        <translation>{0} sur {1} à {2}.</translation></message>
+    <message><source>{0} on {1} at {2} (RS-232 side).</source>
+        <translation>{0} sur {1} à {2} (côté RS-232).</translation></message>
+    <message><source>{0} on {1} at {2}, device {3}.</source>
+        <translation>{0} sur {1} à {2}, appareil {3}.</translation></message>
+    <message><source>{0} on {1} at {2}, device {3} (RS-232 side).</source>
+        <translation>{0} sur {1} à {2}, appareil {3} (côté RS-232).</translation></message>
+    <message numerus="yes"><source>%n port(s) could not be searched (internal error).</source>
+        <translation><numerusform>%n port n'a pas pu être exploré (erreur interne).</numerusform><numerusform>%n ports n'ont pas pu être explorés (erreur interne).</numerusform></translation></message>
+    <message><source>At most {0} s left.</source>
+        <translation>Encore {0} s au plus.</translation></message>
+    <message><source>{0} with device number {1}</source>
+        <translation>{0} avec le numéro d'appareil {1}</translation></message>
+    <message><source>the Demo {0}</source>
+        <translation>la démo {0}</translation></message>
+    <message><source>The simulator does not start. Install the program again.</source>
+        <translation>Le simulateur ne démarre pas. Réinstallez le programme.</translation></message>
+    <message><source>The simulator ended at once. {0}</source>
+        <translation>Le simulateur s'est terminé aussitôt. {0}</translation></message>
+    <message><source>F&amp;ind…</source>
+        <translation>Rec&amp;hercher…</translation></message>
+    <message><source>Set up CRC…</source>
+        <translation>Configurer le CRC…</translation></message>
+    <message><source>Progress</source>
+        <translation>Progression</translation></message>
+    <message><source>Other port or address</source>
+        <translation>Autre port ou adresse</translation></message>
+    <message><source>A device such as /dev/ttyUSB0 or COM3, or a network port such as socket://host:port or rfc2217://host:port:</source>
+        <translation>Un périphérique comme /dev/ttyUSB0 ou COM3, ou un port réseau comme socket://hôte:port ou rfc2217://hôte:port :</translation></message>
+    <message><source>&amp;Connect</source>
+        <translation>&amp;Connecter</translation></message>
+    <message><source>Dis&amp;connect</source>
+        <translation>Dé&amp;connecter</translation></message>
+    <message><source>Port</source>
+        <translation>Port</translation></message>
+    <message><source>How this computer talks to the board</source>
+        <translation>Comment cet ordinateur communique avec la carte</translation></message>
+    <message><source>Find a board</source>
+        <translation>Rechercher une carte</translation></message>
+    <message><source>Find a board whose line settings are unknown</source>
+        <translation>Rechercher une carte dont les réglages de liaison sont inconnus</translation></message>
+    <message><source>Let the board detect damaged bytes; shows what will be written first</source>
+        <translation>Laisser la carte détecter les octets altérés ; montre d'abord ce qui sera écrit</translation></message>
+    <message><source>Not connected</source>
+        <translation>Pas connecté</translation></message>
+    <message><source>Other port or address…</source>
+        <translation>Autre port ou adresse…</translation></message>
+    <message><source>&amp;Port:</source>
+        <translation>P&amp;ort :</translation></message>
+    <message><source>Starting the Demo {0} …</source>
+        <translation>Démarrage de la démo {0} …</translation></message>
+    <message><source>The likely settings come first; a port without a reply takes about half a minute.</source>
+        <translation>Les réglages probables viennent d'abord ; un port sans réponse demande environ une demi-minute.</translation></message>
+    <message><source>&amp;Disconnect</source>
+        <translation>Déco&amp;nnecter</translation></message>
+    <message><source>&amp;Full search: also every CRC polynomial and every device number (some minutes)</source>
+        <translation>Recherche &amp;complète : aussi chaque polynôme CRC et chaque numéro d'appareil (quelques minutes)</translation></message>
+    <message><source>&amp;Start</source>
+        <translation>&amp;Démarrer</translation></message>
+    <message><source>C&amp;ancel</source>
+        <translation>&amp;Annuler</translation></message>
+    <message><source>Probes each port for a supported device: each kind at its likely settings, then at every baud rate, with every parity and with CRC. Probing never moves a motor or changes a setting. A TReX that receives probes at another rate counts UART errors, and stops its motors if it is set to do so.</source>
+        <translation>Sonde chaque port à la recherche d'un appareil pris en charge : chaque type avec ses réglages probables, puis à tous les débits, avec toutes les parités et avec CRC. Le sondage ne fait jamais bouger un moteur et ne change aucun réglage. Un TReX qui reçoit ces sondages à un autre débit compte des erreurs UART, et arrête ses moteurs s'il est réglé ainsi.</translation></message>
+    <message><source>C&amp;heck the board…</source>
+        <translation>&amp;Vérifier la carte…</translation></message>
+    <message><source>{0} – connected to this window</source>
+        <translation>{0} – connecté à cette fenêtre</translation></message>
+    <message><source>{0} is connected to this window, so it is not searched.</source>
+        <translation>{0} est connecté à cette fenêtre et n'est donc pas exploré.</translation></message>
+    <message><source>Ports &amp;without a board</source>
+        <translation>Ports &amp;sans carte</translation></message>
+    <message><source>Connect and set</source>
+        <translation>Connecter et régler</translation></message>
+    <message><source>Ports to search</source>
+        <translation>Ports à explorer</translation></message>
+    <message><source>Found devices</source>
+        <translation>Appareils trouvés</translation></message>
+    <message><source>What the LEDs mean, the wires, and how to restore serial settings</source>
+        <translation>La signification des LED, le câblage et comment restaurer les réglages série</translation></message>
+    <message><source>Copy command</source>
+        <translation>Copier la commande</translation></message>
+    <message><source>Shows what will be written first</source>
+        <translation>Montre d'abord ce qui sera écrit</translation></message>
+    <message><source>Search &amp;on:</source>
+        <translation>Recherc&amp;her sur :</translation></message>
+    <message><source>This computer has no serial ports. Plug an adapter in.</source>
+        <translation>Cet ordinateur n'a pas de port série. Branchez un adaptateur.</translation></message>
+    <message><source>Connect and set other line settings: {0}</source>
+        <translation>Connecter et choisir d'autres réglages de liaison : {0}</translation></message>
+    <message><source>Connect to {0}</source>
+        <translation>Connecter à {0}</translation></message>
+    <message><source>{0} was not opened: its type is not supported. Supported: {1}.</source>
+        <translation>{0} n'a pas été ouvert : ce type n'est pas pris en charge. Pris en charge : {1}.</translation></message>
+    <message><source>TReX Studio</source>
+        <translation>TReX Studio</translation></message>
+    <message><source>Recent &amp;files</source>
+        <translation>&amp;Fichiers récents</translation></message>
+    <message><source>{0} files were dropped, and none was opened: drop one at a time.</source>
+        <translation>{0} fichiers ont été déposés et aucun n'a été ouvert : déposez-en un à la fois.</translation></message>
+    <message><source>{0} is {1}. It was not opened, because this window is connected to {2}: disconnect, then open it again.</source>
+        <translation>{0} est {1}. Il n'a pas été ouvert, car cette fenêtre est connectée à {2} : déconnectez, puis ouvrez-le à nouveau.</translation></message>
+    <message><source>{0} is no longer there; it was removed from the recent files.</source>
+        <translation>{0} n'existe plus ; il a été retiré des fichiers récents.</translation></message>
+    <message><source>&amp;Clear list</source>
+        <translation>E&amp;ffacer la liste</translation></message>
+    <message><source>Settings are still being written. Disconnect anyway? Unwritten settings stay pending.</source>
+        <translation>Des réglages sont encore en cours d'écriture. Déconnecter quand même ? Les réglages non écrits restent en attente.</translation></message>
+    <message><source>About TReX Studio</source>
+        <translation>À propos de TReX Studio</translation></message>
+    <message><source>&amp;Window</source>
+        <translation>Fe&amp;nêtre</translation></message>
+    <message><source>&amp;Help</source>
+        <translation>Aid&amp;e</translation></message>
+    <message><source>{0} on {1}</source>
+        <translation>{0} sur {1}</translation></message>
+    <message><source>{0} (demo)</source>
+        <translation>{0} (démo)</translation></message>
+    <message><source>Disconnect</source>
+        <translation>Déconnecter</translation></message>
+    <message><source>There is no log: {0} could not be written.</source>
+        <translation>Il n'y a pas de journal : {0} n'a pas pu être écrit.</translation></message>
+    <message><source>The window was to be closed</source>
+        <translation>La fenêtre allait être fermée</translation></message>
+    <message><source>Close the window</source>
+        <translation>Fermer la fenêtre</translation></message>
+    <message><source>No program of this computer shows folders. The log is in {0}.</source>
+        <translation>Aucun programme de cet ordinateur n'affiche les dossiers. Le journal se trouve dans {0}.</translation></message>
+    <message><source>TReX Studio {0}
+
+Set up, calibrate, drive and understand a Pololu TReX or TReX Jr dual motor controller, and drive an Aracna robot.
+
+Not a product of Pololu.</source>
+        <translation>TReX Studio {0}
+
+Configurer, étalonner, piloter et comprendre un contrôleur double moteur Pololu TReX ou TReX Jr, et piloter un robot Aracna.
+
+N'est pas un produit de Pololu.</translation></message>
+    <message><source>&amp;Preferences…</source>
+        <translation>Préférence&amp;s…</translation></message>
+    <message><source>E&amp;xit</source>
+        <translation>&amp;Quitter</translation></message>
+    <message><source>&amp;Line settings…</source>
+        <translation>Réglages de &amp;liaison…</translation></message>
+    <message><source>&amp;Find a board…</source>
+        <translation>Rec&amp;hercher une carte…</translation></message>
+    <message><source>&amp;Stop motors</source>
+        <translation>Arrêter le&amp;s moteurs</translation></message>
+    <message><source>&amp;Save report for support…</source>
+        <translation>Enregistrer un rapport d'a&amp;ssistance…</translation></message>
+    <message><source>Open &amp;log folder</source>
+        <translation>Ouvrir le dossier du &amp;journal</translation></message>
+    <message><source>&amp;About…</source>
+        <translation>À &amp;propos…</translation></message>
+    <message><source>a file of the {0}</source>
+        <translation>un fichier pour {0}</translation></message>
+    <message><source>Preferences</source>
+        <translation>Préférences</translation></message>
+    <message><source>As the system</source>
+        <translation>Comme le système</translation></message>
+    <message><source>Light</source>
+        <translation>Clair</translation></message>
+    <message><source>Dark</source>
+        <translation>Sombre</translation></message>
+    <message><source>High contrast</source>
+        <translation>Contraste élevé</translation></message>
+    <message><source>Theme</source>
+        <translation>Thème</translation></message>
+    <message><source>Language</source>
+        <translation>Langue</translation></message>
+    <message><source>Font size</source>
+        <translation>Taille de police</translation></message>
+    <message><source>Units</source>
+        <translation>Unités</translation></message>
+    <message><source>&amp;Begin file dialogs in one folder</source>
+        <translation>&amp;Commencer les dialogues de fichiers dans un même dossier</translation></message>
+    <message><source>C&amp;hoose…</source>
+        <translation>C&amp;hoisir…</translation></message>
+    <message><source>Connect to known boards automat&amp;ically</source>
+        <translation>Connecter &amp;automatiquement les cartes connues</translation></message>
+    <message><source>When the program starts and when an adapter is plugged in at which a board was found before, if just one board answers. Not after Disconnect, and not while another program uses the port. No motor moves.</source>
+        <translation>Au démarrage du programme et au branchement d'un adaptateur où une carte a déjà été trouvée, si une seule carte répond. Pas après « Déconnecter », ni tant qu'un autre programme utilise le port. Aucun moteur ne bouge.</translation></message>
+    <message><source>&amp;Theme:</source>
+        <translation>&amp;Thème :</translation></message>
+    <message><source>&amp;Font size:</source>
+        <translation>Taille de &amp;police :</translation></message>
+    <message><source>&amp;Language:</source>
+        <translation>&amp;Langue :</translation></message>
+    <message><source>&amp;Units:</source>
+        <translation>&amp;Unités :</translation></message>
+    <message><source>&amp;Reset to defaults</source>
+        <translation>&amp;Restaurer les valeurs par défaut</translation></message>
+    <message><source>Folder of file dialogs</source>
+        <translation>Dossier des dialogues de fichiers</translation></message>
+    <message><source>The window opens again; motors stop, and the board is connected again</source>
+        <translation>La fenêtre s'ouvre de nouveau ; les moteurs s'arrêtent et la carte est reconnectée</translation></message>
+    <message><source>What is shown first, and what a number typed without a unit means</source>
+        <translation>Ce qui est affiché en premier, et ce que signifie un nombre tapé sans unité</translation></message>
+    <message><source>Otherwise each begins in the folder that was used last</source>
+        <translation>Sinon, chacun commence dans le dernier dossier utilisé</translation></message>
+    <message><source>Physical units (µs, V, %, s)</source>
+        <translation>Unités physiques (µs, V, %, s)</translation></message>
+    <message><source>Values of the board (counts, 0 to 127)</source>
+        <translation>Valeurs de la carte (counts, 0 à 127)</translation></message>
+    <message><source>{0} %</source>
+        <translation>{0} %</translation></message>
+    <message><source>Save report for support</source>
+        <translation>Enregistrer un rapport d'assistance</translation></message>
+    <message><source>This is what the report contains, and nothing else. It is only saved as a file, never sent. Names of users and computers, network addresses and serial numbers of adapters are masked. Clear the check box of a file to leave it out.</source>
+        <translation>Voici ce que contient le rapport, et rien d'autre. Il est seulement enregistré dans un fichier, jamais envoyé. Les noms d'utilisateurs et d'ordinateurs, les adresses réseau et les numéros de série des adaptateurs sont masqués. Décochez un fichier pour l'exclure.</translation></message>
+    <message><source>Collecting …</source>
+        <translation>Collecte …</translation></message>
+    <message><source>&amp;Save…</source>
+        <translation>&amp;Enregistrer…</translation></message>
+    <message><source>Zip archives (*.zip)</source>
+        <translation>Archives zip (*.zip)</translation></message>
+    <message><source>Files of the report</source>
+        <translation>Fichiers du rapport</translation></message>
+    <message><source>Content of the file</source>
+        <translation>Contenu du fichier</translation></message>
+    <message><source>&amp;Files:</source>
+        <translation>&amp;Fichiers :</translation></message>
+    <message><source>Con&amp;tent:</source>
+        <translation>Con&amp;tenu :</translation></message>
+    <message><source>The report was written to {0}.</source>
+        <translation>Le rapport a été écrit dans {0}.</translation></message>
+    <message><source>{0} ({1:,} bytes)</source>
+        <translation>{0} ({1:,} octets)</translation></message>
+    <message><source>No serial port was found. Plug the adapter in: it is listed here at once.</source>
+        <translation>Aucun port série n'a été trouvé. Branchez l'adaptateur : il apparaît ici aussitôt.</translation></message>
+    <message><source>Find &amp;my board…</source>
+        <translation>Rechercher &amp;ma carte…</translation></message>
+    <message><source>Search every port and baud rate; no motor moves</source>
+        <translation>Explorer tous les ports et tous les débits ; aucun moteur ne bouge</translation></message>
+    <message><source>A simulated board: nothing can be damaged</source>
+        <translation>Une carte simulée : rien ne peut être endommagé</translation></message>
+    <message><source>Recent files</source>
+        <translation>Fichiers récents</translation></message>
+    <message><source>Welcome to TReX Studio</source>
+        <translation>Bienvenue dans TReX Studio</translation></message>
+    <message><source>Connect my &amp;board</source>
+        <translation>Connecter ma ca&amp;rte</translation></message>
+    <message><source>Shows the wiring for your adapter or receiver, then connects.</source>
+        <translation>Montre le câblage de votre adaptateur ou récepteur, puis connecte.</translation></message>
+    <message><source>The board is wired, but you do not know its port or its serial settings. The search moves no motor.</source>
+        <translation>La carte est câblée, mais vous ne connaissez pas son port ou ses réglages série. La recherche ne fait bouger aucun moteur.</translation></message>
+    <message><source>A simulated board: nothing can be damaged.</source>
+        <translation>Une carte simulée : rien ne peut être endommagé.</translation></message>
+    <message><source>Help</source>
+        <translation>Aide</translation></message>
+    <message><source>Search the help</source>
+        <translation>Rechercher dans l'aide</translation></message>
+    <message><source>Search the help (Ctrl+F)</source>
+        <translation>Rechercher dans l'aide (Ctrl+F)</translation></message>
+    <message><source>Pages of the help</source>
+        <translation>Pages de l'aide</translation></message>
+    <message><source>Nothing was found.</source>
+        <translation>Rien n'a été trouvé.</translation></message>
+    <message><source>The program could not stop the motors itself. The guardian process stopped them at {0}, and the board confirmed that.</source>
+        <translation>Le programme n'a pas pu arrêter les moteurs lui-même. Le processus gardien les a arrêtés à {0} et la carte l'a confirmé.</translation></message>
+    <message><source>The program could not stop the motors itself. The guardian process sent a stop at {0}, which the board did not confirm. If a motor still turns, cut its power.</source>
+        <translation>Le programme n'a pas pu arrêter les moteurs lui-même. Le processus gardien a envoyé à {0} un ordre d'arrêt que la carte n'a pas confirmé. Si un moteur tourne encore, coupez son alimentation.</translation></message>
+    <message><source>TReX Studio did not end properly the last time. If it crashed, a report for support says where.</source>
+        <translation>TReX Studio ne s'est pas terminé correctement la dernière fois. S'il a planté, un rapport d'assistance indique où.</translation></message>
+    <message><source>Search the log</source>
+        <translation>Rechercher dans le journal</translation></message>
+    <message><source>Search the log (Ctrl+F)</source>
+        <translation>Rechercher dans le journal (Ctrl+F)</translation></message>
+    <message><source>O&amp;nly problems</source>
+        <translation>&amp;Problèmes seulement</translation></message>
+    <message><source>E&amp;xplain</source>
+        <translation>E&amp;xpliquer</translation></message>
+    <message><source>Cop&amp;y</source>
+        <translation>Cop&amp;ier</translation></message>
+    <message><source>Messages, stops, lost connections and written settings will be listed here.</source>
+        <translation>Les messages, les arrêts, les connexions perdues et les réglages écrits apparaîtront ici.</translation></message>
+    <message numerus="yes"><source>%n line(s) copied.</source>
+        <translation><numerusform>%n ligne copiée.</numerusform><numerusform>%n lignes copiées.</numerusform></translation></message>
+    <message><source>Save the log</source>
+        <translation>Enregistrer le journal</translation></message>
+    <message><source>Text (*.txt)</source>
+        <translation>Texte (*.txt)</translation></message>
+    <message><source>Show the help on the message in the line with the cursor</source>
+        <translation>Afficher l'aide sur le message de la ligne où se trouve le curseur</translation></message>
+    <message><source>Copy the lines shown</source>
+        <translation>Copier les lignes affichées</translation></message>
+    <message><source>Save the lines shown as text</source>
+        <translation>Enregistrer en texte les lignes affichées</translation></message>
+    <message><source>Log</source>
+        <translation>Journal</translation></message>
+    <message><source>The log was written to {0}.</source>
+        <translation>Le journal a été écrit dans {0}.</translation></message>
+    <message><source>Recorded in {0} ({1}). {2} shows it.</source>
+        <translation>Enregistré dans {0} ({1}). {2} l'affiche.</translation></message>
+    <message><source>Stop recording</source>
+        <translation>Arrêter l'enregistrement</translation></message>
+    <message><source>Record</source>
+        <translation>Démarrer l'enregistrement</translation></message>
+    <message><source>{0} is open; close its window before recording over it.</source>
+        <translation>{0} est ouvert ; fermez sa fenêtre avant d'enregistrer par-dessus.</translation></message>
+    <message><source>Save a copy</source>
+        <translation>Enregistrer une copie</translation></message>
+    <message><source>Recording</source>
+        <translation>Enregistrement</translation></message>
+    <message><source>End the recording; motors and connection are not affected</source>
+        <translation>Terminer l'enregistrement ; les moteurs et la connexion ne sont pas touchés</translation></message>
+    <message><source>Recording  {0}  {1}</source>
+        <translation>Enregistrement  {0}  {1}</translation></message>
+    <message numerus="yes"><source>%n sample(s) lost: the disk is too slow</source>
+        <translation><numerusform>%n échantillon perdu : le disque est trop lent</numerusform><numerusform>%n échantillons perdus : le disque est trop lent</numerusform></translation></message>
+    <message><source>Open recording</source>
+        <translation>Ouvrir un enregistrement</translation></message>
+    <message><source>Recordings (*{0})</source>
+        <translation>Enregistrements (*{0})</translation></message>
+    <message><source>Playback speed</source>
+        <translation>Vitesse de lecture</translation></message>
+    <message><source>Time in the recording</source>
+        <translation>Instant dans l'enregistrement</translation></message>
+    <message><source>&amp;Pause</source>
+        <translation>&amp;Pause</translation></message>
+    <message><source>&amp;Play</source>
+        <translation>&amp;Lecture</translation></message>
+    <message><source>Show &amp;all</source>
+        <translation>&amp;Tout afficher</translation></message>
+    <message><source>&amp;Export span…</source>
+        <translation>E&amp;xporter la plage…</translation></message>
+    <message><source>Save a cop&amp;y…</source>
+        <translation>Enregistrer une cop&amp;ie…</translation></message>
+    <message><source>&amp;Cancel</source>
+        <translation>&amp;Annuler</translation></message>
+    <message><source>Exporting, %p %</source>
+        <translation>Exportation, %p %</translation></message>
+    <message><source>Reading, %p %</source>
+        <translation>Lecture, %p %</translation></message>
+    <message><source>This recording has no events.</source>
+        <translation>Cet enregistrement n'a aucun événement.</translation></message>
+    <message><source>This recording is not complete. {0}</source>
+        <translation>Cet enregistrement n'est pas complet. {0}</translation></message>
+    <message><source>CSV for spreadsheets (*.csv)</source>
+        <translation>CSV pour tableurs (*.csv)</translation></message>
+    <message><source>MCAP for PlotJuggler and Foxglove (*.mcap)</source>
+        <translation>MCAP pour PlotJuggler et Foxglove (*.mcap)</translation></message>
+    <message><source>Export span</source>
+        <translation>Exporter la plage</translation></message>
+    <message><source>The open recording cannot be overwritten. Choose another file.</source>
+        <translation>L'enregistrement ouvert ne peut pas être écrasé. Choisissez un autre fichier.</translation></message>
+    <message><source>Show the whole recording again</source>
+        <translation>Afficher de nouveau tout l'enregistrement</translation></message>
+    <message><source>Save every sample in the plot as CSV or MCAP</source>
+        <translation>Enregistrer chaque échantillon du graphique en CSV ou MCAP</translation></message>
+    <message><source>Keep this recording: the oldest ones of faults and stops are removed</source>
+        <translation>Conserver cet enregistrement : les plus anciens enregistrements de défauts et d'arrêts sont supprimés</translation></message>
+    <message><source>Stop loading or exporting</source>
+        <translation>Arrêter le chargement ou l'exportation</translation></message>
+    <message><source>E&amp;vents</source>
+        <translation>É&amp;vénements</translation></message>
+    <message><source>{0}, recorded {1}</source>
+        <translation>{0}, enregistré {1}</translation></message>
+    <message><source>{0} – recording</source>
+        <translation>{0} – enregistrement</translation></message>
+    <message><source>The span was saved in {0}.</source>
+        <translation>La plage a été enregistrée dans {0}.</translation></message>
+    <message><source>{0}, {1} long</source>
+        <translation>{0}, durée {1}</translation></message>
+    <message><source>Exporting MCAP needs an optional package: {0}</source>
+        <translation>L'exportation MCAP nécessite un paquet facultatif : {0}</translation></message>
+    <message><source>The curves show its last {0} of {1} samples; exports contain all of them.</source>
+        <translation>Les courbes montrent ses {0} derniers échantillons sur {1} ; les exportations les contiennent tous.</translation></message>
+    <message><source>now</source>
+        <translation>maintenant</translation></message>
+    <message><source>{n} h</source>
+        <translation>{n} h</translation></message>
+    <message><source>{n} min</source>
+        <translation>{n} min</translation></message>
+    <message><source>{n} s</source>
+        <translation>{n} s</translation></message>
+    <message><source>Picture as &amp;PNG…</source>
+        <translation>Image &amp;PNG…</translation></message>
+    <message><source>Picture as &amp;SVG…</source>
+        <translation>Image &amp;SVG…</translation></message>
+    <message><source>Pictures on a &amp;light background</source>
+        <translation>Images sur &amp;fond clair</translation></message>
+    <message><source>Tables (*.csv)</source>
+        <translation>Tableaux (*.csv)</translation></message>
+    <message><source>Pictures (*.{0})</source>
+        <translation>Images (*.{0})</translation></message>
+    <message><source>Export</source>
+        <translation>Exporter</translation></message>
+    <message><source>E&amp;xport</source>
+        <translation>E&amp;xporter</translation></message>
+    <message><source>Pictu&amp;re</source>
+        <translation>Ima&amp;ge</translation></message>
+    <message><source>Save what the plot shows as PNG or SVG</source>
+        <translation>Enregistrer ce que montre le graphique en PNG ou SVG</translation></message>
+    <message><source>&amp;Visible range as CSV…</source>
+        <translation>Plage &amp;visible en CSV…</translation></message>
+    <message><source>&amp;Everything as CSV…</source>
+        <translation>&amp;Tout en CSV…</translation></message>
+    <message><source>There is nothing to export yet.</source>
+        <translation>Il n'y a encore rien à exporter.</translation></message>
+    <message><source>The picture was written to {0}.</source>
+        <translation>L'image a été écrite dans {0}.</translation></message>
+    <message><source>low {0}</source>
+        <translation>min. {0}</translation></message>
+    <message><source>peak {0}</source>
+        <translation>crête {0}</translation></message>
+    <message><source>mean {0}</source>
+        <translation>moyenne {0}</translation></message>
+    <message><source>RMS {0}</source>
+        <translation>RMS {0}</translation></message>
+    <message numerus="yes"><source>{0} sample(s) written to {1}.</source>
+        <translation><numerusform>{0} échantillon écrit dans {1}.</numerusform><numerusform>{0} échantillons écrits dans {1}.</numerusform></translation></message>
+    <message><source>charge {0}</source>
+        <translation>charge {0}</translation></message>
+    <message><source>limit {0}</source>
+        <translation>limite {0}</translation></message>
+    <message><source>Choosing one shows its place in the plot.</source>
+        <translation>En choisir un montre sa place dans le graphique.</translation></message>
+    <message><source>Curves and their figures</source>
+        <translation>Courbes et leurs valeurs</translation></message>
+    <message><source>Events</source>
+        <translation>Événements</translation></message>
+    <message><source>No events yet. Stops, Apply, faults and limits will be listed here.</source>
+        <translation>Aucun événement pour l'instant. Les arrêts, les réglages appliqués, les défauts et les limites apparaîtront ici.</translation></message>
+    <message><source>Select the curves to draw</source>
+        <translation>Sélectionner les courbes à tracer</translation></message>
+    <message><source>Newest value; ⚠ means 80 % of the limit or more</source>
+        <translation>Valeur la plus récente ; ⚠ signifie 80 % de la limite ou plus</translation></message>
+    <message><source>Peak</source>
+        <translation>Crête</translation></message>
+    <message><source>Highest value in the visible span</source>
+        <translation>Valeur la plus élevée de la plage visible</translation></message>
+    <message><source>Mean</source>
+        <translation>Moyenne</translation></message>
+    <message><source>Mean over time in the visible span</source>
+        <translation>Moyenne dans le temps sur la plage visible</translation></message>
+    <message><source>RMS</source>
+        <translation>RMS</translation></message>
+    <message><source>Root mean square in the visible span: what heats wires</source>
+        <translation>Valeur efficace sur la plage visible : c'est elle qui chauffe les fils</translation></message>
+    <message><source>Current times time in the visible span, without gaps</source>
+        <translation>Courant multiplié par le temps sur la plage visible, sans les trous</translation></message>
+    <message><source>Limit</source>
+        <translation>Limite</translation></message>
+    <message><source>Current limit that the board stores</source>
+        <translation>Limite de courant enregistrée dans la carte</translation></message>
+    <message><source>Cursor</source>
+        <translation>Curseur</translation></message>
+    <message><source>Value at the cursor</source>
+        <translation>Valeur au curseur</translation></message>
+    <message><source>To mark</source>
+        <translation>Δ repère</translation></message>
+    <message><source>From the mark to the cursor; click into the plot or press M to set it</source>
+        <translation>Du repère au curseur ; cliquez dans le graphique ou appuyez sur M pour le placer</translation></message>
+    <message><source>Held</source>
+        <translation>Tenue</translation></message>
+    <message><source>Highest value since Hold peaks was switched on</source>
+        <translation>Valeur la plus élevée depuis l'activation de « Tenir les crêtes »</translation></message>
+    <message><source>Low</source>
+        <translation>Min.</translation></message>
+    <message><source>Lowest value in the visible span</source>
+        <translation>Valeur la plus basse de la plage visible</translation></message>
+    <message><source>{0}, {1}: {2}, near its limit</source>
+        <translation>{0}, {1} : {2}, près de sa limite</translation></message>
+    <message><source>{0}, {1}: {2}, over its limit</source>
+        <translation>{0}, {1} : {2}, au-dessus de sa limite</translation></message>
+    <message><source>No events</source>
+        <translation>Aucun événement</translation></message>
+    <message><source>Blue</source>
+        <translation>Bleu</translation></message>
+    <message><source>Orange</source>
+        <translation>Orange</translation></message>
+    <message><source>Green</source>
+        <translation>Vert</translation></message>
+    <message><source>Yellow</source>
+        <translation>Jaune</translation></message>
+    <message><source>Purple</source>
+        <translation>Violet</translation></message>
+    <message><source>Red</source>
+        <translation>Rouge</translation></message>
+    <message><source>Teal</source>
+        <translation>Turquoise</translation></message>
+    <message><source>Pink</source>
+        <translation>Rose</translation></message>
+    <message><source>Grey</source>
+        <translation>Gris</translation></message>
+    <message><source>As text</source>
+        <translation>Comme le texte</translation></message>
+    <message><source>La&amp;yout</source>
+        <translation>Dis&amp;position</translation></message>
+    <message><source>Layout</source>
+        <translation>Disposition</translation></message>
+    <message><source>Colours of the curves; save and open how the plot is shown</source>
+        <translation>Couleurs des courbes ; enregistrer et ouvrir la présentation du graphique</translation></message>
+    <message><source>Show in a &amp;window of its own</source>
+        <translation>Afficher dans une &amp;fenêtre séparée</translation></message>
+    <message><source>&amp;Colours</source>
+        <translation>&amp;Couleurs</translation></message>
+    <message><source>Open layout</source>
+        <translation>Ouvrir une disposition</translation></message>
+    <message><source>Save layout</source>
+        <translation>Enregistrer la disposition</translation></message>
+    <message><source>&amp;Open layout…</source>
+        <translation>&amp;Ouvrir une disposition…</translation></message>
+    <message><source>&amp;Save layout…</source>
+        <translation>&amp;Enregistrer la disposition…</translation></message>
+    <message><source>&amp;Reset layout</source>
+        <translation>&amp;Réinitialiser la disposition</translation></message>
+    <message><source>The layout was saved in {0}.</source>
+        <translation>La disposition a été enregistrée dans {0}.</translation></message>
+    <message><source>Plot layouts (*{0})</source>
+        <translation>Dispositions de graphique (*{0})</translation></message>
+    <message><source>plot layouts</source>
+        <translation>dispositions de courbes</translation></message>
+    <message><source>The layout of {0} is shown.</source>
+        <translation>La disposition de {0} est affichée.</translation></message>
+    <message><source>Apply</source>
+        <translation>Appliqué</translation></message>
+    <message><source>Timeout</source>
+        <translation>Délai dépassé</translation></message>
+    <message><source>Events in the plot</source>
+        <translation>Événements du graphique</translation></message>
+    <message><source>Names of the curves</source>
+        <translation>Noms des courbes</translation></message>
+    <message><source>{0} ({1} from the mark)</source>
+        <translation>{0} ({1} depuis le repère)</translation></message>
+    <message><source>Time shown</source>
+        <translation>Durée affichée</translation></message>
+    <message><source>Range of the currents</source>
+        <translation>Plage des courants</translation></message>
+    <message><source>Pa&amp;use</source>
+        <translation>Pa&amp;use</translation></message>
+    <message><source>Hold pea&amp;ks</source>
+        <translation>Tenir les &amp;crêtes</translation></message>
+    <message><source>Show the &amp;last</source>
+        <translation>Afficher les &amp;dernières</translation></message>
+    <message><source>A fixed range keeps plots comparable; peaks above it are cut off</source>
+        <translation>Une plage fixe permet de comparer les graphiques ; les crêtes au-dessus sont tronquées</translation></message>
+    <message><source>Ran&amp;ge</source>
+        <translation>Pla&amp;ge</translation></message>
+    <message><source>Keep the highest value of each curve from now on, as a line and a figure</source>
+        <translation>Garder à partir de maintenant la valeur la plus élevée de chaque courbe, sous forme de trait et de valeur</translation></message>
+    <message><source>Back to li&amp;ve</source>
+        <translation>Re&amp;venir au direct</translation></message>
+    <message><source>automatic</source>
+        <translation>automatique</translation></message>
+    <message><source>Left and Right move the cursor, with Shift in large steps; its values are read out here. M sets a mark, plus and minus zoom, L goes back to live.</source>
+        <translation>Gauche et Droite déplacent le curseur, par grands pas avec Maj ; ses valeurs sont annoncées ici. M place un repère, plus et moins zooment, L revient au direct.</translation></message>
+    <message><source>Plot of currents and speeds against time</source>
+        <translation>Graphique des courants et des vitesses en fonction du temps</translation></message>
+    <message><source>No data yet</source>
+        <translation>Pas encore de données</translation></message>
+    <message><source>Search bytes and meanings (Ctrl+F)</source>
+        <translation>Rechercher octets et significations (Ctrl+F)</translation></message>
+    <message><source>Search the traffic log</source>
+        <translation>Rechercher dans le journal de trafic</translation></message>
+    <message><source>&amp;Show polling</source>
+        <translation>Afficher l'inte&amp;rrogation</translation></message>
+    <message><source>O&amp;nly faults</source>
+        <translation>&amp;Défauts seulement</translation></message>
+    <message><source>&amp;Copy</source>
+        <translation>&amp;Copier</translation></message>
+    <message><source>C&amp;lear</source>
+        <translation>&amp;Effacer</translation></message>
+    <message><source>No row matches the search.</source>
+        <translation>Aucune ligne ne correspond à la recherche.</translation></message>
+    <message><source>No faults so far.</source>
+        <translation>Aucun défaut jusqu'ici.</translation></message>
+    <message><source>Save the traffic log</source>
+        <translation>Enregistrer le journal de trafic</translation></message>
+    <message><source>Also show the requests that the program repeats many times a second</source>
+        <translation>Afficher aussi les requêtes que le programme répète de nombreuses fois par seconde</translation></message>
+    <message><source>Show only failed transactions and line errors</source>
+        <translation>N'afficher que les transactions échouées et les erreurs de liaison</translation></message>
+    <message><source>Do not add rows for now; the traffic is still logged</source>
+        <translation>Ne pas ajouter de lignes pour l'instant ; le trafic reste journalisé</translation></message>
+    <message><source>Copy as &amp;Python</source>
+        <translation>Copier en &amp;Python</translation></message>
+    <message><source>Copy as C (&amp;POSIX)</source>
+        <translation>Copier en &amp;C (POSIX)</translation></message>
+    <message><source>Copy as &amp;Arduino sketch</source>
+        <translation>Copier en sketch &amp;Arduino</translation></message>
+    <message><source>Copy the selected rows (Ctrl+C), or all rows shown</source>
+        <translation>Copier les lignes sélectionnées (Ctrl+C), ou toutes les lignes affichées</translation></message>
+    <message><source>Save the rows shown as text</source>
+        <translation>Enregistrer en texte les lignes affichées</translation></message>
+    <message><source>Remove every row</source>
+        <translation>Supprimer toutes les lignes</translation></message>
+    <message><source>polling is hidden</source>
+        <translation>l'interrogation est masquée</translation></message>
+    <message><source>paused</source>
+        <translation>en pause</translation></message>
+    <message><source>No traffic yet. While {0} is connected, this page lists every byte on the line and its meaning.</source>
+        <translation>Pas encore de trafic. Pendant la connexion avec {0}, cette page liste chaque octet sur la liaison et sa signification.</translation></message>
+    <message><source>No rows to copy.</source>
+        <translation>Aucune ligne à copier.</translation></message>
+    <message><source>No rows to save.</source>
+        <translation>Aucune ligne à enregistrer.</translation></message>
+    <message><source>shown: {0}</source>
+        <translation>affichées : {0}</translation></message>
+    <message><source>transactions: {0}</source>
+        <translation>transactions : {0}</translation></message>
+    <message><source>faults: {0}</source>
+        <translation>défauts : {0}</translation></message>
+    <message><source>Copied rows: {0}.</source>
+        <translation>Lignes copiées : {0}.</translation></message>
+    <message numerus="yes"><source>{0} row(s) written to {1}.</source>
+        <translation><numerusform>{0} ligne écrite dans {1}.</numerusform><numerusform>{0} lignes écrites dans {1}.</numerusform></translation></message>
+    <message><source>events lost: {0}</source>
+        <translation>événements perdus : {0}</translation></message>
+    <message><source>Send &amp;bytes</source>
+        <translation>Envoyer &amp;les octets</translation></message>
+    <message><source>Bytes to send</source>
+        <translation>Octets à envoyer</translation></message>
+    <message><source>Bytes t&amp;o send:</source>
+        <translation>&amp;Octets à envoyer :</translation></message>
+    <message><source>Send these bytes as they are (Enter)</source>
+        <translation>Envoyer ces octets tels quels (Entrée)</translation></message>
+    <message><source>Sent</source>
+        <translation>Envoyé</translation></message>
+    <message><source>Received</source>
+        <translation>Reçu</translation></message>
+    <message><source>Took (ms)</source>
+        <translation>Durée (ms)</translation></message>
+    <message><source>Meaning</source>
+        <translation>Signification</translation></message>
+    <message><source>Traffic on the line</source>
+        <translation>Trafic sur la liaison</translation></message>
+    <message><source>Details of the selected row</source>
+        <translation>Détails de la ligne sélectionnée</translation></message>
+    <message><source>Select a row to see all its bytes.</source>
+        <translation>Sélectionnez une ligne pour voir tous ses octets.</translation></message>
+    <message numerus="yes"><source>took      {0:.1f} ms; %n byte(s) need {1:.1f} ms on this wire</source>
+        <translation><numerusform>durée     {0:.1f} ms ; %n octet demande {1:.1f} ms sur cette liaison</numerusform><numerusform>durée     {0:.1f} ms ; %n octets demandent {1:.1f} ms sur cette liaison</numerusform></translation></message>
+    <message><source>Fault: {0}</source>
+        <translation>Défaut : {0}</translation></message>
+    <message><source>sent      {0}</source>
+        <translation>envoyé    {0}</translation></message>
+    <message><source>received  {0}</source>
+        <translation>reçu      {0}</translation></message>
+    <message><source>not connected</source>
+        <translation>pas connecté</translation></message>
+    <message><source>no data yet</source>
+        <translation>pas encore de données</translation></message>
+    <message><source>Columns</source>
+        <translation>Colonnes</translation></message>
+    <message><source>Rows</source>
+        <translation>Lignes</translation></message>
+    <message><source>{0} is still being saved. Close without waiting? Changes may be lost.</source>
+        <translation>{0} est encore en cours d'enregistrement. Fermer sans attendre ? Des modifications peuvent être perdues.</translation></message>
+    <message><source>Text files (*.txt);;All files (*)</source>
+        <translation>Fichiers texte (*.txt);;Tous les fichiers (*)</translation></message>
+    <message><source>Unsaved changes</source>
+        <translation>Modifications non enregistrées</translation></message>
+    <message><source>Changed on disk</source>
+        <translation>Modifié sur le disque</translation></message>
+    <message><source>Still saving</source>
+        <translation>Enregistrement en cours</translation></message>
+    <message><source>Rewrite the file</source>
+        <translation>Réécrire le fichier</translation></message>
+    <message><source>Replace the file</source>
+        <translation>Remplacer le fichier</translation></message>
+    <message><source>{0} has changes that are not saved. Save them?</source>
+        <translation>{0} contient des modifications non enregistrées. Les enregistrer ?</translation></message>
+    <message><source>{0} was changed by another program since it was opened here. Overwrite those changes?</source>
+        <translation>{0} a été modifié par un autre programme depuis son ouverture ici. Écraser ces modifications ?</translation></message>
+    <message><source>The changes cannot be merged into the text of the file: {0}.
+
+Rewrite the file from the settings? Its comments will be lost.</source>
+        <translation>Les modifications ne peuvent pas être intégrées au texte du fichier : {0}.
+
+Réécrire le fichier à partir des réglages ? Ses commentaires seront perdus.</translation></message>
+    <message><source>{0} {1} Replace it?</source>
+        <translation>{0} {1} Le remplacer ?</translation></message>
+    <message><source>already exists.</source>
+        <translation>existe déjà.</translation></message>
+    <message><source>Information</source>
+        <translation>Information</translation></message>
+    <message><source>OK</source>
+        <translation>OK</translation></message>
+    <message><source>Not done</source>
+        <translation>Non fait</translation></message>
+    <message><source>{0} LED: {1}</source>
+        <translation>LED {0} : {1}</translation></message>
+    <message><source>Dismiss</source>
+        <translation>Fermer</translation></message>
+    <message><source>Copied</source>
+        <translation>Copié</translation></message>
+    <message><source>No message</source>
+        <translation>Aucun message</translation></message>
+    <message><source>Find now</source>
+        <translation>Rechercher maintenant</translation></message>
+    <message><source>Reconnect</source>
+        <translation>Reconnecter</translation></message>
+    <message><source>Check the board…</source>
+        <translation>Vérifier la carte…</translation></message>
+    <message><source>Save report…</source>
+        <translation>Enregistrer un rapport…</translation></message>
+    <message><source>Connect with its settings</source>
+        <translation>Connecter avec ses réglages</translation></message>
+    <message><source>Internal error while processing this file ({0}).</source>
+        <translation>Erreur interne lors du traitement de ce fichier ({0}).</translation></message>
+    <message><source>Another file is still being written.</source>
+        <translation>Un autre fichier est encore en cours d'écriture.</translation></message>
+    <message><source>{0} was not written. {1}</source>
+        <translation>{0} n'a pas été écrit. {1}</translation></message>
+    <message><source>It was not written: {0}.</source>
+        <translation>Il n'a pas été écrit : {0}.</translation></message>
+    <message><source>{0} was not written.</source>
+        <translation>{0} n'a pas été écrit.</translation></message>
+    <message><source>Internal error while recording ({0}). The recording has ended.</source>
+        <translation>Erreur interne pendant l'enregistrement ({0}). L'enregistrement est terminé.</translation></message>
+    <message><source>Internal error: the connection was closed.</source>
+        <translation>Erreur interne : la connexion a été fermée.</translation></message>
+    <message><source>Device Number</source>
+        <translation>Numéro d'appareil</translation></message>
+    <message><source>The number that addresses this board in packets of the Pololu protocol. The board accepts compact packets whatever its number. Several boards on one line need different numbers.</source>
+        <translation>Le numéro qui désigne cette carte dans les paquets du protocole Pololu. La carte accepte les paquets compacts quel que soit son numéro. Plusieurs cartes sur une même liaison ont besoin de numéros différents.</translation></message>
+    <message><source>Required Channels</source>
+        <translation>Voies requises</translation></message>
+    <message><source>In RC mode, losing the signal of a required channel for more than 0.5 s puts the board into safe-start: the motors stop until the signal is back and the sticks are at neutral.</source>
+        <translation>En mode RC, la perte du signal d'une voie requise pendant plus de 0,5 s met la carte en démarrage sécurisé : les moteurs s'arrêtent jusqu'à ce que le signal revienne et que les manches soient au neutre.</translation></message>
+    <message><source>Ignored Channels</source>
+        <translation>Voies ignorées</translation></message>
+    <message><source>An ignored channel is held at its neutral value, whatever is connected. Select the inputs that are not connected.</source>
+        <translation>Une voie ignorée est maintenue à sa valeur de neutre, quoi qu'on y connecte. Sélectionnez les entrées qui ne sont pas connectées.</translation></message>
+    <message><source>Reversed Channels</source>
+        <translation>Voies inversées</translation></message>
+    <message><source>Swaps forward and reverse of the selected channels.</source>
+        <translation>Échange marche avant et marche arrière des voies sélectionnées.</translation></message>
+    <message><source>Parabolic Channels</source>
+        <translation>Voies paraboliques</translation></message>
+    <message><source>A parabolic channel responds gently near neutral and strongly near the ends (a parabola instead of a straight line).</source>
+        <translation>Une voie parabolique réagit doucement près du neutre et fortement près des extrémités (une parabole au lieu d'une droite).</translation></message>
+    <message><source>Motor 1 Deadband Brake PWM</source>
+        <translation>PWM de freinage en zone morte moteur 1</translation></message>
+    <message><source>How hard the motor is braked while its channel is within the deadband: 100 % is a full brake, 0 lets the motor coast.</source>
+        <translation>Intensité du freinage du moteur quand sa voie est dans la zone morte : 100 % est un freinage à fond, 0 laisse le moteur en roue libre.</translation></message>
+    <message><source>Deadband Brake PWM</source>
+        <translation>PWM de freinage en zone morte</translation></message>
+    <message><source>Motor 2 Deadband Brake PWM</source>
+        <translation>PWM de freinage en zone morte moteur 2</translation></message>
+    <message><source>Serial Timeout</source>
+        <translation>Délai série</translation></message>
+    <message><source>The motors stop when the board receives no byte for this long. It protects you when the computer or the cable fails. 0 switches it off.</source>
+        <translation>Les moteurs s'arrêtent quand la carte ne reçoit aucun octet pendant ce temps. Cela vous protège si l'ordinateur ou le câble tombe en panne. 0 le désactive.</translation></message>
+    <message><source>UART-Error Shutdown</source>
+        <translation>Arrêt sur erreur UART</translation></message>
+    <message><source>Whether a serial error (noise, wrong baud rate, malformed packet) stops the motors. The board still accepts commands, and the next motor command starts them again.</source>
+        <translation>Détermine si une erreur série (bruit, mauvais débit, paquet mal formé) arrête les moteurs. La carte accepte toujours les commandes, et la commande de moteur suivante les remet en marche.</translation></message>
+    <message><source>The default of on is doubtful: public programs that send a stray byte with each command, or pause within a packet, would stutter with it.</source>
+        <translation>La valeur par défaut « activé » est douteuse : des programmes publics qui envoient un octet parasite avec chaque commande, ou marquent une pause dans un paquet, auraient des à-coups.</translation></message>
+    <message><source>Motor 1 PWM Prescaler</source>
+        <translation>Prédiviseur PWM moteur 1</translation></message>
+    <message><source>Divides the clock of the motor's PWM. Together with PWM Maximum it sets the PWM frequency: lower frequencies whine and heat the motor, frequencies above the driver's rating heat the driver.</source>
+        <translation>Divise l'horloge du PWM du moteur. Avec « Maximum PWM », il fixe la fréquence PWM : une fréquence basse fait siffler et chauffer le moteur, une fréquence supérieure à celle prévue pour le driver fait chauffer le driver.</translation></message>
+    <message><source>PWM Prescaler</source>
+        <translation>Prédiviseur PWM</translation></message>
+    <message><source>clock / 8</source>
+        <translation>horloge / 8</translation></message>
+    <message><source>clock / 64</source>
+        <translation>horloge / 64</translation></message>
+    <message><source>clock / 256</source>
+        <translation>horloge / 256</translation></message>
+    <message><source>clock / 1024</source>
+        <translation>horloge / 1024</translation></message>
+    <message><source>Motor 2 PWM Prescaler</source>
+        <translation>Prédiviseur PWM moteur 2</translation></message>
+    <message><source>Motor 1 PWM Maximum</source>
+        <translation>Maximum PWM moteur 1</translation></message>
+    <message><source>The value at which the PWM counter starts again. Together with the prescaler it sets the PWM frequency: a smaller maximum gives a higher frequency.</source>
+        <translation>La valeur à laquelle le compteur PWM recommence. Avec le prédiviseur, elle fixe la fréquence PWM : un maximum plus petit donne une fréquence plus élevée.</translation></message>
+    <message><source>PWM Maximum</source>
+        <translation>Maximum PWM</translation></message>
+    <message><source>Motor 2 PWM Maximum</source>
+        <translation>Maximum PWM moteur 2</translation></message>
+    <message><source>Auxiliary Motor PWM Maximum</source>
+        <translation>Maximum PWM moteur auxiliaire</translation></message>
+    <message><source>Motor 1 Acceleration</source>
+        <translation>Accélération moteur 1</translation></message>
+    <message><source>How fast the speed may grow after an accelerate command, in speed steps (of 127) per 100 ms. 0 means at once. Slowing down in the same direction has no ramp.</source>
+        <translation>Rapidité à laquelle la vitesse peut augmenter après une commande d'accélération, en pas de vitesse (sur 127) par 100 ms. 0 signifie d'un coup. Ralentir dans le même sens se fait sans rampe.</translation></message>
+    <message><source>no ramp</source>
+        <translation>pas de rampe</translation></message>
+    <message><source>Acceleration</source>
+        <translation>Accélération</translation></message>
+    <message><source>Motor 2 Acceleration</source>
+        <translation>Accélération moteur 2</translation></message>
+    <message><source>Auxiliary Motor Acceleration</source>
+        <translation>Accélération moteur auxiliaire</translation></message>
+    <message><source>How fast the auxiliary motor may speed up after an accelerate command, in speed steps (of 127) per 100 ms. 0 means at once.</source>
+        <translation>Rapidité à laquelle le moteur auxiliaire peut accélérer après une commande d'accélération, en pas de vitesse (sur 127) par 100 ms. 0 signifie d'un coup.</translation></message>
+    <message><source>Motor 1 Brake Duration</source>
+        <translation>Durée de freinage moteur 1</translation></message>
+    <message><source>How long the motor is fully braked before an accelerate command reverses it.</source>
+        <translation>Durée du freinage à fond du moteur avant qu'une commande d'accélération n'inverse son sens.</translation></message>
+    <message><source>no braking</source>
+        <translation>pas de freinage</translation></message>
+    <message><source>Brake Duration</source>
+        <translation>Durée de freinage</translation></message>
+    <message><source>Motor 2 Brake Duration</source>
+        <translation>Durée de freinage moteur 2</translation></message>
+    <message><source>Motor 1 Current Limit</source>
+        <translation>Limite de courant moteur 1</translation></message>
+    <message><source>Above this current the board lowers the motor's speed and latches an over-limit bit. Use accelerate commands with it: set commands bypass it for a moment. 0 switches it off. It has no effect in joint mode.</source>
+        <translation>Au-dessus de ce courant, la carte réduit la vitesse du moteur et mémorise un bit de dépassement. Utilisez avec elle les commandes d'accélération : les commandes immédiates la contournent un instant. 0 la désactive. Sans effet en mode jumelé.</translation></message>
+    <message><source>Current Limit</source>
+        <translation>Limite de courant</translation></message>
+    <message><source>Motor 2 Current Limit</source>
+        <translation>Limite de courant moteur 2</translation></message>
+    <message><source>Motor 1 Current Limit Proportionality Constant P</source>
+        <translation>Constante de proportionnalité P de la limite de courant moteur 1</translation></message>
+    <message><source>How strongly the limiter responds to each count above the limit. A large value reacts fast but may make the motor pulse.</source>
+        <translation>Force de la réaction du limiteur à chaque count au-dessus de la limite. Une grande valeur réagit vite, mais peut faire tourner le moteur par à-coups.</translation></message>
+    <message><source>Current Limit Proportionality Constant P</source>
+        <translation>Constante de proportionnalité P de la limite de courant</translation></message>
+    <message><source>Motor 2 Current Limit Proportionality Constant P</source>
+        <translation>Constante de proportionnalité P de la limite de courant moteur 2</translation></message>
+    <message><source>Enable UART Response Delay</source>
+        <translation>Activer le délai de réponse UART</translation></message>
+    <message><source>Makes the board wait 1 ms before it replies, for computers that switch slowly from sending to receiving.</source>
+        <translation>Fait attendre la carte 1 ms avant de répondre, pour les ordinateurs lents à passer de l'émission à la réception.</translation></message>
+    <message><source>1 ms</source>
+        <translation>1 ms</translation></message>
+    <message><source>Motor Mode</source>
+        <translation>Mode moteur</translation></message>
+    <message><source>Independent: two motors. Joint: both drivers together drive one stronger motor as motor 1, without current sensing and mixing.</source>
+        <translation>Indépendants : deux moteurs. Jumelés : les deux drivers entraînent ensemble un seul moteur plus puissant, comme moteur 1, sans mesure de courant ni mixage.</translation></message>
+    <message><source>independent</source>
+        <translation>indépendants</translation></message>
+    <message><source>joint</source>
+        <translation>jumelés</translation></message>
+    <message><source>Channel Input Source</source>
+        <translation>Source des entrées des voies</translation></message>
+    <message><source>Whether the five inputs are read as RC pulses or as voltages while the board is in serial mode. In RC and analog mode the jumper decides.</source>
+        <translation>Détermine si les cinq entrées sont lues comme impulsions RC ou comme tensions quand la carte est en mode série. En modes RC et analogique, c'est le cavalier qui décide.</translation></message>
+    <message><source>CRC-7 Polynomial</source>
+        <translation>Polynôme CRC-7</translation></message>
+    <message><source>The polynomial of the checksum after every packet, used when CRC-7 is chosen in the UART settings. Its top bit is always 1.</source>
+        <translation>Le polynôme de la somme de contrôle après chaque paquet, utilisé quand CRC-7 est choisi dans « Réglages UART ». Son bit de poids fort vaut toujours 1.</translation></message>
+    <message><source>UART Settings</source>
+        <translation>Réglages UART</translation></message>
+    <message><source>Baud rate, error detection (none, CRC-7 or parity) and stop bits of the serial line. A wrong setting makes the board unreachable until the program's settings match.</source>
+        <translation>Débit (bauds), détection d'erreurs (aucune, CRC-7 ou parité) et bits d'arrêt de la liaison série. Un mauvais réglage rend la carte injoignable tant que les réglages du programme ne correspondent pas.</translation></message>
+    <message><source>Reset All Parameters to Factory Defaults</source>
+        <translation>Réinitialiser tous les paramètres aux réglages d'usine</translation></message>
+    <message><source>Resets every parameter to its factory default at the next power cycle.</source>
+        <translation>Réinitialise tous les paramètres à leur réglage d'usine à la prochaine mise sous tension.</translation></message>
+</context>
+</TS>
