@@ -23,7 +23,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from email.utils import formatdate
-from importlib.metadata import Distribution, distribution
+from importlib.metadata import Distribution, PackageNotFoundError, distribution
 from itertools import product
 from pathlib import Path
 
@@ -202,7 +202,10 @@ def bundled_distributions() -> list[Distribution]:
     found: dict[str, Distribution] = {}
     queue = ["trex-gui"]
     while queue:
-        package = distribution(queue.pop())
+        try:
+            package = distribution(queue.pop())
+        except PackageNotFoundError:  # only for other systems or Pythons
+            continue
         name = package.metadata["Name"]
         if name in found:
             continue
@@ -674,7 +677,7 @@ def use(installed: Installed, steps: Steps) -> None:
         pictures = installed.home / "pictures"
         installed.run("trex-gui", "--tour", pictures, timeout=TOUR_S)
         names = {path.name for path in pictures.glob("*.png")}
-        require({"motors-light.png", "aracna-dark.png"} <= names, f"only {sorted(names)}")
+        require({"motors-light.png", "aracnaRobot-dark.png"} <= names, f"only {sorted(names)}")
     with steps.step("the window is killed: the motors stop"):
         kill_window(installed, installed.home / "other_pictures")
 
