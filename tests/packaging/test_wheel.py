@@ -1,5 +1,6 @@
 """What is installed: the wheel holds the program and its data, and nothing of the workshop."""
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -7,18 +8,25 @@ from zipfile import ZipFile
 
 import pytest
 
+from trex_gui import __version__
+
 ROOT = Path(__file__).resolve().parents[2]
 
 
 @pytest.fixture(scope="module")
-def wheel_names(tmp_path_factory: pytest.TempPathFactory) -> set[str]:
+def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("wheel")
     build = [sys.executable, "-m", "hatchling", "build", "--target", "wheel"]
     done = subprocess.run(
         [*build, "--directory", str(folder)], cwd=ROOT, capture_output=True, text=True, check=False
     )
     assert done.returncode == 0, done.stderr
-    (wheel,) = folder.glob("*.whl")
+    (file,) = folder.glob("*.whl")
+    return file
+
+
+@pytest.fixture(scope="module")
+def wheel_names(wheel: Path) -> set[str]:
     with ZipFile(wheel) as archive:
         return set(archive.namelist())
 
@@ -43,3 +51,21 @@ def test_wheel_contains_every_module(wheel_names: set[str]) -> None:
 def test_wheel_contains_nothing_else(wheel_names: set[str]) -> None:
     folders = {name.split("/")[0] for name in wheel_names}
     assert {folder for folder in folders if not folder.endswith(".dist-info")} == {"trex_gui"}
+
+
+def test_wheel_has_version_licence_and_programs(wheel: Path) -> None:
+    information = f"trex_gui-{__version__}.dist-info"
+    with ZipFile(wheel) as archive:
+        metadata = archive.read(f"{information}/METADATA").decode().splitlines()
+        programs = archive.read(f"{information}/entry_points.txt").decode()
+        licence = archive.read(f"{information}/licenses/LICENSE").decode()
+    assert wheel.name == f"trex_gui-{__version__}-py3-none-any.whl"
+    assert {f"Version: {__version__}", "Provides-Extra: gamepad", "Provides-Extra: mcap"} <= {
+        *metadata
+    }
+    assert re.findall(r"^([\w-]+) = ", programs, re.MULTILINE) == [
+        "trex-sim",
+        "trexcmd",
+        "trex-gui",
+    ]
+    assert licence.startswith("MIT License")
