@@ -35,6 +35,7 @@ HERE = ROOT / "packaging"
 FROZEN = BUILD / "frozen" / "trex-studio"
 PROGRAMS = ("trex-gui", "trexcmd", "trex-sim")
 CHECKSUMS = "SHA256SUMS"
+METADATA = "local.trexstudio.TReXStudio.metainfo.xml"
 SYSTEM_PATH = "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin"
 
 Command = Sequence[str | Path]
@@ -136,7 +137,7 @@ def pythons() -> list[Path]:
 
 def check_wheel(files: Sequence[Path], steps: "Steps") -> None:
     """Install each file with pip into an environment far from the source, for every Python."""
-    for python, file in product(pythons(), files):
+    for file, python in product(files, pythons()):
         kind = "wheel" if file.suffix == ".whl" else "sdist"
         with steps.place(f"{kind}, {python.name}") as folder:
             environment = folder / "venv"
@@ -410,7 +411,7 @@ def lay_out(tree: Path) -> None:
         write(tree / f"usr/share/man/man1/{name}.1.gz", manual_page(name))
     share = tree / "usr/share"
     write(share / "applications/trex-studio.desktop", linux_file("trex-studio.desktop"))
-    write(share / "metainfo/trex-studio.metainfo.xml", linux_file("trex-studio.metainfo.xml"))
+    write(share / "metainfo" / METADATA, linux_file(METADATA))
     icon = (ROOT / "resources/icons/trex-studio.svg").read_bytes()
     write(share / "icons/hicolor/scalable/apps/trex-studio.svg", icon)
     write(tree / "lib/udev/rules.d/60-trex-studio.rules", linux_file("60-trex-studio.rules"))

@@ -149,8 +149,9 @@ def test_desktop_file_starts_the_window() -> None:
 
 
 def test_metadata_name_the_programs_and_the_version(packages: ModuleType) -> None:
-    text = packages.linux_file("trex-studio.metainfo.xml")
+    text = packages.linux_file(packages.METADATA)
     component = ElementTree.fromstring(text)
+    assert f"{component.findtext('id')}.metainfo.xml" == packages.METADATA
     assert [entry.text for entry in component.iterfind("provides/binary")] == [*packages.PROGRAMS]
     release = component.find("releases/release")
     assert release is not None
