@@ -129,9 +129,10 @@ def pythons() -> list[Path]:
     for path in (path for folder in folders for path in sorted(folder.glob("python3.*"))):
         name = re.fullmatch(r"python(3\.(\d+))", path.name)
         if name and int(name[2]) >= 11 and name[1] not in found:
-            works = subprocess.run([path, "-c", "import venv"], capture_output=True, check=False)
-            if works.returncode == 0:  # not a shim of pyenv for a version that is off
-                found[name[1]] = path
+            ask = [path, "-c", "import sys, venv; print(sys.executable)"]
+            answer = subprocess.run(ask, capture_output=True, text=True, check=False)
+            if answer.returncode == 0:  # not a shim of pyenv for a version that is off
+                found[name[1]] = Path(answer.stdout.strip())
     return [found[key] for key in sorted(found, key=lambda key: int(key.partition(".")[2]))]
 
 
@@ -666,7 +667,7 @@ def use(installed: Installed, steps: Steps) -> None:
         for program in PROGRAMS:
             require(version() in installed.run(program, "--version"), f"{program} is another one")
             installed.run(program, "--help")
-    with steps.step("start the simulated board"), simulator(installed) as (port, board):
+    with steps.step("use the simulated board"), simulator(installed) as (port, board):
         use_board(installed, steps, port, board)
     for name, option in (("TCP", "--tcp"), ("RFC 2217", "--rfc2217")):
         with (

@@ -487,6 +487,21 @@ def test_benchmarks_are_compared_to_file_in_current_folder(
     assert not any(word.startswith("--compare") for word in commands[1])
 
 
+def test_packages_that_are_named_are_made_and_checked(monkeypatch: pytest.MonkeyPatch) -> None:
+    commands: list[Sequence[str]] = []
+
+    def run(command: Sequence[str], extra_env: Mapping[str, str]) -> int:
+        commands.append(command)
+        return 0
+
+    monkeypatch.setattr(bootstrap, "set_up", lambda: False)
+    monkeypatch.setattr(bootstrap, "run_in_sight", run)
+    assert bootstrap.main(["package", "deb", "--check"]) == 0
+    assert bootstrap.main(["package"]) == 0
+    assert list(commands[0][-3:]) == [str(bootstrap.PACKAGES), "--check", "deb"]
+    assert commands[1][-1] == str(bootstrap.PACKAGES)
+
+
 def test_demo_without_display_lists_its_screenshots(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
