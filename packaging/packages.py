@@ -129,7 +129,7 @@ def pythons() -> list[Path]:
     for path in (path for folder in folders for path in sorted(folder.glob("python3.*"))):
         name = re.fullmatch(r"python(3\.(\d+))", path.name)
         if name and int(name[2]) >= 11 and name[1] not in found:
-            ask = [path, "-c", "import sys, venv; print(sys.executable)"]
+            ask = [str(path), "-c", "import sys, venv; print(sys.executable)"]
             answer = subprocess.run(ask, capture_output=True, text=True, check=False)
             if answer.returncode == 0:  # not a shim of pyenv for a version that is off
                 found[name[1]] = Path(answer.stdout.strip())
