@@ -4,12 +4,13 @@ import gc
 import itertools
 import os
 import signal
+import sys
 import threading
 import time
 from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 import hypothesis
 import pytest
@@ -79,6 +80,32 @@ def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool 
         and b"realtime" not in collection_path.read_bytes()
     )
     return True if is_other else None  # `None` leaves it to others
+
+
+# Windows has no pseudo-terminals, and of POSIX signals only names like SIGINT: these files say so
+# for their tests, and yet they cannot be imported there.
+_POSIX_FILES = (
+    "core/guardian/test_guardian.py",
+    "core/transport/test_late_thread.py",
+    "end_to_end/test_closing_unconfirmed_stop.py",
+    "end_to_end/test_every_stop_cause.py",
+)
+
+
+class _PosixModule(pytest.Module):
+    """A file of tests that is skipped as a whole."""
+
+    def collect(self) -> NoReturn:
+        pytest.skip("needs pseudo-terminals and POSIX signals", allow_module_level=True)
+
+
+def pytest_pycollect_makemodule(
+    module_path: Path, parent: pytest.Collector
+) -> pytest.Module | None:
+    """Import no file on Windows that cannot be imported there."""
+    if sys.platform == "win32" and module_path.as_posix().endswith(_POSIX_FILES):
+        return _PosixModule.from_parent(parent, path=module_path)
+    return None
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:

@@ -239,7 +239,10 @@ def test_programs_saving_in_same_second_lose_no_snapshot(history: SettingsHistor
     assert len(list(history.folder.iterdir())) == 40
 
 
-@pytest.mark.parametrize("failing", ["os.fsync", "pathlib.Path.hardlink_to pathlib.Path.replace"])
+@pytest.mark.parametrize(
+    "failing",
+    ["os.fsync", "pathlib.Path.hardlink_to pathlib.Path.replace pathlib.Path.rename"],
+)
 def test_failed_save_leaves_no_partial_snapshot(
     history: SettingsHistory, monkeypatch: pytest.MonkeyPatch, failing: str
 ) -> None:
