@@ -3322,7 +3322,7 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
     <message><source>on</source><comment>jumper</comment>
         <translation>gesteckt</translation></message>
     <message><source>off</source><comment>jumper</comment>
-        <translation>abgezogen</translation></message>
+        <translation>offen</translation></message>
     <message><source>either</source>
         <translation>egal</translation></message>
     <message><source>mode jumper at {0}</source>
