@@ -303,6 +303,8 @@ def check_frozen(files: Sequence[Path], steps: "Steps") -> None:
 
 def debian_packages(libraries: Iterable[str]) -> dict[str, str]:
     """Return the Debian package of each library that is one of this system, by its file name."""
+    if shutil.which("dpkg-query") is None:
+        return {}
     patterns = [f"{folder}/*/{name}" for name in libraries for folder in ("/lib", "/usr/lib")]
     search = ["dpkg-query", "--search", *patterns]
     done = subprocess.run(search, capture_output=True, text=True, check=False)  # some are not
