@@ -1,0 +1,42 @@
+"""Make a disk image for macOS of the bundle that PyInstaller leaves.
+
+    python3 packaging/bootstrap.py package frozen
+    .venv/bin/python packaging/macos/make_dmg.py
+
+Not run: this needs macOS. On Linux the icon and `Info.plist` were made and read back. The bundle
+is signed ad hoc, as PyInstaller does: without a developer's certificate and notarisation macOS
+asks before the first start.
+"""
+
+import platform
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+sys.path.insert(0, str(HERE.parent))
+
+from packages import version  # noqa: E402
+
+BUNDLE = ROOT / "build" / "packages" / "frozen" / "TReX Studio.app"
+
+
+def main() -> None:
+    program = BUNDLE / "Contents" / "MacOS" / "trex-gui"
+    told = subprocess.run([program, "--version"], capture_output=True, text=True, check=True)
+    if version() not in told.stdout:
+        sys.exit(f"The bundle says {told.stdout!r} instead of {version()}.")
+    content = ROOT / "build" / "packages" / "dmg"
+    shutil.rmtree(content, ignore_errors=True)
+    shutil.copytree(BUNDLE, content / BUNDLE.name, symlinks=True)
+    (content / "Applications").symlink_to("/Applications")
+    (ROOT / "dist").mkdir(exist_ok=True)
+    file = ROOT / "dist" / f"trex-studio-{version()}-macos-{platform.machine()}.dmg"
+    create = ["hdiutil", "create", "-volname", "TReX Studio", "-fs", "HFS+", "-format", "UDZO"]
+    subprocess.run([*create, "-ov", "-srcfolder", content, file], check=True)
+
+
+if __name__ == "__main__":
+    main()
