@@ -28,11 +28,15 @@ from itertools import product
 from pathlib import Path
 
 from bootstrap import CONSTRAINTS, ROOT, BootstrapError, find_debian, say
+from windows.package import check_installer, freeze_in_wine, make_installer
+from windows.wine import PROGRAMS as WINE_PROGRAMS
+from windows.wine import Windows, Wine
 
 DIST = ROOT / "dist"
 BUILD = ROOT / "build" / "packages"
 HERE = ROOT / "packaging"
 FROZEN = BUILD / "frozen" / "trex-studio"
+WINE_PREFIX = BUILD / "wine"
 PROGRAMS = ("trex-gui", "trexcmd", "trex-sim")
 CHECKSUMS = "SHA256SUMS"
 METADATA = "local.trexstudio.TReXStudio.metainfo.xml"
@@ -256,8 +260,8 @@ def copy_licences(folder: Path) -> None:
     standard = Path(os.__file__).parent
     texts = [
         path
-        for path in (standard / "LICENSE.txt", standard.parents[1] / "LICENSE.txt")
-        if path.exists()
+        for folder_of_text in (standard, *standard.parents[:2])  # as the systems have it
+        if (path := folder_of_text / "LICENSE.txt").exists()
     ]
     debian = Path(f"/usr/share/doc/python3.{sys.version_info.minor}/copyright")
     shutil.copy([*texts, debian][0], licences / "Python.txt")
@@ -762,18 +766,45 @@ class Target:
     Attributes:
         build: makes its files in `dist/` and returns them.
         check: installs, uses and removes them, step by step.
-        system: the beginning of `sys.platform` where it is made.
+        system: where it is made, by the beginning of `sys.platform`.
     """
 
     build: Callable[[], list[Path]]
     check: Callable[[Sequence[Path], Steps], None]
-    system: str = ""
+    system: str | tuple[str, ...] = ""
+
+
+# --- The installer for Windows -----------------------------------------------------------------
+
+
+def build_windows() -> list[Path]:
+    """Make the installer: frozen here on Windows, and in Wine elsewhere."""
+    frozen = FROZEN
+    if sys.platform == "win32":
+        if "frozen" not in BUILT:
+            freeze()
+    else:
+        require_programs(WINE_PROGRAMS)
+        wheel = (BUILT.get("wheel") or build_wheel())[0]
+        say("Freezing the program for Windows under Wine; this takes some minutes.")
+        frozen = freeze_in_wine(Wine(WINE_PREFIX), wheel, BUILD / "windows", release_time())
+    file = DIST / f"trex-studio-{version()}-windows-x64.exe"
+    make_installer(frozen, version(), file)
+    return [file]
+
+
+def check_windows(files: Sequence[Path], steps: "Steps") -> None:
+    """Install, use and remove it: on Windows here, and elsewhere under Wine."""
+    windows = Windows() if sys.platform == "win32" else Wine(WINE_PREFIX)
+    for file in files:
+        check_installer(file, version(), windows, steps)
 
 
 TARGETS = {
     "wheel": Target(build_wheel, check_wheel),
     "frozen": Target(build_frozen, check_frozen),
     "deb": Target(build_deb, check_deb, "linux"),
+    "windows": Target(build_windows, check_windows, ("linux", "win32")),
 }
 
 BUILT: dict[str, list[Path]] = {}

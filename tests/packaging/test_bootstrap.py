@@ -315,13 +315,12 @@ def test_interrupted_setup_resumes_in_same_environment(
     assert (project.venvs_made, project.installations) == (1, 1)
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="links need a permission there")
 def test_environment_behind_a_link_is_not_emptied(project: Project, tmp_path: Path) -> None:
     other = tmp_path / "other"
     other.mkdir()
     project.venv.symlink_to(other, target_is_directory=True)
-    with pytest.raises(
-        bootstrap.BootstrapError, match=f"empty the folder .* {re.escape(str(other))}"
-    ):
+    with pytest.raises(bootstrap.BootstrapError, match=f"empty the folder .* {other}"):
         project.set_up()
     assert not project.script.commands
     assert not list(other.iterdir())

@@ -1,0 +1,76 @@
+; The installer for Windows, and the uninstaller that it leaves.
+;
+;   makensis -DVERSION=0.1.0 -DSOURCE=FOLDER -DICON=FILE.ico -DOUTPUT=FILE.exe installer.nsi
+;
+; SOURCE is the frozen folder. TARGET=amd64-unicode makes a 64-bit installer, where NSIS has it.
+
+Unicode true
+!ifdef TARGET
+  Target ${TARGET}
+!endif
+!include MUI2.nsh
+
+!define NAME "TReX Studio"
+!define UNINSTALL_KEY "Software\Microsoft\Windows\CurrentVersion\Uninstall\${NAME}"
+
+Name "${NAME} ${VERSION}"
+OutFile "${OUTPUT}"
+InstallDir "$PROGRAMFILES64\${NAME}"
+InstallDirRegKey HKLM "${UNINSTALL_KEY}" "InstallLocation"
+RequestExecutionLevel admin
+SetCompressor /SOLID lzma
+ManifestDPIAware true
+
+!define MUI_ICON "${ICON}"
+!define MUI_UNICON "${ICON}"
+!define MUI_ABORTWARNING
+!define MUI_FINISHPAGE_RUN "$INSTDIR\trex-gui.exe"
+!define MUI_FINISHPAGE_RUN_NOTCHECKED
+!insertmacro MUI_PAGE_DIRECTORY
+!insertmacro MUI_PAGE_INSTFILES
+!insertmacro MUI_PAGE_FINISH
+!insertmacro MUI_UNPAGE_CONFIRM
+!insertmacro MUI_UNPAGE_INSTFILES
+!insertmacro MUI_LANGUAGE "English"
+!insertmacro MUI_LANGUAGE "German"
+!insertmacro MUI_LANGUAGE "French"
+
+; Everything that the installer puts into the folder, and nothing that the user may have there.
+!macro RemoveFiles
+  Delete "$INSTDIR\trex-gui.exe"
+  Delete "$INSTDIR\trexcmd.exe"
+  Delete "$INSTDIR\trex-sim.exe"
+  Delete "$INSTDIR\trex-studio.ico"
+  RMDir /r "$INSTDIR\_internal"
+  RMDir /r "$INSTDIR\licences"
+!macroend
+
+Section
+  SetShellVarContext all
+  SetRegView 64
+  !insertmacro RemoveFiles ; of an earlier version
+  SetOutPath "$INSTDIR"
+  File /r "${SOURCE}/*"
+  File "/oname=trex-studio.ico" "${ICON}"
+  CreateShortcut "$SMPROGRAMS\${NAME}.lnk" "$INSTDIR\trex-gui.exe" "" "$INSTDIR\trex-studio.ico"
+  WriteUninstaller "$INSTDIR\uninstall.exe"
+  WriteRegStr HKLM "${UNINSTALL_KEY}" "DisplayName" "${NAME}"
+  WriteRegStr HKLM "${UNINSTALL_KEY}" "DisplayVersion" "${VERSION}"
+  WriteRegStr HKLM "${UNINSTALL_KEY}" "DisplayIcon" "$INSTDIR\trex-studio.ico"
+  WriteRegStr HKLM "${UNINSTALL_KEY}" "InstallLocation" "$INSTDIR"
+  WriteRegStr HKLM "${UNINSTALL_KEY}" "UninstallString" '"$INSTDIR\uninstall.exe"'
+  WriteRegStr HKLM "${UNINSTALL_KEY}" "QuietUninstallString" '"$INSTDIR\uninstall.exe" /S'
+  WriteRegDWORD HKLM "${UNINSTALL_KEY}" "NoModify" 1
+  WriteRegDWORD HKLM "${UNINSTALL_KEY}" "NoRepair" 1
+SectionEnd
+
+; Settings, snapshots and recordings of users stay.
+Section "Uninstall"
+  SetShellVarContext all
+  SetRegView 64
+  !insertmacro RemoveFiles
+  Delete "$INSTDIR\uninstall.exe"
+  RMDir "$INSTDIR" ; only if it is empty
+  Delete "$SMPROGRAMS\${NAME}.lnk"
+  DeleteRegKey HKLM "${UNINSTALL_KEY}"
+SectionEnd

