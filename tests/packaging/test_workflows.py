@@ -1,0 +1,184 @@
+"""The workflows and recipes: what they name exists, and a release has its text."""
+
+import plistlib
+import re
+import shlex
+import sys
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import pytest
+from PySide6.QtWidgets import QApplication
+from ruamel.yaml import YAML
+
+ROOT = Path(__file__).resolve().parents[2]
+PACKAGING = ROOT / "packaging"
+WORKFLOWS = sorted((ROOT / ".github" / "workflows").glob("*.yml"))
+MANIFEST = PACKAGING / "flatpak" / "local.trexstudio.TReXStudio.yml"
+
+
+def load(name: str) -> ModuleType:
+    sys.path.insert(0, str(PACKAGING))
+    try:
+        return __import__(name)
+    finally:
+        sys.path.remove(str(PACKAGING))
+
+
+def read(path: Path) -> Any:
+    return YAML(typ="safe", pure=True).load(path)
+
+
+def steps(workflow: Path) -> list[dict[str, Any]]:
+    return [step for job in read(workflow)["jobs"].values() for step in job.get("steps", [])]
+
+
+# --- Workflows
+
+
+def test_there_are_workflows() -> None:
+    names = {path.stem for path in WORKFLOWS}
+    assert names == {"ci", "packages", "release"}
+
+
+def named_files(command: str) -> set[str]:
+    """Return the files of the project that a command names."""
+    words = shlex.split(command, comments=True)
+    return {word for word in words if re.match(r"(packaging|tests|\.ci|trex_gui)/", word)}
+
+
+def test_files_of_a_command_are_found_in_it() -> None:
+    assert named_files("bash .ci/run") == {".ci/run"}
+    assert named_files("python3 packaging/x.py package deb > out.md") == {"packaging/x.py"}
+
+
+@pytest.mark.parametrize("workflow", WORKFLOWS, ids=lambda path: path.stem)
+def test_commands_name_files_that_exist(workflow: Path) -> None:
+    named = {name for step in steps(workflow) for name in named_files(step.get("run", ""))}
+    assert [name for name in sorted(named) if not (ROOT / name).exists()] == []
+
+
+@pytest.mark.parametrize("workflow", WORKFLOWS, ids=lambda path: path.stem)
+def test_called_workflows_exist(workflow: Path) -> None:
+    called = [job["uses"] for job in read(workflow)["jobs"].values() if "uses" in job]
+    assert [name for name in called if not (ROOT / name).exists()] == []
+
+
+@pytest.mark.parametrize("workflow", WORKFLOWS, ids=lambda path: path.stem)
+def test_packages_that_are_asked_for_are_known(workflow: Path) -> None:
+    known = {*load("packages").TARGETS, "package", "--check"}
+    for step in steps(workflow):
+        words = shlex.split(step.get("run", ""), comments=True)
+        if "package" in words:
+            assert set(words[words.index("package") :]) <= known
+
+
+def test_every_action_has_a_version() -> None:
+    used = [step["uses"] for path in WORKFLOWS for step in steps(path) if "uses" in step]
+    assert used
+    assert [name for name in used if not re.search(r"@v\d+$", name)] == []
+
+
+# --- The text of a release
+
+CHANGELOG = """# Changelog
+
+## [Unreleased]
+
+- later
+
+## [0.2.0] - 2026-12-01
+
+### Added
+
+- a feature
+
+## [0.1.0]
+
+The first.
+"""
+
+
+def test_section_of_a_version_is_found() -> None:
+    notes = load("release_notes")
+    assert notes.release_notes("v0.2.0", "0.2.0", CHANGELOG) == "### Added\n\n- a feature"
+    assert notes.section(CHANGELOG, "0.1.0") == "The first."
+
+
+@pytest.mark.parametrize(
+    ("tag", "version", "text"),
+    [
+        ("v0.3.0", "0.2.0", "The tag is v0.3.0"),
+        ("0.2.0", "0.2.0", "The tag is 0.2.0"),
+        ("v0.3.0", "0.3.0", "no section"),
+        ("v0.2", "0.2", "no section"),
+        ("v0x2.0", "0x2.0", "no section"),
+    ],
+)
+def test_release_needs_its_version_and_section(tag: str, version: str, text: str) -> None:
+    with pytest.raises(ValueError, match=text):
+        load("release_notes").release_notes(tag, version, CHANGELOG)
+
+
+def test_present_version_has_a_section() -> None:
+    changelog = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    assert load("release_notes").section(changelog, load("packages").version())
+
+
+# --- Recipes
+
+
+def test_flatpak_may_use_serial_ports_and_the_network() -> None:
+    manifest = read(MANIFEST)
+    assert manifest["id"] == MANIFEST.stem
+    assert {"--device=all", "--share=network", "--socket=wayland"} <= {*manifest["finish-args"]}
+
+
+def test_flatpak_installs_files_that_exist() -> None:
+    (module,) = read(MANIFEST)["modules"]
+    paths = [(MANIFEST.parent / source["path"]).resolve() for source in module["sources"]]
+    made = ROOT / "build"
+    assert [path for path in paths if not (path.exists() or path.is_relative_to(made))] == []
+
+
+def test_bundle_for_macos_is_a_program_with_a_window() -> None:
+    with (PACKAGING / "macos" / "Info.plist").open("rb") as file:
+        information = plistlib.load(file)
+    assert information["LSBackgroundOnly"] is False
+    assert information["NSHighResolutionCapable"] is True
+
+
+def test_app_dir_starts_the_program_that_it_is_called_as(tmp_path: Path) -> None:
+    if sys.platform == "win32":
+        pytest.skip("shell scripts and links")
+    frozen = tmp_path / "frozen"
+    frozen.mkdir()
+    for name in ("trex-gui", "trexcmd"):
+        (frozen / name).write_text(f'#!/bin/sh\necho {name} "$@"\n', encoding="ascii")
+        (frozen / name).chmod(0o755)
+    sys.path.insert(0, str(PACKAGING / "appimage"))
+    load("make_appimage").make_app_dir(frozen, folder := tmp_path / "AppDir")
+    load("bootstrap")
+    assert {"trex-studio.desktop", "trex-studio.png", ".DirIcon"} <= {
+        path.name for path in folder.iterdir()
+    }
+    calls = {"": "trex-gui", "/home/me/TReX.AppImage": "trex-gui", "/bin/trexcmd": "trexcmd"}
+    run = load("packages").run
+    for called, started in calls.items():
+        environment = {"ARGV0": called} if called else {}
+        assert run([folder / "AppRun", "--version"], environment) == f"{started} --version\n"
+
+
+@pytest.mark.parametrize(("suffix", "start"), [(".ico", b"\0\0\1\0"), (".icns", b"icns")])
+def test_icon_has_pictures_of_every_size(
+    qapp: QApplication, tmp_path: Path, suffix: str, start: bytes
+) -> None:
+    icons = load("icons")
+    icons.write_icon(tmp_path / f"icon{suffix}")
+    content = (tmp_path / f"icon{suffix}").read_bytes()
+    assert content.startswith(start)
+    sizes = icons.ICO_SIZES if suffix == ".ico" else icons.ICNS_TYPES
+    assert content.count(b"\x89PNG") == len(sizes)
+    if suffix == ".icns":
+        assert int.from_bytes(content[4:8], "big") == len(content)
