@@ -32,6 +32,7 @@ def main() -> None:
     shutil.rmtree(content, ignore_errors=True)
     shutil.copytree(BUNDLE, content / BUNDLE.name, symlinks=True)
     (content / "Applications").symlink_to("/Applications")
+    shutil.copytree(BUNDLE.with_name("trex-studio") / "licences", content / "Licences")
     (ROOT / "dist").mkdir(exist_ok=True)
     file = ROOT / "dist" / f"trex-studio-{version()}-macos-{platform.machine()}.dmg"
     create = ["hdiutil", "create", "-volname", "TReX Studio", "-fs", "HFS+", "-format", "UDZO"]
