@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtCore import QPoint, QRect, QSize, Qt
 from PySide6.QtGui import QAction, QScreen
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QDialog, QMenu
+from PySide6.QtWidgets import QMenu
 
 from tests.devices.trex.recording.samples import an_hour, write
 from tests.support.program import trex
@@ -89,4 +89,4 @@ def test_recent_files_open_again(window: WindowDriver, tmp_path: Path) -> None:
     window.connect_to_demo("aracna")
     choose_recent(window, "run.trexrec")
     assert "disconnect, then open it again" in window.text("bannerText")
-    assert not window.find(QDialog, "helpDialog").isVisible()
+    assert not window.has("helpDialog")

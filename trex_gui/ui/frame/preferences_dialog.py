@@ -46,6 +46,13 @@ class PreferencesDialog(ReusedDialog):
             items=[(names[scheme], scheme) for scheme in SCHEMES],
             on_activate=self._on_scheme_chosen,
         )
+        self._font_size = ui.combo_box(
+            self,
+            "fontSizeBox",
+            self.tr("Font size"),
+            items=[(self.tr("{0} %").format(percent), percent) for percent in FONT_SIZES],
+            on_activate=self._on_font_size_chosen,
+        )
         self._language = ui.combo_box(
             self,
             "languageBox",
@@ -54,13 +61,6 @@ class PreferencesDialog(ReusedDialog):
             + [(name, code) for code, name in LANGUAGES.items()],
             tip=self.tr("The window opens again; motors stop, and the board is connected again"),
             on_activate=self._on_language_chosen,
-        )
-        self._font_size = ui.combo_box(
-            self,
-            "fontSizeBox",
-            self.tr("Font size"),
-            items=[(self.tr("{0} %").format(percent), percent) for percent in FONT_SIZES],
-            on_activate=self._on_font_size_chosen,
         )
         self._units = ui.combo_box(
             self,
