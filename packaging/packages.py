@@ -96,10 +96,8 @@ def run(
     except subprocess.TimeoutExpired as error:
         raise BootstrapError(f"{' '.join(words)}: no end within {timeout:.0f} s") from error
     if done.returncode != 0:
-        lines = (done.stdout + done.stderr).strip().splitlines()
-        raise BootstrapError(
-            "\n".join([f"{' '.join(words)}: status {done.returncode}", *lines[-20:]])
-        )
+        lines = [*done.stdout.splitlines()[-8:], *done.stderr.splitlines()[-12:]]
+        raise BootstrapError("\n".join([f"{' '.join(words)}: status {done.returncode}", *lines]))
     return done.stdout
 
 
