@@ -5,6 +5,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.ui.preferences import Preferences
+from trex_gui.ui.theme.theme import theme
 
 _FRAME = QMargins(8, 40, 8, 8)
 """Pixels for title bar and borders, which are unknown until a window is shown.
@@ -36,8 +37,14 @@ def keep_on_screen(window: QWidget) -> None:
 
 def restore_geometry(window: QWidget, key: str, width: int, height: int) -> None:
     """Place a window as `save_geometry` has stored it; else give it this size at most."""
-    window.resize(width, height)
+    resize_with_font(window, width, height)
     window.restoreGeometry(Preferences().data(f"{key}/geometry"))
+
+
+def resize_with_font(window: QWidget, width: int, height: int) -> None:
+    """Give a window a size in pixels at 100 %; with larger fonts it is larger."""
+    scale = max(theme().font_size, 100) / 100
+    window.resize(round(width * scale), round(height * scale))
 
 
 def save_geometry(window: QWidget, key: str) -> None:

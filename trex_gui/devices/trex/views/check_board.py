@@ -19,6 +19,7 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog, keep_room
 from trex_gui.ui.widgets.labels import Muted, Note
 from trex_gui.ui.widgets.leds import Leds
+from trex_gui.ui.widgets.placement import resize_with_font
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 # --- What the LEDs mean -----------------------------------------------------------------
@@ -100,16 +101,16 @@ class SightsPage(QWidget):
     def __init__(self, wiring: Wiring, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName("checkLedsPage")
-        top = Qt.AlignmentFlag.AlignTop
         rows = ui.grid(margins=0, spacing=(16, 8), stretch=[(1, 1)])
         for number, sight in enumerate(_SIGHTS):
             leds = Leds(self)
             leds.show_patterns(sight.leds, ("", ""), (tr(sight.shown),) * 2)
             shown = ui.label(self, text=tr(sight.shown), wrap=True)
             meaning = ui.label(self, text=tr(sight.meaning), bold=True, wrap=True)
-            about = ui.column(meaning, Muted(tr(sight.to_do), self), margins=0, spacing=0)
-            rows.addLayout(ui.column(leds, shown, margins=0, spacing=0), number, 0, top)
-            rows.addLayout(about, number, 1, top)
+            # Without an alignment: with one, text that wraps would not get its height.
+            about = ui.column(meaning, Muted(tr(sight.to_do), self), 1, margins=0, spacing=0)
+            rows.addLayout(ui.column(leds, shown, 1, margins=0, spacing=0), number, 0)
+            rows.addLayout(about, number, 1)
         rows.setRowStretch(len(_SIGHTS), 1)
         jumpers = JumperSketch(self)
         jumpers.show_boards(JumperPlaces(self.tr("Jumpers to connect"), "", None))
@@ -298,7 +299,7 @@ class CheckBoardDialog(ReusedDialog):
         super().__init__(parent)
         self.setObjectName("checkBoardDialog")
         self.setWindowTitle(self.tr("Board does not respond"))
-        self.resize(860, 560)
+        resize_with_font(self, 860, 560)
         self._device = device
         self._tabs = QTabWidget(self)
         self._tabs.setDocumentMode(True)  # else its background is brighter than muted text bears

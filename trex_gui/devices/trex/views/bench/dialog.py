@@ -21,6 +21,7 @@ from trex_gui.ui.theme.theme import tint
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import HoldButton, ReusedDialog, only_when_visible
 from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.placement import resize_with_font
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 if TYPE_CHECKING:
@@ -41,7 +42,7 @@ class BenchDialog(ReusedDialog):
         super().__init__(parent)
         self.setObjectName("benchDialog")
         self.setWindowTitle(self.tr("Bench test"))
-        self.resize(1040, 700)
+        resize_with_font(self, 1040, 700)
         self._device = device
         self.bench = bench
         self._message = ""
