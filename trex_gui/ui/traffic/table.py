@@ -26,13 +26,15 @@ from trex_gui.ui.widgets.builders import flat_table, set_row_height
 TIME, SENT, RECEIVED, TOOK, WORDS = range(5)
 
 _SAMPLES = (
-    ("00:00:00.000", "80 07 2F 7E 00 55 2A", "54 52 65 58 31 2E 32 00 00 00", "Took (ms)"),
-    ("00:00:00.000", "80 07 2F", "54 52 65 58", "Took (ms)"),
+    ("00:00:00.000", "80 07 2F 7E 00 55 2A", "54 52 65 58 31 2E 32 00 00 00", "1000.0"),
+    ("00:00:00.000", "80 07 2F", "54 52 65 58", "1000.0"),
 )
 """Texts that set the column widths, and those where the meaning would have little room.
 
 Longer bytes are elided, and complete below the table.
 """
+
+_HORIZONTAL = Qt.Orientation.Horizontal
 
 _MIN_MEANING = 50  # characters
 
@@ -236,10 +238,14 @@ class TrafficView(QTableView):
         proportional, fixed = self.fontMetrics(), QFontMetrics(fixed_font())
         unit = proportional.averageCharWidth()
         fonts = {SENT: fixed, RECEIVED: fixed}
+        titles = [
+            proportional.horizontalAdvance(self.model().headerData(column, _HORIZONTAL))
+            for column in range(len(_SAMPLES[0]))
+        ]
         for samples in _SAMPLES:
             widths = [
-                fonts.get(column, proportional).horizontalAdvance(text) + 3 * unit
-                for column, text in enumerate(samples)
+                max(fonts.get(column, proportional).horizontalAdvance(text), title) + 3 * unit
+                for column, (text, title) in enumerate(zip(samples, titles, strict=True))
             ]
             if sum(widths) + _MIN_MEANING * unit <= self.viewport().width():
                 break

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
     QDialog,
     QHeaderView,
     QPushButton,
+    QTableView,
     QWidget,
 )
 
@@ -35,6 +36,30 @@ _LOSSES = {
     QEvent.Type.UngrabMouse,
     QEvent.Type.WindowDeactivate,
 }
+
+
+class LastColumn(QObject):
+    """Gives the last column of a table what the others leave, and at least room for its title."""
+
+    def __init__(self, table: QTableView) -> None:
+        super().__init__(table)
+        self._table = table
+        table.viewport().installEventFilter(self)
+        table.horizontalHeader().sectionResized.connect(self._fit)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Resize and watched is self._table.viewport():
+            self._fit()
+        return False
+
+    @Slot()
+    def _fit(self) -> None:
+        header = self._table.horizontalHeader()
+        last = header.count() - 1
+        room = self._table.viewport().width() - header.sectionPosition(last)
+        width = max(room, header.sectionSizeHint(last))
+        if width != header.sectionSize(last):
+            header.resizeSection(last, width)
 
 
 class ReusedDialog(QDialog):

@@ -267,6 +267,8 @@ class _SnapshotList(QWidget):
         header.setResizeContentsPrecision(50)  # rows that are measured for a width
         self._none = ui.label(self, "snapshotNoMatch", self.tr("No snapshot matches the search."))
 
+        self._fit_columns()  # to their titles, as long as nothing is listed
+
         ui.column(self._search, (self._view, 1), self._none, into=self, margins=0)
 
         self.delete_key = QShortcut(QKeySequence.StandardKey.Delete, self._view)
@@ -333,7 +335,8 @@ class _SnapshotList(QWidget):
         character = self.fontMetrics().averageCharWidth()
         for section in SnapshotColumn:
             size = self._view.columnWidth(section) + 2 * character
-            self._view.setColumnWidth(section, min(size, _WIDEST * character))
+            title = self._view.horizontalHeader().sectionSizeHint(section)
+            self._view.setColumnWidth(section, max(min(size, _WIDEST * character), title))
         last = self._view.horizontalHeader().minimumSectionSize()  # it takes what is left
         self._view.setColumnWidth(SnapshotColumn.ADAPTER, last)
 

@@ -29,7 +29,7 @@ from trex_gui.devices.aracna.poses.project import (
 from trex_gui.devices.aracna.views.poses.name_list import NameList, small_button
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import paint_placeholder, take_typed
+from trex_gui.ui.widgets.behaviour import LastColumn, paint_placeholder, take_typed
 
 _Index = QModelIndex | QPersistentModelIndex
 _LINES = 5
@@ -214,7 +214,8 @@ class StepView(QTableView):
         )
         head = self.horizontalHeader()
         head.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        head.setSectionResizeMode(StepColumn.NOTE, QHeaderView.ResizeMode.Stretch)
+        head.setSectionResizeMode(StepColumn.NOTE, QHeaderView.ResizeMode.Fixed)
+        LastColumn(self)
         self.setMinimumHeight(_LINES * self.verticalHeader().defaultSectionSize())
 
     @property

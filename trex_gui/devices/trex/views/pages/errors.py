@@ -21,7 +21,7 @@ from trex_gui.devices.trex.protocol.flags import stops_motors
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.ui.runtime import now
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import only_when_visible
+from trex_gui.ui.widgets.behaviour import LastColumn, only_when_visible
 from trex_gui.ui.widgets.labels import Muted
 
 _Column = IntEnum("_Column", "ERROR ACTIVE STOPS COUNT LAST REMEDY", start=0)
@@ -95,7 +95,8 @@ class ErrorsPage(QWidget):
         header = table.horizontalHeader()
         header.sectionResized.connect(table.resizeRowsToContents)
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        header.setSectionResizeMode(_Column.REMEDY, QHeaderView.ResizeMode.Stretch)
+        header.setSectionResizeMode(_Column.REMEDY, QHeaderView.ResizeMode.Fixed)
+        LastColumn(table)
         return table
 
     def _make_line_box(self) -> ui.GroupBox:

@@ -134,7 +134,8 @@ class FindingsPanel(QWidget):
         for section, widest in _WIDEST.items():  # the message wraps in the rest
             self._table.resizeColumnToContents(section)
             width = min(self._table.columnWidth(section) + 2 * character, widest * character)
-            self._table.setColumnWidth(section, width)
+            title = self._table.horizontalHeader().sectionSizeHint(section)
+            self._table.setColumnWidth(section, max(width, title))
         self._fitting.start()
         self._update_accept()
 
