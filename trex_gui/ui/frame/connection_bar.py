@@ -262,6 +262,7 @@ class ConnectionBar(QWidget):
                     combo.setCurrentIndex(combo.count() - 1)
             combo.insertSeparator(combo.count())
             combo.addItem(self.tr("Other port or address…"), _OTHER)
+            combo.setToolTip(combo.currentText())  # may be elided
         self._show_button()
 
     def _port_to_show(self) -> Port | None:

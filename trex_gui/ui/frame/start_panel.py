@@ -138,7 +138,8 @@ class StartPanel(QWidget):
         return picture
 
     def _limit_width(self, part: QWidget) -> None:
-        part.setMaximumWidth(self.fontMetrics().averageCharWidth() * _WIDEST_LINES)
+        widest = self.fontMetrics().averageCharWidth() * _WIDEST_LINES
+        part.setMaximumWidth(max(widest, part.minimumSizeHint().width()))
 
     @Slot()
     def _end_welcome(self) -> None:

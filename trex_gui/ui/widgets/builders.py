@@ -1,6 +1,7 @@
 """Functions that create a named widget with its usual properties, and layouts from their items."""
 
 from collections.abc import Callable, Iterable, Iterator
+from functools import partial
 from itertools import pairwise
 from math import inf
 from typing import TypeVar
@@ -440,6 +441,17 @@ def _tab_stops(part: QWidget) -> Iterator[QWidget]:
     for each in inside:
         if not each.isWindow():
             yield from _tab_stops(each)
+
+
+def set_large(*buttons: QPushButton) -> None:
+    """Make buttons that matter most two lines high, and never too narrow for their text."""
+
+    def fit(button: QPushButton, height: int) -> None:
+        button.setMinimumSize(max(4 * height, button.sizeHint().width()), height)
+
+    for button in buttons:
+        height = 2 * button.fontMetrics().height() + 4
+        follow_theme(button, "large", partial(fit, button, height))
 
 
 def set_bold(widget: QWidget, bold: bool = True) -> None:

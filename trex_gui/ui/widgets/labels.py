@@ -161,8 +161,11 @@ class Muted(QLabel):
         set_text_color(self, "muted")
 
 
-class LegendKey(QLabel):
-    """Names a curve; `color` is a name of the theme. Without a style it is a dot."""
+class LegendKey(ElidedLabel):
+    """Names a curve; `color` is a name of the theme. Without a style it is a dot.
+
+    It is elided only where its size policy ignores how wide it is.
+    """
 
     def __init__(
         self,
@@ -171,7 +174,8 @@ class LegendKey(QLabel):
         parent: QWidget,
         style: Qt.PenStyle | None = Qt.PenStyle.SolidLine,
     ) -> None:
-        super().__init__(text, parent)
+        super().__init__("", parent)
+        self.setText(text)
         self._color = color
         self._style = style
         follow_theme(self, "room", self._take_room)
@@ -180,6 +184,9 @@ class LegendKey(QLabel):
         self._sample = self.fontMetrics().averageCharWidth() * 3
         self.setContentsMargins(16 if self._style is None else self._sample * 4 // 3, 0, 0, 0)
         self.update()
+
+    def minimumSizeHint(self) -> QSize:
+        return self.sizeHint()
 
     def set_color(self, color: str) -> None:
         if color != self._color:

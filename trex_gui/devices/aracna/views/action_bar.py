@@ -43,8 +43,7 @@ class ActionBar(QWidget):
         self._timer = new_timer(self, _REFRESH_MS, self._update)
 
         stop = StopSequenceButton(robot, "aracnaStopButton", self)
-        height = 2 * self.fontMetrics().height() + 4
-        stop.setMinimumSize(4 * height, height)
+        ui.set_large(stop)
         self._end = ui.button(
             self,
             "aracnaEndButton",
@@ -52,7 +51,7 @@ class ActionBar(QWidget):
             tip=self.tr("Let the step finish, then blend out"),
             on_click=robot.end_play,
         )
-        self._end.setMinimumHeight(height)
+        self._end.setMinimumHeight(stop.minimumHeight())
         self._activity = ui.named(Note(1, self), "aracnaMotionLabel")
         hint = self.tr(
             "This link has no stop: a running motion ends only by itself, or by cutting the servo "

@@ -153,9 +153,7 @@ class ActionBar(QWidget):
             icon="apply",
             on_click=self.apply_requested,
         )
-        height = 2 * self.fontMetrics().height() + 4
-        for button in (stop, run, self._apply):
-            button.setMinimumSize(4 * height, height)
+        ui.set_large(stop, run, self._apply)
 
         buttons = ui.row(stop, run, (self._state, 1), self._unapplied, self._apply)
         ui.column(notice, buttons, into=self, margins=0)

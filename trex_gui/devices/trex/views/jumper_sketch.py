@@ -63,9 +63,34 @@ class JumperSketch(QWidget, Spoken):
         return f"{board.title}: {', '.join(texts)}."
 
     def sizeHint(self) -> QSize:
-        line, boards = self.fontMetrics().height(), max(len(self._boards), 1)
-        width = self.fontMetrics().averageCharWidth() * _BOARD_WIDTH
+        metrics, boards = self.fontMetrics(), max(len(self._boards), 1)
+        line, advance = metrics.height(), metrics.horizontalAdvance
+        titles = max((advance(board.title) for board in self._boards), default=0)
+        words = [
+            position or word for _, _, position in self._rows() for word in self._words().values()
+        ]
+        row = self._pins_at() + (1.3 + 0.9 + 0.8) * line + max(map(advance, words))
+        width = max(metrics.averageCharWidth() * _BOARD_WIDTH, titles, round(row))
         return QSize(boards * width + (boards - 1) * line, round(10.8 * line))
+
+    def _rows(self) -> Sequence[tuple[str, str, str]]:
+        """Return key, name and position of each pair of pins; without a position it is a word."""
+        return (
+            ("mode", self.tr("Mode"), self.tr("RC")),
+            ("", "", self.tr("Analog")),
+            ("mix", self.tr("Mix"), ""),
+            ("so_ground", self.tr("SO–G"), ""),
+        )
+
+    def _words(self) -> dict[bool | None, str]:
+        on, off = self.tr("on", "jumper"), self.tr("off", "jumper")
+        return {True: on, False: off, None: self.tr("either")}
+
+    def _pins_at(self) -> float:
+        """Return where the pins begin, right of the names; pixels."""
+        metrics = self.fontMetrics()
+        widest = max(metrics.horizontalAdvance(f"▸ {name}") for _, name, _ in self._rows())
+        return max(4.8 * metrics.height(), 1.2 * metrics.height() + widest)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
@@ -85,13 +110,10 @@ class JumperSketch(QWidget, Spoken):
         painter.drawRoundedRect(place, 6, 6)
         title = QRectF(place.left(), 0, place.width(), 1.6 * line)
         painter.drawText(title, Qt.AlignmentFlag.AlignCenter, board.title)
-        rows = (
-            ("mode", self.tr("Mode"), self.tr("RC"), board.mode == "RC"),
-            ("", "", self.tr("Analog"), board.mode == "Analog"),
-            ("mix", self.tr("Mix"), "", board.mix),
-            ("so_ground", self.tr("SO–G"), "", board.so_ground),
-        )
-        for number, (key, name, position, is_on) in enumerate(rows):
+        states = (board.mode == "RC", board.mode == "Analog", board.mix, board.so_ground)
+        for number, ((key, name, position), is_on) in enumerate(
+            zip(self._rows(), states, strict=True)
+        ):
             y = place.top() + (0.9 + _ROW * number + 0.5 * (number > 1)) * line
             row = QRectF(place.left(), y, place.width(), line)
             is_next = bool(key) and key == board.next_one
@@ -107,15 +129,10 @@ class JumperSketch(QWidget, Spoken):
         painter.setPen(QPen(color, 1))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawText(row.adjusted(0.8 * line, 0, 0, 0), middle, name)
-        first = QPointF(row.left() + 4.8 * line, row.center().y())
+        first = QPointF(row.left() + self._pins_at(), row.center().y())
         second = first + QPointF(1.3 * line, 0)
-        words = {
-            True: self.tr("on", "jumper"),
-            False: self.tr("off", "jumper"),
-            None: self.tr("either"),
-        }
         text = row.adjusted(second.x() + 0.9 * line - row.left(), 0, 0, 0)
-        painter.drawText(text, middle, position or words[is_on])
+        painter.drawText(text, middle, position or self._words()[is_on])
         if is_on:
             painter.setBrush(theme().color("motor1"))
             reach = 0.55 * line

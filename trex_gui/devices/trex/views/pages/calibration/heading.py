@@ -18,6 +18,7 @@ from trex_gui.ui.widgets.builders import button, column, label, named, row
 from trex_gui.ui.widgets.labels import ElidedLabel, LegendKey, Note
 
 _KEY = ParameterKey.CHANNEL_INPUT_SOURCE
+_AROUND_TEXT = 30  # pixels of a row of the list: frame, margins and icon
 _SOURCES = (InputSource.RC, InputSource.ANALOG)
 
 
@@ -46,7 +47,12 @@ class ChannelList(QListWidget):
 
     def _take_room(self) -> None:
         metrics = self.fontMetrics()
-        self.setFixedWidth(metrics.horizontalAdvance("5  Auxiliary, edited") + 38)
+        names = [
+            self._name(channel, mark)
+            for channel in CHANNELS
+            for mark in (self.tr(", problem"), self.tr(", edited"))
+        ]
+        self.setFixedWidth(max(map(metrics.horizontalAdvance, names)) + _AROUND_TEXT)
         for index in range(self.count()):
             self.item(index).setSizeHint(QSize(0, 2 * metrics.lineSpacing() + 14))
         self._show_icons()
@@ -67,8 +73,11 @@ class ChannelList(QListWidget):
     def _show_text(self, channel: int) -> None:
         edited, problem = self._marks[channel]
         mark = self.tr(", problem") if problem else self.tr(", edited") if edited else ""
-        name = f"{channel}  {tr(channel_text.CHANNEL_NAMES[channel])}{mark}"
-        self.item(CHANNELS.index(channel)).setText(f"{name}\n{self._inputs[channel]}")
+        text = f"{self._name(channel, mark)}\n{self._inputs[channel]}"
+        self.item(CHANNELS.index(channel)).setText(text)
+
+    def _name(self, channel: int, mark: str) -> str:
+        return f"{channel}  {tr(channel_text.CHANNEL_NAMES[channel])}{mark}"
 
     @Slot()
     def _show_icons(self) -> None:
@@ -236,7 +245,7 @@ class CurveLegend(QWidget, Spoken):
         return self._live.text()
 
     def set_live(self, text: str) -> None:
-        self._live.setText(text)
+        self._live.show_text(text)
 
     def set_curves(self, known: bool, *, differs: bool, live: bool) -> None:
         """Name the curves: none, one, or a dashed second one that is stored."""
