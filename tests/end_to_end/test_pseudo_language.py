@@ -1,13 +1,28 @@
 """Every page and dialog in a longer, accented language: what is not translated, and what is cut."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QPoint, QRect
+from PySide6.QtCore import QCoreApplication, QPoint, QRect, QSettings, QSize
 from PySide6.QtGui import QScreen
-from PySide6.QtWidgets import QApplication, QDialog, QTabWidget, QWidget
+from PySide6.QtWidgets import (
+    QApplication,
+    QCheckBox,
+    QComboBox,
+    QDialog,
+    QGroupBox,
+    QHeaderView,
+    QLabel,
+    QPushButton,
+    QRadioButton,
+    QTabBar,
+    QTableWidget,
+    QTabWidget,
+    QWidget,
+)
+from pytestqt.qtbot import QtBot
 
 from tests.support.pages.every_window import WINDOWS_WITH_STOP
 from tests.support.pseudo_language import PseudoTranslator, cut_texts, shown_texts, untranslated
@@ -28,6 +43,8 @@ class Findings:
         self.cut: set[str] = set()
 
     def look(self, window: QWidget) -> None:
+        for _ in range(3):  # a layout may ask for another one
+            QCoreApplication.processEvents()
         for where, text in shown_texts(window):
             if rest := untranslated(text):
                 self.untranslated.setdefault(rest, where)
@@ -40,19 +57,21 @@ class Findings:
             self.look(window)
 
 
-@pytest.fixture(params=[(100, (1366, 728)), (200, (1920, 1040))], ids=["100 %", "200 %"])
+@pytest.fixture(params=[(100, (1366, 728)), (200, (3840, 2080))], ids=["100 %", "200 %"])
 def pseudo_window(
     request: pytest.FixtureRequest, qapp: QApplication, monkeypatch: pytest.MonkeyPatch
 ) -> Iterator[WindowDriver]:
     """The window in the language of these tests, at a font size and on a screen."""
     percent, screen = request.param
-    available = QRect(QPoint(), QPoint(*screen))
+    available = QRect(QPoint(), QSize(*screen))
     monkeypatch.setattr(QScreen, "availableGeometry", lambda _: available)
+    monkeypatch.setattr("trex_gui.ui.theme.theme.FONT_SIZES", (100, 200))
+    QSettings().setValue("window/font_size", percent)
     translator = PseudoTranslator()
     qapp.installTranslator(translator)
     use_translations(partial(QCoreApplication.translate, CONTEXT))  # forgets English texts
     window: WindowDriver = request.getfixturevalue("window")
-    theme().set_font_size(percent)
+    assert theme().font_size == percent
     yield window
     qapp.removeTranslator(translator)
     use_translations(partial(QCoreApplication.translate, CONTEXT))
@@ -60,7 +79,72 @@ def pseudo_window(
 
 def check(found: Findings) -> None:
     lines = [f"not translated, {where}: {text!r}" for text, where in found.untranslated.items()]
+    lines += [f"cut, {cut}" for cut in sorted(found.cut)]
     assert not lines, "\n".join(lines)
+
+
+TOO_LONG = "more than there is room for"
+
+
+def label(*, wraps: bool) -> QLabel:
+    made = QLabel(TOO_LONG)
+    made.setWordWrap(wraps)
+    return made
+
+
+def group_box() -> QGroupBox:
+    return QGroupBox(TOO_LONG)
+
+
+def combo_box() -> QComboBox:
+    made = QComboBox()
+    made.addItem(TOO_LONG)
+    return made
+
+
+def tabs() -> QTabBar:
+    made = QTabBar()
+    made.addTab(TOO_LONG)
+    made.setUsesScrollButtons(False)
+    return made
+
+
+def table() -> QTableWidget:
+    made = QTableWidget(0, 1)
+    made.setHorizontalHeaderLabels([TOO_LONG])
+    made.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+    return made
+
+
+@pytest.mark.parametrize(
+    "make",
+    [
+        partial(label, wraps=False),
+        partial(label, wraps=True),
+        partial(QPushButton, TOO_LONG),
+        partial(QCheckBox, TOO_LONG),
+        partial(QRadioButton, TOO_LONG),
+        combo_box,
+        group_box,
+        tabs,
+        table,
+    ],
+)
+def test_cut_text_is_found(qtbot: QtBot, make: Callable[[], QWidget]) -> None:
+    window, widget = QWidget(), make()
+    qtbot.addWidget(window)
+    widget.setParent(window)
+    window.resize(600, 300)
+    widget.resize(400, 100)
+    window.show()
+    QCoreApplication.processEvents()
+    assert not list(cut_texts(window))
+    widget.resize(60, 20)
+    QCoreApplication.processEvents()
+    assert any(TOO_LONG in cut for cut in cut_texts(window))
+    widget.setGeometry(500, 0, 400, 100)
+    QCoreApplication.processEvents()
+    assert any(TOO_LONG in cut for cut in cut_texts(window))
 
 
 def test_trex(pseudo_window: WindowDriver, tmp_path: Path) -> None:

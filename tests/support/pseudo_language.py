@@ -10,12 +10,15 @@ from PySide6.QtCore import (
     QAbstractItemModel,
     QAbstractListModel,
     QModelIndex,
+    QSize,
     Qt,
     QTranslator,
 )
 from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractItemView,
+    QAbstractScrollArea,
+    QCheckBox,
     QComboBox,
     QDockWidget,
     QDoubleSpinBox,
@@ -25,9 +28,15 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QMenuBar,
     QPlainTextEdit,
+    QPushButton,
+    QRadioButton,
     QSpinBox,
+    QStyle,
+    QStyleOptionButton,
+    QStyleOptionComboBox,
     QTabBar,
     QTextBrowser,
+    QToolButton,
     QWidget,
 )
 
@@ -39,6 +48,7 @@ _ACCENTS = str.maketrans("aceinouyACEINOUY", "áçéíñóúýÁÇÉÍÑÓÚÝ")
 _KEPT = re.compile(
     r"\{[^{}]*\}|%n|%L?\d|&\w|<[^>]*>|\*\.\w+|;;|&lt;|&gt;|&amp;|&nbsp;|https?://\S+|style='[^']*'"
 )
+_LONGEST_WORD = 8  # characters of what is added: it can be wrapped, as other words can
 _HTML = re.compile(r"<[^>]*>|&#?\w+;")
 _WORD = re.compile(r"[A-Za-z]{2,}")
 _NOT_TRANSLATED = re.compile(
@@ -64,7 +74,10 @@ def pseudo(text: str) -> str:
         parts += [text[end : kept.start()].translate(_ACCENTS), kept[0]]
         end = kept.end()
     parts.append(text[end:].translate(_ACCENTS))
-    return f"{BEGIN}{''.join(parts)}{'~' * (len(text) // 3)}{END}"
+    added = "~" * (len(text) // 3 - len(BEGIN + END))
+    if len(added) > _LONGEST_WORD:
+        added = " " + " ".join(re.findall(f"~{{1,{_LONGEST_WORD}}}", added))
+    return f"{BEGIN}{''.join(parts)}{added}{END}"
 
 
 class PseudoTranslator(QTranslator):
@@ -166,19 +179,98 @@ def _texts_of_rows(
 
 
 def cut_texts(root: QWidget) -> Iterator[str]:
-    """Yield the visible labels and buttons below `root` that are too small for their text."""
+    """Yield the visible widgets below `root` that have too little room for their text."""
     for widget in root.findChildren(QWidget):
-        if not widget.isVisible() or isinstance(widget, ElidedLabel):
+        if not widget.isVisible() or widget.objectName().startswith("qt_"):
             continue
-        needed, has = widget.sizeHint(), widget.size()
-        match widget:
-            case QLabel() if widget.wordWrap():
-                is_cut = widget.heightForWidth(has.width()) > has.height()
-            case QLabel():
-                is_cut = bool(widget.text()) and needed.width() > has.width()
-            case QAbstractButton():
-                is_cut = bool(widget.text()) and needed.width() > has.width()
-            case _:
+        where = widget.objectName() or widget.metaObject().className()
+        for text, needed, room in _needs(widget):
+            if not text:
                 continue
-        if is_cut:
-            yield f"{widget.objectName()}: {widget.text()!r} needs {needed}, has {has}"
+            if needed.width() > room.width() or needed.height() > room.height():
+                yield f"{where}: {text!r} needs {needed.toTuple()}, has {room.toTuple()}"
+            elif not _is_inside(widget):
+                yield f"{where}: {text!r} is outside"
+
+
+def _is_inside(widget: QWidget) -> bool:
+    """Return whether all of a widget can be seen, if need be by scrolling."""
+    rect, inner = widget.rect(), widget
+    while (outer := inner.parentWidget()) is not None and not inner.isWindow():
+        rect.translate(inner.pos())
+        area = outer.parentWidget()
+        if isinstance(area, QAbstractScrollArea) and outer is area.viewport():
+            rect = outer.rect()
+        elif not outer.rect().contains(rect):
+            return False
+        inner = outer
+    return True
+
+
+def _needs(widget: QWidget) -> Iterator[tuple[str, QSize, QSize]]:
+    """Yield the texts of a widget, each with the size that it needs, and the size that it has."""
+    style = widget.style()
+    match widget:
+        case ElidedLabel() if not widget.wordWrap():
+            pass  # what is left of it is in its tool tip
+        case QLabel():
+            yield _need_of_label(widget)
+        case QPushButton() | QCheckBox() | QRadioButton():
+            yield _need_of_button(widget)
+        case QToolButton() if widget.toolButtonStyle() != Qt.ToolButtonStyle.ToolButtonIconOnly:
+            yield widget.text(), widget.sizeHint(), widget.size()
+        case QComboBox() if widget.toolTip() != widget.currentText():  # else as ElidedLabel
+            box = QStyleOptionComboBox()
+            widget.initStyleOption(box)
+            field, combo = QStyle.SubControl.SC_ComboBoxEditField, QStyle.ComplexControl.CC_ComboBox
+            room = style.subControlRect(combo, box, field, widget).size()
+            yield widget.currentText(), _size(widget, widget.currentText()), room
+        case QGroupBox():
+            check = style.pixelMetric(QStyle.PixelMetric.PM_IndicatorWidth, None, widget)
+            beside = 2 * check if widget.isCheckable() else check // 2
+            yield widget.title(), _size(widget, widget.title(), beside), widget.size()
+        case QTabBar():
+            for index in filter(widget.isTabVisible, range(widget.count())):
+                place = widget.tabRect(index)
+                if not widget.usesScrollButtons():
+                    place = place.intersected(widget.rect())
+                yield widget.tabText(index), _size(widget, widget.tabText(index)), place.size()
+        case QHeaderView() if widget.orientation() is Qt.Orientation.Horizontal:
+            yield from _needs_of_header(widget)
+
+
+def _size(widget: QWidget, text: str, beside: int = 0) -> QSize:
+    """Return the size of a text and of what is beside it, an icon for example."""
+    return widget.fontMetrics().size(Qt.TextFlag.TextShowMnemonic, text) + QSize(beside, 0)
+
+
+def _need_of_button(button: QAbstractButton) -> tuple[str, QSize, QSize]:
+    contents = QStyle.SubElement.SE_PushButtonContents
+    if isinstance(button, QCheckBox):
+        contents = QStyle.SubElement.SE_CheckBoxContents
+    elif isinstance(button, QRadioButton):
+        contents = QStyle.SubElement.SE_RadioButtonContents
+    option = QStyleOptionButton()
+    option.initFrom(button)
+    icon = 0 if button.icon().isNull() else button.iconSize().width() + 4
+    room = button.style().subElementRect(contents, option, button).size()
+    return button.text(), _size(button, button.text(), icon), room
+
+
+def _needs_of_header(header: QHeaderView) -> Iterator[tuple[str, QSize, QSize]]:
+    margin = header.style().pixelMetric(QStyle.PixelMetric.PM_HeaderMargin, None, header)
+    for section in range(header.count()):
+        text = header.model().headerData(section, header.orientation())
+        if isinstance(text, str) and not header.isSectionHidden(section):
+            room = QSize(header.sectionSize(section), header.height())
+            yield text, _size(header, text, 2 * margin), room
+
+
+def _need_of_label(label: QLabel) -> tuple[str, QSize, QSize]:
+    text, size = label.text(), label.size()
+    if not label.wordWrap():
+        return text, label.sizeHint(), size
+    is_rich = label.textFormat() is not Qt.TextFormat.PlainText and "<" in text
+    words = [] if is_rich else text.split()
+    widest = max(map(label.fontMetrics().horizontalAdvance, words), default=0)
+    return text, QSize(widest, label.heightForWidth(size.width())), size
