@@ -5245,10 +5245,10 @@ Kein Produkt von Pololu.</translation></message>
         <translation>Hoher Kontrast</translation></message>
     <message><source>Theme</source>
         <translation>Design</translation></message>
-    <message><source>Language</source>
-        <translation>Sprache</translation></message>
     <message><source>Font size</source>
         <translation>Schriftgröße</translation></message>
+    <message><source>Language</source>
+        <translation>Sprache</translation></message>
     <message><source>Units</source>
         <translation>Einheiten</translation></message>
     <message><source>&amp;Begin file dialogs in one folder</source>

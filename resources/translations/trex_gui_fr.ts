@@ -5245,10 +5245,10 @@ N'est pas un produit de Pololu.</translation></message>
         <translation>Contraste élevé</translation></message>
     <message><source>Theme</source>
         <translation>Thème</translation></message>
-    <message><source>Language</source>
-        <translation>Langue</translation></message>
     <message><source>Font size</source>
         <translation>Taille de police</translation></message>
+    <message><source>Language</source>
+        <translation>Langue</translation></message>
     <message><source>Units</source>
         <translation>Unités</translation></message>
     <message><source>&amp;Begin file dialogs in one folder</source>
