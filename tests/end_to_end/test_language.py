@@ -1,7 +1,9 @@
 """Another language: the window opens again, as it was."""
 
+import os
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -79,11 +81,10 @@ def test_window_that_stays_open_is_not_opened_again(connected_window: WindowDriv
 
 
 @pytest.mark.realtime
-def test_program_opens_again_in_each_language(
-    simulator: SimulatedDevice,
-) -> None:
+def test_program_opens_again_in_each_language(simulator: SimulatedDevice, tmp_path: Path) -> None:
     done = subprocess.run(
         [sys.executable, "-c", _REOPEN, simulator.url],
+        env={**os.environ, "XDG_CONFIG_HOME": str(tmp_path)},  # remembers the language
         capture_output=True,
         text=True,
         timeout=50,
