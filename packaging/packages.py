@@ -765,11 +765,13 @@ class Target:
         build: makes its files in `dist/` and returns them.
         check: installs, uses and removes them, step by step.
         system: where it is made, by the beginning of `sys.platform`.
+        foreign: where it is made only if it is named: that installs another system.
     """
 
     build: Callable[[], list[Path]]
     check: Callable[[Sequence[Path], Steps], None]
     system: str | tuple[str, ...] = ""
+    foreign: str | None = None
 
 
 # --- The installer for Windows -----------------------------------------------------------------
@@ -802,7 +804,7 @@ TARGETS = {
     "wheel": Target(build_wheel, check_wheel),
     "frozen": Target(build_frozen, check_frozen),
     "deb": Target(build_deb, check_deb, "linux"),
-    "windows": Target(build_windows, check_windows, ("linux", "win32")),
+    "windows": Target(build_windows, check_windows, ("linux", "win32"), foreign="linux"),
 }
 
 BUILT: dict[str, list[Path]] = {}
@@ -825,11 +827,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if unknown := set(options.targets) - TARGETS.keys():
         parser.error(f"no such package: {', '.join(sorted(unknown))}")
     here = [name for name, target in TARGETS.items() if sys.platform.startswith(target.system)]
+    wanted = options.targets or [name for name in here if TARGETS[name].foreign != sys.platform]
     DIST.mkdir(exist_ok=True)
     steps = Steps()
     try:
         for name in here:
-            if name in (options.targets or here):
+            if name in wanted:
                 BUILT[name] = TARGETS[name].build()
         write_checksums()
         for file in [file for files in BUILT.values() for file in files]:
