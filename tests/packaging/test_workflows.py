@@ -13,6 +13,8 @@ from PySide6.QtWidgets import QApplication
 from ruamel.yaml import YAML
 
 ROOT = Path(__file__).resolve().parents[2]
+
+pytestmark = pytest.mark.usefixtures("qapp")  # what draws icons would make another application
 PACKAGING = ROOT / "packaging"
 WORKFLOWS = sorted((ROOT / ".github" / "workflows").glob("*.yml"))
 MANIFEST = PACKAGING / "flatpak" / "local.trexstudio.TReXStudio.yml"
