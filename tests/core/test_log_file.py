@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 
 from trex_gui.core import log_file as module
-from trex_gui.core.files import data_folder
-from trex_gui.core.log_file import ProgramLog, log_file, log_files, log_folder
+from trex_gui.core.files import data_folder, log_folder
+from trex_gui.core.log_file import ProgramLog, log_file, log_files
 
 log = logging.getLogger("trex_gui.tests")
 

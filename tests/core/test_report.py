@@ -7,8 +7,8 @@ import pytest
 
 from trex_gui.core import report
 from trex_gui.core.errors import StudioError
-from trex_gui.core.files import SettingsError
-from trex_gui.core.log_file import log_files, log_folder
+from trex_gui.core.files import SettingsError, log_folder
+from trex_gui.core.log_file import log_files
 from trex_gui.core.report import Mask, ReportFile, make_report, save_report
 
 MASK = Mask("/home/mary", "mary", "Rover-Lab.example.org", ("A9007L6T", "0001", "7"))

@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from trex_gui.core.log_file import log_folder
+from trex_gui.core.files import log_folder
 from trex_gui.core.run_file import RunFile, crash_file
 
 pytestmark = pytest.mark.realtime

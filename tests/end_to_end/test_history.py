@@ -2,7 +2,6 @@
 
 from datetime import timedelta
 
-import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox
 
@@ -14,9 +13,11 @@ from tests.support.window import WindowDriver
 from trex_gui.ui.devices.connection import ConnectionState
 
 
-@pytest.fixture
-def dialog(connected_window: WindowDriver) -> HistoryDialog:
-    return HistoryDialog(connected_window)
+def open_history(window: WindowDriver) -> HistoryDialog:
+    window.trigger("history")  # which makes the dialog at first
+    dialog = HistoryDialog(window)
+    dialog.open()
+    return dialog
 
 
 def apply(window: WindowDriver, **values: int) -> None:
@@ -32,13 +33,13 @@ def pending(window: WindowDriver) -> dict[str, int]:
 
 
 def test_snapshots_are_restored_partly_and_completely(
-    connected_window: WindowDriver, dialog: HistoryDialog, quick_simulator: SimulatedDevice
+    connected_window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
     window = connected_window
     before = quick_simulator.show()["parameters"]
     apply(window, serial_timeout=5, motor1_acceleration=9)
     apply(window, serial_timeout=7, motor2_acceleration=8)
-    dialog.open()
+    dialog = open_history(window)
     assert dialog.count() == 2
     dialog.select_snapshot(1)
     dialog.wait(lambda: len(dialog.values()) == 3)
@@ -71,12 +72,10 @@ def test_snapshots_are_restored_partly_and_completely(
     assert quick_simulator.show()["parameters"] == before
 
 
-def test_edits_count_as_current_settings(
-    connected_window: WindowDriver, dialog: HistoryDialog
-) -> None:
+def test_edits_count_as_current_settings(connected_window: WindowDriver) -> None:
     window, edit = connected_window, connected_window.device.parameters.edit
     apply(window, serial_timeout=5)
-    dialog.open()
+    dialog = open_history(window)
     assert dialog.values() == {"serial_timeout": ("0.5 s", "off")}
     edit("serial_timeout", 9)
     dialog.wait(lambda: dialog.values() == {"serial_timeout": ("0.9 s", "off")})
@@ -100,10 +99,10 @@ def test_edits_count_as_current_settings(
 def test_snapshot_of_another_board_shows_a_note(
     window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
-    dialog, history = HistoryDialog(window), window.device.history
+    history = window.device.history
     take(history, timedelta(hours=1), device_number=9)
     take(history, model="trexjr")
-    dialog.open()
+    dialog = open_history(window)
     assert "No board is connected" in dialog.text("restoreNote")
 
     window.connect(quick_simulator.url)
@@ -124,12 +123,12 @@ def test_snapshot_of_another_board_shows_a_note(
 
 
 def test_history_dialog_follows_connection_state(
-    connected_window: WindowDriver, dialog: HistoryDialog, quick_simulator: SimulatedDevice
+    connected_window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
     window, device = connected_window, connected_window.device
     apply(window, serial_timeout=5)
     apply(window, serial_timeout=7)
-    dialog.open()
+    dialog = open_history(window)
     combo = dialog.find(QComboBox, "compareWithCombo")
     assert combo.currentText().startswith("the board")
 

@@ -15,7 +15,8 @@ from tests.support.causes import watched
 from tests.support.pages.motors import is_stopped
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
-from trex_gui.core.log_file import ProgramLog, log_file, log_folder
+from trex_gui.core.files import log_folder
+from trex_gui.core.log_file import ProgramLog, log_file
 from trex_gui.devices.trex.session.session import TrexSession
 
 ROOT = Path(__file__).parents[2]

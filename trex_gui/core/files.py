@@ -29,6 +29,11 @@ def data_folder() -> Path:
     return Path(given or platformdirs.user_data_dir("TReX Studio", appauthor=False)).absolute()
 
 
+def log_folder() -> Path:
+    """Return the folder of the log file and of what is known of the last run."""
+    return data_folder() / "log"
+
+
 class Severity(StrEnum):
     """Whether a file with this finding can be used."""
 

@@ -12,7 +12,7 @@ from io import TextIOWrapper
 from logging.handlers import QueueHandler, QueueListener, RotatingFileHandler
 from pathlib import Path
 
-from trex_gui.core.files import check_ordinary, data_folder
+from trex_gui.core.files import check_ordinary, log_folder
 
 _LARGEST = 512 * 1024  # bytes of one file
 _OLDER = 3  # files that are kept beside the newest
@@ -21,10 +21,6 @@ _MOST_WAITING = 10_000  # entries that a slow disk has not taken yet
 _REPEATED_S = 60.0
 """Seconds in which the same entry again is only counted: an error in what runs thirty times a
 second would push everything else out."""
-
-
-def log_folder() -> Path:
-    return data_folder() / "log"
 
 
 def log_file() -> Path:

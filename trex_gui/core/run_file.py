@@ -9,8 +9,7 @@ from pathlib import Path
 from typing import TextIO
 
 from trex_gui import __version__
-from trex_gui.core.files import open_ordinary
-from trex_gui.core.log_file import log_folder
+from trex_gui.core.files import log_folder, open_ordinary
 
 if sys.platform != "win32":
     import fcntl

@@ -27,7 +27,7 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui import __version__
-from trex_gui.core.log_file import log_folder
+from trex_gui.core.files import log_folder
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Port, Ports

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from functools import partial
+from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QUrl, Signal, Slot
@@ -13,7 +13,6 @@ from shiboken6 import Shiboken
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.client.writing import WriteResult
-from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.devices.trex.model.boards import BoardList
 from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.drive_status import SafeStartWatch
@@ -24,12 +23,10 @@ from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.comparison import ComparisonRow
 from trex_gui.devices.trex.views.action_bar import ActionBar
-from trex_gui.devices.trex.views.bench.dialog import BenchDialog
 from trex_gui.devices.trex.views.boards import BoardPanel
 from trex_gui.devices.trex.views.close_prompt import ClosePrompt
 from trex_gui.devices.trex.views.demo_panel import DemoPanel
 from trex_gui.devices.trex.views.help import GUIDE, TOPICS, message_help
-from trex_gui.devices.trex.views.history_dialog import HistoryDialog
 from trex_gui.devices.trex.views.learning.dialog import LearnDialog
 from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
 from trex_gui.devices.trex.views.pages.channels import ChannelsPage
@@ -61,7 +58,9 @@ from trex_gui.ui.widgets.messages import PromptAnswer
 
 if TYPE_CHECKING:
     from trex_gui.devices.trex.views.apply_to_boards_dialog import ApplyToBoardsDialog
+    from trex_gui.devices.trex.views.bench.dialog import BenchDialog
     from trex_gui.devices.trex.views.check_board import CheckBoardDialog
+    from trex_gui.devices.trex.views.history_dialog import HistoryDialog
     from trex_gui.devices.trex.views.pages.currents_panel import PlotWindow
     from trex_gui.devices.trex.views.setup.dialog import SetupDialog
 
@@ -123,17 +122,11 @@ class TrexWorkspace(Workspace):
         self._close_prompt = ClosePrompt(device, files, self._review, frame)
         self._defaults = DefaultsDialog(device, boards, frame)
         self._power = PowerCycleDialog(device, frame)
-        self._history = HistoryDialog(device, frame)
         learning = Learning(device, self)
         self._learning = learning
         self._learn = LearnDialog(learning, frame)
-        # Made when they are first opened:
-        self._setup: SetupDialog | None = None
-        self._to_boards: ApplyToBoardsDialog | None = None
-        self._check: CheckBoardDialog | None = None
         self._plot: PlotWindow | None = None
         learning.begun.connect(controller.demo_board.centre_sticks)
-        self._bench = BenchDialog(device, Bench(device, self), frame)
 
         frame.seen_changed.connect(device.set_seen)
         self.files.staged.connect(lambda: self.show_page("parameters"))
@@ -142,13 +135,7 @@ class TrexWorkspace(Workspace):
         files.used.connect(partial(frame.recent.note, self.key, "settings"))
         self.recordings.used.connect(partial(frame.recent.note, self.key, "recording"))
         self.recordings.settings_wanted.connect(self.files.open_editor)
-        for reviewed in (
-            bar.apply_requested,
-            self._bench.apply_requested,
-            self._defaults.staged,
-            self._history.restore_requested,
-            learning.edited,
-        ):
+        for reviewed in (bar.apply_requested, self._defaults.staged, learning.edited):
             reviewed.connect(self._review.review)
         learning.stored.connect(self._review.close_if_verified)  # the test of the sticks follows
         self._defaults.reset_requested.connect(device.reset_to_factory)
@@ -270,37 +257,68 @@ class TrexWorkspace(Workspace):
         found = self.findChild(TrafficComparison) or TrafficComparison(self.notifier, self)
         found.ask_and_compare()
 
-    def _set_up(self) -> None:
-        if self._setup is None:
-            from trex_gui.devices.trex.views.setup.dialog import SetupDialog  # noqa: PLC0415
+    # --- Dialogs that are made, and imported, when they are first opened -------------------
 
-            self._setup = SetupDialog(self._device, self._learning, self._frame)
-            self._setup.learn_requested.connect(self._learn.learn)
-            self._setup.apply_requested.connect(self._review.review)
+    @cached_property
+    def _bench(self) -> "BenchDialog":
+        from trex_gui.devices.trex.model.bench import Bench  # noqa: PLC0415
+        from trex_gui.devices.trex.views.bench.dialog import BenchDialog  # noqa: PLC0415
+
+        dialog = BenchDialog(self._device, Bench(self._device, self), self._frame)
+        dialog.apply_requested.connect(self._review.review)
+        return dialog
+
+    def _open_bench(self) -> None:
+        self._bench.show_in_front()
+
+    @cached_property
+    def _history(self) -> "HistoryDialog":
+        from trex_gui.devices.trex.views.history_dialog import HistoryDialog  # noqa: PLC0415
+
+        dialog = HistoryDialog(self._device, self._frame)
+        dialog.restore_requested.connect(self._review.review)
+        return dialog
+
+    def _open_history(self) -> None:
+        self._history.open_history()
+
+    @cached_property
+    def _setup(self) -> "SetupDialog":
+        from trex_gui.devices.trex.views.setup.dialog import SetupDialog  # noqa: PLC0415
+
+        dialog = SetupDialog(self._device, self._learning, self._frame)
+        dialog.learn_requested.connect(self._learn.learn)
+        dialog.apply_requested.connect(self._review.review)
+        return dialog
+
+    def _set_up(self) -> None:
         self._setup.open_setup()
+
+    @cached_property
+    def _to_boards(self) -> "ApplyToBoardsDialog":
+        from trex_gui.devices.trex.views.apply_to_boards_dialog import (  # noqa: PLC0415
+            ApplyToBoardsDialog,
+        )
+
+        return ApplyToBoardsDialog(self._boards, self._device, self._frame)
 
     @Slot()
     def _apply_to_boards(self) -> None:
         self.files.ask_for_document(self._show_changes_of_boards)
 
     def _show_changes_of_boards(self, document: SettingsDocument) -> None:
-        if self._to_boards is None:
-            from trex_gui.devices.trex.views.apply_to_boards_dialog import (  # noqa: PLC0415
-                ApplyToBoardsDialog,
-            )
-
-            self._to_boards = ApplyToBoardsDialog(self._boards, self._device, self._frame)
         self._to_boards.open_file(document)
 
-    def _check_board(self) -> None:
-        if self._check is None:
-            from trex_gui.devices.trex.views.check_board import (  # noqa: PLC0415
-                CheckBoardDialog,
-            )
+    @cached_property
+    def _check(self) -> "CheckBoardDialog":
+        from trex_gui.devices.trex.views.check_board import CheckBoardDialog  # noqa: PLC0415
 
-            self._check = CheckBoardDialog(self._device, self._wiring, self._frame)
-            self._check.find_requested.connect(self._frame.find_now)
-            self._check.connect_requested.connect(self._frame.connect_with)
+        dialog = CheckBoardDialog(self._device, self._wiring, self._frame)
+        dialog.find_requested.connect(self._frame.find_now)
+        dialog.connect_requested.connect(self._frame.connect_with)
+        return dialog
+
+    def _check_board(self) -> None:
         self._check.open_dialog()
 
     @Slot(object)
@@ -322,7 +340,7 @@ class TrexWorkspace(Workspace):
                 Entry("print", tr("Prin&t settings…"), files.preview, keys.Print, "print"),
                 Entry("export", tr("&Export as code…"), files.ask_and_export, "", "console"),
                 SEPARATOR,
-                Entry("history", tr("&History…"), self._history.open_history, "Ctrl+H", "history"),
+                Entry("history", tr("&History…"), self._open_history, "Ctrl+H", "history"),
                 SEPARATOR,
                 Entry("record", tr("&Record…"), self.recordings.toggle, "Ctrl+Shift+R", "record"),
                 Entry(
@@ -378,7 +396,7 @@ class TrexWorkspace(Workspace):
                 Entry("setup", tr("Set &up my robot…"), self._set_up, "", "settings"),
                 Entry("learn", tr("Lear&n channels…"), self._learn.learn, "", "calibrate"),
                 Entry("test_sticks", tr("&Test the sticks…"), self._learn.test),
-                Entry("bench", tr("&Bench test…"), self._bench.show_in_front, "Ctrl+B", "plot"),
+                Entry("bench", tr("&Bench test…"), self._open_bench, "Ctrl+B", "plot"),
                 SEPARATOR,
                 Entry("defaults", tr("Restore factor&y defaults…"), factory),
                 Entry("serial_defaults", tr("Restore ser&ial defaults…"), serial),
@@ -583,12 +601,10 @@ class TrexWorkspace(Workspace):
         QObject.disconnect(self._undo_watch)  # the stack emits at its own end, too
         if not self._close_prompt.keeps_edits:
             self._device.edit_backup.discard()
-        self._history.close()
         self._learn.close()
-        for dialog in (self._setup, self._to_boards, self._check):
-            if dialog is not None:
-                dialog.close()
-        self._bench.close()
+        for name in ("_history", "_setup", "_to_boards", "_check", "_bench"):
+            if name in vars(self):  # it was opened
+                getattr(self, name).close()
         if self._plot is not None and Shiboken.isValid(self._plot):
             self._plot.close()
         self._demo.leave()
