@@ -37,9 +37,12 @@ def tour_steps(tour: Tour, controller: TrexController) -> Iterator[Do]:
         yield push
         yield from tour.wait(_HOLD_S)
 
-    def motors_are_stopped() -> bool:
-        """Return whether they are; on a busy computer that may take more than one try."""
-        return tour.is_visible("learnRestPage") or (tour.press("learnAgainButton") and False)
+    def is_reached(page: str) -> bool:
+        """Return whether it is shown: the motors have to stop first.
+
+        On a busy computer that may take more than one try.
+        """
+        return tour.is_visible(page) or (tour.press("learnAgainButton") and False)
 
     yield drive
     yield from tour.wait()
@@ -47,7 +50,7 @@ def tour_steps(tour: Tour, controller: TrexController) -> Iterator[Do]:
     yield partial(sticks.set_automatic, False)
     yield sticks.centre_sticks
     yield partial(tour.choose, "learnAction")
-    yield motors_are_stopped
+    yield partial(is_reached, "learnRestPage")
     yield from tour.look_at("learnDialog", "learn-rest")
     yield partial(tour.press, "learnNextButton")
     yield partial(tour.is_visible, "learnTravelPage")
@@ -60,7 +63,7 @@ def tour_steps(tour: Tour, controller: TrexController) -> Iterator[Do]:
     yield from tour.look_at("learnDialog", "learn-review")
     yield partial(tour.press, "learnCancelButton")
     yield partial(tour.choose, "test_sticksAction")
-    yield partial(tour.is_visible, "learnTestPage")
+    yield partial(is_reached, "learnTestPage")
     yield from hold(1850)
     yield from tour.look_at("learnDialog", "learn-test")
     yield partial(tour.press, "learnCancelButton")
