@@ -17,10 +17,9 @@ import shutil
 import subprocess
 import sys
 import tarfile
-import tempfile
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from dataclasses import dataclass
 from email.utils import formatdate
 from importlib.metadata import Distribution, PackageNotFoundError, distribution
@@ -28,6 +27,7 @@ from itertools import product
 from pathlib import Path
 
 from bootstrap import CONSTRAINTS, ROOT, BootstrapError, find_debian, say
+from checks import PATIENCE_S, Steps, require, require_gone, wait_until
 from windows.package import check_installer, freeze_in_wine, make_installer
 from windows.wine import PROGRAMS as WINE_PROGRAMS
 from windows.wine import Windows, Wine
@@ -44,8 +44,6 @@ SYSTEM_PATH = "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin"
 
 Command = Sequence[str | Path]
 
-PATIENCE_S = 120.0
-"""Seconds for what takes some on a fast computer."""
 TOUR_S = 600.0
 """Seconds for the pictures of every page, which take a minute or two."""
 
@@ -138,7 +136,7 @@ def pythons() -> list[Path]:
     return [found[key] for key in sorted(found, key=lambda key: int(key.partition(".")[2]))]
 
 
-def check_wheel(files: Sequence[Path], steps: "Steps") -> None:
+def check_wheel(files: Sequence[Path], steps: Steps) -> None:
     """Install each file with pip into an environment far from the source, for every Python."""
     for file, python in product(files, pythons()):
         kind = "wheel" if file.suffix == ".whl" else "sdist"
@@ -287,7 +285,7 @@ def pack(folder: Path, file: Path) -> None:
         archive.add(folder, f"{folder.name}-{version()}", filter=plain)
 
 
-def check_frozen(files: Sequence[Path], steps: "Steps") -> None:
+def check_frozen(files: Sequence[Path], steps: Steps) -> None:
     """Unpack the archive elsewhere and use it there."""
     for file in files:
         with steps.place("frozen") as folder:
@@ -470,7 +468,7 @@ exec chroot "$0" "$@"
 """Run a command in the root $0. The mounts end with it: they are in a name space of their own."""
 
 
-def check_deb(files: Sequence[Path], steps: "Steps") -> None:
+def check_deb(files: Sequence[Path], steps: Steps) -> None:
     """Validate the package; install, use and remove it in a bare Debian."""
     require_programs(
         {
@@ -574,65 +572,6 @@ class Installed:
                 yield process
             finally:
                 process.kill()
-
-
-class StepFailedError(Exception):
-    """The steps that follow cannot be done."""
-
-
-class Steps:
-    """Runs the steps of a check and says how each has ended."""
-
-    def __init__(self) -> None:
-        self.failed: list[str] = []
-        self._place = ""
-
-    @contextmanager
-    def place(self, name: str) -> Iterator[Path]:
-        """Give a new folder to install into; a required step that fails ends the block."""
-        self._place = name
-        say(f"\n{name}")
-        temporary = tempfile.TemporaryDirectory(prefix="trex-package-")
-        with temporary as folder, suppress(StepFailedError):
-            yield Path(folder)
-
-    @contextmanager
-    def step(self, name: str) -> Iterator[None]:
-        """Report how the block ends; after an error the next step follows."""
-        started = time.monotonic()
-        try:
-            yield
-        except (BootstrapError, OSError) as error:
-            self.failed.append(f"{self._place}: {name}")
-            say(f"  FAILED  {name}\n{error}")
-        else:
-            say(f"  ok      {name} ({time.monotonic() - started:.0f} s)")
-
-    @contextmanager
-    def required(self, name: str) -> Iterator[None]:
-        """Report how the block ends; after an error the other steps are left out."""
-        failures = len(self.failed)
-        with self.step(name):
-            yield
-        if len(self.failed) > failures:
-            raise StepFailedError
-
-
-def require(fact: object, text: str) -> None:
-    if not fact:
-        raise BootstrapError(text)
-
-
-def require_gone(paths: Iterable[Path]) -> None:
-    left = [str(path) for path in paths if path.exists() or path.is_symlink()]
-    require(not left, f"left behind: {', '.join(left)}")
-
-
-def wait_until(fact: Callable[[], object], text: str, seconds: float = PATIENCE_S) -> None:
-    end = time.monotonic() + seconds
-    while not fact():
-        require(time.monotonic() < end, f"{text} within {seconds:.0f} s")
-        time.sleep(0.1)
 
 
 class SimulatedBoard:
@@ -793,7 +732,7 @@ def build_windows() -> list[Path]:
     return [file]
 
 
-def check_windows(files: Sequence[Path], steps: "Steps") -> None:
+def check_windows(files: Sequence[Path], steps: Steps) -> None:
     """Install, use and remove it: on Windows here, and elsewhere under Wine."""
     windows = Windows() if sys.platform == "win32" else Wine(WINE_PREFIX)
     for file in files:

@@ -4,17 +4,13 @@ import json
 import shutil
 import subprocess
 import sys
-import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, nullcontext, suppress
+from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from bootstrap import CONSTRAINTS, ROOT, BootstrapError
+from checks import Steps, require, require_gone, wait_until
 from windows.wine import Windows, WindowsError, Wine
-
-if TYPE_CHECKING:
-    from packages import Steps
 
 HERE = Path(__file__).resolve().parent
 ICONS = HERE.parent / "icons.py"
@@ -36,7 +32,6 @@ packages.freeze()
 """
 FREEZE_S = 1800.0
 TOUR_S = 1800.0
-UNINSTALL_S = 60.0
 
 
 def freeze_in_wine(wine: Wine, wheel: Path, folder: Path, when: int) -> Path:
@@ -88,11 +83,10 @@ class Installation:
     def uninstall(self) -> None:
         """Remove the programs; what NSIS starts goes on for a moment."""
         self.windows.run([self.folder / "uninstall.exe", "/S"])
-        end = time.monotonic() + UNINSTALL_S
-        while self.menu_entry.exists() or self.is_registered:
-            if time.monotonic() > end:
-                raise BootstrapError(f"The uninstaller has not ended within {UNINSTALL_S:.0f} s.")
-            time.sleep(0.2)
+        wait_until(
+            lambda: not (self.menu_entry.exists() or self.is_registered),
+            "the uninstaller does not end",
+        )
 
     @property
     def is_registered(self) -> bool:
@@ -104,16 +98,29 @@ class Installation:
 
     def require_installed(self, version: str) -> None:
         for path in (*map(self.folder.__truediv__, PROGRAMS), self.menu_entry):
-            if not path.exists():
-                raise BootstrapError(f"{path} was not installed.")
+            require(path.exists(), f"{path} was not installed")
         listing = self.windows.run(["reg", "query", self.key, "/reg:64"])
-        if version not in listing:
-            raise BootstrapError(f"The registry lists no version {version}:\n{listing}")
+        require(version in listing, f"the registry lists no version {version}:\n{listing}")
 
     def require_removed(self) -> None:
-        left = [path for path in (self.folder, self.menu_entry) if path.exists()]
-        if left or self.is_registered:
-            raise BootstrapError(f"left behind: {left}, in the registry: {self.is_registered}")
+        require_gone([self.folder, self.menu_entry])
+        require(not self.is_registered, "left behind in the registry")
+
+    def show_board_in_window(self, port: str) -> None:
+        """Start the window with a port, and kill it as soon as its log says what is there."""
+        log_before = self._log()
+        with self.windows.start([self.folder / "trex-gui.exe", "--port", port]) as window:
+            try:
+                wait_until(
+                    lambda: "Connected to TReX" in self._log().removeprefix(log_before),
+                    "the window does not connect",
+                )
+            finally:
+                window.kill()
+
+    def _log(self) -> str:
+        files = self.windows.drive.glob("users/*/AppData/Local/TReX Studio/log/trex-gui.log")
+        return "".join(file.read_text(encoding="utf-8") for file in files)
 
     def run(self, program: str, *arguments: str, port: str = "", timeout: float = 120) -> str:
         return self.windows.run([self.folder / program, *arguments], {"TREX_PORT": port}, timeout)
@@ -140,14 +147,10 @@ class Installation:
                 process.terminate()
 
 
-def check_installer(installer: Path, version: str, windows: Windows, steps: "Steps") -> None:
+def check_installer(installer: Path, version: str, windows: Windows, steps: Steps) -> None:
     """Install, use and remove the program."""
     installed = Installation(windows)
     pictures = windows.drive / "pictures"
-
-    def require(fact: object, text: str) -> None:
-        if not fact:
-            raise BootstrapError(text)
 
     with steps.place("windows"):
         with steps.required("install"):
@@ -176,11 +179,11 @@ def check_installer(installer: Path, version: str, windows: Windows, steps: "Ste
             require(is_at_rest(), "motor 1 was not stopped")
         with steps.step("demonstration in the window"):
             shutil.rmtree(pictures, ignore_errors=True)
-            # Under Wine its later parts, dialogs and the Aracna, may not come in time.
-            with suppress(WindowsError) if isinstance(windows, Wine) else nullcontext():
-                installed.run("trex-gui.exe", "--tour", r"C:\pictures", timeout=TOUR_S)
+            installed.run("trex-gui.exe", "--tour", r"C:\pictures", timeout=TOUR_S)
             names = {path.name for path in pictures.glob("*.png")}
-            require({"status-light.png", "transcript-dark.png"} <= names, f"only {sorted(names)}")
+            require({"motors-light.png", "aracnaRobot-dark.png"} <= names, f"only {sorted(names)}")
+        with steps.step("connect over TCP in the window"), installed.simulator() as (port, _):
+            installed.show_board_in_window(port)
         with steps.step("remove"):
             installed.uninstall()
             installed.require_removed()
