@@ -83,6 +83,23 @@ def test_tour_writes_every_page_and_the_wizard(
     )
 
 
+def test_tour_ends_after_an_internal_error(
+    program: Program, qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(device: str) -> None:
+        raise RuntimeError(device)
+
+    monkeypatch.setattr(program, "connect_to_demo", fail)
+    tour = Tour(program, tmp_path)
+    with (
+        qtbot.captureExceptions() as errors,
+        qtbot.waitSignal(tour.finished, timeout=60_000) as finished,
+    ):
+        tour.start()
+    assert finished.args == [False]
+    assert [kind for kind, *_ in errors] == [RuntimeError]
+
+
 def tour_pages() -> list[str]:
     pages = ["status", "channels", "calibration", "motors", "currents", "parameters"]
     pages += [f"learn-{step}" for step in ("rest", "travel", "review", "test")]

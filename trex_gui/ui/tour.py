@@ -79,17 +79,22 @@ class Tour(QObject):
         self._step()
 
     def _step(self) -> None:
-        step, begun = self._waiting or (next(self._steps, None), now())
-        self._waiting = None
-        is_done = step is None or step() is not False
+        try:
+            step, begun = self._waiting or (next(self._steps, None), now())
+            is_done = step is None or step() is not False
+        except Exception:
+            self._finish(has_all=False)
+            raise
         if step is None or (not is_done and now() > begun + _TIMEOUT_MS / 1000):
-            self._has_all = is_done
-            self._program.device_manager.press_stop()
-            self._end.start()
+            self._finish(has_all=is_done)
             return
-        if not is_done:
-            self._waiting = step, begun
+        self._waiting = None if is_done else (step, begun)
         self._timer.start()
+
+    def _finish(self, *, has_all: bool) -> None:
+        self._has_all = has_all
+        self._program.device_manager.press_stop()
+        self._end.start()
 
     def _make_steps(self) -> Iterator[Do]:
         manager = self._program.device_manager
