@@ -10,6 +10,8 @@ from bootstrap import BootstrapError, say
 
 PATIENCE_S = 120.0
 """Seconds for what takes some on a fast computer."""
+TOUR_S = 600.0
+"""Seconds for the pictures of every page, which take a minute or two."""
 
 
 class StepFailedError(Exception):

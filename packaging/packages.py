@@ -27,7 +27,7 @@ from itertools import product
 from pathlib import Path
 
 from bootstrap import CONSTRAINTS, ROOT, BootstrapError, find_debian, say
-from checks import PATIENCE_S, Steps, require, require_gone, wait_until
+from checks import PATIENCE_S, TOUR_S, Steps, require, require_gone, wait_until
 from windows.package import check_installer, freeze_in_wine, make_installer
 from windows.wine import PROGRAMS as WINE_PROGRAMS
 from windows.wine import Windows, Wine
@@ -43,9 +43,6 @@ METADATA = "local.trexstudio.TReXStudio.metainfo.xml"
 SYSTEM_PATH = "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin"
 
 Command = Sequence[str | Path]
-
-TOUR_S = 600.0
-"""Seconds for the pictures of every page, which take a minute or two."""
 
 
 def version() -> str:

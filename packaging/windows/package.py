@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from bootstrap import CONSTRAINTS, ROOT, BootstrapError
-from checks import Steps, require, require_gone, wait_until
+from checks import TOUR_S, Steps, require, require_gone, wait_until
 from windows.wine import Windows, WindowsError, Wine
 
 HERE = Path(__file__).resolve().parent
@@ -31,7 +31,6 @@ packages.FROZEN = packages.BUILD / "frozen" / "trex-studio"
 packages.freeze()
 """
 FREEZE_S = 1800.0
-TOUR_S = 1800.0
 
 
 def freeze_in_wine(wine: Wine, wheel: Path, folder: Path, when: int) -> Path:

@@ -118,6 +118,8 @@ class Wine(Windows):
             "WINEDEBUG": "-all",
             "WINEDLLOVERRIDES": "winemenubuilder.exe=d;mscoree=d;mshtml=d",
             "WINEPREFIX": str(self.prefix),
+            # Wine keeps `QT_` for programs of Linux, and gives Windows programs what has its name.
+            "WINEQT_QPA_PLATFORM": "offscreen",  # its own windows cannot be closed without a screen
             **(more or {}),
         }
 
