@@ -168,6 +168,8 @@ def freeze() -> None:
     run([sys.executable, "-m", "pip", "install", "-q", *constraints, "pyinstaller"])
     if sys.platform == "linux":
         require_programs({"objdump": "binutils"})
+        if (debian := find_debian()) and sys.base_prefix == "/usr":
+            debian.supply([f"libpython3.{sys.version_info.minor}"])  # not in the package of Python
     spec = HERE / "frozen" / "trex-studio.spec"
     folders: Command = ["--distpath", FROZEN.parent, "--workpath", BUILD / "work"]
     # Seed and time make the result the same each time.
