@@ -1,5 +1,6 @@
 """Steps of a check, and what each of them requires."""
 
+import subprocess
 import tempfile
 import time
 from collections.abc import Callable, Iterable, Iterator
@@ -31,20 +32,24 @@ class Steps:
         self._place = name
         say(f"\n{name}")
         temporary = tempfile.TemporaryDirectory(prefix="trex-package-")
-        with temporary as folder, suppress(StepFailedError):
-            yield Path(folder)
+        try:
+            with temporary as folder, suppress(StepFailedError):
+                yield Path(folder)
+        finally:
+            self._place = ""
 
     @contextmanager
     def step(self, name: str) -> Iterator[None]:
         """Report how the block ends; after an error the next step follows."""
-        started = time.monotonic()
+        started, failures = time.monotonic(), len(self.failed)
         try:
             yield
-        except (BootstrapError, OSError) as error:
-            self.failed.append(f"{self._place}: {name}")
+        except (BootstrapError, OSError, subprocess.SubprocessError) as error:
+            self.failed.append(f"{self._place}: {name}" if self._place else name)
             say(f"  FAILED  {name}\n{error}")
         else:
-            say(f"  ok      {name} ({time.monotonic() - started:.0f} s)")
+            if len(self.failed) == failures:  # of the steps within this one, too
+                say(f"  ok      {name} ({time.monotonic() - started:.0f} s)")
 
     @contextmanager
     def required(self, name: str) -> Iterator[None]:

@@ -1,6 +1,6 @@
 """Make what users install, in `dist/`, and try it as a user would.
 
-    python3 packaging/bootstrap.py package [--check] [wheel|frozen|deb ...]
+    python3 packaging/bootstrap.py package [--check] [wheel|frozen|deb|windows ...]
 
 A kind of package is a row of `TARGETS`.
 """
@@ -22,6 +22,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from email.utils import formatdate
+from functools import cache
 from importlib.metadata import Distribution, PackageNotFoundError, distribution
 from itertools import product
 from pathlib import Path
@@ -109,6 +110,7 @@ def require_programs(packages: Mapping[str, str]) -> None:
 # --- Wheel and sdist ---------------------------------------------------------------------------
 
 
+@cache
 def build_wheel() -> list[Path]:
     """Make the wheel and the sdist."""
     run([sys.executable, "-m", "hatchling", "build", "--directory", DIST])
@@ -118,10 +120,10 @@ def build_wheel() -> list[Path]:
     ]
 
 
-def pythons() -> list[Path]:
-    """Return one interpreter of each version that the program runs on, as far as they are here."""
+def pythons() -> dict[str, Path]:
+    """Return this interpreter, and one of each other version from 3.11 on that is here."""
     pyenv = Path(os.environ.get("PYENV_ROOT") or Path.home() / ".pyenv")
-    found: dict[str, Path] = {}
+    found = {f"3.{sys.version_info.minor}": Path(sys.executable)}
     folders = [*map(Path, os.get_exec_path()), *sorted(pyenv.glob("versions/*/bin"))]
     for path in (path for folder in folders for path in sorted(folder.glob("python3.*"))):
         name = re.fullmatch(r"python(3\.(\d+))", path.name)
@@ -130,14 +132,14 @@ def pythons() -> list[Path]:
             answer = subprocess.run(ask, capture_output=True, text=True, check=False)
             if answer.returncode == 0:  # not a shim of pyenv for a version that is off
                 found[name[1]] = Path(answer.stdout.strip())
-    return [found[key] for key in sorted(found, key=lambda key: int(key.partition(".")[2]))]
+    return found
 
 
 def check_wheel(files: Sequence[Path], steps: Steps) -> None:
     """Install each file with pip into an environment far from the source, for every Python."""
-    for file, python in product(files, pythons()):
+    for file, (number, python) in product(files, pythons().items()):
         kind = "wheel" if file.suffix == ".whl" else "sdist"
-        with steps.place(f"{kind}, {python.name}") as folder:
+        with steps.place(f"{kind}, Python {number}") as folder:
             environment = folder / "venv"
             installed = Installed(environment / "bin", folder)
             pip: Command = [environment / "bin/pip", "--disable-pip-version-check", "-q"]
@@ -162,7 +164,8 @@ def build_frozen() -> list[Path]:
     return [file]
 
 
-def freeze() -> None:
+@cache
+def freeze(folder: Path = FROZEN) -> None:
     """Make the folder with PyInstaller, and add the licences."""
     constraints: Command = ["--constraint", CONSTRAINTS]
     run([sys.executable, "-m", "pip", "install", "-q", *constraints, "pyinstaller"])
@@ -171,16 +174,16 @@ def freeze() -> None:
         if (debian := find_debian()) and sys.base_prefix == "/usr":
             debian.supply([f"libpython3.{sys.version_info.minor}"])  # not in the package of Python
     spec = HERE / "frozen" / "trex-studio.spec"
-    folders: Command = ["--distpath", FROZEN.parent, "--workpath", BUILD / "work"]
+    folders: Command = ["--distpath", folder.parent, "--workpath", folder.parent.parent / "work"]
     # Seed and time make the result the same each time.
     fixed = {"PYTHONHASHSEED": "1", "SOURCE_DATE_EPOCH": str(release_time())}
     say("Freezing the program; this takes half a minute.")
     pyinstaller: Command = [sys.executable, "-m", "PyInstaller", "--noconfirm", "--log-level=WARN"]
     run([*pyinstaller, *folders, spec], {**os.environ, **fixed})
     if sys.platform == "linux":
-        remove_debug_symbols(FROZEN / "_internal")
-    copy_licences(FROZEN)
-    size = sum(path.lstat().st_size for path in FROZEN.rglob("*"))
+        remove_debug_symbols(folder / "_internal")
+    copy_licences(folder)
+    size = sum(path.lstat().st_size for path in folder.rglob("*"))
     say(f"The folder has {size / 1e6:.0f} MB.")
 
 
@@ -430,8 +433,7 @@ def lay_out(tree: Path) -> None:
 def build_deb() -> list[Path]:
     """Make the Debian package from the frozen folder, without the libraries that Debian has."""
     require_programs({"dpkg-deb": "dpkg", "objdump": "binutils"})
-    if "frozen" not in BUILT:
-        freeze()
+    freeze()
     tree = BUILD / "deb"
     shutil.rmtree(tree, ignore_errors=True)
     lay_out(tree)
@@ -506,6 +508,31 @@ def check_deb(files: Sequence[Path], steps: Steps) -> None:
                 run([*apt, "purge", "trex-studio"], environment)
                 require_gone(installed.programs)
                 require_gone([root / "usr/lib/trex-studio", root / desktop_file.relative_to(tree)])
+
+
+# --- The installer for Windows -----------------------------------------------------------------
+
+
+def build_windows() -> list[Path]:
+    """Make the installer: frozen here on Windows, and in Wine elsewhere."""
+    frozen = FROZEN
+    if sys.platform == "win32":
+        freeze()
+    else:
+        require_programs(WINE_PROGRAMS)
+        frozen = BUILD / "windows" / "frozen" / FROZEN.name
+        say("Freezing the program for Windows under Wine; this takes some minutes.")
+        freeze_in_wine(Wine(WINE_PREFIX), build_wheel()[0], frozen, release_time())
+    file = DIST / f"trex-studio-{version()}-windows-x64.exe"
+    make_installer(frozen, version(), file)
+    return [file]
+
+
+def check_windows(files: Sequence[Path], steps: Steps) -> None:
+    """Install, use and remove it: on Windows here, and elsewhere under Wine."""
+    windows = Windows() if sys.platform == "win32" else Wine(WINE_PREFIX)
+    for file in files:
+        check_installer(file, version(), windows, steps)
 
 
 # --- What a user does --------------------------------------------------------------------------
@@ -702,51 +729,30 @@ class Target:
     Attributes:
         build: makes its files in `dist/` and returns them.
         check: installs, uses and removes them, step by step.
-        system: where it is made, by the beginning of `sys.platform`.
-        foreign: where it is made only if it is named: that installs another system.
+        system: where it can be made, by the beginning of `sys.platform`.
+        checked_on: where it can be checked.
+        is_default: whether it is made if none is named.
     """
 
     build: Callable[[], list[Path]]
     check: Callable[[Sequence[Path], Steps], None]
     system: str | tuple[str, ...] = ""
-    foreign: str | None = None
-
-
-# --- The installer for Windows -----------------------------------------------------------------
-
-
-def build_windows() -> list[Path]:
-    """Make the installer: frozen here on Windows, and in Wine elsewhere."""
-    frozen = FROZEN
-    if sys.platform == "win32":
-        if "frozen" not in BUILT:
-            freeze()
-    else:
-        require_programs(WINE_PROGRAMS)
-        wheel = (BUILT.get("wheel") or build_wheel())[0]
-        say("Freezing the program for Windows under Wine; this takes some minutes.")
-        frozen = freeze_in_wine(Wine(WINE_PREFIX), wheel, BUILD / "windows", release_time())
-    file = DIST / f"trex-studio-{version()}-windows-x64.exe"
-    make_installer(frozen, version(), file)
-    return [file]
-
-
-def check_windows(files: Sequence[Path], steps: Steps) -> None:
-    """Install, use and remove it: on Windows here, and elsewhere under Wine."""
-    windows = Windows() if sys.platform == "win32" else Wine(WINE_PREFIX)
-    for file in files:
-        check_installer(file, version(), windows, steps)
+    checked_on: str | tuple[str, ...] = "linux"
+    is_default: Callable[[], object] = lambda: True
 
 
 TARGETS = {
     "wheel": Target(build_wheel, check_wheel),
     "frozen": Target(build_frozen, check_frozen),
-    "deb": Target(build_deb, check_deb, "linux"),
-    "windows": Target(build_windows, check_windows, ("linux", "win32"), foreign="linux"),
+    "deb": Target(build_deb, check_deb, "linux", is_default=find_debian),
+    "windows": Target(
+        build_windows,
+        check_windows,
+        ("linux", "win32"),
+        ("linux", "win32"),
+        lambda: sys.platform == "win32",  # on Linux that installs another system
+    ),
 }
-
-BUILT: dict[str, list[Path]] = {}
-"""What this run has made so far."""
 
 
 def write_checksums() -> None:
@@ -765,22 +771,24 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if unknown := set(options.targets) - TARGETS.keys():
         parser.error(f"no such package: {', '.join(sorted(unknown))}")
     here = [name for name, target in TARGETS.items() if sys.platform.startswith(target.system)]
-    wanted = options.targets or [name for name in here if TARGETS[name].foreign != sys.platform]
+    if foreign := set(options.targets) - set(here):
+        parser.error(f"cannot be made on this system: {', '.join(sorted(foreign))}")
+    wanted = options.targets or [name for name in here if TARGETS[name].is_default()]
     DIST.mkdir(exist_ok=True)
-    steps = Steps()
-    try:
-        for name in here:
-            if name in wanted:
-                BUILT[name] = TARGETS[name].build()
-        write_checksums()
-        for file in [file for files in BUILT.values() for file in files]:
-            say(f"{file.relative_to(ROOT)}: {file.stat().st_size / 1e6:.1f} MB")
-        for name, files in BUILT.items():
-            if options.check:
+    steps, built = Steps(), dict[str, list[Path]]()
+    for name in here:
+        if name in wanted:
+            with steps.step(f"make {name}"):
+                built[name] = TARGETS[name].build()
+    write_checksums()
+    for file in [file for files in built.values() for file in files]:
+        say(f"{file.relative_to(ROOT)}: {file.stat().st_size / 1e6:.1f} MB")
+    for name, files in built.items() if options.check else ():
+        if sys.platform.startswith(TARGETS[name].checked_on):
+            with steps.step(f"check {name}"):
                 TARGETS[name].check(files, steps)
-    except BootstrapError as error:
-        say(str(error))
-        return 1
+        else:
+            say(f"{name} cannot be tried on this system.")
     if steps.failed:
         say("\nFailed:\n" + "\n".join(f"  {name}" for name in steps.failed))
     return 1 if steps.failed else 0

@@ -26,20 +26,18 @@ from pathlib import Path
 ctypes.windll.user32.GetDesktopWindow()
 sys.path.insert(0, "packaging")
 import packages
-packages.BUILD = Path(sys.argv[1])
-packages.FROZEN = packages.BUILD / "frozen" / "trex-studio"
-packages.freeze()
+packages.freeze(Path(sys.argv[1]))
 """
 FREEZE_S = 1800.0
 
 
-def freeze_in_wine(wine: Wine, wheel: Path, folder: Path, when: int) -> Path:
-    """Freeze the program with a Windows Python; return the folder with the programs.
+def freeze_in_wine(wine: Wine, wheel: Path, folder: Path, when: int) -> None:
+    """Freeze the program with a Windows Python.
 
     Args:
         wine: where that Python is.
         wheel: the program, for its metadata.
-        folder: takes what is made.
+        folder: is made, and takes the programs.
         when: seconds since 1970 that files in the result have.
     """
     wine.prepare()
@@ -47,7 +45,6 @@ def freeze_in_wine(wine: Wine, wheel: Path, folder: Path, when: int) -> Path:
     script = f"import os; os.chdir(r'Z:{ROOT}'){FREEZE}"
     epoch = {"SOURCE_DATE_EPOCH": str(when)}
     wine.run([python, "-c", script, f"Z:{folder}"], epoch, FREEZE_S)
-    return folder / "frozen" / "trex-studio"
 
 
 def make_installer(frozen: Path, version: str, output: Path) -> None:

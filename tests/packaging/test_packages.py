@@ -255,3 +255,76 @@ def test_failed_step_is_reported_and_the_next_follows(
     output = capsys.readouterr().out
     assert "FAILED  read\nno reply" in output
     assert "ok      write" in output
+
+
+def use_targets(
+    packages: ModuleType, monkeypatch: pytest.MonkeyPatch, folder: Path, **targets: Any
+) -> None:
+    monkeypatch.setattr(packages, "DIST", folder)
+    monkeypatch.setattr(packages, "ROOT", folder)
+    monkeypatch.setattr(packages, "version", lambda: __version__)
+    monkeypatch.setattr(packages, "TARGETS", targets)
+
+
+def test_failed_package_leaves_the_others_their_checksums(
+    packages: ModuleType,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    made = tmp_path / f"program-{__version__}"
+
+    def build() -> list[Path]:
+        made.write_text("program")
+        return [made]
+
+    def fail(*_: object) -> Any:
+        raise packages.BootstrapError("no room")
+
+    use_targets(
+        packages,
+        monkeypatch,
+        tmp_path,
+        first=packages.Target(fail, fail),
+        second=packages.Target(build, fail, checked_on=""),
+        third=packages.Target(build, fail, checked_on="mars"),
+    )
+    assert packages.main(["--check"]) == 1
+    assert made.name in (tmp_path / "SHA256SUMS").read_text()
+    output = capsys.readouterr().out
+    assert "third cannot be tried on this system." in output
+    assert output.endswith("Failed:\n  make first\n  check second\n")
+
+
+def test_package_of_another_system_is_wrong_usage(
+    packages: ModuleType,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    target = packages.Target(list, print, system="mars")
+    use_targets(packages, monkeypatch, tmp_path, rover=target)
+    assert packages.main([]) == 0
+    with pytest.raises(SystemExit):
+        packages.main(["rover"])
+    assert "cannot be made on this system: rover" in capsys.readouterr().err
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="programs of Linux")
+@pytest.mark.parametrize("names", [(), ("dpkg-query", "apt-get")])
+def test_debian_package_is_made_where_dpkg_is(
+    packages: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, names: tuple[str, ...]
+) -> None:
+    monkeypatch.setenv("PATH", str(tmp_path))
+    for name in names:
+        (tmp_path / name).touch(0o755)
+    assert bool(packages.TARGETS["deb"].is_default()) is bool(names)
+
+
+def test_wheel_is_tried_with_the_present_python_at_least(
+    packages: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PATH", str(tmp_path))
+    monkeypatch.setenv("PYENV_ROOT", str(tmp_path))
+    number = f"3.{sys.version_info.minor}"
+    assert packages.pythons() == {number: Path(sys.executable)}
