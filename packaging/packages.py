@@ -254,6 +254,8 @@ def copy_licences(folder: Path) -> None:
             (licences / f"{name}.txt").write_text(text, encoding="utf-8")
         elif name not in WITHOUT_LICENCE:
             raise BootstrapError(f"{name} brings no licence; add it to packaging/licences.")
+    loader = distribution("pyinstaller")
+    (licences / "PyInstaller.txt").write_text(licence_texts(loader), encoding="utf-8")
     (licences / "versions.txt").write_text("\n".join(versions) + "\n", encoding="utf-8")
     standard = Path(os.__file__).parent
     texts = [

@@ -7,7 +7,7 @@ import re
 import runpy
 import subprocess
 import sys
-from pathlib import Path
+from pathlib import Path, PurePath
 from types import ModuleType
 from typing import Any
 from xml.etree import ElementTree
@@ -15,7 +15,6 @@ from xml.etree import ElementTree
 import pytest
 
 from trex_gui import __version__
-from trex_gui.composition import PLUGINS
 
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGING = ROOT / "packaging"
@@ -69,8 +68,6 @@ def spec_value(spec: ast.Module, name: str, **known: Any) -> Any:
 def test_modules_that_are_imported_by_name_are_frozen(spec: ast.Module) -> None:
     hidden = spec_value(spec, "HIDDEN", collect_submodules=lambda package: [package])
     assert {"trex_gui", "serial.urlhandler", "mcap", "pygame.joystick"} <= set(hidden)
-    targets = [plugin.controller.target for plugin in PLUGINS]
-    assert all(target.startswith("trex_gui.") for target in targets)
 
 
 def test_program_does_without_the_modules_that_are_left_out(spec: ast.Module) -> None:
@@ -102,6 +99,52 @@ def test_plugins_of_a_desktop_are_frozen(spec: ast.Module, plugin: str, is_kept:
     assert (spec_value(spec, "PLUGINS").match(plugin) is not None) is is_kept
 
 
+def spec_function(spec: ast.Module, name: str, **known: Any) -> Any:
+    """Return a function of the spec, with what it calls."""
+    functions = [part for part in spec.body if isinstance(part, ast.FunctionDef)]
+    names = {"re": re, "PurePath": PurePath, "PYZ": object, **known}
+    exec(compile(ast.Module([*functions], []), "spec", "exec"), names)  # our own file
+    return names[name]
+
+
+def test_libraries_that_nothing_imports_are_left_out(spec: ast.Module) -> None:
+    imports = {
+        "python": ["VCRUNTIME140.dll"],
+        "joystick": ["sdl2.DLL", "KERNEL32.dll"],
+        "qwindows": ["Qt6Gui.dll"],
+    }
+    unneeded = spec_function(
+        spec,
+        "unneeded_libraries",
+        get_imports=lambda source: [(name, None) for name in imports.get(source, [])],
+    )
+    binaries = [
+        ("python311.dll", "python", "BINARY"),
+        ("VCRUNTIME140.dll", "runtime", "BINARY"),
+        (r"pygame\joystick.pyd", "joystick", "EXTENSION"),
+        (r"pygame\SDL2.dll", "sdl", "BINARY"),
+        (r"pygame\SDL2_mixer.dll", "mixer", "BINARY"),
+        ("SDL2.dll", r"pygame\SDL2.dll", "SYMLINK"),
+        (r"PySide6\plugins\platforms\qwindows.dll", "qwindows", "BINARY"),
+        (r"PySide6\Qt6Gui.dll", "gui", "BINARY"),
+        (r"PySide6\opengl32sw.dll", "mesa", "BINARY"),
+    ]
+    assert unneeded(binaries) == {"sdl2_mixer.dll", "opengl32sw.dll"}
+
+
+@pytest.mark.parametrize(
+    ("name", "is_kept"),
+    [
+        ("pygame/freesansbold.ttf", False),
+        ("numpy/_core/tests/data.csv", False),
+        ("resources/tests/sample.txt", True),
+        ("pygame/joystick.so", True),
+    ],
+)
+def test_files_that_nothing_opens_are_left_out(spec: ast.Module, name: str, is_kept: bool) -> None:
+    assert spec_function(spec, "is_used")(name) is is_kept
+
+
 def test_programs_started_by_frozen_ones_get_the_users_libraries(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -129,6 +172,18 @@ def test_every_bundled_package_has_a_licence(packages: ModuleType) -> None:
     assert without == packages.WITHOUT_LICENCE.keys()
     for file in packages.WITHOUT_LICENCE.values():
         assert (PACKAGING / "licences" / file).stat().st_size > 500
+    debian = (LINUX / "copyright").read_text(encoding="utf-8").lower()
+    assert [name for name in names if name.lower().replace("-", "_") not in debian] == []
+
+
+def test_named_licences_are_there_or_copied(packages: ModuleType) -> None:
+    folder = PACKAGING / "licences"
+    named = set(re.findall(r"`([\w.-]+\.txt)`", (folder / "README.md").read_text()))
+    debian = re.findall(r"licences/([\w.-]+\.txt)", (LINUX / "copyright").read_text())
+    packaged = {f"{package.metadata['Name']}.txt" for package in packages.bundled_distributions()}
+    copied = {"NAME.txt", "Debian-NAME.txt", "Python.txt", "PyInstaller.txt", "TReX-Studio.txt"}
+    there = {path.name for path in folder.iterdir()}
+    assert {*named, *debian} <= there | packaged | copied | {"versions.txt"}
 
 
 # --- The files of a Linux desktop
