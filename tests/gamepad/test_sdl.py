@@ -10,7 +10,7 @@ from collections.abc import Iterator
 import pytest
 
 from tests.gamepad.virtual_pad import VirtualPad
-from trex_gui.gamepad.pads import HOW_TO_INSTALL, GamepadUnavailable, SdlPads
+from trex_gui.gamepad.pads import GamepadUnavailable, SdlPads
 from trex_gui.gamepad.profile import Axis, default_profile
 
 pytestmark = pytest.mark.realtime
@@ -144,9 +144,8 @@ def test_sigterm_ends_program_that_reads_gamepads() -> None:
 
 def test_missing_pygame_is_reported_with_install_hint(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "pygame", None)
-    with pytest.raises(GamepadUnavailable, match="trex-gui") as raised:
+    with pytest.raises(GamepadUnavailable, match="pip install pygame-ce"):
         SdlPads().open()
-    assert HOW_TO_INSTALL in str(raised.value)
 
 
 def test_pygame_is_not_imported_before_open() -> None:

@@ -8,12 +8,11 @@ from dataclasses import dataclass, field
 from types import ModuleType
 from typing import TYPE_CHECKING, Protocol
 
+from trex_gui.core.optional_packages import install_command
 from trex_gui.core.translation import tr
 
 if TYPE_CHECKING:
     from pygame.joystick import JoystickType
-
-HOW_TO_INSTALL = 'pip install "trex-gui[gamepad]"'
 
 _HINTS = {
     "PYGAME_HIDE_SUPPORT_PROMPT": "1",
@@ -179,7 +178,7 @@ def _load() -> ModuleType:
         raise GamepadUnavailable(
             tr(
                 "Gamepads need one more package. Install it with {0}, then switch this on again."
-            ).format(HOW_TO_INSTALL)
+            ).format(install_command("pygame-ce"))
         ) from error
     return pygame
 

@@ -8,6 +8,7 @@ from PySide6.QtCore import QDateTime, QLocale, Qt, Signal, Slot
 from PySide6.QtGui import QCloseEvent, QKeySequence, QResizeEvent, QShortcut
 from PySide6.QtWidgets import QFileDialog, QMainWindow, QProgressBar, QWidget
 
+from trex_gui.core.optional_packages import install_command
 from trex_gui.core.recording.export import MCAP_SUFFIX, has_mcap
 from trex_gui.ui.event_log import Event
 from trex_gui.ui.notifier import CopyCommand, Notifier
@@ -243,7 +244,7 @@ class RecordingWindow(QMainWindow):
             text = self.tr("The open recording cannot be overwritten. Choose another file.")
             self.notifier.error.emit(text)
         elif path.suffix.lower() == MCAP_SUFFIX and not has_mcap():
-            command = 'pip install "trex-gui[mcap]"'
+            command = install_command("mcap")
             text = self.tr("Exporting MCAP needs an optional package: {0}").format(command)
             self.notifier.report(text, (CopyCommand(command),))
         else:
