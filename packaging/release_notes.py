@@ -2,7 +2,8 @@
 
     python3 packaging/release_notes.py v1.2.3
 
-Ends with an error if the tag is not the version of the program, or the version has no section.
+Ends with an error if the tag is not the version of the program, the version has no section, or
+`[Unreleased]` has entries.
 """
 
 import re
@@ -27,6 +28,8 @@ def release_notes(tag: str, version: str, changelog: str) -> str:
     """
     if tag != f"v{version}":
         raise ValueError(f"The tag is {tag}, and the version of the program is {version}.")
+    if section(changelog, "Unreleased"):
+        raise ValueError(f"CHANGELOG.md has entries in [Unreleased]: move them to [{version}].")
     text = section(changelog, version)
     if not text:
         raise ValueError(f"CHANGELOG.md has no section [{version}], or an empty one.")

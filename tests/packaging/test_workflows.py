@@ -88,8 +88,6 @@ CHANGELOG = """# Changelog
 
 ## [Unreleased]
 
-- later
-
 ## [0.2.0] - 2026-12-01
 
 ### Added
@@ -121,6 +119,12 @@ def test_section_of_a_version_is_found() -> None:
 def test_release_needs_its_version_and_section(tag: str, version: str, text: str) -> None:
     with pytest.raises(ValueError, match=text):
         load("release_notes").release_notes(tag, version, CHANGELOG)
+
+
+def test_release_waits_for_unreleased_entries() -> None:
+    changelog = CHANGELOG.replace("[Unreleased]\n", "[Unreleased]\n\n### Added\n\n- later\n")
+    with pytest.raises(ValueError, match=r"entries in \[Unreleased\]"):
+        load("release_notes").release_notes("v0.2.0", "0.2.0", changelog)
 
 
 def test_present_version_has_a_section() -> None:
