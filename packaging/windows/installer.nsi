@@ -8,6 +8,7 @@ Unicode true
 !ifdef TARGET
   Target ${TARGET}
 !endif
+!include LogicLib.nsh
 !include MUI2.nsh
 
 !define NAME "TReX Studio"
@@ -16,7 +17,6 @@ Unicode true
 Name "${NAME} ${VERSION}"
 OutFile "${OUTPUT}"
 InstallDir "$PROGRAMFILES64\${NAME}"
-InstallDirRegKey HKLM "${UNINSTALL_KEY}" "InstallLocation"
 RequestExecutionLevel admin
 SetCompressor /SOLID lzma
 ManifestDPIAware true
@@ -35,8 +35,36 @@ ManifestDPIAware true
 !insertmacro MUI_LANGUAGE "German"
 !insertmacro MUI_LANGUAGE "French"
 
-; Everything that the installer puts into the folder, and nothing that the user may have there.
+LangString RUNNING ${LANG_ENGLISH} \
+  "${NAME} is running and may drive motors. Stop them and close it, then click Retry."
+LangString RUNNING ${LANG_GERMAN} \
+  "${NAME} läuft und treibt vielleicht Motoren an. Halten Sie sie an, schließen Sie das Programm und klicken Sie dann auf „Wiederholen“."
+LangString RUNNING ${LANG_FRENCH} \
+  "${NAME} est ouvert et commande peut-être des moteurs. Arrêtez-les, fermez le programme, puis cliquez sur « Réessayer »."
+
+; The file of a running program cannot be opened for writing. Without questions this ends with 2.
+!macro RequireClosed PROGRAM
+  ${Do}
+    ${IfNot} ${FileExists} "$INSTDIR\${PROGRAM}"
+      ${Break}
+    ${EndIf}
+    ClearErrors
+    FileOpen $0 "$INSTDIR\${PROGRAM}" a
+    ${IfNot} ${Errors}
+      FileClose $0
+      ${Break}
+    ${EndIf}
+    ${If} ${Cmd} `MessageBox MB_RETRYCANCEL|MB_ICONEXCLAMATION $(RUNNING) /SD IDCANCEL IDCANCEL`
+      Abort
+    ${EndIf}
+  ${Loop}
+!macroend
+
+; Remove what the installer puts into the folder, and nothing that the user may have there.
 !macro RemoveFiles
+  !insertmacro RequireClosed trex-gui.exe
+  !insertmacro RequireClosed trexcmd.exe
+  !insertmacro RequireClosed trex-sim.exe
   Delete "$INSTDIR\trex-gui.exe"
   Delete "$INSTDIR\trexcmd.exe"
   Delete "$INSTDIR\trex-sim.exe"
@@ -45,7 +73,17 @@ ManifestDPIAware true
   RMDir /r "$INSTDIR\licences"
 !macroend
 
-Section
+Function .onInit
+  ${If} $INSTDIR == "$PROGRAMFILES64\${NAME}" ; not chosen by /D
+    SetRegView 64
+    ReadRegStr $0 HKLM "${UNINSTALL_KEY}" "InstallLocation"
+    ${If} $0 != ""
+      StrCpy $INSTDIR $0
+    ${EndIf}
+  ${EndIf}
+FunctionEnd
+
+Section "" PROGRAMS
   SetShellVarContext all
   SetRegView 64
   !insertmacro RemoveFiles ; of an earlier version
@@ -56,6 +94,9 @@ Section
   WriteUninstaller "$INSTDIR\uninstall.exe"
   WriteRegStr HKLM "${UNINSTALL_KEY}" "DisplayName" "${NAME}"
   WriteRegStr HKLM "${UNINSTALL_KEY}" "DisplayVersion" "${VERSION}"
+  WriteRegStr HKLM "${UNINSTALL_KEY}" "Publisher" "The TReX Studio developers"
+  SectionGetSize ${PROGRAMS} $0
+  WriteRegDWORD HKLM "${UNINSTALL_KEY}" "EstimatedSize" $0
   WriteRegStr HKLM "${UNINSTALL_KEY}" "DisplayIcon" "$INSTDIR\trex-studio.ico"
   WriteRegStr HKLM "${UNINSTALL_KEY}" "InstallLocation" "$INSTDIR"
   WriteRegStr HKLM "${UNINSTALL_KEY}" "UninstallString" '"$INSTDIR\uninstall.exe"'

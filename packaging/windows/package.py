@@ -56,7 +56,8 @@ def make_installer(frozen: Path, version: str, output: Path) -> None:
     if NSIS_64_BIT.exists():
         values["TARGET"] = "amd64-unicode"
     definitions = [f"-D{name}={value}" for name, value in values.items()]
-    command = [makensis, "-V2", "-WX", *definitions, str(HERE / "installer.nsi")]
+    options = ["-V2", "-WX", "-INPUTCHARSET", "UTF8"]
+    command = [makensis, *options, *definitions, str(HERE / "installer.nsi")]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     icon.unlink()
     if done.returncode != 0:
