@@ -3,6 +3,7 @@
 import re
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 from zipfile import ZipFile
 
@@ -69,3 +70,12 @@ def test_wheel_has_version_licence_and_programs(wheel: Path) -> None:
         "trex-gui",
     ]
     assert licence.startswith("MIT License")
+
+
+def test_sdist_contains_what_the_readme_links_to() -> None:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    included = project["tool"]["hatch"]["build"]["targets"]["sdist"]["include"]
+    links = re.findall(r"\]\(([\w./-]+)\)", (ROOT / "README.md").read_text(encoding="utf-8"))
+    assert "CONTRIBUTING.md" in links
+    assert {link.split("/")[0] for link in links} <= {*included}
+    assert {".ci", ".github"} <= {*included}  # which tests read
