@@ -454,6 +454,8 @@ def build_deb() -> list[Path]:
         for name, path in sorted((str(path.relative_to(tree)), path) for path in files)
     ]
     write(tree / "DEBIAN/md5sums", "".join(sums))
+    write(tree / "DEBIAN/postinst", linux_file("postinst"))
+    (tree / "DEBIAN/postinst").chmod(0o755)
     file = DIST / f"trex-studio_{version()}-1_{architecture}.deb"
     fixed = {"SOURCE_DATE_EPOCH": str(release_time())}
     say("Packing the Debian package.")
@@ -508,8 +510,14 @@ def check_deb(files: Sequence[Path], steps: Steps) -> None:
             use(installed, steps)
             with steps.step("remove"):
                 run([*apt, "purge", "trex-studio"], environment)
-                require_gone(installed.programs)
-                require_gone([root / "usr/lib/trex-studio", root / desktop_file.relative_to(tree)])
+                files_and_own_folders = (
+                    path.relative_to(tree)
+                    for path in tree.rglob("*")
+                    if path.name == "trex-studio" or not path.is_dir()
+                )
+                require_gone(
+                    root / path for path in files_and_own_folders if path.parts[0] != "DEBIAN"
+                )
 
 
 # --- The installer for Windows -----------------------------------------------------------------
