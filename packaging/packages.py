@@ -9,7 +9,6 @@ import argparse
 import gzip
 import hashlib
 import io
-import json
 import os
 import platform
 import re
@@ -22,13 +21,23 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from email.utils import formatdate
-from functools import cache
+from functools import cache, partial
 from importlib.metadata import Distribution, PackageNotFoundError, distribution
 from itertools import product
 from pathlib import Path
 
 from bootstrap import CONSTRAINTS, ROOT, BootstrapError, find_debian, say
-from checks import PATIENCE_S, TOUR_S, Steps, require, require_gone, wait_until
+from checks import (
+    PATIENCE_S,
+    TOUR_S,
+    SimulatedBoard,
+    Steps,
+    require,
+    require_gone,
+    simulated_board,
+    use_board,
+    wait_until,
+)
 from windows.package import check_installer, freeze_in_wine, make_installer
 from windows.wine import PROGRAMS as WINE_PROGRAMS
 from windows.wine import Windows, Wine
@@ -70,6 +79,7 @@ def run(
     command: Command,
     env: Mapping[str, str] | None = None,
     timeout: float | None = None,
+    cwd: Path = ROOT,
 ) -> str:
     """Run a command and return what it writes.
 
@@ -81,7 +91,7 @@ def run(
         done = subprocess.run(
             words,
             env=env,
-            cwd=ROOT if env is None else None,
+            cwd=cwd,
             stdin=subprocess.DEVNULL,
             capture_output=True,
             text=True,
@@ -589,11 +599,14 @@ class Installed:
             *(self.path_inside(word) if isinstance(word, Path) else word for word in words),
         ]
 
-    def run(self, program: str, *arguments: str | Path, timeout: float = PATIENCE_S) -> str:
-        return run(self.command(program, *arguments), self.environment, timeout)
+    def run(
+        self, program: str, *arguments: str | Path, port: str = "", timeout: float = PATIENCE_S
+    ) -> str:
+        environment = {**self.environment, "TREX_PORT": port} if port else self.environment
+        return run(self.command(program, *arguments), environment, timeout, cwd=self.home)
 
     @contextmanager
-    def start(self, program: str, *arguments: str | Path) -> Iterator["subprocess.Popen[str]"]:
+    def start(self, program: str, *arguments: str | Path) -> Iterator["subprocess.Popen[bytes]"]:
         """Run a program beside the steps."""
         pipe = subprocess.PIPE
         with subprocess.Popen(
@@ -602,7 +615,6 @@ class Installed:
             stdin=pipe,
             stdout=pipe,
             stderr=subprocess.DEVNULL,
-            text=True,
         ) as process:
             try:
                 yield process
@@ -610,34 +622,11 @@ class Installed:
                 process.kill()
 
 
-class SimulatedBoard:
-    """The simulated board of `trex-sim`, by its control lines."""
-
-    def __init__(self, writing: io.TextIOBase, reading: io.TextIOBase) -> None:
-        self._writing, self._reading = writing, reading
-
-    @property
-    def is_at_rest(self) -> bool:
-        """Whether no motor is driven."""
-        self._writing.write("show\n")
-        self._writing.flush()
-        while line := self._reading.readline():
-            if line.startswith("ok {"):
-                motors = json.loads(line[3:])["motors"]
-                return all(motor["direction"] == "brake" or not motor["speed"] for motor in motors)
-        raise BootstrapError("The simulator has ended.")
-
-
 @contextmanager
 def simulator(installed: Installed, *arguments: str) -> Iterator[tuple[str, SimulatedBoard]]:
     """Run `trex-sim`; gives the port and the board."""
     with installed.start("trex-sim", *arguments) as process:
-        assert process.stdin is not None
-        assert process.stdout is not None
-        line = process.stdout.readline()
-        require(line.startswith("ready "), "trex-sim does not start")
-        board = SimulatedBoard(process.stdin, process.stdout)  # type: ignore[arg-type]
-        yield line.removeprefix("ready ").strip(), board
+        yield simulated_board(process)
 
 
 def use(installed: Installed, steps: Steps) -> None:
@@ -647,47 +636,32 @@ def use(installed: Installed, steps: Steps) -> None:
             require(version() in installed.run(program, "--version"), f"{program} is another one")
             installed.run(program, "--help")
     with steps.step("use the simulated board"), simulator(installed) as (port, board):
-        use_board(installed, steps, port, board)
+        use_board(partial(installed.run, "trexcmd", port=port), installed.home, steps, board)
+        with steps.step("trexcmd is killed: the motors stop"):
+            kill_command(installed, port, board)
     for name, option in (("TCP", "--tcp"), ("RFC 2217", "--rfc2217")):
         with (
             steps.step(f"connect over {name}"),
             simulator(installed, option, "127.0.0.1:0") as (port, _),
         ):
-            require("TReX" in installed.run("trexcmd", "status", "--port", port), "no TReX")
+            require("TReX" in installed.run("trexcmd", "status", port=port), "no TReX")
     with steps.step("demonstration in the window"):
         pictures = installed.home / "pictures"
         installed.run("trex-gui", "--tour", pictures, timeout=TOUR_S)
         names = {path.name for path in pictures.glob("*.png")}
         require({"motors-light.png", "aracnaRobot-dark.png"} <= names, f"only {sorted(names)}")
+    with steps.step("the stop in the window was recorded"):
+        recordings = [path.read_bytes() for path in installed.home.rglob("*_stop.trexrec")]
+        require(recordings, "there is no recording")
+        for recording in recordings:
+            require(recording.startswith(b"SQLite format 3"), "a recording is no database")
     with steps.step("the window is killed: the motors stop"):
         kill_window(installed, installed.home / "other_pictures")
 
 
-def use_board(installed: Installed, steps: Steps, port: str, board: SimulatedBoard) -> None:
-    """Do with the command line what a user does who has connected a board."""
-    settings, recording = installed.home / "board.txt", installed.home / "recording.csv"
-    to_board = ("--port", port)
-    with steps.step("connect over a pseudo-terminal and read"):
-        require('"TReX"' in installed.run("trexcmd", "status", *to_board, "--json"), "no TReX")
-    with steps.step("change a parameter"):
-        installed.run("trexcmd", "set", *to_board, "serial_timeout", "0.5 s")
-        value = installed.run("trexcmd", "get", *to_board, "serial_timeout")
-        require("0.5 s" in value, f"serial_timeout is {value}")
-    with steps.step("save settings"):
-        installed.run("trexcmd", "get-settings", *to_board, settings)
-        installed.run("trexcmd", "check-settings", settings)
-        installed.run("trexcmd", "set-settings", *to_board, "--dry-run", settings)
-    with steps.step("record"):
-        installed.run("trexcmd", "stream", *to_board, "--limit", "5", "--csv", recording)
-        rows = len(recording.read_text(encoding="utf-8").splitlines())
-        require(rows == 6, f"{rows} rows instead of 6")
-    with steps.step("drive"):
-        installed.run("trexcmd", "motor", *to_board, "1", "40", "--seconds", "1")
-        require(board.is_at_rest, "motor 1 was not stopped")
-    with (
-        steps.step("trexcmd is killed: the motors stop"),
-        installed.start("trexcmd", "motor", *to_board, "1", "40") as process,
-    ):
+def kill_command(installed: Installed, port: str, board: SimulatedBoard) -> None:
+    """Kill `trexcmd` while it drives a motor."""
+    with installed.start("trexcmd", "motor", "--port", port, "1", "40") as process:
         wait_until(lambda: not board.is_at_rest, "motor 1 does not run")
         process.kill()
         wait_until(lambda: board.is_at_rest, "motor 1 was not stopped")
@@ -704,7 +678,7 @@ def kill_window(installed: Installed, pictures: Path) -> None:
         found = [pid for pid in children(window.pid) if "simulator" in command_line(pid)]
         require(found, "the window has no simulator")
         files = Path("/proc") / str(found[0]) / "fd"
-        with (files / "0").open("w") as writing, (files / "1").open() as reading:
+        with (files / "0").open("wb") as writing, (files / "1").open("rb") as reading:
             window.kill()
             board = SimulatedBoard(writing, reading)
             wait_until(lambda: board.is_at_rest, "the motors were not stopped")

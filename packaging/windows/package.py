@@ -1,15 +1,24 @@
 """The installer for Windows: made from the frozen folder, and tried under Wine."""
 
-import json
 import shutil
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
-from pathlib import Path
+from functools import partial
+from pathlib import Path, PureWindowsPath
 
 from bootstrap import CONSTRAINTS, ROOT, BootstrapError
-from checks import TOUR_S, Steps, require, require_gone, wait_until
+from checks import (
+    TOUR_S,
+    SimulatedBoard,
+    Steps,
+    require,
+    require_gone,
+    simulated_board,
+    use_board,
+    wait_until,
+)
 from windows.wine import Windows, WindowsError, Wine
 
 HERE = Path(__file__).resolve().parent
@@ -119,35 +128,33 @@ class Installation:
         files = self.windows.drive.glob("users/*/AppData/Local/TReX Studio/log/trex-gui.log")
         return "".join(file.read_text(encoding="utf-8") for file in files)
 
-    def run(self, program: str, *arguments: str, port: str = "", timeout: float = 120) -> str:
-        return self.windows.run([self.folder / program, *arguments], {"TREX_PORT": port}, timeout)
+    def run(
+        self, program: str, *arguments: str | Path, port: str = "", timeout: float = 120
+    ) -> str:
+        """Run a program; paths are written as it sees them."""
+        words = (
+            str(PureWindowsPath("C:/", word.relative_to(self.windows.drive)))
+            if isinstance(word, Path)
+            else word
+            for word in arguments
+        )
+        return self.windows.run([self.folder / program, *words], {"TREX_PORT": port}, timeout)
 
     @contextmanager
-    def simulator(self) -> Iterator[tuple[str, Callable[[], bool]]]:
-        """Run `trex-sim` on a TCP port; gives the port, and whether no motor is driven."""
+    def simulator(self) -> Iterator[tuple[str, SimulatedBoard]]:
+        """Run `trex-sim` on a TCP port; gives the port and the board."""
         with self.windows.start([self.folder / "trex-sim.exe", "--tcp", "127.0.0.1:0"]) as process:
-            assert process.stdin is not None
-            assert process.stdout is not None
-            writing, reading = process.stdin, process.stdout
-
-            def is_at_rest() -> bool:
-                writing.write(b"show\n")
-                writing.flush()
-                state = json.loads(reading.readline().removeprefix(b"ok "))
-                motors = state["motors"]
-                return all(motor["direction"] == "brake" or not motor["speed"] for motor in motors)
-
             try:
-                yield reading.readline().decode().removeprefix("ready ").strip(), is_at_rest
+                yield simulated_board(process)
             finally:
-                writing.close()
                 process.terminate()
 
 
 def check_installer(installer: Path, version: str, windows: Windows, steps: Steps) -> None:
     """Install, use and remove the program."""
     installed = Installation(windows)
-    pictures = windows.drive / "pictures"
+    home = windows.drive / "trial"
+    pictures = home / "pictures"
 
     with steps.place("windows"):
         with steps.required("install"):
@@ -158,25 +165,12 @@ def check_installer(installer: Path, version: str, windows: Windows, steps: Step
             for program in PROGRAMS[1:]:  # the window's program has no console to write to
                 text = installed.run(program, "--version")
                 require(version in text, f"{program} says {text!r}")
-        name = "connect over TCP, read, change, save, record, drive"
-        with steps.step(name), installed.simulator() as (port, is_at_rest):
-            text = installed.run("trexcmd.exe", "status", "--json", port=port)
-            require('"TReX"' in text, f"no TReX in {text[:500]}")
-            installed.run("trexcmd.exe", "set", "serial_timeout", "0.5 s", port=port)
-            text = installed.run("trexcmd.exe", "get", "serial_timeout", port=port)
-            require("0.5 s" in text, f"serial_timeout is {text!r}")
-            installed.run("trexcmd.exe", "get-settings", r"C:\board.txt", port=port)
-            saved = (windows.drive / "board.txt").read_text(encoding="utf-8")
-            require("serial_timeout" in saved, "the settings file is incomplete")
-            record = ("stream", "--limit", "5", "--csv", r"C:\recording.csv")
-            installed.run("trexcmd.exe", *record, port=port)
-            rows = len((windows.drive / "recording.csv").read_text().splitlines())
-            require(rows == 6, f"{rows} rows instead of 6 in the recording")
-            installed.run("trexcmd.exe", "motor", "1", "40", "--seconds", "1", port=port)
-            require(is_at_rest(), "motor 1 was not stopped")
+        with steps.step("use the simulated board"), installed.simulator() as (port, board):
+            home.mkdir(exist_ok=True)
+            use_board(partial(installed.run, "trexcmd.exe", port=port), home, steps, board)
         with steps.step("demonstration in the window"):
             shutil.rmtree(pictures, ignore_errors=True)
-            installed.run("trex-gui.exe", "--tour", r"C:\pictures", timeout=TOUR_S)
+            installed.run("trex-gui.exe", "--tour", pictures, timeout=TOUR_S)
             names = {path.name for path in pictures.glob("*.png")}
             require({"motors-light.png", "aracnaRobot-dark.png"} <= names, f"only {sorted(names)}")
         with steps.step("connect over TCP in the window"), installed.simulator() as (port, _):
