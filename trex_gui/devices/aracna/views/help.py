@@ -4,6 +4,7 @@ from trex_gui.devices.aracna.session.errors import ErrorCode, RobotError
 from trex_gui.ui.help.messages import MessageHelp, texts_of
 
 TOPICS = {
+    "aracna_startPanel": "aracna.md",
     "aracnaRobotPage": "aracna.md#robot",
     "aracnaPosesPage": "aracna.md#poses",
     "aracnaLogPage": "aracna.md#log",
