@@ -53,7 +53,7 @@ class DriveBlocker(Enum):
         QT_TRANSLATE_NOOP(
             "DriveBlocker",
             "Safe-start holds the motors until it is within about {2}: release the stick, or "
-            "calibrate the channel.",
+            "calibrate the channel (in serial mode).",
         ),
     )
     CHANNEL_BELOW = (
