@@ -7,6 +7,8 @@ from collections.abc import Callable
 from enum import Enum
 from typing import ClassVar
 
+from trex_gui.core.translation import tr_noop
+
 
 class StudioError(Exception):
     """An error for users rather than for developers."""
@@ -27,6 +29,30 @@ class PortUnavailable(StudioError):  # noqa: N818
         super().__init__(text)
         self.command = command
         self.is_missing = is_missing
+
+
+class PortFault(Enum):
+    """Why a port cannot be used, with places for its name and the details."""
+
+    FORBIDDEN = tr_noop("Permission denied for {0}. {1}")
+    UNREACHABLE = tr_noop("{0} cannot be reached: {1}.")
+    MISSING = tr_noop("There is no port {0}. Ports of this computer: {1}.")
+    LOCKED = tr_noop(
+        "{0} is in use by another program, or locked by its driver; for up to 5 seconds after a "
+        "crash also by the guardian process that stops the motors."
+    )
+    GUARDED = tr_noop(
+        "The guardian process is still stopping the motors on {0}, which takes up to 5 seconds. "
+        "Then connect again."
+    )
+    IN_USE = tr_noop("{0} is in use by {1}. Close it there, then connect again.")
+    NOT_SETTABLE = tr_noop("{0} cannot be set to {1} ({2}).")
+    NOT_OPEN = tr_noop("{0} cannot be opened: {1}.")
+    SHARED = tr_noop(
+        "Another program reads {0}, too, and has taken bytes from it. Close it there, then connect "
+        "again."
+    )
+    GONE = tr_noop("The line to {0} is gone. Plug it in, then connect again.")
 
 
 class PortShared(PortUnavailable):

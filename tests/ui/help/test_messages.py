@@ -1,13 +1,17 @@
 """Every message with a code has a section in the help, and every such section a message."""
 
+import re
+
 from PySide6.QtCore import QCoreApplication, QTranslator
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from trex_gui.core.errors import PortFault
 from trex_gui.devices.aracna.session.errors import ErrorCode as RobotErrorCode
 from trex_gui.devices.aracna.views import help as aracna
 from trex_gui.devices.trex.driving.blockers import DriveBlocker, Reason
 from trex_gui.devices.trex.protocol.errors import ErrorCode, Rejected, ResultCode, TrexError
+from trex_gui.devices.trex.settings import reader
 from trex_gui.devices.trex.settings.rules import _MESSAGES
 from trex_gui.devices.trex.views import help as trex
 from trex_gui.ui.help.messages import MESSAGES, heading_of, texts_of
@@ -23,7 +27,8 @@ def explained() -> set[str]:
 
 
 def coded() -> set[str]:
-    texts = [*texts_of(ErrorCode), *texts_of(RobotErrorCode), *_MESSAGES.values()]
+    texts = [*texts_of(ErrorCode), *texts_of(RobotErrorCode), *texts_of(PortFault)]
+    texts += _MESSAGES.values()
     texts += [blocker.text for blocker in DriveBlocker]
     return {heading for text in texts if (heading := heading_of(text))}
 
@@ -34,6 +39,12 @@ def test_every_message_is_explained() -> None:
 
 def test_every_explanation_has_a_message() -> None:
     assert not explained() - coded()
+
+
+def test_every_code_of_settings_files_is_explained() -> None:
+    (page,) = (page for page in pages() if page.name == MESSAGES)
+    rows = [line.split("|")[1] for line in page.text.splitlines() if line.startswith("| `")]
+    assert sorted(re.findall(r"`(\w+)`", " ".join(rows))) == sorted(reader._MESSAGES)
 
 
 def test_explanation_has_two_or_more_sentences() -> None:
@@ -68,6 +79,13 @@ def test_message_leads_to_its_section(qtbot: QtBot) -> None:
     assert topic(blocked) == f"messages.md#{anchor_of('Channel … is … above neutral')}"
     robot = aracna.message_help().topic("The robot is stuck: nothing was sent.")
     assert robot == "messages.md#the-robot-is-stuck"
+
+
+def test_port_that_cannot_be_opened_leads_to_its_section(qtbot: QtBot) -> None:
+    for fault in PortFault:
+        message = fault.value.format("/dev/ttyUSB0", "another program", "busy")
+        assert topic(message) == f"messages.md#{anchor_of(heading_of(fault.value))}"
+        assert aracna.message_help().topic(message) == topic(message)
 
 
 def test_message_that_contains_another_leads_to_its_own_section(qtbot: QtBot) -> None:

@@ -21,7 +21,7 @@ import serial
 from serial import rfc2217
 from serial.tools import list_ports
 
-from trex_gui.core.errors import BadReply, BadRequest, PortShared, PortUnavailable
+from trex_gui.core.errors import BadReply, BadRequest, PortFault, PortShared, PortUnavailable
 from trex_gui.core.guardian.guardian import Guardian, GuardianProcess, SharedPort
 from trex_gui.core.translation import tr
 from trex_gui.core.transport.linux_ports import (
@@ -246,18 +246,12 @@ class SerialTransport:
                 import termios  # noqa: PLC0415 - only on POSIX
 
                 termios.tcgetattr(self._port.fileno())  # fails on a terminal that is gone
-                return PortShared(
-                    tr(
-                        "Another program reads {0}, too, and has taken bytes from it. Close it "
-                        "there, then connect again."
-                    ).format(self._name)
-                )
+                return PortShared(tr(PortFault.SHARED.value).format(self._name))
         return self._gone(error)
 
     def _gone(self, error: Exception) -> PortUnavailable:
         log.info("the line %s is gone: %s", self._url, error)
-        text = tr("The line to {0} is gone. Plug it in, then connect again.").format(self._name)
-        return PortUnavailable(text, is_missing=True)
+        return PortUnavailable(tr(PortFault.GONE.value).format(self._name), is_missing=True)
 
 
 def _port_errors() -> tuple[type[Exception], ...]:
@@ -360,9 +354,7 @@ def why_not_open(url: str, line: SerialFormat, error: Exception) -> PortUnavaila
     is_forbidden = number in {errno.EACCES, errno.EPERM} and "://" not in url
     if is_forbidden and sys.platform != "win32":
         command, cure = _permission_cure(url)
-        return PortUnavailable(
-            tr("Permission denied for {0}. {1}").format(url, cure), command=command
-        )
+        return PortUnavailable(tr(PortFault.FORBIDDEN.value).format(url, cure), command=command)
     is_missing = "://" not in url and _is_missing(error, number)
     return PortUnavailable(_why_not_open(url, line, error, number), is_missing=is_missing)
 
@@ -373,30 +365,19 @@ def _is_missing(error: Exception, number: int | None) -> bool:
 
 def _why_not_open(url: str, line: SerialFormat, error: Exception, number: int | None) -> str:
     if "://" in url:
-        return tr("{0} cannot be reached: {1}.").format(url, _plain(error))
+        return tr(PortFault.UNREACHABLE.value).format(url, _plain(error))
     if _is_missing(error, number):
         present = ", ".join(port.device for port in list_ports.comports())
-        return tr("There is no port {0}. Ports of this computer: {1}.").format(
-            url, present or tr("none")
-        )
+        return tr(PortFault.MISSING.value).format(url, present or tr("none"))
     if number in {errno.EACCES, errno.EPERM}:
-        return tr(
-            "{0} is in use by another program, or locked by its driver; for up to 5 "
-            "seconds after a crash also by the guardian process that stops the "
-            "motors."
-        ).format(url)
+        return tr(PortFault.LOCKED.value).format(url)
     if number in _BUSY and is_left_to_guardian(url):
-        return tr(
-            "The guardian process is still stopping the motors on {0}, which takes up"
-            " to 5 seconds. Then connect again."
-        ).format(url)
+        return tr(PortFault.GUARDED.value).format(url)
     if number in _BUSY:
-        holder = holder_of(url)
-        by = tr(" by {0}").format(holder) if holder else tr(" by another program")
-        return tr("{0} is in use{1}. Close it there, then connect again.").format(url, by)
+        return tr(PortFault.IN_USE.value).format(url, holder_of(url) or tr("another program"))
     if isinstance(error, ValueError) or number == errno.EINVAL:
-        return tr("{0} cannot be set to {1} ({2}).").format(url, line.text(), _plain(error))
-    return tr("{0} cannot be opened: {1}.").format(url, _plain(error))
+        return tr(PortFault.NOT_SETTABLE.value).format(url, line.text(), _plain(error))
+    return tr(PortFault.NOT_OPEN.value).format(url, _plain(error))
 
 
 def _errno(error: Exception) -> int | None:

@@ -1,5 +1,6 @@
 """Which part of the help is about which page and message of an Aracna."""
 
+from trex_gui.core.errors import PortFault
 from trex_gui.devices.aracna.session.errors import ErrorCode, RobotError
 from trex_gui.ui.help.messages import MessageHelp, texts_of
 
@@ -16,4 +17,4 @@ TOPICS = {
 
 
 def message_help() -> MessageHelp:
-    return MessageHelp({RobotError.context: texts_of(ErrorCode)})
+    return MessageHelp({RobotError.context: texts_of(ErrorCode), "PortFault": texts_of(PortFault)})
