@@ -8,6 +8,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.keyboard import check_keyboard
 from tests.support.window import WidgetDriver
+from trex_gui.devices.trex.views import help as trex
 from trex_gui.ui.help.dialog import HelpDialog
 from trex_gui.ui.help.pages import pages
 from trex_gui.ui.theme.theme import theme
@@ -15,7 +16,7 @@ from trex_gui.ui.theme.theme import theme
 
 class HelpDriver(WidgetDriver):
     def __init__(self, qtbot: QtBot) -> None:
-        self.dialog = HelpDialog()
+        self.dialog = HelpDialog(topic_of=trex.message_help().topic)
         qtbot.addWidget(self.dialog)
         super().__init__(self.dialog, qtbot)
         self.text_browser = self.find(QTextBrowser, "helpText")
@@ -108,6 +109,10 @@ def test_search_lists_sections_and_shows_them(help_window: HelpDriver) -> None:
     help_window.list.setCurrentRow(0)
     assert help_window.top_line == "3. The jumper hand-shake"
     assert help_window.list.currentRow() == 0
+    help_window.type_into(
+        "helpSearch", "Stopping: the board has not confirmed it yet.", enter=False
+    )
+    assert help_window.entries[0] == "Stopping\nMessages"
     help_window.type_into("helpSearch", "zeppelin", enter=False)
     assert help_window.entries == ["Nothing was found."]
     help_window.dialog.show_topic("safety.md")

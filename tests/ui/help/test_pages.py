@@ -92,4 +92,6 @@ def test_search_finds_the_section_of_a_pasted_message() -> None:
     assert search("error: No reply to C1 02.")[0].topic == "messages.md#no-reply-to-"
     pasted = "Serial Timeout: the board rejects this value (code 2)"
     assert search(pasted)[0].topic == "messages.md#the-board-rejects-this-value-code-2"
+    crc = "A TReX responds on X with CRC polynomial 0x89, but this connection uses 0x8B."
+    assert "with-crc-polynomial" in search(crc)[0].topic, "the longest heading"
     assert search("A stop came first; nothing was sent.")[0].title == "A stop came first"

@@ -456,7 +456,7 @@ class MainWindow(QMainWindow):
         """Show a page of the help beside the window, or a section: `page.md#anchor`."""
         from trex_gui.ui.help.dialog import HelpDialog  # noqa: PLC0415 - not at the start
 
-        dialog = self.findChild(HelpDialog) or HelpDialog(self)
+        dialog = self.findChild(HelpDialog) or HelpDialog(self, self._topic_of)
         dialog.show_topic(topic)
 
     def _topic_of(self, message: str) -> str:

@@ -1,5 +1,6 @@
 """Help beside the window, so that it can be tried while it is read."""
 
+from collections.abc import Callable
 from typing import Any
 
 from PySide6.QtCore import QSignalBlocker, Qt, QUrl, Slot
@@ -44,8 +45,12 @@ def page_url(topic: str) -> QUrl:
 class HelpDialog(ReusedDialog):
     """The pages at the left, or what was found in them; at the right the text."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, parent: QWidget | None = None, topic_of: Callable[[str], str] = lambda _: ""
+    ) -> None:
+        """`topic_of` returns the topic of a message that was typed; empty if it is none."""
         super().__init__(parent)
+        self._topic_of = topic_of
         self.setObjectName("helpDialog")
         self.setWindowTitle(self.tr("Help"))
         self.resize(900, 640)
@@ -114,7 +119,7 @@ class HelpDialog(ReusedDialog):
                 for page in pages():
                     self._add(page.title, page.name)
             titles = {page.name: page.title for page in pages()}
-            for section in search(words) if words else ():
+            for section in search(words, self._topic_of(words)) if words else ():
                 title = titles[section.page]
                 self._add(
                     title if section.title == title else f"{section.title}\n{title}", section.topic

@@ -11,7 +11,7 @@ INDEX = "README.md"
 """The page that lists the others in their order."""
 
 _LEAST_OF_MESSAGE = 12
-"""Characters of a heading that is looked for in what was typed."""
+"""Characters of a heading that is looked for in what was typed: shorter ones are common words."""
 
 _HEADING = re.compile(r"#{1,6} +(?P<title>.+)")
 _LINK = re.compile(r"!?\[(?P<text>[^\]]*)\]\([^)]*\)")
@@ -79,10 +79,11 @@ def pages() -> Sequence[Page]:
     return (index, *map(_page, names))
 
 
-def search(words: str) -> list[Section]:
+def search(words: str, topic: str = "") -> list[Section]:
     """Return the sections with all of these words, those with all in their heading first.
 
-    `words` may also be a message: the section that it heads comes first.
+    `words` may also be a message: the section on it (`topic`, where that is known), and those
+    whose heading is in it, come before.
     """
     wanted = words.casefold().split()
 
@@ -92,9 +93,11 @@ def search(words: str) -> list[Section]:
 
     sections = [section for page in pages() for section in page.sections]
     headed = [section for section in sections if _is_headed_by(words, section.title)]
+    headed.sort(key=lambda section: len(section.title), reverse=True)
+    known = [section for section in sections if section.topic == topic]
     found = [section for section in sections if has_all(f"{section.title} {section.text}")]
     found.sort(key=lambda section: not has_all(section.title))
-    return list(dict.fromkeys((*headed, *found)))
+    return list(dict.fromkeys((*known, *headed, *found)))
 
 
 def _is_headed_by(message: str, title: str) -> bool:
