@@ -79,6 +79,16 @@ def test_f1_opens_help_on_the_window_in_front(
     assert press_f1(window, window.find(QDialog, "checkBoardDialog")) == "lost_settings.md"
 
 
+def test_f1_opens_help_on_what_is_there_before_a_board(window: WindowDriver) -> None:
+    window.find(QWidget, "startFind").setFocus()
+    assert press_f1(window, window.window) == "first_steps.md"
+    window.trigger("line")
+    assert (
+        press_f1(window, window.find(QDialog, "lineSettingsDialog"))
+        == trex.TOPICS["lineSettingsDialog"]
+    )
+
+
 def test_every_dialog_has_a_topic() -> None:
     sources = [
         path.read_text(encoding="utf-8") for path in Path(trex_gui.__file__).parent.rglob("*.py")

@@ -2,9 +2,11 @@
 
 from collections.abc import Callable
 
+from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog, QPushButton
 
+from tests.support.program import trex
 from tests.support.window import WindowDriver
 from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
 from trex_gui.devices.trex.views.review.power_cycle import PowerCycleDialog
@@ -58,3 +60,19 @@ def test_reopened_dialog_has_the_same_default_and_focus(connected_window: Window
         dialog.close()
     dialogs = {each.objectName() for each in window.find_all(QDialog)}
     assert dialogs == set(opens)
+
+
+def test_line_settings_are_used_once_they_are_accepted(window: WindowDriver) -> None:
+    controller = trex(window.program).controller
+    for accepted in (False, True):
+        window.trigger("line")
+        window.trigger("line")  # brings it to the front
+        (root,) = (
+            each for each in window.find_all(QDialog) if each.objectName() == "lineSettingsDialog"
+        )
+        dialog = window.dialog("lineSettingsDialog")
+        assert not root.isModal()
+        dialog.click("addressedBox")
+        QTest.keyClick(root, Qt.Key.Key_Return if accepted else Qt.Key.Key_Escape)
+        window.wait(lambda: not window.has("lineSettingsDialog"))
+        assert controller.settings.device_number == (7 if accepted else None)

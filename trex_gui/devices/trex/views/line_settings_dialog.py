@@ -2,19 +2,23 @@
 
 from dataclasses import replace
 
-from PySide6.QtCore import Slot
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFormLayout, QWidget
+from PySide6.QtCore import Qt, Signal, Slot
+from PySide6.QtWidgets import QDialogButtonBox, QFormLayout, QWidget
 
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection
 from trex_gui.devices.trex.views.pages.parameters.editors import LineSettingsEditor
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.behaviour import ReusedDialog
 
 
-class LineSettingsDialog(QDialog):
+class LineSettingsDialog(ReusedDialog):
+    chosen = Signal(object)  # the new `ConnectionSettings`
+
     def __init__(self, settings: ConnectionSettings, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("lineSettingsDialog")
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(self.tr("Line settings"))
         self._settings = settings
 
@@ -59,22 +63,23 @@ class LineSettingsDialog(QDialog):
 
         self._line.valueChanged.connect(self._on_changed)
         self._addressed.toggled.connect(self._on_changed)
-        buttons.accepted.connect(self.accept)
+        buttons.accepted.connect(self._on_accepted)
         buttons.rejected.connect(self.reject)
         restore = buttons.button(QDialogButtonBox.StandardButton.RestoreDefaults)
         restore.setText(self.tr("&Restore defaults"))
         restore.clicked.connect(self._on_restore_clicked)
         self._on_changed()
 
-    @property
-    def settings(self) -> ConnectionSettings:
-        number = self._number.value() if self._addressed.isChecked() else None
-        return replace(
+    @Slot()
+    def _on_accepted(self) -> None:
+        settings = replace(
             self._settings,
             line=self._line.settings(),
             polynomial=self._polynomial.value(),
-            device_number=number,
+            device_number=self._number.value() if self._addressed.isChecked() else None,
         )
+        self.chosen.emit(settings)
+        self.accept()
 
     @Slot()
     def _on_changed(self) -> None:

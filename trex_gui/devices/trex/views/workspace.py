@@ -664,7 +664,8 @@ class TrexWorkspace(Workspace):
             self._review.review()
 
     def edit_line_settings(self) -> None:
-        dialog = LineSettingsDialog(self._controller.settings, self._frame)
-        if dialog.exec():
-            self._controller.set_settings(dialog.settings)
-        dialog.deleteLater()
+        dialog = self._frame.findChild(LineSettingsDialog)
+        if dialog is None:
+            dialog = LineSettingsDialog(self._controller.settings, self._frame)
+            dialog.chosen.connect(self._controller.set_settings)
+        dialog.show_in_front()
