@@ -193,6 +193,7 @@ class TuningForm(ui.GroupBox):
 
         self._empty = ui.label(self, text=self.tr("Connect to a board to see its settings."))
         self._empty.setWordWrap(True)
+        self._editors = QWidget(self)  # before the button, in the order of Tab
         self._edited = ui.label(self, "benchEdited", wrap=True)
         self.apply = ui.button(
             self,
@@ -202,10 +203,11 @@ class TuningForm(ui.GroupBox):
             tip=self.tr("Review and write all pending edits, these included"),
             default=False,
         )
-        self._form = QFormLayout()
+        self._form = QFormLayout(self._editors)
+        self._form.setContentsMargins(0, 0, 0, 0)
         self._form.setVerticalSpacing(3)
         self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        ui.column(self._empty, self._form, self._edited, 1, self.apply, into=self, spacing=4)
+        ui.column(self._empty, self._editors, self._edited, 1, self.apply, into=self, spacing=4)
 
         bench.changed.connect(self._on_changed)
         device.state_changed.connect(self._on_changed)
@@ -236,7 +238,7 @@ class TuningForm(ui.GroupBox):
         self._fields.clear()
         for key in keys:
             spec = self._device.parameters.spec_of(key)
-            editor = editor_for(spec, self)
+            editor = editor_for(spec, self._editors)
             editor.setObjectName(f"bench_{key}")
             editor.setAccessibleName(spec.name)
             editor.setToolTip(f"{spec.description} ({editor.toolTip()})")
@@ -244,7 +246,7 @@ class TuningForm(ui.GroupBox):
             # The group names the motor; the long name of P would take half of the window.
             is_constant = key.endswith(MotorParameter.CURRENT_LIMIT_P)
             name = self.tr("Limit P") if is_constant else spec.short_name
-            label = ui.label(self, text=name, tip=spec.description)
+            label = ui.label(self._editors, text=name, tip=spec.description)
             self._form.addRow(label, editor)
             editor.valueChanged.connect(partial(self._on_edited, key))
             self._fields[key] = label, editor
