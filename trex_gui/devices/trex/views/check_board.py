@@ -62,12 +62,13 @@ _SIGHTS = (
         QT_TRANSLATE_NOOP(
             "CheckBoard",
             "As above: the board responds in RC and analog mode, too. Red lights while it "
-            "receives a command. Fast flashes are safe-start.",
+            "receives a command. Fast flashes are safe-start; five at the start say which channels "
+            "are learned.",
         ),
     ),
     _Sight(
         ("blink 1/s", "blink 1/s"),
-        QT_TRANSLATE_NOOP("CheckBoard", "Both blink together"),
+        QT_TRANSLATE_NOOP("CheckBoard", "Both blink together, or both on"),
         QT_TRANSLATE_NOOP("CheckBoard", "Learning mode"),
         QT_TRANSLATE_NOOP(
             "CheckBoard",
