@@ -2,12 +2,13 @@
 
 import pytest
 from PySide6.QtCore import QUrl
-from PySide6.QtGui import QColor, QDesktopServices, QTextDocument
+from PySide6.QtGui import QColor, QDesktopServices, QImage, QTextDocument
 from PySide6.QtWidgets import QApplication, QListWidget, QTextBrowser
 from pytestqt.qtbot import QtBot
 
 from tests.support.keyboard import check_keyboard
 from tests.support.window import WidgetDriver
+from trex_gui.core.resource_files import resource
 from trex_gui.devices.trex.views import help as trex
 from trex_gui.ui.help.dialog import HelpDialog
 from trex_gui.ui.help.pages import pages
@@ -95,11 +96,37 @@ def test_link_out_of_the_help_is_left_to_the_desktop(
 
     monkeypatch.setattr(QDesktopServices, "openUrl", open_url)
     help_window.dialog.show_topic("library.md")
-    help_window.follow("../examples/drive.py")
-    assert opened[0].endswith("/examples/drive.py")
     help_window.follow("https://example.org/")
-    assert opened[1] == "https://example.org/"
+    assert opened == ["https://example.org/"]
     assert help_window.shown == "library.md"
+
+
+def test_example_is_shown_and_not_run(
+    help_window: HelpDriver, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(QDesktopServices, "openUrl", lambda url: pytest.fail(url.toString()))
+    help_window.dialog.show_topic("library.md")
+    help_window.follow("../examples/drive.py")
+    text = (resource("examples") / "drive.py").read_text(encoding="utf-8")
+    assert help_window.text_browser.toPlainText().strip() == text.strip()
+    help_window.click("helpBack")
+    assert help_window.shown == "library.md"
+
+
+def test_picture_is_a_link_to_itself_in_full_size(help_window: HelpDriver) -> None:
+    help_window.dialog.show_topic("status.md")
+    browser = help_window.text_browser
+    help_window.dialog.resize(700, 500)
+    assert '<a href="pictures/status-light.png"><img src="pictures/status-light.png"' in (
+        browser.toHtml()
+    )
+    help_window.follow("pictures/status-light.png")
+    whole = QImage(str(resource("help/pictures/status-light.png")))
+    assert browser.document().idealWidth() >= whole.width()
+    assert browser.horizontalScrollBar().maximum() > 0
+    help_window.click("helpBack")
+    assert help_window.shown == "status.md"
+    assert browser.document().idealWidth() <= browser.viewport().width()
 
 
 def test_search_lists_sections_and_shows_them(help_window: HelpDriver) -> None:
@@ -132,11 +159,11 @@ def test_pictures_and_text_follow_theme_and_font(help_window: HelpDriver) -> Non
     dialog, browser = help_window.dialog, help_window.text_browser
     dialog.show_topic("status.md")
     assert picture(browser, "status").lightness() > 200
-    before = browser.document().size().height()
     theme().set_scheme("dark")
     assert picture(browser, "status").lightness() < 60
     assert help_window.shown == "status.md"
     theme().set_scheme("light")
+    before = browser.document().size().height()
     theme().set_font_size(150)
     assert browser.document().size().height() > before
     theme().set_font_size(100)

@@ -1,6 +1,8 @@
 """Help beside the window, so that it can be tried while it is read."""
 
 from collections.abc import Callable
+from html import escape
+from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QSignalBlocker, Qt, QUrl, Slot
@@ -9,6 +11,7 @@ from PySide6.QtGui import (
     QImage,
     QResizeEvent,
     QTextBlock,
+    QTextCharFormat,
     QTextCursor,
     QTextDocument,
     QTextFrameFormat,
@@ -24,15 +27,21 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.core.resource_files import resource
-from trex_gui.ui.help.pages import Page, anchor_of, pages, search
+from trex_gui.ui.help.pages import anchor_of, pages, search
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.theme import follow_theme, theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
+from trex_gui.ui.widgets.placement import resize_with_font
 
 _RESIZED_MS = 150
 _SPACE = 14  # pixels above headings
 _TOPIC = Qt.ItemDataRole.UserRole
+_WHOLE = "whole"
+"""Fragment of the address of a picture that is shown in full size."""
+
+_SHOWN = {".md", ".png", ".py"}
+"""Files that the help shows itself: a desktop may run a program instead."""
 
 
 def page_url(topic: str) -> QUrl:
@@ -51,9 +60,10 @@ class HelpDialog(ReusedDialog):
         """`topic_of` returns the topic of a message that was typed; empty if it is none."""
         super().__init__(parent)
         self._topic_of = topic_of
+        self.setWindowFlags(Qt.WindowType.Window)  # it may be maximised, and go below the main one
         self.setObjectName("helpDialog")
         self.setWindowTitle(self.tr("Help"))
-        self.resize(900, 640)
+        resize_with_font(self, 1180, 800)
         self._search = ui.search_field(
             self, "helpSearch", self.tr("Search the help"), self.tr("Search the help (Ctrl+F)")
         )
@@ -89,7 +99,7 @@ class HelpDialog(ReusedDialog):
         splitter.addWidget(left)
         splitter.addWidget(self._text)
         splitter.setStretchFactor(1, 1)
-        splitter.setSizes([230, 670])
+        splitter.setSizes([230, 950])
         splitter.setChildrenCollapsible(False)
         ui.column((splitter, 1), ui.row(back, forward, 1, buttons, margins=0), into=self)
         for button, available in (
@@ -149,7 +159,7 @@ class HelpDialog(ReusedDialog):
 
 
 class _Browser(QTextBrowser):
-    """Shows a page; follows links to others, and leaves the rest to the desktop."""
+    """Shows a page, a picture of it as it is, or a program; leaves the rest to the desktop."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -164,12 +174,12 @@ class _Browser(QTextBrowser):
         name: QUrl | str,
         type: QTextDocument.ResourceType = QTextDocument.ResourceType.UnknownResource,  # noqa: A002
     ) -> None:
-        del type  # pages are shown as HTML
+        del type  # everything is shown as HTML
         url = QUrl(name)
         if url.isEmpty():
             return
         whole = self.source().resolved(url)
-        if any(page_url(page.name).path() == whole.path() for page in pages()):
+        if Path(whole.toLocalFile()).suffix in _SHOWN:
             super().doSetSource(whole, QTextDocument.ResourceType.HtmlResource)
         else:
             QDesktopServices.openUrl(whole)
@@ -177,14 +187,19 @@ class _Browser(QTextBrowser):
     def loadResource(self, kind: int, name: QUrl | str) -> Any:  # noqa: N802 - of Qt
         whole = self.source().resolved(QUrl(name))
         if kind == QTextDocument.ResourceType.HtmlResource.value:
-            (page,) = (page for page in pages() if page.name == whole.fileName())
-            return self._html(page)
+            return self._html(whole)
         if kind == QTextDocument.ResourceType.ImageResource.value:
-            return self._picture(whole.toLocalFile())
+            return self._picture(whole)
         return super().loadResource(kind, name)
 
-    def _html(self, page: Page) -> str:
-        """Convert a page; its headings become anchors, which Markdown of Qt does not know."""
+    def _html(self, shown: QUrl) -> str:
+        """Convert a file; headings of a page become anchors, and its pictures links to them."""
+        path = Path(shown.toLocalFile())
+        if path.suffix == ".png":
+            return f'<img src="{path.name}#{_WHOLE}">'
+        if path.suffix == ".py":
+            return f"<pre>{escape(path.read_text(encoding='utf-8'))}</pre>"
+        (page,) = (page for page in pages() if page.name == path.name)
         document = QTextDocument()
         document.setDefaultFont(self.font())
         document.setMarkdown(page.text, QTextDocument.MarkdownFeature.MarkdownDialectGitHub)
@@ -192,19 +207,21 @@ class _Browser(QTextBrowser):
         while block.isValid():
             if block.blockFormat().headingLevel():
                 _make_anchor(block)
+            _link_pictures(block)
             block = block.next()
         for frame in document.rootFrame().childFrames():
             if isinstance(frame, QTextTable):
                 _draw_lines(frame)
         return document.toHtml()
 
-    def _picture(self, path: str) -> QImage:
-        """Return a picture in the colours of the theme, as wide as the text at most."""
+    def _picture(self, url: QUrl) -> QImage:
+        """Return a picture in the colours of the theme, as wide as the text at most, or whole."""
         dark = theme().color("window").lightness() < 128
+        path = url.toLocalFile()
         image = QImage(path.replace("-light.", "-dark.") if dark else path)
         width = self.viewport().width() - 2 * round(self.document().documentMargin())
         ratio = self.devicePixelRatioF()
-        if image.width() > width * ratio > 0:
+        if url.fragment() != _WHOLE and image.width() > width * ratio > 0:
             image = image.scaledToWidth(
                 round(width * ratio), Qt.TransformationMode.SmoothTransformation
             )
@@ -227,6 +244,20 @@ def _make_anchor(heading: QTextBlock) -> None:
     spaced = heading.blockFormat()
     spaced.setTopMargin(_SPACE)
     cursor.setBlockFormat(spaced)
+
+
+def _link_pictures(block: QTextBlock) -> None:
+    for run in block.textFormats():
+        if run.format.isImageFormat():
+            cursor = QTextCursor(block)
+            cursor.setPosition(block.position() + run.start)
+            cursor.setPosition(
+                block.position() + run.start + run.length, QTextCursor.MoveMode.KeepAnchor
+            )
+            link = QTextCharFormat()
+            link.setAnchor(True)
+            link.setAnchorHref(run.format.toImageFormat().name())
+            cursor.mergeCharFormat(link)
 
 
 def _draw_lines(table: QTextTable) -> None:
