@@ -1,6 +1,6 @@
 """Make the pictures of the help: those that its pages show, of a connected demo board.
 
-`digests.json` beside them says what each shows; `tests/ui/help` compares it with the window.
+`digests.json` beside them says what each shows; `tests/test_app.py` compares it with the window.
 """
 
 import json

@@ -25,6 +25,7 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.program import Program
 from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.theme.theme import Scheme, theme
+from trex_gui.ui.widgets.leds import Leds
 
 _SIZE = QSize(1440, 800)  # room for a page as it is, and for the panel of the simulated device
 _SETTLE_MS = 2500
@@ -165,6 +166,8 @@ class Tour(QObject):
             return
         text = "\n".join(sorted(fixed_texts(widget)))
         self.digests[name] = hashlib.sha256(text.encode()).hexdigest()[:16]
+        for leds in widget.findChildren(Leds):
+            leds.show_moment(0.0)  # when those that blink are lit
         path = self._folder / f"{name}-{scheme}.png"
         if widget.grab().save(str(path)):
             sys.stdout.write(f"{path}\n")

@@ -99,11 +99,14 @@ class Leds(QWidget):
         self._on_frame()
         self._run()
 
-    @Slot()
-    def _on_frame(self) -> None:
-        seconds = now() - self._since
+    def show_moment(self, seconds: float) -> None:
+        """Show the lamps as they are so long after the pattern began, until the next frame."""
         for index, lamp in enumerate(self.lamps):
             lamp.set_lit(is_lit(self._shown[index], seconds, second=index == 1))
+
+    @Slot()
+    def _on_frame(self) -> None:
+        self.show_moment(now() - self._since)
 
     def _run(self) -> None:
         moves = any(pattern not in {"on", "off"} for pattern in self._shown)

@@ -164,6 +164,7 @@ def test_motor_text_names_speed_and_current(direction: str, speed: int, text: st
     ],
 )
 def test_pattern_is_lit_and_dark_in_turn(pattern: str, lit: float, dark: float) -> None:
+    assert is_lit(pattern, 0.0), "in pictures"
     assert is_lit(pattern, lit)
     assert is_lit(pattern, lit + 3)
     assert not is_lit(pattern, dark)

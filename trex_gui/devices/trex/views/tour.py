@@ -5,6 +5,7 @@ from functools import partial
 
 from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.protocol.flags import CHANNELS
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.tour import Do, Tour
 
 _SETUP_STEPS = ("driver", "jumpers", "sticks", "motors", "limits", "review")
@@ -73,6 +74,8 @@ def tour_steps(tour: Tour, controller: TrexController) -> Iterator[Do]:
         if step != _SETUP_STEPS[-1]:
             yield partial(tour.press, "setupNextButton")
     yield partial(tour.press, "setupCloseButton")
+    yield controller.leave
+    yield lambda: controller.link is ConnectionState.DISCONNECTED
     yield partial(tour.choose, "check_boardAction")
     yield from tour.look_at("checkBoardDialog", "check-leds")
     yield partial(tour.choose_tab, "checkTabs", 1)
