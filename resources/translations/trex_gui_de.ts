@@ -3,6 +3,26 @@
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
     <name>trex_gui</name>
+    <message><source>Permission denied for {0}. {1}</source>
+        <translation>Zugriff auf {0} verweigert. {1}</translation></message>
+    <message><source>{0} cannot be reached: {1}.</source>
+        <translation>{0} ist nicht erreichbar: {1}.</translation></message>
+    <message><source>There is no port {0}. Ports of this computer: {1}.</source>
+        <translation>Es gibt keinen Port {0}. Ports dieses Computers: {1}.</translation></message>
+    <message><source>{0} is in use by another program, or locked by its driver; for up to 5 seconds after a crash also by the guardian process that stops the motors.</source>
+        <translation>{0} wird von einem anderen Programm verwendet oder ist durch seinen Treiber gesperrt; nach einem Absturz bis zu 5 Sekunden lang auch durch den Wächterprozess, der die Motoren stoppt.</translation></message>
+    <message><source>The guardian process is still stopping the motors on {0}, which takes up to 5 seconds. Then connect again.</source>
+        <translation>Der Wächterprozess stoppt noch die Motoren an {0}; das dauert bis zu 5 Sekunden. Verbinden Sie danach erneut.</translation></message>
+    <message><source>{0} is in use by {1}. Close it there, then connect again.</source>
+        <translation>{0} wird von {1} verwendet. Schließen Sie den Port dort und verbinden Sie erneut.</translation></message>
+    <message><source>{0} cannot be set to {1} ({2}).</source>
+        <translation>{0} lässt sich nicht auf {1} einstellen ({2}).</translation></message>
+    <message><source>{0} cannot be opened: {1}.</source>
+        <translation>{0} kann nicht geöffnet werden: {1}.</translation></message>
+    <message><source>Another program reads {0}, too, and has taken bytes from it. Close it there, then connect again.</source>
+        <translation>Ein anderes Programm liest {0} ebenfalls und hat Bytes davon abgefangen. Schließen Sie den Port dort und verbinden Sie erneut.</translation></message>
+    <message><source>The line to {0} is gone. Plug it in, then connect again.</source>
+        <translation>Die Leitung zu {0} ist weg. Stecken Sie den Adapter ein und verbinden Sie erneut.</translation></message>
     <message><source>it is not an ordinary file</source>
         <translation>es ist keine gewöhnliche Datei</translation></message>
     <message><source>this is a binary file; settings are text</source>
@@ -35,38 +55,16 @@
         <translation>einer anderen Leitung dieses Programms</translation></message>
     <message><source>{0} (process {1})</source>
         <translation>{0} (Prozess {1})</translation></message>
-    <message><source> by another program</source>
-        <translation> von einem anderen Programm</translation></message>
-    <message><source>{0} cannot be opened: {1}.</source>
-        <translation>{0} kann nicht geöffnet werden: {1}.</translation></message>
-    <message><source>The line to {0} is gone. Plug it in, then connect again.</source>
-        <translation>Die Leitung zu {0} ist weg. Stecken Sie den Adapter ein und verbinden Sie erneut.</translation></message>
-    <message><source>{0} cannot be reached: {1}.</source>
-        <translation>{0} ist nicht erreichbar: {1}.</translation></message>
-    <message><source>There is no port {0}. Ports of this computer: {1}.</source>
-        <translation>Es gibt keinen Port {0}. Ports dieses Computers: {1}.</translation></message>
     <message><source>none</source>
         <translation>keine</translation></message>
-    <message><source>{0} is in use by another program, or locked by its driver; for up to 5 seconds after a crash also by the guardian process that stops the motors.</source>
-        <translation>{0} wird von einem anderen Programm verwendet oder ist durch seinen Treiber gesperrt; nach einem Absturz bis zu 5 Sekunden lang auch durch den Wächterprozess, der die Motoren stoppt.</translation></message>
-    <message><source>The guardian process is still stopping the motors on {0}, which takes up to 5 seconds. Then connect again.</source>
-        <translation>Der Wächterprozess stoppt noch die Motoren an {0}; das dauert bis zu 5 Sekunden. Verbinden Sie danach erneut.</translation></message>
-    <message><source>{0} is in use{1}. Close it there, then connect again.</source>
-        <translation>{0} wird{1} verwendet. Schließen Sie den Port dort und verbinden Sie erneut.</translation></message>
-    <message><source>{0} cannot be set to {1} ({2}).</source>
-        <translation>{0} lässt sich nicht auf {1} einstellen ({2}).</translation></message>
+    <message><source>another program</source>
+        <translation>einem anderen Programm</translation></message>
     <message><source>It belongs to root; this opens it until it is unplugged: {0}</source>
         <translation>Er gehört root; dieser Befehl öffnet ihn bis zum Ausstecken: {0}</translation></message>
     <message><source>Join its group, then log out and in again: {0} (or, until it is unplugged: {1}).</source>
         <translation>Treten Sie seiner Gruppe bei, dann melden Sie sich ab und wieder an: {0} (oder, bis zum Ausstecken: {1}).</translation></message>
     <message><source>the port takes nothing</source>
         <translation>der Port nimmt nichts an</translation></message>
-    <message><source>Permission denied for {0}. {1}</source>
-        <translation>Zugriff auf {0} verweigert. {1}</translation></message>
-    <message><source> by {0}</source>
-        <translation> von {0}</translation></message>
-    <message><source>Another program reads {0}, too, and has taken bytes from it. Close it there, then connect again.</source>
-        <translation>Ein anderes Programm liest {0} ebenfalls und hat Bytes davon abgefangen. Schließen Sie den Port dort und verbinden Sie erneut.</translation></message>
     <message><source>the port cannot be set to {0}</source>
         <translation>der Port lässt sich nicht auf {0} einstellen</translation></message>
     <message><source>It sends without a request ({0} …).</source>
@@ -1087,8 +1085,8 @@
         <translation>Safe-Start hält die Motoren ausgeschaltet: Schalten Sie den Sender ein und lassen Sie seine Knüppel los.</translation></message>
     <message><source>Channel {0} is {1} above neutral.</source>
         <translation>Kanal {0} liegt {1} über der Neutralstellung.</translation></message>
-    <message><source>Safe-start holds the motors until it is within about {2}: release the stick, or calibrate the channel.</source>
-        <translation>Safe-Start hält die Motoren zurück, bis er höchstens etwa {2} abweicht: Lassen Sie den Knüppel los oder kalibrieren Sie den Kanal.</translation></message>
+    <message><source>Safe-start holds the motors until it is within about {2}: release the stick, or calibrate the channel (in serial mode).</source>
+        <translation>Safe-Start hält die Motoren zurück, bis er höchstens etwa {2} abweicht: Lassen Sie den Knüppel los oder kalibrieren Sie den Kanal (im seriellen Modus).</translation></message>
     <message><source>Channel {0} is {1} below neutral.</source>
         <translation>Kanal {0} liegt {1} unter der Neutralstellung.</translation></message>
     <message><source>Channel 5 requests serial override.</source>
@@ -2937,10 +2935,10 @@
         <translation>Grün an oder schnell blinkend</translation></message>
     <message><source>Running, the channels control the motors</source>
         <translation>In Betrieb, die Kanäle steuern die Motoren</translation></message>
-    <message><source>As above: the board responds in RC and analog mode, too. Red lights while it receives a command. Fast flashes are safe-start.</source>
-        <translation>Wie oben: Das Board antwortet auch im RC- und im Analogmodus. Rot leuchtet, während es einen Befehl empfängt. Schnelles Blinken ist der Safe-Start.</translation></message>
-    <message><source>Both blink together</source>
-        <translation>Beide blinken gemeinsam</translation></message>
+    <message><source>As above: the board responds in RC and analog mode, too. Red lights while it receives a command. Fast flashes are safe-start; five at the start say which channels are learned.</source>
+        <translation>Wie oben: Das Board antwortet auch im RC- und im Analogmodus. Rot leuchtet, während es einen Befehl empfängt. Schnelles Blinken ist der Safe-Start; fünfmaliges Aufleuchten beim Einschalten zeigt, welche Kanäle eingelernt sind.</translation></message>
+    <message><source>Both blink together, or both on</source>
+        <translation>Beide blinken gemeinsam oder leuchten</translation></message>
     <message><source>Learning mode</source>
         <translation>Lernmodus</translation></message>
     <message><source>The board does not respond while it learns its channels. Remove the SO–G jumper, then switch the board off and on.</source>

@@ -3,6 +3,26 @@
 <TS version="2.1" language="fr" sourcelanguage="en">
 <context>
     <name>trex_gui</name>
+    <message><source>Permission denied for {0}. {1}</source>
+        <translation>Permission refusée pour {0}. {1}</translation></message>
+    <message><source>{0} cannot be reached: {1}.</source>
+        <translation>Impossible de joindre {0} : {1}.</translation></message>
+    <message><source>There is no port {0}. Ports of this computer: {1}.</source>
+        <translation>Le port {0} n'existe pas. Ports de cet ordinateur : {1}.</translation></message>
+    <message><source>{0} is in use by another program, or locked by its driver; for up to 5 seconds after a crash also by the guardian process that stops the motors.</source>
+        <translation>{0} est utilisé par un autre programme ou verrouillé par son pilote ; jusqu'à 5 secondes après un plantage, il peut aussi l'être par le processus gardien qui arrête les moteurs.</translation></message>
+    <message><source>The guardian process is still stopping the motors on {0}, which takes up to 5 seconds. Then connect again.</source>
+        <translation>Le processus gardien est encore en train d'arrêter les moteurs sur {0}, ce qui prend jusqu'à 5 secondes. Reconnectez ensuite.</translation></message>
+    <message><source>{0} is in use by {1}. Close it there, then connect again.</source>
+        <translation>{0} est utilisé par {1}. Libérez-le d'abord, puis reconnectez.</translation></message>
+    <message><source>{0} cannot be set to {1} ({2}).</source>
+        <translation>{0} ne peut pas être réglé sur {1} ({2}).</translation></message>
+    <message><source>{0} cannot be opened: {1}.</source>
+        <translation>Impossible d'ouvrir {0} : {1}.</translation></message>
+    <message><source>Another program reads {0}, too, and has taken bytes from it. Close it there, then connect again.</source>
+        <translation>Un autre programme lit aussi {0} et en a pris des octets. Libérez-le dans ce programme, puis reconnectez.</translation></message>
+    <message><source>The line to {0} is gone. Plug it in, then connect again.</source>
+        <translation>La liaison avec {0} a disparu. Rebranchez le câble, puis reconnectez.</translation></message>
     <message><source>it is not an ordinary file</source>
         <translation>ce n'est pas un fichier ordinaire</translation></message>
     <message><source>this is a binary file; settings are text</source>
@@ -35,38 +55,16 @@
         <translation>une autre liaison de ce programme</translation></message>
     <message><source>{0} (process {1})</source>
         <translation>{0} (processus {1})</translation></message>
-    <message><source> by another program</source>
-        <translation> par un autre programme</translation></message>
-    <message><source>{0} cannot be opened: {1}.</source>
-        <translation>Impossible d'ouvrir {0} : {1}.</translation></message>
-    <message><source>The line to {0} is gone. Plug it in, then connect again.</source>
-        <translation>La liaison avec {0} a disparu. Rebranchez le câble, puis reconnectez.</translation></message>
-    <message><source>{0} cannot be reached: {1}.</source>
-        <translation>Impossible de joindre {0} : {1}.</translation></message>
-    <message><source>There is no port {0}. Ports of this computer: {1}.</source>
-        <translation>Le port {0} n'existe pas. Ports de cet ordinateur : {1}.</translation></message>
     <message><source>none</source>
         <translation>aucun</translation></message>
-    <message><source>{0} is in use by another program, or locked by its driver; for up to 5 seconds after a crash also by the guardian process that stops the motors.</source>
-        <translation>{0} est utilisé par un autre programme ou verrouillé par son pilote ; jusqu'à 5 secondes après un plantage, il peut aussi l'être par le processus gardien qui arrête les moteurs.</translation></message>
-    <message><source>The guardian process is still stopping the motors on {0}, which takes up to 5 seconds. Then connect again.</source>
-        <translation>Le processus gardien est encore en train d'arrêter les moteurs sur {0}, ce qui prend jusqu'à 5 secondes. Reconnectez ensuite.</translation></message>
-    <message><source>{0} is in use{1}. Close it there, then connect again.</source>
-        <translation>{0} est utilisé{1}. Libérez-le d'abord, puis reconnectez.</translation></message>
-    <message><source>{0} cannot be set to {1} ({2}).</source>
-        <translation>{0} ne peut pas être réglé sur {1} ({2}).</translation></message>
+    <message><source>another program</source>
+        <translation>un autre programme</translation></message>
     <message><source>It belongs to root; this opens it until it is unplugged: {0}</source>
         <translation>Il appartient à root ; cette commande l'ouvre jusqu'à ce qu'il soit débranché : {0}</translation></message>
     <message><source>Join its group, then log out and in again: {0} (or, until it is unplugged: {1}).</source>
         <translation>Rejoignez son groupe, puis fermez et rouvrez votre session : {0} (ou, jusqu'à ce qu'il soit débranché : {1}).</translation></message>
     <message><source>the port takes nothing</source>
         <translation>le port n'accepte rien</translation></message>
-    <message><source>Permission denied for {0}. {1}</source>
-        <translation>Permission refusée pour {0}. {1}</translation></message>
-    <message><source> by {0}</source>
-        <translation> par {0}</translation></message>
-    <message><source>Another program reads {0}, too, and has taken bytes from it. Close it there, then connect again.</source>
-        <translation>Un autre programme lit aussi {0} et en a pris des octets. Libérez-le dans ce programme, puis reconnectez.</translation></message>
     <message><source>the port cannot be set to {0}</source>
         <translation>le port ne peut pas être réglé sur {0}</translation></message>
     <message><source>It sends without a request ({0} …).</source>
@@ -1087,8 +1085,8 @@
         <translation>Le démarrage sécurisé maintient les moteurs à l'arrêt : allumez l'émetteur et relâchez ses manches.</translation></message>
     <message><source>Channel {0} is {1} above neutral.</source>
         <translation>La voie {0} est à {1} au-dessus du neutre.</translation></message>
-    <message><source>Safe-start holds the motors until it is within about {2}: release the stick, or calibrate the channel.</source>
-        <translation>Le démarrage sécurisé bloque les moteurs jusqu'à ce que l'écart soit d'au plus {2} environ : relâchez le manche, ou étalonnez la voie.</translation></message>
+    <message><source>Safe-start holds the motors until it is within about {2}: release the stick, or calibrate the channel (in serial mode).</source>
+        <translation>Le démarrage sécurisé bloque les moteurs jusqu'à ce que l'écart soit d'au plus {2} environ : relâchez le manche, ou étalonnez la voie (en mode série).</translation></message>
     <message><source>Channel {0} is {1} below neutral.</source>
         <translation>La voie {0} est à {1} en dessous du neutre.</translation></message>
     <message><source>Channel 5 requests serial override.</source>
@@ -2937,10 +2935,10 @@
         <translation>Verte allumée, ou clignotant vite</translation></message>
     <message><source>Running, the channels control the motors</source>
         <translation>En marche, les voies commandent les moteurs</translation></message>
-    <message><source>As above: the board responds in RC and analog mode, too. Red lights while it receives a command. Fast flashes are safe-start.</source>
-        <translation>Comme ci-dessus : la carte répond aussi en mode RC et en mode analogique. La LED rouge s'allume pendant qu'elle reçoit une commande. Un clignotement rapide signale le démarrage sécurisé.</translation></message>
-    <message><source>Both blink together</source>
-        <translation>Les deux clignotent ensemble</translation></message>
+    <message><source>As above: the board responds in RC and analog mode, too. Red lights while it receives a command. Fast flashes are safe-start; five at the start say which channels are learned.</source>
+        <translation>Comme ci-dessus : la carte répond aussi en mode RC et en mode analogique. La LED rouge s'allume pendant qu'elle reçoit une commande. Un clignotement rapide signale le démarrage sécurisé ; cinq éclats à la mise sous tension indiquent les voies apprises.</translation></message>
+    <message><source>Both blink together, or both on</source>
+        <translation>Les deux clignotent ensemble ou sont allumées</translation></message>
     <message><source>Learning mode</source>
         <translation>Mode apprentissage</translation></message>
     <message><source>The board does not respond while it learns its channels. Remove the SO–G jumper, then switch the board off and on.</source>
