@@ -1,6 +1,14 @@
 """What the digest of a picture follows, and what it does not."""
 
-from PySide6.QtWidgets import QGroupBox, QLabel, QPushButton, QStackedWidget, QTabWidget, QWidget
+from PySide6.QtWidgets import (
+    QDialog,
+    QGroupBox,
+    QLabel,
+    QPushButton,
+    QStackedWidget,
+    QTabWidget,
+    QWidget,
+)
 from pytestqt.qtbot import QtBot
 
 from trex_gui.ui.tour import fixed_texts
@@ -64,3 +72,10 @@ def test_fixed_texts_ignore_measurements_fonts_and_sizes(qtbot: QtBot) -> None:
     font.setPointSize(40)
     sample.setFont(font)
     assert sample.digest == before
+
+
+def test_fixed_texts_of_dialogs_have_every_label(qtbot: QtBot) -> None:
+    dialog = QDialog()
+    qtbot.addWidget(dialog)
+    ui.label(dialog, "stepLabel", "Switch the board on.")
+    assert "Switch the board on" in list(fixed_texts(dialog))

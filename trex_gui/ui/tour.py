@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, QSize, Qt, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
     QAbstractButton,
+    QDialog,
     QDockWidget,
     QGroupBox,
     QHeaderView,
@@ -176,8 +177,8 @@ class Tour(QObject):
 def fixed_texts(widget: QWidget) -> Iterator[str]:
     """Yield what a widget shows at any time: names of its parts, texts of labels and buttons.
 
-    Measurements are left out: labels with a name, numbers. Of pages in one place only the current
-    one counts, and neither docks nor dialogs do.
+    Measurements are left out: labels of pages with a name, numbers. Of pages in one place only the
+    current one counts, and neither docks nor dialogs in front do.
     """
     if widget.objectName() and not widget.objectName().startswith("qt_"):
         yield f"{type(widget).__name__} {widget.objectName()}"
@@ -194,7 +195,7 @@ def fixed_texts(widget: QWidget) -> Iterator[str]:
 
 def _texts(widget: QWidget) -> Iterator[str]:
     match widget:
-        case QLabel() if not widget.objectName():
+        case QLabel() if not widget.objectName() or isinstance(widget.window(), QDialog):
             yield widget.text()
         case QAbstractButton():
             yield widget.text()
