@@ -14,7 +14,7 @@ from tests.support.scripts import load_script
 from trex_gui.core.resource_files import resource
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexNoReplyError
-from trex_gui.ui.translations import error_text, install_translations
+from trex_gui.ui.translations import ENGLISH, error_text, install_translations
 
 translations = load_script("translations")
 GERMAN = """<?xml version="1.0" encoding="utf-8"?>
@@ -92,7 +92,8 @@ def test_language_is_one_translation_file(
     assert QCoreApplication.translate("QPlatformTheme", "Cancel") == "Abbrechen"
     error = TrexNoReplyError(ErrorCode.NO_REPLY, "get status")
     assert error_text(error) == "Stumm: get status"
-    for translator in translators:
+    # English formats of numbers, too, for the tests that follow.
+    for translator in (*translators, *install_translations(qapp, ENGLISH)):
         qapp.removeTranslator(translator)
 
 
