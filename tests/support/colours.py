@@ -1,9 +1,10 @@
 """How well colours can be told apart."""
 
 import re
-from collections import Counter
 from collections.abc import Iterator
 
+import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import QAbstractListModel, QPoint, QRect, Qt
 from PySide6.QtGui import QBrush, QColor, QFontInfo, QImage, QPalette
 from PySide6.QtWidgets import (
@@ -44,7 +45,7 @@ def needed_for(font: QFontInfo) -> float:
 
 def weak_texts(window: QWidget) -> dict[str, float]:
     """Return the texts that a window shows with too little contrast, disabled ones included."""
-    picture, weak = window.grab().toImage(), {}
+    pixels, weak = _pixels(window.grab().toImage()), {}
     for widget in window.findChildren(QWidget):
         if not widget.isVisibleTo(window) or widget.window() is not window:
             continue
@@ -53,23 +54,30 @@ def weak_texts(window: QWidget) -> dict[str, float]:
             continue
         for what, text, behind in _texts(widget):
             has_frame = isinstance(widget, _FRAMED)
-            found = behind or [_background(picture.copy(place), has_frame=has_frame)]
+            within = pixels[place.top() : place.bottom() + 1, place.left() : place.right() + 1]
+            found = behind or [_background(within, has_frame=has_frame)]
             least = min(contrast(text, each) for each in found)
             if least < needed_for(widget.fontInfo()):
                 weak[f"{widget.objectName() or type(widget).__name__} {what}"] = round(least, 2)
     return weak
 
 
-def _background(picture: QImage, *, has_frame: bool) -> QColor:
+def _pixels(picture: QImage) -> NDArray[np.uint32]:
+    """Return the colours of a picture, by row and column."""
+    picture = picture.convertToFormat(QImage.Format.Format_RGB32)
+    pixels = np.frombuffer(picture.constBits(), np.uint32)
+    return pixels.reshape(picture.height(), picture.width()).copy()
+
+
+def _background(pixels: NDArray[np.uint32], *, has_frame: bool) -> QColor:
     """Return the colour behind a text: inside the frame below it, or the most frequent one."""
-    right, bottom = picture.width() - 1, picture.height() - 1
-    columns, rows = max(1, right // 24), max(1, bottom // 12)
-    points = [
-        QPoint(x, y) for x in range(0, right + 1, columns) for y in range(0, bottom + 1, rows)
-    ]
+    height, width = pixels.shape
     if has_frame:
-        points = [QPoint(x, max(bottom - 4, 0)) for x in range(right // 4, right - right // 4)]
-    return QColor(Counter(picture.pixel(point) for point in points).most_common(1)[0][0])
+        sample = pixels[max(height - 5, 0), width // 4 : max(width - width // 4, 1)]
+    else:
+        sample = pixels[:: max(1, height // 12), :: max(1, width // 24)]
+    colors, counts = np.unique(sample, return_counts=True)
+    return QColor(int(colors[counts.argmax()]))
 
 
 _FRAMED = QPushButton, QToolButton, QComboBox, QAbstractSpinBox, QLineEdit, QPlainTextEdit
