@@ -2,11 +2,13 @@
 
 import ast
 import configparser
+import json
 import os
 import re
 import runpy
 import subprocess
 import sys
+from io import BytesIO
 from pathlib import Path, PurePath
 from types import ModuleType
 from typing import Any
@@ -383,3 +385,19 @@ def test_wheel_is_tried_with_the_present_python_at_least(
     monkeypatch.setenv("PYENV_ROOT", str(tmp_path))
     number = f"3.{sys.version_info.minor}"
     assert packages.pythons() == {number: Path(sys.executable)}
+
+
+@pytest.mark.parametrize(
+    ("direction", "speed", "is_at_rest"),
+    [("forward", 40, False), ("forward", 0, True), ("brake", 127, True)],
+)
+def test_board_is_at_rest_while_no_motor_is_driven(
+    packages: ModuleType, direction: str, speed: int, is_at_rest: bool
+) -> None:
+    motors = [{"direction": "forward", "speed": 0}, {"direction": direction, "speed": speed}]
+    reply = f"event\nok {json.dumps({'motors': motors})}\n"
+    board = packages.SimulatedBoard(writing := BytesIO(), BytesIO(reply.encode()))
+    assert board.is_at_rest is is_at_rest
+    assert writing.getvalue() == b"show\n"
+    with pytest.raises(packages.BootstrapError, match="has ended"):
+        assert board.is_at_rest
