@@ -3,7 +3,7 @@ import tomllib
 import pytest
 from PySide6.QtCore import QObject, QPoint
 from PySide6.QtGui import QAction, QColor, QIcon, QPalette
-from PySide6.QtWidgets import QApplication, QMenu, QPushButton, QStyle, QWidget
+from PySide6.QtWidgets import QApplication, QMenu, QPushButton, QStyle, QTabBar, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.colours import contrast
@@ -332,3 +332,15 @@ def test_check_marks_and_icons_of_buttons_grow_with_the_font(qtbot: QtBot) -> No
     before = widths()
     theme().set_font_size(150)
     assert widths() == [pytest.approx(1.5 * width, abs=1) for width in before]
+
+
+def test_tab_shows_accents(qtbot: QtBot) -> None:
+    tabs = QTabBar()
+    qtbot.addWidget(tabs)
+    use_theme_style(tabs)
+    tabs.addTab("")
+    tabs.addTab("E")
+    tabs.show()
+    plain = tabs.grab(tabs.tabRect(1)).toImage()
+    tabs.setTabText(1, "É")
+    assert tabs.grab(tabs.tabRect(1)).toImage() != plain

@@ -103,6 +103,7 @@ class Workspace(QWidget):
         # At the right of the window; the workspace shows and hides them.
         self.docks: Sequence[QDockWidget] = ()
         self.pages = QTabWidget(self)
+        use_theme_style(self.pages.tabBar())
         self.pages.setDocumentMode(True)
         self._actions: Mapping[str, QAction] = {}  # by key, once the menus are built
         self._infos: tuple[PageInfo, ...] = ()

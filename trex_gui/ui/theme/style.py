@@ -1,5 +1,8 @@
 """What Fusion draws in one size and one colour, in the size and the colours of the theme."""
 
+from typing import cast
+
+from PySide6.QtCore import QRect
 from PySide6.QtGui import QPainter, QPen
 from PySide6.QtWidgets import (
     QApplication,
@@ -18,6 +21,7 @@ _GROWING = {
     QStyle.PixelMetric.PM_ExclusiveIndicatorWidth,
     QStyle.PixelMetric.PM_ExclusiveIndicatorHeight,
 }
+_ACCENT = 4  # pixels above and below a text, which is in the middle
 _FRAMES = {QStyle.PrimitiveElement.PE_Frame, QStyle.PrimitiveElement.PE_FrameGroupBox}
 
 
@@ -30,6 +34,15 @@ class _ThemeStyle(QProxyStyle):
     ) -> int:
         size = super().pixelMetric(metric, option, widget)
         return size * theme().font_size // 100 if metric in _GROWING else size
+
+    def subElementRect(  # noqa: N802 # of Qt
+        self, element: QStyle.SubElement, option: QStyleOption, widget: QWidget | None = None
+    ) -> QRect:
+        rect = super().subElementRect(element, option, cast("QWidget", widget))  # may be none
+        # Fusion gives the text of a tab less than a line: É loses its accent
+        if element == QStyle.SubElement.SE_TabBarTabText:
+            rect.adjust(0, -_ACCENT, 0, _ACCENT)
+        return rect
 
     def drawPrimitive(
         self,
@@ -78,7 +91,7 @@ def theme_style() -> QStyle:
 
 
 def use_theme_style(widget: QWidget) -> None:
-    """Let check and radio buttons grow with the font; show frames and the lines of menus.
+    """Let check and radio buttons grow with the font; show frames, accents and lines of menus.
 
     Not for the whole application: each metric and each shape is asked of Python.
     """

@@ -15,6 +15,7 @@ from trex_gui.devices.trex.views.learning.dialog import StepStrip
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.frame.wiring_sketch import Wiring, WiringSketch
 from trex_gui.ui.notifier import ConnectWith
+from trex_gui.ui.theme.style import use_theme_style
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog, keep_room
 from trex_gui.ui.widgets.labels import Muted, Note
@@ -303,6 +304,7 @@ class CheckBoardDialog(ReusedDialog):
         resize_with_font(self, 860, 560)
         self._device = device
         self._tabs = QTabWidget(self)
+        use_theme_style(self._tabs.tabBar())
         self._tabs.setDocumentMode(True)  # else its background is brighter than muted text bears
         self._tabs.setObjectName("checkTabs")
         self._tabs.setAccessibleName(self.tr("Ways to a board that responds"))

@@ -25,6 +25,7 @@ from trex_gui.devices.trex.views.settings_editor.text_page import TextPage
 from trex_gui.ui.files import in_background
 from trex_gui.ui.frame.workspace import SEPARATOR, Entry, fill_menu_bar
 from trex_gui.ui.theme.icons import application_icon
+from trex_gui.ui.theme.style import use_theme_style
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.builders import column, named
 from trex_gui.ui.widgets.document_saver import DocumentSaver
@@ -60,6 +61,7 @@ class SettingsEditor(QMainWindow):
 
         self._banner = Banner(self)
         self.tabs = named(QTabWidget(self), "editorTabs", accessible=self.tr("Pages"))
+        use_theme_style(self.tabs.tabBar())
         self.tabs.setDocumentMode(True)
         parameters = ParameterTable(document.draft, self._linter, self)
         self._findings = FindingsPanel(self)

@@ -12,6 +12,7 @@ from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, channels
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.board_records import Known
 from trex_gui.ui.theme.icons import icon
+from trex_gui.ui.theme.style import use_theme_style
 from trex_gui.ui.theme.theme import follow_theme
 from trex_gui.ui.widgets.accessible import Spoken
 from trex_gui.ui.widgets.builders import button, column, label, named, row
@@ -105,6 +106,7 @@ class ChannelHeading(QWidget):
         self._learned = named(ElidedLabel(self.tr("not learned"), self), "learnedLabel")
         self._learned.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._sources = named(QTabBar(self), "sourceTabs", accessible=self.tr("Input source"))
+        use_theme_style(self._sources)
         self._sources.setDrawBase(False)
         for _ in _SOURCES:
             self._sources.addTab("")
