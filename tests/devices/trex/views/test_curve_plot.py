@@ -4,11 +4,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QLocale, QPoint, Qt
+from PySide6.QtGui import QFontMetrics
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
+from tests.support.catalogs import in_language
 from tests.support.pages.calibration import handle_position
 from tests.support.window import LEFT, WidgetDriver
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
@@ -16,7 +18,9 @@ from trex_gui.devices.trex.model.calibration_moves import Handle
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot, InputTrace
+from trex_gui.ui.plotting.canvas import PlotCanvas
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.translations import LANGUAGES
 
 USUAL = ChannelCurve(Calibration(2500, 3750, 5000, 75))
 
@@ -326,3 +330,16 @@ def test_names_and_least_heights_follow_the_font_size(plot: CurvePlot) -> None:
     theme().set_font_size(100)
     assert after[0] > 1.4 * before[0]
     assert after[1] > 1.2 * before[1]
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_labels_have_room_in_each_language(qapp: QApplication, qtbot: QtBot, language: str) -> None:
+    with in_language(qapp, QLocale(language)):
+        plot = CurvePlot()
+        qtbot.addWidget(plot)
+        plot.resize(500, 400)
+        plot.show()
+        texts = plot.tr("Output"), plot.tr("Now")
+    for canvas in plot.findChildren(PlotCanvas):
+        metrics = QFontMetrics(canvas.small_font())
+        assert canvas.frame.left() > max(map(metrics.horizontalAdvance, texts))

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 from PySide6.QtCore import QSize, Qt, Signal, Slot
-from PySide6.QtGui import QAccessible, QBrush, QPen, QResizeEvent
+from PySide6.QtGui import QAccessible, QBrush, QFontMetrics, QPen, QResizeEvent
 from PySide6.QtWidgets import QGraphicsEllipseItem, QGraphicsItem, QWidget
 
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
@@ -21,13 +21,13 @@ from trex_gui.ui.plotting.canvas import PlotCanvas
 from trex_gui.ui.plotting.history import Floats
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.accessible import Spoken
+from trex_gui.ui.widgets.bar import MINUS
 from trex_gui.ui.widgets.builders import column
 
 TRACE_SECONDS = 10.0
 
 _OUTPUT_REACH = FULL_SCALE + 14.0
 _DOT = 5.0
-_WIDEST_Y_LABEL = "Output"
 _WIDEST_X_LABEL = "5000 µs"
 _MIN_CURVE_LINES = 6
 _MIN_TRACE_LINES = 5
@@ -210,9 +210,11 @@ class CurvePlot(QWidget, Spoken):
         self.handles.set_font(self._canvas.small_font())
         metrics, above = self._canvas.fontMetrics(), self.handles.room_above()
         side = metrics.horizontalAdvance(_WIDEST_X_LABEL) // 2 + 4
-        self._canvas.set_margins(left=_WIDEST_Y_LABEL, top=above, right=side, x_axis=True)
+        texts = self.tr("Output"), self.tr("Now"), f"{MINUS}{FULL_SCALE}"  # of both plots
+        left = max(texts, key=QFontMetrics(self._canvas.small_font()).horizontalAdvance)
+        self._canvas.set_margins(left=left, top=above, right=side, x_axis=True)
         self._canvas.setMinimumHeight((_MIN_CURVE_LINES + 2) * metrics.height() + above)
-        self.trace.align(left=_WIDEST_Y_LABEL, right=side)
+        self.trace.align(left=left, right=side)
         self._dot.setPen(QPen(theme().color("plot_background"), 1.5))
         self._dot.setBrush(QBrush(theme().color("motor2")))
 

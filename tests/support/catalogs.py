@@ -1,0 +1,80 @@
+"""What texts of the English window are in its other languages, from the files of Linguist."""
+
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import cache, partial
+
+from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
+from PySide6.QtWidgets import QApplication
+
+from tests.support.scripts import load_script
+from trex_gui.core.resource_files import resource
+from trex_gui.core.translation import use_translations
+from trex_gui.ui.translations import CONTEXT, ENGLISH, LANGUAGES, install_translations
+
+OTHER_LANGUAGES = sorted(LANGUAGES.keys() - {"en"})
+_PLACE = re.compile(r"%n|\{[^{}]*\}")
+
+
+@contextmanager
+def in_language(app: QApplication, locale: QLocale) -> Iterator[None]:
+    """Use a language for what is made meanwhile, then English again."""
+    installed = install_translations(app, locale)
+    try:
+        yield
+    finally:
+        for translator in installed:
+            app.removeTranslator(translator)
+        QLocale.setDefault(ENGLISH)
+        use_translations(partial(QCoreApplication.translate, CONTEXT))
+
+
+def translation(language: str, text: str) -> str:
+    """Return an English text in another language, its places not filled.
+
+    What is not a text of the program is the same in all languages.
+    """
+    source = _source(text) or _source(text.removesuffix(":"))
+    return _texts(language)[source][-1] if source else text
+
+
+def translation_of_qt(language: str, text: str) -> str:
+    """Return the text of a button of Qt in another language."""
+    return _texts_of_qt(language).translate("QPlatformTheme", text) or text
+
+
+@cache
+def _texts(language: str) -> dict[str, tuple[str, ...]]:
+    """Return the translations by source, or their plural forms; English has no others."""
+    file = resource("translations") / f"trex_gui_{language}.ts"
+    read = load_script("translations").read(file)
+    return {text.source: forms for text, forms in read.items()}
+
+
+@cache
+def _texts_of_qt(language: str) -> QTranslator:
+    translator = QTranslator()
+    folder = QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)
+    assert translator.load(QLocale(language), "qtbase", "_", folder)
+    return translator
+
+
+@cache
+def _source(text: str) -> str | None:
+    if text in _texts(OTHER_LANGUAGES[0]):
+        return text
+    matches = (source for pattern, source in _patterns() if pattern.fullmatch(text))
+    return next(matches, None)
+
+
+@cache
+def _patterns() -> list[tuple[re.Pattern[str], str]]:
+    """Return what texts with a letter and places look like, and their sources."""
+    found = []
+    for source in _texts(OTHER_LANGUAGES[0]):
+        has_both = "&" in source and _PLACE.search(source)
+        for form in _texts("en").get(source, (source,)) if has_both else ():
+            parts = map(re.escape, _PLACE.split(form))
+            found.append((re.compile("(.+)".join(parts)), source))
+    return found
