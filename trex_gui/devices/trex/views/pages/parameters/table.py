@@ -42,13 +42,13 @@ class ParameterTable(QWidget):
         self._no_match = self._no_match_note()
         beside = QWidget(self)
         beside.setObjectName("aboutParameters")
-        tools = [action_button(each, beside) for each in self._view.tools]
+        reset, pin, other = (action_button(each, beside) for each in self._view.tools)
         self._help = ParameterHelp(self._model, beside)
         self._note = NoteField(draft.notes, "noteEdit", beside)
         note = label(beside, text=self.tr("N&ote on the value:"), buddy=self._note)
         self._findings = FindingsList("parameter", self._note, beside)
         column(
-            row(*tools, 1),
+            column(row(reset, pin, 1), row(other, 1), spacing=2),
             self._help,
             column(note, self._note, spacing=2),
             self._findings,
