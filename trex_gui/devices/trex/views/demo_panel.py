@@ -429,7 +429,7 @@ def _cable_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRow
             "demoCorrupt",
             tr("Corrupt one byte"),
             tr(
-                "The next byte reaches the board with this error; the Status page counts it. "
+                "The next byte reaches the board with this error; the Errors page counts it. "
                 "Only a board with parity detects a parity error."
             ),
         ),
