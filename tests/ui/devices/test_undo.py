@@ -5,9 +5,12 @@ from dataclasses import replace
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from PySide6.QtCore import QLocale
 from PySide6.QtGui import QUndoStack
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from tests.support.catalogs import in_language
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
@@ -15,6 +18,7 @@ from trex_gui.devices.trex.model.settings.calibrations import Calibrations
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameters import parameters_of
+from trex_gui.ui.devices.undo import undo_titles
 
 SPECS = parameters_of("trex", "1.2")
 FACTORY = {spec.key: spec.default for spec in SPECS.readable}
@@ -185,3 +189,9 @@ def test_undo_and_redo_pass_through_every_state(qtbot: QtBot, data: st.DataObjec
     for state in states[1:]:
         undo.redo()
         assert dict(model.pending) == dict(state)
+
+
+def test_menu_entries_end_with_a_colon_in_no_language(qapp: QApplication) -> None:
+    assert undo_titles("Motor Mode", "") == ("&Undo Motor Mode", "&Redo")
+    with in_language(qapp, QLocale("de")):
+        assert undo_titles("", "Motormodus") == ("&Rückgängig", "&Wiederherstellen: Motormodus")

@@ -5,8 +5,10 @@ so taking an edit back after it was applied makes the old value an edit of its o
 """
 
 from collections.abc import Callable
+from functools import partial
 from typing import Generic, TypeVar
 
+from PySide6.QtCore import QCoreApplication
 from PySide6.QtGui import QUndoCommand
 
 KeyT = TypeVar("KeyT")
@@ -14,6 +16,15 @@ ValueT = TypeVar("ValueT")
 
 
 _OF_A_RUN = 1  # to Qt, commands of one kind may be merged; -1: never
+
+
+def undo_titles(undone: str, redone: str) -> tuple[str, str]:
+    """Return the menu entries of undo and redo, with what they change as far as that is known."""
+    tr = partial(QCoreApplication.translate, "undo")
+    return (
+        tr("&Undo {0}").format(undone) if undone else tr("&Undo"),
+        tr("&Redo {0}").format(redone) if redone else tr("&Redo"),
+    )
 
 
 class Edit(QUndoCommand, Generic[KeyT, ValueT]):

@@ -38,6 +38,7 @@ from trex_gui.devices.trex.views.review.power_cycle import PowerCycleDialog
 from trex_gui.devices.trex.views.review.review_dialog import ReviewDialog
 from trex_gui.devices.trex.views.settings_files import SettingsFiles
 from trex_gui.devices.trex.views.start_ways import start_ways
+from trex_gui.ui.devices.undo import undo_titles
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.start_panel import StartPanel, StartTexts
 from trex_gui.ui.frame.wiring_sketch import Wiring
@@ -484,12 +485,13 @@ class TrexWorkspace(Workspace):
     def _on_actions_changed(self) -> None:
         if self._actions:
             record, undo = self.tr("&Record…"), self._device.draft.undo
+            undo_title, redo_title = undo_titles(undo.undoText(), undo.redoText())
             if self.recordings.recorder.recording:
                 record = self.tr("Stop &recording")
             for key, text in (
                 ("record", record),
-                ("undo", self.tr("&Undo {0}").format(undo.undoText()).strip()),
-                ("redo", self.tr("&Redo {0}").format(undo.redoText()).strip()),
+                ("undo", undo_title),
+                ("redo", redo_title),
             ):
                 self._actions[key].setText(text)
             for key, checked in (

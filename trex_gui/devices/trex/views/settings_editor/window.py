@@ -22,6 +22,7 @@ from trex_gui.devices.trex.views.settings_editor.compare_dialogs import CompareD
 from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsPanel
 from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
 from trex_gui.devices.trex.views.settings_editor.text_page import TextPage
+from trex_gui.ui.devices.undo import undo_titles
 from trex_gui.ui.files import in_background
 from trex_gui.ui.frame.workspace import SEPARATOR, Entry, fill_menu_bar
 from trex_gui.ui.theme.icons import application_icon
@@ -296,9 +297,9 @@ class SettingsEditor(QMainWindow):
             "redo": undo.canRedo() if readable else text.isRedoAvailable(),
         }.items():
             self._actions[key].setEnabled(enabled)
-        undone, redone = (undo.undoText(), undo.redoText()) if readable else ("", "")
-        self._actions["undo"].setText(self.tr("&Undo {0}").format(undone).strip())
-        self._actions["redo"].setText(self.tr("&Redo {0}").format(redone).strip())
+        done = (undo.undoText(), undo.redoText()) if readable else ("", "")
+        for key, title in zip(("undo", "redo"), undo_titles(*done), strict=True):
+            self._actions[key].setText(title)
 
     @Slot()
     def _on_checked(self) -> None:
