@@ -206,7 +206,8 @@ class Readout(QLabel):
         for trace in source.traces:
             value = source.value_at(trace.name, time)
             if trace.name in shown and math.isfinite(value):
-                lines.append(f"{trace.label}: {value_text(value, trace.unit)}")
+                shown_value = value_text(value, trace.unit)
+                lines.append(self.tr("{0}: {1}").format(trace.label, shown_value))
         text = "\n".join(lines)
         if text != self.text():
             self.setText(text)

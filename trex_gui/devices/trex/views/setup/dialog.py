@@ -173,6 +173,7 @@ class SetupDialog(ReusedDialog):
         for key, wire in edits.items():
             spec, before = parameters.spec_of(key), parameters.value_of(key)
             old = "" if before is None else value_text(spec, before)
-            rows.append(f"{spec.name}: {old} → {value_text(spec, wire)}")
+            change = f"{old} → {value_text(spec, wire)}"
+            rows.append(self.tr("{0}: {1}").format(spec.name, change))
         text = self.tr("Next changes {0}. Nothing is written before you apply it.")
         return text.format("; ".join(rows))

@@ -121,7 +121,7 @@ class PartRow(QWidget):
         ui.row((self._combo, 1), self._detect, self._invert, into=self, margins=0)
 
     def set_use(self, text: str) -> None:
-        self.label.setText(f"{text}:")
+        self.label.setText(self.tr("{0}: {1}").format(text, "").rstrip())
         use = text.replace("&", "")
         self._combo.setAccessibleName(use)
         self._detect.setAccessibleName(self.tr("{0}: detect").format(use))
