@@ -702,7 +702,7 @@
     <message><source>Choose a sequence or a gait to see its steps.</source>
         <translation>Wählen Sie eine Sequenz oder eine Gangart, um ihre Schritte zu sehen.</translation></message>
     <message><source>&amp;New</source>
-        <translation>Ne&amp;u</translation></message>
+        <translation>&amp;Neu</translation></message>
     <message><source>Add s&amp;tep</source>
         <translation>Schritt hin&amp;zufügen</translation></message>
     <message><source>Add a step to “{0}” after the current one</source>
@@ -754,7 +754,7 @@
     <message><source>&amp;Blend in</source>
         <translation>E&amp;inblenden</translation></message>
     <message><source>B&amp;lend out to stand</source>
-        <translation>Ausb&amp;lenden zu „stand“</translation></message>
+        <translation>Ausblenden zu „&amp;stand“</translation></message>
     <message><source>Pla&amp;y</source>
         <translation>Abs&amp;pielen</translation></message>
     <message><source>Play the current sequence or gait.</source>
@@ -806,7 +806,7 @@
     <message><source>Capt&amp;ure</source>
         <translation>Aufneh&amp;men</translation></message>
     <message><source>&amp;Go to</source>
-        <translation>Po&amp;se anfahren</translation></message>
+        <translation>Pose anfah&amp;ren</translation></message>
     <message><source>Motor {0}: {1:.0f}°, limits {2} to {3}</source>
         <translation>Motor {0}: {1:.0f}°, Grenzen {2} bis {3}</translation></message>
     <message><source>Position of motor {0} in this pose</source>
@@ -878,7 +878,7 @@
     <message><source>Motor positions are unknown; the last motion may still be running. The next move will report them.</source>
         <translation>Die Motorpositionen sind unbekannt; die letzte Bewegung läuft vielleicht noch. Die nächste Bewegung wird sie melden.</translation></message>
     <message><source>Pre&amp;sent</source>
-        <translation>Ist&amp;position</translation></message>
+        <translation>&amp;Istposition</translation></message>
     <message><source>Present positions</source>
         <translation>Istpositionen</translation></message>
     <message><source>Ce&amp;ntre</source>
@@ -902,7 +902,7 @@
     <message><source>&amp;Limits instead of speeds</source>
         <translation>Grenzen statt Geschwindig&amp;keiten</translation></message>
     <message><source>Speed &amp;of all:</source>
-        <translation>Geschwindigkeit a&amp;ller:</translation></message>
+        <translation>Geschwi&amp;ndigkeit aller:</translation></message>
     <message><source>No robot is connected; goals and limits can be set already.</source>
         <translation>Es ist kein Roboter verbunden; Ziele und Grenzen lassen sich schon einstellen.</translation></message>
     <message><source>Every motor has reached its goal within a few units.</source>
@@ -916,7 +916,7 @@
     <message><source>Set sliders to:</source>
         <translation>Schieberegler setzen auf:</translation></message>
     <message><source>&amp;Stop sequence</source>
-        <translation>Sequenz s&amp;toppen</translation></message>
+        <translation>&amp;Sequenz stoppen</translation></message>
     <message><source>Pages</source>
         <translation>Seiten</translation></message>
     <message><source>a robot</source>
@@ -960,9 +960,9 @@
     <message><source>&amp;End sequence after this step</source>
         <translation>Sequenz nach diesem Schritt b&amp;eenden</translation></message>
     <message><source>Ope&amp;n recording…</source>
-        <translation>Auf&amp;zeichnung öffnen…</translation></message>
+        <translation>Aufzeich&amp;nung öffnen…</translation></message>
     <message><source>Set up &amp;goals and limits without a robot</source>
-        <translation>Zie&amp;le und Grenzen ohne Roboter einstellen</translation></message>
+        <translation>&amp;Ziele und Grenzen ohne Roboter einstellen</translation></message>
     <message><source>Reset the joints' &amp;limits</source>
         <translation>Gelenkgrenzen zu&amp;rücksetzen</translation></message>
     <message><source>&amp;Debug LED of the board</source>
@@ -970,7 +970,7 @@
     <message><source>&amp;New pose file</source>
         <translation>&amp;Neue Posendatei</translation></message>
     <message><source>&amp;Open pose file…</source>
-        <translation>Posendatei ö&amp;ffnen…</translation></message>
+        <translation>&amp;Posendatei öffnen…</translation></message>
     <message><source>&amp;Save pose file</source>
         <translation>Posendatei &amp;speichern</translation></message>
     <message><source>Save pose file &amp;as…</source>
@@ -988,7 +988,7 @@
     <message><source>Open pose fi&amp;le…</source>
         <translation>Po&amp;sendatei öffnen…</translation></message>
     <message><source>Set &amp;up goals and limits</source>
-        <translation>Ziele &amp;und Grenzen einstellen</translation></message>
+        <translation>&amp;Ziele und Grenzen einstellen</translation></message>
     <message><source>ArbotiX</source>
         <translation>ArbotiX</translation></message>
     <message><source>Wiring: TX of the adapter to RX, RX to TX, GND to GND of the board</source>
@@ -1822,7 +1822,7 @@
     <message><source>{0} (may move a motor)</source>
         <translation>{0} (kann einen Motor bewegen)</translation></message>
     <message><source>{0} (stored at once, without a snapshot)</source>
-        <translation>{0} (sofort gespeichert, ohne Sicherung)</translation></message>
+        <translation>{0} (sofort gespeichert, ohne Sicherungskopie)</translation></message>
     <message><source>Sent by hand: {0}</source>
         <translation>Von Hand gesendet: {0}</translation></message>
     <message><source>Parameter</source>
@@ -1852,7 +1852,7 @@
     <message><source>How often in a second the PWM of the motor switches. Low frequencies whine and heat the motor, frequencies above the driver's rating heat the driver. Type any number or use the arrow keys: prescaler and maximum are set to the nearest frequency there is.</source>
         <translation>Wie oft pro Sekunde die PWM des Motors schaltet. Niedrige Frequenzen pfeifen und erwärmen den Motor, Frequenzen über dem Nennwert des Treibers erwärmen den Treiber. Geben Sie eine beliebige Zahl ein oder benutzen Sie die Pfeiltasten: Vorteiler und Maximum werden auf die nächste mögliche Frequenz gesetzt.</translation></message>
     <message><source>This firmware has stored beyond that: wire value {0}.</source>
-        <translation>Diese Firmware hat darüber hinaus gespeichert: Rohwert {0}.</translation></message>
+        <translation>Diese Firmware hat darüber hinaus gespeichert: Bytewert {0}.</translation></message>
     <message><source>The vendor's documents or staff confirm range and default.</source>
         <translation>Dokumente oder Mitarbeiter des Herstellers bestätigen Bereich und Standardwert.</translation></message>
     <message><source>The range is confirmed by the vendor; the default is inferred.</source>
@@ -1880,7 +1880,7 @@
     <message><source>User's guide of the board</source>
         <translation>Benutzerhandbuch des Boards</translation></message>
     <message><source>The meaning of the wire values is inferred, too.</source>
-        <translation>Auch die Bedeutung der Rohwerte ist erschlossen.</translation></message>
+        <translation>Auch die Bedeutung der Bytewerte ist erschlossen.</translation></message>
     <message><source>The vendor's parameter document was not available. The board rejects any value that it does not support.</source>
         <translation>Das Parameterdokument des Herstellers war nicht verfügbar. Das Board lehnt jeden Wert ab, den es nicht unterstützt.</translation></message>
     <message><source>{0} differs: {1}.</source>
@@ -1902,9 +1902,9 @@
     <message><source>User's guide, section {0}</source>
         <translation>Benutzerhandbuch, Abschnitt {0}</translation></message>
     <message><source>{0} (wire value {1} to {2})</source>
-        <translation>{0} (Rohwert {1} bis {2})</translation></message>
+        <translation>{0} (Bytewert {1} bis {2})</translation></message>
     <message><source>Wire value: {0}.</source>
-        <translation>Rohwert: {0}.</translation></message>
+        <translation>Bytewert: {0}.</translation></message>
     <message><source>Still active: {0}.</source>
         <translation>Noch aktiv: {0}.</translation></message>
     <message><source>Recording {0} ended: the board or its input source has changed.</source>
@@ -1912,7 +1912,7 @@
     <message><source>What the board accepted was not remembered. {0}</source>
         <translation>Was das Board akzeptiert hat, wurde nicht vermerkt. {0}</translation></message>
     <message><source>Nothing was written because no snapshot could be saved first. {0}</source>
-        <translation>Es wurde nichts geschrieben, weil zuvor keine Sicherung gespeichert werden konnte. {0}</translation></message>
+        <translation>Es wurde nichts geschrieben, weil zuvor keine Sicherungskopie gespeichert werden konnte. {0}</translation></message>
     <message numerus="yes"><source>Apply of %n setting(s)</source>
         <translation><numerusform>Anwenden von %n Einstellung</numerusform><numerusform>Anwenden von %n Einstellungen</numerusform></translation></message>
     <message><source>Nothing more was written. {0}</source>
@@ -1924,7 +1924,7 @@
     <message><source>Setting</source>
         <translation>Einstellung</translation></message>
     <message><source>Wire</source>
-        <translation>Rohwert</translation></message>
+        <translation>Bytewert</translation></message>
     <message><source>Result</source>
         <translation>Ergebnis</translation></message>
     <message><source>stored</source>
@@ -1950,7 +1950,7 @@
     <message><source>Note on {0}</source>
         <translation>Notiz zu {0}</translation></message>
     <message><source>This snapshot is damaged and cannot be restored. {0}</source>
-        <translation>Diese Sicherung ist beschädigt und kann nicht wiederhergestellt werden. {0}</translation></message>
+        <translation>Diese Sicherungskopie ist beschädigt und kann nicht wiederhergestellt werden. {0}</translation></message>
     <message><source>damaged</source>
         <translation>beschädigt</translation></message>
     <message numerus="yes"><source>And %n more problem(s).</source>
@@ -2242,11 +2242,11 @@
     <message><source>Another board responds now: {0}. Nothing was written to it.</source>
         <translation>Jetzt antwortet ein anderes Board: {0}. Es wurde nichts darauf geschrieben.</translation></message>
     <message><source>Another board responds now: {0}. Settings may have been written to it; compare it with its last snapshot.</source>
-        <translation>Jetzt antwortet ein anderes Board: {0}. Vielleicht wurden Einstellungen darauf geschrieben; vergleichen Sie es mit seiner letzten Sicherung.</translation></message>
+        <translation>Jetzt antwortet ein anderes Board: {0}. Vielleicht wurden Einstellungen darauf geschrieben; vergleichen Sie es mit seiner letzten Sicherungskopie.</translation></message>
     <message><source>The board no longer stores the settings that were read from it: it is another one, or was changed meanwhile. Nothing was written.</source>
         <translation>Das Board speichert nicht mehr die Einstellungen, die von ihm gelesen wurden: Es ist ein anderes, oder es wurde inzwischen geändert. Es wurde nichts geschrieben.</translation></message>
     <message><source>The line corrupted bytes while {0} was written, and another setting may have been changed instead. Read the board again and compare it with the last snapshot. {1}</source>
-        <translation>Die Leitung hat Bytes verfälscht, während {0} geschrieben wurde; vielleicht wurde stattdessen eine andere Einstellung geändert. Lesen Sie das Board erneut und vergleichen Sie es mit der letzten Sicherung. {1}</translation></message>
+        <translation>Die Leitung hat Bytes verfälscht, während {0} geschrieben wurde; vielleicht wurde stattdessen eine andere Einstellung geändert. Lesen Sie das Board erneut und vergleichen Sie es mit der letzten Sicherungskopie. {1}</translation></message>
     <message><source>{0} settings differ from what was read before, so none was restored: another board may be connected.</source>
         <translation>{0} Einstellungen weichen vom zuvor Gelesenen ab, daher wurde keine wiederhergestellt: Vielleicht ist ein anderes Board angeschlossen.</translation></message>
     <message><source>The writing was cancelled before this was tried.</source>
@@ -2332,7 +2332,7 @@
     <message><source>the CRC is {0:02X}, not {1:02X}</source>
         <translation>der CRC-Wert ist {0:02X}, nicht {1:02X}</translation></message>
     <message><source>UART settings are a wire value of 0 to 127, not {0}</source>
-        <translation>der Rohwert der UART-Einstellungen ist 0 bis 127, nicht {0}</translation></message>
+        <translation>der Bytewert der UART-Einstellungen ist 0 bis 127, nicht {0}</translation></message>
     <message><source>UART settings {0:#04x} name no baud rate</source>
         <translation>die UART-Einstellungen {0:#04x} nennen keine Baudrate</translation></message>
     <message><source>a TReX runs at {0} baud, not {1}</source>
@@ -2352,7 +2352,7 @@
     <message><source>a baud rate, error detection and stop bits (low four bits 0 to 10)</source>
         <translation>eine Baudrate, Fehlererkennung und Stoppbits (untere vier Bits 0 bis 10)</translation></message>
     <message><source>{0} to {1} (wire value {2} to {3})</source>
-        <translation>{0} bis {1} (Rohwert {2} bis {3})</translation></message>
+        <translation>{0} bis {1} (Bytewert {2} bis {3})</translation></message>
     <message><source>{0} {1} has no parameter {2!r}{3}</source>
         <translation>{0} {1} hat keinen Parameter {2!r}{3}</translation></message>
     <message><source> or </source>
@@ -2362,11 +2362,11 @@
     <message><source>; did you mean {0}?</source>
         <translation>; meinten Sie {0}?</translation></message>
     <message><source>channels 1 to 5 (wire value 0 to {0})</source>
-        <translation>Kanäle 1 bis 5 (Rohwert 0 bis {0})</translation></message>
+        <translation>Kanäle 1 bis 5 (Bytewert 0 bis {0})</translation></message>
     <message><source>empty</source>
         <translation>leer</translation></message>
     <message><source>wire {0}</source>
-        <translation>Rohwert {0}</translation></message>
+        <translation>Bytewert {0}</translation></message>
     <message><source>Which bytes? Give them in hexadecimal, such as 86 1F.</source>
         <translation>Welche Bytes? Geben Sie sie hexadezimal an, zum Beispiel 86 1F.</translation></message>
     <message><source>device {0}: {1}</source>
@@ -2450,7 +2450,7 @@
     <message><source>it cannot be read: {0}</source>
         <translation>sie kann nicht gelesen werden: {0}</translation></message>
     <message><source>{0} {1}: how many snapshots to keep is not known, so none is removed.</source>
-        <translation>{0} {1}: Wie viele Sicherungen behalten werden sollen, ist nicht bekannt, daher wird keine entfernt.</translation></message>
+        <translation>{0} {1}: Wie viele Sicherungskopien behalten werden sollen, ist nicht bekannt, daher wird keine entfernt.</translation></message>
     <message><source>It is empty.</source>
         <translation>Sie ist leer.</translation></message>
     <message><source>It does not say of which board it is.</source>
@@ -2462,9 +2462,9 @@
     <message><source>it cannot be removed: {0}</source>
         <translation>sie kann nicht entfernt werden: {0}</translation></message>
     <message><source>a history keeps at least one snapshot, not {0}</source>
-        <translation>ein Verlauf behält mindestens eine Sicherung, nicht {0}</translation></message>
+        <translation>ein Verlauf behält mindestens eine Sicherungskopie, nicht {0}</translation></message>
     <message><source>the folder for snapshots cannot be made: {0}</source>
-        <translation>der Ordner für Sicherungen kann nicht angelegt werden: {0}</translation></message>
+        <translation>der Ordner für Sicherungskopien kann nicht angelegt werden: {0}</translation></message>
     <message><source>is missing</source>
         <translation>fehlt</translation></message>
     <message><source>cannot be read ({0})</source>
@@ -2556,11 +2556,11 @@
     <message><source>Stop both motors and the auxiliary now (Esc, anywhere)</source>
         <translation>Beide Motoren und den Hilfsmotor sofort stoppen (Esc, überall)</translation></message>
     <message><source>&amp;Run motor</source>
-        <translation>Motor &amp;freigeben</translation></message>
+        <translation>Motor fre&amp;igeben</translation></message>
     <message><source>There are unapplied changes.</source>
         <translation>Es gibt nicht angewendete Änderungen.</translation></message>
     <message><source>&amp;Apply settings</source>
-        <translation>Einstellungen &amp;anwenden</translation></message>
+        <translation>Einstellungen an&amp;wenden</translation></message>
     <message><source>Unknown: motors may still turn. The stop is being repeated.</source>
         <translation>Unbekannt: Die Motoren können sich noch drehen. Der Stopp wird wiederholt.</translation></message>
     <message><source>The board driven before may still turn its motors. Cut their power.</source>
@@ -2594,11 +2594,11 @@
     <message numerus="yes"><source>&amp;Write to %n board(s)</source>
         <translation><numerusform>Auf %n Board &amp;schreiben</numerusform><numerusform>Auf %n Boards &amp;schreiben</numerusform></translation></message>
     <message><source>Each checked board gets these settings, one board after the other, with a snapshot before. Each keeps its device number and its serial settings. The first error while writing ends the work.</source>
-        <translation>Jedes angekreuzte Board erhält diese Einstellungen, ein Board nach dem anderen, jeweils nach einer Sicherung. Jedes behält seine Gerätenummer und seine seriellen Einstellungen. Der erste Fehler beim Schreiben beendet die Arbeit.</translation></message>
+        <translation>Jedes angekreuzte Board erhält diese Einstellungen, ein Board nach dem anderen, jeweils nach einer Sicherungskopie. Jedes behält seine Gerätenummer und seine seriellen Einstellungen. Der erste Fehler beim Schreiben beendet die Arbeit.</translation></message>
     <message><source>Boards to write to</source>
         <translation>Boards, auf die geschrieben wird</translation></message>
     <message><source>&amp;End after this board</source>
-        <translation>Nach diesem Board b&amp;eenden</translation></message>
+        <translation>&amp;Nach diesem Board beenden</translation></message>
     <message><source>Close</source>
         <translation>Schließen</translation></message>
     <message><source>This file cannot be used: it has errors. Nothing was changed.</source>
@@ -2672,9 +2672,9 @@
     <message><source>How far from the steady current counts as settled, in percent</source>
         <translation>Abweichung vom stationären Strom, die noch als eingeschwungen gilt, in Prozent</translation></message>
     <message><source>Sa&amp;ve…</source>
-        <translation>S&amp;peichern…</translation></message>
+        <translation>&amp;Speichern…</translation></message>
     <message><source>&amp;Close</source>
-        <translation>S&amp;chließen</translation></message>
+        <translation>Sc&amp;hließen</translation></message>
     <message><source>The window of the bench test was closed.</source>
         <translation>Das Fenster des Prüflaufs wurde geschlossen.</translation></message>
     <message><source>Release to stop</source>
@@ -2724,7 +2724,7 @@
     <message><source>Abort current</source>
         <translation>Abbruchstrom</translation></message>
     <message><source>Abort at the board's &amp;limit, too</source>
-        <translation>Auch an der Stromgrenze des Boards abbrec&amp;hen</translation></message>
+        <translation>Auch an der Stromgrenze des &amp;Boards abbrechen</translation></message>
     <message><source>&amp;Motor</source>
         <translation>&amp;Motor</translation></message>
     <message><source>Pro&amp;file</source>
@@ -2734,9 +2734,9 @@
     <message><source>&amp;Duration</source>
         <translation>&amp;Dauer</translation></message>
     <message><source>Se&amp;nt as</source>
-        <translation>G&amp;esendet als</translation></message>
+        <translation>&amp;Gesendet als</translation></message>
     <message><source>Abort &amp;above</source>
-        <translation>A&amp;bbruch über</translation></message>
+        <translation>Abbr&amp;uch über</translation></message>
     <message><source>1 to {0}, the speed ceiling of the Motors page</source>
         <translation>1 bis {0}, die Höchstgeschwindigkeit der Seite „Motoren“</translation></message>
     <message><source>A step has no period.</source>
@@ -2762,7 +2762,7 @@
     <message><source>R&amp;ises in</source>
         <translation>Ans&amp;tieg in</translation></message>
     <message><source>&amp;Period</source>
-        <translation>Per&amp;iode</translation></message>
+        <translation>&amp;Periode</translation></message>
     <message><source>Connect to a board to see its settings.</source>
         <translation>Verbinden Sie ein Board, um seine Einstellungen zu sehen.</translation></message>
     <message><source>Review and write all pending edits, these included</source>
@@ -2872,7 +2872,7 @@
     <message><source>Change device number</source>
         <translation>Gerätenummer ändern</translation></message>
     <message><source>Before it is written, the line is asked for the new number: if another board has it, nothing is written. A board that is off, or has other serial settings, cannot be noticed. The new number takes effect at once, and a snapshot is saved first.</source>
-        <translation>Vor dem Schreiben wird die Leitung nach der neuen Nummer abgefragt: Hat ein anderes Board sie, wird nichts geschrieben. Ein ausgeschaltetes Board oder eines mit anderen seriellen Einstellungen kann nicht bemerkt werden. Die neue Nummer gilt sofort; vorher wird eine Sicherung gespeichert.</translation></message>
+        <translation>Vor dem Schreiben wird die Leitung nach der neuen Nummer abgefragt: Hat ein anderes Board sie, wird nichts geschrieben. Ein ausgeschaltetes Board oder eines mit anderen seriellen Einstellungen kann nicht bemerkt werden. Die neue Nummer gilt sofort; vorher wird eine Sicherungskopie gespeichert.</translation></message>
     <message><source>New device number</source>
         <translation>Neue Gerätenummer</translation></message>
     <message><source>&amp;Write number</source>
@@ -2996,7 +2996,7 @@
     <message><source>Mode may also be on: the board responds in every mode.</source>
         <translation>Der Modus-Jumper darf auch stecken: Das Board antwortet in jedem Modus.</translation></message>
     <message><source>Search with Find first: it finds a board at any of its settings. If that fails, these steps from Pololu's support forum restore the serial settings of the factory. One user saw the LEDs alternate for three seconds only, and nothing was restored: then begin again. Compare the other settings with your last snapshot afterwards (Ctrl+H).</source>
-        <translation>Suchen Sie zuerst mit „Suchen“: Das findet ein Board mit jeder seiner Einstellungen. Hilft das nicht, stellen diese Schritte aus dem Support-Forum von Pololu die seriellen Werkseinstellungen wieder her. Ein Benutzer sah die LEDs nur drei Sekunden lang abwechseln, und nichts wurde wiederhergestellt: Beginnen Sie dann von vorn. Vergleichen Sie danach die übrigen Einstellungen mit Ihrer letzten Sicherung (Strg+H).</translation></message>
+        <translation>Suchen Sie zuerst mit „Suchen“: Das findet ein Board mit jeder seiner Einstellungen. Hilft das nicht, stellen diese Schritte aus dem Support-Forum von Pololu die seriellen Werkseinstellungen wieder her. Ein Benutzer sah die LEDs nur drei Sekunden lang abwechseln, und nichts wurde wiederhergestellt: Beginnen Sie dann von vorn. Vergleichen Sie danach die übrigen Einstellungen mit Ihrer letzten Sicherungskopie (Strg+H).</translation></message>
     <message><source>&amp;Back</source>
         <translation>&amp;Zurück</translation></message>
     <message><source>&amp;Next</source>
@@ -3034,7 +3034,7 @@
     <message><source>Discard and close</source>
         <translation>Verwerfen und schließen</translation></message>
     <message><source>Show &amp;matching settings, too</source>
-        <translation>Auch überein&amp;stimmende Einstellungen zeigen</translation></message>
+        <translation>Auch übereinstimmende &amp;Einstellungen zeigen</translation></message>
     <message><source>Select &amp;all</source>
         <translation>&amp;Alle auswählen</translation></message>
     <message><source>Select &amp;none</source>
@@ -3243,8 +3243,8 @@
         <translation>Ein Fehler der seriellen Leitung, den das Board meldet</translation></message>
     <message><source>Corrupt one byte</source>
         <translation>Ein Byte verfälschen</translation></message>
-    <message><source>The next byte reaches the board with this error; the Status page counts it. Only a board with parity detects a parity error.</source>
-        <translation>Das nächste Byte erreicht das Board mit diesem Fehler; die Seite „Status“ zählt ihn. Nur ein Board mit Parität erkennt einen Paritätsfehler.</translation></message>
+    <message><source>The next byte reaches the board with this error; the Errors page counts it. Only a board with parity detects a parity error.</source>
+        <translation>Das nächste Byte erreicht das Board mit diesem Fehler; die Seite „Fehler“ zählt ihn. Nur ein Board mit Parität erkennt einen Paritätsfehler.</translation></message>
     <message><source>{0} to start the boot loader.</source>
         <translation>{0}, um den Bootloader zu starten.</translation></message>
     <message><source>brake</source>
@@ -3270,7 +3270,7 @@
     <message><source>&amp;Open folder</source>
         <translation>&amp;Ordner öffnen</translation></message>
     <message numerus="yes"><source>Permanently delete %n snapshot(s), the newest of {0}?</source>
-        <translation><numerusform>%n Sicherung von {0} endgültig löschen?</numerusform><numerusform>%n Sicherungen endgültig löschen, die neueste von {0}?</numerusform></translation></message>
+        <translation><numerusform>%n Sicherungskopie von {0} endgültig löschen?</numerusform><numerusform>%n Sicherungskopien endgültig löschen, die neueste von {0}?</numerusform></translation></message>
     <message><source>Search times, boards, adapters (Ctrl+F)</source>
         <translation>Zeiten, Boards, Adapter suchen (Strg+F)</translation></message>
     <message><source>History</source>
@@ -3278,21 +3278,21 @@
     <message><source>There are no snapshots yet.
 
 Before settings are applied or defaults restored, in this window or with trexcmd, everything that the board stores is saved here. You can compare a snapshot with the board and restore all or part of it.</source>
-        <translation>Es gibt noch keine Sicherungen.
+        <translation>Es gibt noch keine Sicherungskopien.
 
-Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in diesem Fenster oder mit trexcmd, wird hier alles gesichert, was das Board speichert. Sie können eine Sicherung mit dem Board vergleichen und ganz oder teilweise wiederherstellen.</translation></message>
+Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in diesem Fenster oder mit trexcmd, wird hier alles gesichert, was das Board speichert. Sie können eine Sicherungskopie mit dem Board vergleichen und ganz oder teilweise wiederherstellen.</translation></message>
     <message><source>Save a copy of the snapshot</source>
-        <translation>Eine Kopie der Sicherung speichern</translation></message>
+        <translation>Sicherungskopie als Datei speichern</translation></message>
     <message><source>Search snapshots</source>
-        <translation>Sicherungen durchsuchen</translation></message>
+        <translation>Sicherungskopien durchsuchen</translation></message>
     <message><source>Snapshots</source>
-        <translation>Sicherungen</translation></message>
+        <translation>Sicherungskopien</translation></message>
     <message><source>No snapshot matches the search.</source>
-        <translation>Keine Sicherung passt zur Suche.</translation></message>
+        <translation>Keine Sicherungskopie passt zur Suche.</translation></message>
     <message><source>Which snapshots are kept</source>
-        <translation>Welche Sicherungen behalten werden</translation></message>
+        <translation>Welche Sicherungskopien behalten werden</translation></message>
     <message><source>How many snapshots are kept</source>
-        <translation>Wie viele Sicherungen behalten werden</translation></message>
+        <translation>Wie viele Sicherungskopien behalten werden</translation></message>
     <message><source>&amp;Set</source>
         <translation>&amp;Setzen</translation></message>
     <message><source>Save a copy as a settings file</source>
@@ -3300,7 +3300,7 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
     <message><source>&amp;Keep</source>
         <translation>&amp;Behalten</translation></message>
     <message><source>snapshots</source>
-        <translation>Sicherungen</translation></message>
+        <translation>Sicherungskopien</translation></message>
     <message><source>A copy was saved in {0}.</source>
         <translation>Eine Kopie wurde in {0} gespeichert.</translation></message>
     <message><source>the newest</source>
@@ -3308,9 +3308,9 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
     <message><source>all</source>
         <translation>alle</translation></message>
     <message numerus="yes"><source>Permanently remove the oldest %n of {0} snapshots?</source>
-        <translation><numerusform>Die älteste Sicherung (%n von {0}) endgültig entfernen?</numerusform><numerusform>Die ältesten %n von {0} Sicherungen endgültig entfernen?</numerusform></translation></message>
+        <translation><numerusform>Die älteste Sicherungskopie (%n von {0}) endgültig entfernen?</numerusform><numerusform>Die ältesten %n von {0} Sicherungskopien endgültig entfernen?</numerusform></translation></message>
     <message><source>The snapshots are in {0}.</source>
-        <translation>Die Sicherungen sind in {0}.</translation></message>
+        <translation>Die Sicherungskopien sind in {0}.</translation></message>
     <message><source>Remove {0}</source>
         <translation>{0} entfernen</translation></message>
     <message><source>Nothing was saved. {0}</source>
@@ -3530,7 +3530,7 @@ bisher {1}</translation></message>
     <message><source>{0}: beyond a limit that is inferred. The board decides: it may reject the value, or store another one.</source>
         <translation>{0}: jenseits einer Grenze, die nur erschlossen ist. Das Board entscheidet: Es lehnt den Wert vielleicht ab oder speichert einen anderen.</translation></message>
     <message><source>Write an&amp;yway</source>
-        <translation>Trotzdem sch&amp;reiben</translation></message>
+        <translation>&amp;Trotzdem schreiben</translation></message>
     <message><source>Line settings</source>
         <translation>Leitungseinstellungen</translation></message>
     <message><source>These must be the settings that the board has now. A new board talks at 19200 baud, without error detection, with one stop bit. Changing them here changes nothing in the board.</source>
@@ -3597,12 +3597,12 @@ bisher {1}</translation></message>
         <translation>Kurve des Kanals</translation></message>
     <message><source>Its handles can be dragged; the fields below set the same values.</source>
         <translation>Ihre Griffe lassen sich ziehen; die Felder darunter setzen dieselben Werte.</translation></message>
+    <message><source>Now</source>
+        <translation>Jetzt</translation></message>
     <message><source>Input of the last 10 seconds</source>
         <translation>Eingang der letzten 10 Sekunden</translation></message>
     <message><source>The input of the last 10 seconds; the newest is at the top</source>
         <translation>Der Eingang der letzten 10 Sekunden; der neueste Wert ist oben</translation></message>
-    <message><source>Now</source>
-        <translation>Jetzt</translation></message>
     <message><source>flip on</source>
         <translation>Umdrehen ein</translation></message>
     <message><source>override on</source>
@@ -3610,7 +3610,7 @@ bisher {1}</translation></message>
     <message><source>Ne&amp;utral</source>
         <translation>&amp;Neutralstellung</translation></message>
     <message><source>Dead&amp;band ±</source>
-        <translation>&amp;Totbereich ±</translation></message>
+        <translation>Totb&amp;ereich ±</translation></message>
     <message><source>Re&amp;versed</source>
         <translation>&amp;Umgekehrt</translation></message>
     <message><source>The output changes its sign: forward and reverse are swapped</source>
@@ -3620,11 +3620,11 @@ bisher {1}</translation></message>
     <message><source>Gentle near neutral, steep near the ends</source>
         <translation>Sanft nahe der Neutralstellung, steil nahe den Endlagen</translation></message>
     <message><source>I&amp;gnored</source>
-        <translation>&amp;Ignoriert</translation></message>
+        <translation>Igno&amp;riert</translation></message>
     <message><source>Held at neutral at any input; for channels without a cable</source>
         <translation>Bei jedem Eingang in Neutralstellung gehalten; für Kanäle ohne Kabel</translation></message>
     <message><source>Re&amp;quired in RC mode</source>
-        <translation>Im &amp;RC-Modus erforderlich</translation></message>
+        <translation>Im RC-Modus erforder&amp;lich</translation></message>
     <message><source>The motors stop when its pulses are missing for half a second</source>
         <translation>Die Motoren werden gestoppt, wenn die Impulse dieses Kanals eine halbe Sekunde fehlen</translation></message>
     <message><source>Its values have not been read yet.</source>
@@ -3676,11 +3676,11 @@ bisher {1}</translation></message>
     <message><source>Learn &amp;this channel…</source>
         <translation>Diesen &amp;Kanal einlernen…</translation></message>
     <message><source>Learn a&amp;ll…</source>
-        <translation>A&amp;lle einlernen…</translation></message>
+        <translation>&amp;Alle einlernen…</translation></message>
     <message><source>Cop&amp;y, reset, files</source>
-        <translation>K&amp;opieren, zurücksetzen, Dateien</translation></message>
+        <translation>Kopieren, zurück&amp;setzen, Dateien</translation></message>
     <message><source>Di&amp;scard</source>
-        <translation>Ver&amp;werfen</translation></message>
+        <translation>&amp;Verwerfen</translation></message>
     <message><source>No board responds. Edits are kept until a board of the same kind is connected.</source>
         <translation>Kein Board antwortet. Änderungen bleiben erhalten, bis ein Board derselben Art verbunden ist.</translation></message>
     <message><source>no live value: the board reads the other source</source>
@@ -3890,7 +3890,7 @@ bisher {1}</translation></message>
     <message><source>St&amp;icks:</source>
         <translation>&amp;Knüppel:</translation></message>
     <message><source>&amp;Dead zone:</source>
-        <translation>T&amp;otzone:</translation></message>
+        <translation>&amp;Totzone:</translation></message>
     <message><source>&amp;Expo:</source>
         <translation>&amp;Expo:</translation></message>
     <message><source>Motor 1:</source>
@@ -3960,7 +3960,7 @@ bisher {1}</translation></message>
     <message><source>Either slider sets both motors; the robot does not turn</source>
         <translation>Jeder Schieberegler setzt beide Motoren; der Roboter lenkt nicht</translation></message>
     <message><source>&amp;Speed ceiling</source>
-        <translation>Höchst&amp;geschwindigkeit</translation></message>
+        <translation>Höchstgeschwi&amp;ndigkeit</translation></message>
     <message><source>New board: raise this once its motors turn the right way.</source>
         <translation>Neues Board: Erst erhöhen, wenn seine Motoren richtig herum drehen.</translation></message>
     <message><source>Options</source>
@@ -3968,17 +3968,17 @@ bisher {1}</translation></message>
     <message><source>Accelerate along the board's ra&amp;mp</source>
         <translation>Mit der &amp;Rampe des Boards beschleunigen</translation></message>
     <message><source>Se&amp;t at once</source>
-        <translation>&amp;Sofort setzen</translation></message>
+        <translation>Sofort set&amp;zen</translation></message>
     <message><source>Drive with arrow &amp;keys or WASD</source>
-        <translation>Mit Pfeil&amp;tasten oder WASD fahren</translation></message>
+        <translation>Mit &amp;Pfeiltasten oder WASD fahren</translation></message>
     <message><source>&amp;Brake strength</source>
         <translation>Bre&amp;msstärke</translation></message>
     <message><source>coast (0 %)</source>
         <translation>auslaufen (0 %)</translation></message>
     <message><source>L&amp;ock after Stop</source>
-        <translation>Sperre nach St&amp;opp</translation></message>
+        <translation>&amp;Sperre nach Stopp</translation></message>
     <message><source>Stop when you lea&amp;ve this page</source>
-        <translation>Beim &amp;Verlassen dieser Seite stoppen</translation></message>
+        <translation>Beim Verl&amp;assen dieser Seite stoppen</translation></message>
     <message><source>Return slider to &amp;zero when it is released</source>
         <translation>Schieberegler beim &amp;Loslassen auf null setzen</translation></message>
     <message><source>&amp;Link both motors</source>
@@ -4056,11 +4056,11 @@ bisher {1}</translation></message>
     <message><source>Group of parameters</source>
         <translation>Gruppe von Parametern</translation></message>
     <message><source>&amp;Modified only</source>
-        <translation>Nur &amp;geänderte</translation></message>
+        <translation>Nu&amp;r geänderte</translation></message>
     <message><source>Not default onl&amp;y</source>
-        <translation>Nur vom &amp;Standard abweichende</translation></message>
+        <translation>&amp;Nur vom Standard abweichende</translation></message>
     <message><source>&amp;Both motors as one</source>
-        <translation>&amp;Beide Motoren gemeinsam</translation></message>
+        <translation>Beide &amp;Motoren gemeinsam</translation></message>
     <message><source>None of {1} matches</source>
         <translation>Keiner von {1} passt</translation></message>
     <message><source>{0} of {1}</source>
@@ -4076,9 +4076,9 @@ bisher {1}</translation></message>
     <message><source>Click a value and type, or double-click it. Nothing is written until you click Apply.</source>
         <translation>Klicken Sie auf einen Wert und tippen Sie, oder doppelklicken Sie darauf. Geschrieben wird erst, wenn Sie auf „Einstellungen anwenden“ klicken.</translation></message>
     <message><source>Discard edi&amp;ts</source>
-        <translation>Änderungen &amp;verwerfen</translation></message>
+        <translation>Änder&amp;ungen verwerfen</translation></message>
     <message><source>Re&amp;load</source>
-        <translation>&amp;Neu laden</translation></message>
+        <translation>Neu &amp;laden</translation></message>
     <message><source>Connect to a board to see its parameters.</source>
         <translation>Verbinden Sie ein Board, um seine Parameter zu sehen.</translation></message>
     <message><source>No board is responding. Edits are kept until the same kind of board is connected.</source>
@@ -4104,7 +4104,7 @@ bisher {1}</translation></message>
     <message><source>&amp;Show all parameters</source>
         <translation>&amp;Alle Parameter anzeigen</translation></message>
     <message><source>N&amp;ote on the value:</source>
-        <translation>N&amp;otiz zum Wert:</translation></message>
+        <translation>Noti&amp;z zum Wert:</translation></message>
     <message><source>No parameter matches.</source>
         <translation>Kein Parameter passt.</translation></message>
     <message><source>No parameter is selected</source>
@@ -4116,31 +4116,31 @@ bisher {1}</translation></message>
     <message><source>Edit</source>
         <translation>Bearbeiten</translation></message>
     <message><source>Try another &amp;wire value…</source>
-        <translation>Anderen &amp;Rohwert versuchen…</translation></message>
+        <translation>Anderen Byte&amp;wert versuchen…</translation></message>
     <message><source>Leave out of the file</source>
         <translation>In der Datei weglassen</translation></message>
     <message><source>Pi&amp;n to the top</source>
-        <translation>O&amp;ben anheften</translation></message>
+        <translation>&amp;Oben anheften</translation></message>
     <message><source>Other &amp;value…</source>
-        <translation>Anderer &amp;Wert…</translation></message>
+        <translation>&amp;Anderer Wert…</translation></message>
     <message><source>Pi&amp;n</source>
-        <translation>An&amp;heften</translation></message>
+        <translation>Anh&amp;eften</translation></message>
     <message><source>Defa&amp;ult</source>
         <translation>&amp;Standardwert</translation></message>
     <message><source>U&amp;npin</source>
-        <translation>L&amp;oslösen</translation></message>
+        <translation>&amp;Lösen</translation></message>
     <message><source>Copy as “{0}”</source>
         <translation>Kopieren als „{0}“</translation></message>
     <message><source>Copy to {0}</source>
         <translation>Nach {0} kopieren</translation></message>
     <message><source>{0} is {1}. This limit is inferred: no document confirms it. You can try any wire value from 0 to {2}. The board decides: it may reject the value, or store another one, and the program shows which. A value that the board stores is remembered for its firmware.</source>
-        <translation>{0}: {1}. Diese Grenze ist erschlossen: Kein Dokument bestätigt sie. Sie können jeden Rohwert von 0 bis {2} versuchen. Das Board entscheidet: Es kann den Wert ablehnen oder einen anderen speichern; das Programm zeigt, was geschehen ist. Ein Wert, den das Board speichert, wird für seine Firmware gemerkt.</translation></message>
+        <translation>{0}: {1}. Diese Grenze ist erschlossen: Kein Dokument bestätigt sie. Sie können jeden Bytewert von 0 bis {2} versuchen. Das Board entscheidet: Es kann den Wert ablehnen oder einen anderen speichern; das Programm zeigt, was geschehen ist. Ein Wert, den das Board speichert, wird für seine Firmware gemerkt.</translation></message>
     <message><source>Wire value</source>
-        <translation>Rohwert</translation></message>
+        <translation>Bytewert</translation></message>
     <message><source>&amp;Try this value</source>
         <translation>Diesen Wert &amp;versuchen</translation></message>
     <message><source>&amp;Wire value:</source>
-        <translation>&amp;Rohwert:</translation></message>
+        <translation>&amp;Bytewert:</translation></message>
     <message><source>Who drives, jumpers, sticks, motors and limits, step by step.</source>
         <translation>Wer steuert, Jumper, Knüppel, Motoren und Grenzen, Schritt für Schritt.</translation></message>
     <message><source>compact packets</source>
@@ -4148,7 +4148,7 @@ bisher {1}</translation></message>
     <message><source>LEDs on the board:</source>
         <translation>LEDs auf dem Board:</translation></message>
     <message><source>Set up my r&amp;obot…</source>
-        <translation>Meinen R&amp;oboter einrichten…</translation></message>
+        <translation>&amp;Meinen Roboter einrichten…</translation></message>
     <message><source>This firmware runs at half of this baud rate.</source>
         <translation>Diese Firmware arbeitet mit der Hälfte dieser Baudrate.</translation></message>
     <message><source>LEDs that the board shows</source>
@@ -4300,7 +4300,7 @@ bisher {1}</translation></message>
     <message><source>The value that was being written when the connection was lost may be the old one, the new one or, after a power cut, the default. It will be read again.</source>
         <translation>Der Wert, der gerade geschrieben wurde, als die Verbindung verloren ging, kann der alte, der neue oder, nach einem Stromausfall, der Standardwert sein. Er wird erneut gelesen.</translation></message>
     <message numerus="yes"><source>%n finding(s). Accept a proposal, or leave the setting as it is.</source>
-        <translation><numerusform>%n Befund. Nehmen Sie einen Vorschlag an oder lassen Sie die Einstellung, wie sie ist.</numerusform><numerusform>%n Befunde. Nehmen Sie einen Vorschlag an oder lassen Sie die Einstellung, wie sie ist.</numerusform></translation></message>
+        <translation><numerusform>%n Befund. Übernehmen Sie den Vorschlag oder lassen Sie die Einstellung, wie sie ist.</numerusform><numerusform>%n Befunde. Übernehmen Sie einen Vorschlag oder lassen Sie die Einstellung, wie sie ist.</numerusform></translation></message>
     <message numerus="yes"><source>%n finding(s) left.</source>
         <translation><numerusform>%n Befund bleibt.</numerusform><numerusform>%n Befunde bleiben.</numerusform></translation></message>
     <message><source>There is nothing to write: no setting was changed.</source>
@@ -4338,7 +4338,7 @@ bisher {1}</translation></message>
     <message><source>A board keeps two calibrations for each channel: one for RC pulses, one for analog voltages. Calibrations that are not in the file stay as they are on the board. The number without a unit is the count in the file.</source>
         <translation>Ein Board speichert zwei Kalibrierungen für jeden Kanal: eine für RC-Impulse, eine für analoge Spannungen. Kalibrierungen, die nicht in der Datei stehen, bleiben auf dem Board, wie sie sind. Die Zahl ohne Einheit ist der Wert in Counts, wie er in der Datei steht.</translation></message>
     <message><source>N&amp;ote on the calibration:</source>
-        <translation>N&amp;otiz zur Kalibrierung:</translation></message>
+        <translation>&amp;Notiz zur Kalibrierung:</translation></message>
     <message><source>Add the default calibration for the selected channels</source>
         <translation>Die Standardkalibrierung für die ausgewählten Kanäle hinzufügen</translation></message>
     <message><source>Remove the calibrations of the selected channels from the file</source>
@@ -4356,7 +4356,7 @@ bisher {1}</translation></message>
     <message numerus="yes"><source>%n setting(s) differ, {0} match.</source>
         <translation><numerusform>%n Einstellung weicht ab, {0} gleich.</numerusform><numerusform>%n Einstellungen weichen ab, {0} gleich.</numerusform></translation></message>
     <message numerus="yes"><source>&amp;Copy %n value(s) to {0}</source>
-        <translation><numerusform>%n Wert nach {0} &amp;kopieren</numerusform><numerusform>%n Werte nach {0} &amp;kopieren</numerusform></translation></message>
+        <translation><numerusform>%n &amp;Wert nach {0} kopieren</numerusform><numerusform>%n &amp;Werte nach {0} kopieren</numerusform></translation></message>
     <message numerus="yes"><source>%n value(s) copied from {0}.</source>
         <translation><numerusform>%n Wert aus {0} kopiert.</numerusform><numerusform>%n Werte aus {0} kopiert.</numerusform></translation></message>
     <message><source>&amp;Edit the file instead</source>
@@ -4384,7 +4384,7 @@ bisher {1}</translation></message>
     <message><source>Findings</source>
         <translation>Befunde</translation></message>
     <message><source>Acce&amp;pt the proposal</source>
-        <translation>Vorschlag a&amp;nnehmen</translation></message>
+        <translation>Vor&amp;schlag übernehmen</translation></message>
     <message><source>No errors, warnings or suggestions.</source>
         <translation>Keine Fehler, Warnungen oder Hinweise.</translation></message>
     <message numerus="yes"><source>%n error(s)</source>
@@ -4436,7 +4436,7 @@ bisher {1}</translation></message>
     <message><source>Read the text again and list its errors</source>
         <translation>Den Text erneut lesen und seine Fehler auflisten</translation></message>
     <message><source>Write values with units as wire values, and numbers beyond their range as the nearest one in it; the file changes when you save it</source>
-        <translation>Werte mit Einheiten als Rohwerte schreiben, und Zahlen außerhalb ihres Bereichs als die nächstliegende darin; die Datei ändert sich, wenn Sie speichern</translation></message>
+        <translation>Werte mit Einheiten als Bytewerte schreiben, und Zahlen außerhalb ihres Bereichs als die nächstliegende darin; die Datei ändert sich, wenn Sie speichern</translation></message>
     <message><source>Text of the settings file</source>
         <translation>Text der Einstellungsdatei</translation></message>
     <message><source>This is the text as it was opened, without your changes: {0}. Save offers to rewrite the file from the settings.</source>
@@ -4476,7 +4476,7 @@ bisher {1}</translation></message>
     <message><source>&amp;Print…</source>
         <translation>&amp;Drucken…</translation></message>
     <message><source>Save as P&amp;DF…</source>
-        <translation>Als &amp;PDF speichern…</translation></message>
+        <translation>&amp;Als PDF speichern…</translation></message>
     <message><source>&amp;Convert for another board…</source>
         <translation>Für ein anderes Board &amp;konvertieren…</translation></message>
     <message><source>With another &amp;file…</source>
@@ -4499,10 +4499,6 @@ bisher {1}</translation></message>
         <translation>Die Seiten wurden in {0} gespeichert.</translation></message>
     <message><source>Not compared. {0}</source>
         <translation>Nicht verglichen. {0}</translation></message>
-    <message><source>&amp;Undo {0}</source>
-        <translation>&amp;Rückgängig: {0}</translation></message>
-    <message><source>&amp;Redo {0}</source>
-        <translation>&amp;Wiederherstellen: {0}</translation></message>
     <message><source>Open settings file</source>
         <translation>Einstellungsdatei öffnen</translation></message>
     <message><source>{0} applies and checks the settings shown; read its first lines.</source>
@@ -4560,7 +4556,7 @@ bisher {1}</translation></message>
     <message><source>Serial &amp;timeout</source>
         <translation>Serielles &amp;Timeout</translation></message>
     <message><source>S&amp;kip</source>
-        <translation>Über&amp;springen</translation></message>
+        <translation>Übers&amp;pringen</translation></message>
     <message numerus="yes"><source>Next adds %n change(s). Nothing is written before you apply them.</source>
         <translation><numerusform>„Weiter“ fügt %n Änderung hinzu. Geschrieben wird erst, wenn Sie sie anwenden.</numerusform><numerusform>„Weiter“ fügt %n Änderungen hinzu. Geschrieben wird erst, wenn Sie sie anwenden.</numerusform></translation></message>
     <message><source>Go on without the changes of this step</source>
@@ -4708,7 +4704,7 @@ bisher {1}</translation></message>
     <message><source>A transmitter or a joystick: forward and back, left and right with one stick. The board mixes both.</source>
         <translation>Ein Sender oder ein Joystick: vor und zurück, links und rechts mit einem Knüppel. Das Board mischt beides.</translation></message>
     <message><source>&amp;Two sticks</source>
-        <translation>&amp;Zwei Knüppel</translation></message>
+        <translation>Zwei &amp;Knüppel</translation></message>
     <message><source>One stick for each side of the robot, as in a tank.</source>
         <translation>Ein Knüppel für jede Seite des Roboters, wie bei einem Kettenfahrzeug.</translation></message>
     <message><source>&amp;A computer</source>
@@ -4738,7 +4734,7 @@ bisher {1}</translation></message>
     <message><source>{0}: no signal arrives.</source>
         <translation>{0}: Es kommt kein Signal an.</translation></message>
     <message><source>Keep w&amp;hat the board has</source>
-        <translation>&amp;Werte des Boards behalten</translation></message>
+        <translation>Werte des &amp;Boards behalten</translation></message>
     <message><source>Neither ramps nor limits change.</source>
         <translation>Weder Rampen noch Grenzen ändern sich.</translation></message>
     <message><source>&amp;Tank</source>
@@ -4796,7 +4792,7 @@ bisher {1}</translation></message>
     <message><source>{0} cannot be compared with: {1}</source>
         <translation>Vergleich mit {0} nicht möglich: {1}</translation></message>
     <message><source>&amp;Restore selected as edits</source>
-        <translation>Auswahl als Änderungen wieder&amp;herstellen</translation></message>
+        <translation>&amp;Auswahl als Änderungen wiederherstellen</translation></message>
     <message><source>{0} is damaged and cannot be restored. {1}</source>
         <translation>{0} ist beschädigt und kann nicht wiederhergestellt werden. {1}</translation></message>
     <message><source>{0}, before {1}</source>
@@ -4808,9 +4804,9 @@ bisher {1}</translation></message>
     <message><source>Nothing is selected to be restored.</source>
         <translation>Zum Wiederherstellen ist nichts ausgewählt.</translation></message>
     <message><source>A damaged snapshot cannot be restored.</source>
-        <translation>Eine beschädigte Sicherung kann nicht wiederhergestellt werden.</translation></message>
+        <translation>Eine beschädigte Sicherungskopie kann nicht wiederhergestellt werden.</translation></message>
     <message><source>The snapshot is being read.</source>
-        <translation>Die Sicherung wird gelesen.</translation></message>
+        <translation>Die Sicherungskopie wird gelesen.</translation></message>
     <message><source>To restore one of the two, select it alone.</source>
         <translation>Um eine der beiden wiederherzustellen, wählen Sie sie allein aus.</translation></message>
     <message><source>To restore, compare with the board.</source>
@@ -4824,47 +4820,47 @@ bisher {1}</translation></message>
     <message><source>Select the settings to restore.</source>
         <translation>Wählen Sie die Einstellungen aus, die wiederhergestellt werden sollen.</translation></message>
     <message><source>No board is connected. Connect one to restore a snapshot.</source>
-        <translation>Kein Board ist verbunden. Verbinden Sie eines, um eine Sicherung wiederherzustellen.</translation></message>
+        <translation>Kein Board ist verbunden. Verbinden Sie eines, um eine Sicherungskopie wiederherzustellen.</translation></message>
     <message><source>the board as it is now, with edits</source>
         <translation>Board, wie es jetzt ist, mit Änderungen</translation></message>
     <message><source>a settings file…</source>
         <translation>Einstellungsdatei…</translation></message>
     <message><source>snapshot of {0}</source>
-        <translation>Sicherung von {0}</translation></message>
+        <translation>Sicherungskopie von {0}</translation></message>
     <message><source>snapshot of {0}, before {1}</source>
-        <translation>Sicherung von {0}, vor: {1}</translation></message>
+        <translation>Sicherungskopie von {0}, vor: {1}</translation></message>
     <message><source>Turn the selected values into edits and review them; only Apply writes them</source>
         <translation>Die ausgewählten Werte als Änderungen übernehmen und prüfen; nur „Einstellungen anwenden“ schreibt sie</translation></message>
     <message><source>This snapshot has no differences to restore.</source>
-        <translation>Diese Sicherung enthält keine Unterschiede zum Wiederherstellen.</translation></message>
+        <translation>Diese Sicherungskopie enthält keine Unterschiede zum Wiederherstellen.</translation></message>
     <message><source>The board, with the edits made here, matches this snapshot.</source>
-        <translation>Das Board stimmt, mit den hier gemachten Änderungen, mit dieser Sicherung überein.</translation></message>
+        <translation>Das Board stimmt, mit den hier gemachten Änderungen, mit dieser Sicherungskopie überein.</translation></message>
     <message numerus="yes"><source>%n setting(s) not in the snapshot would stay.</source>
-        <translation><numerusform>%n Einstellung, die nicht in der Sicherung steht, bliebe unverändert.</numerusform><numerusform>%n Einstellungen, die nicht in der Sicherung stehen, blieben unverändert.</numerusform></translation></message>
+        <translation><numerusform>%n Einstellung, die nicht in der Sicherungskopie steht, bliebe unverändert.</numerusform><numerusform>%n Einstellungen, die nicht in der Sicherungskopie stehen, blieben unverändert.</numerusform></translation></message>
     <message><source>Restore snapshot of {0}</source>
-        <translation>Sicherung von {0} wiederherstellen</translation></message>
+        <translation>Sicherungskopie von {0} wiederherstellen</translation></message>
     <message><source>Compare &amp;with:</source>
-        <translation>Vergleichen &amp;mit:</translation></message>
+        <translation>&amp;Vergleichen mit:</translation></message>
     <message><source>Now, with edits</source>
         <translation>Jetzt, mit Änderungen</translation></message>
     <message><source>Snapshot of {0}</source>
-        <translation>Sicherung von {0}</translation></message>
+        <translation>Sicherungskopie von {0}</translation></message>
     <message><source>Select a snapshot to see what it would restore.</source>
-        <translation>Wählen Sie eine Sicherung aus, um zu sehen, was sie wiederherstellen würde.</translation></message>
+        <translation>Wählen Sie eine Sicherungskopie aus, um zu sehen, was sie wiederherstellen würde.</translation></message>
     <message><source>Select one snapshot, or two to compare them.</source>
-        <translation>Wählen Sie eine Sicherung aus, oder zwei, um sie zu vergleichen.</translation></message>
+        <translation>Wählen Sie eine Sicherungskopie aus, oder zwei, um sie zu vergleichen.</translation></message>
     <message numerus="yes"><source>There is no other snapshot of a {0} to compare with. This one has %n setting(s).</source>
-        <translation><numerusform>Es gibt keine andere Sicherung eines {0} zum Vergleich. Diese hat %n Einstellung.</numerusform><numerusform>Es gibt keine andere Sicherung eines {0} zum Vergleich. Diese hat %n Einstellungen.</numerusform></translation></message>
+        <translation><numerusform>Es gibt keine andere Sicherungskopie eines {0} zum Vergleich. Diese hat %n Einstellung.</numerusform><numerusform>Es gibt keine andere Sicherungskopie eines {0} zum Vergleich. Diese hat %n Einstellungen.</numerusform></translation></message>
     <message><source>This snapshot is of a {0}, and the board here is a {1}: it cannot be restored.</source>
-        <translation>Diese Sicherung ist von einem {0}, und das Board hier ist ein {1}: Sie kann nicht wiederhergestellt werden.</translation></message>
+        <translation>Diese Sicherungskopie ist von einem {0}, und das Board hier ist ein {1}: Sie kann nicht wiederhergestellt werden.</translation></message>
     <message><source>Note: this snapshot is of device number {0}, the board here is number {1}.</source>
-        <translation>Hinweis: Diese Sicherung ist von Gerätenummer {0}, das Board hier hat Nummer {1}.</translation></message>
+        <translation>Hinweis: Diese Sicherungskopie ist von Gerätenummer {0}, das Board hier hat Nummer {1}.</translation></message>
     <message><source>Nothing was restored: {0}</source>
         <translation>Nichts wurde wiederhergestellt: {0}</translation></message>
     <message><source>You need a USB-serial adapter with TTL levels (5 V or 3.3 V) and three wires.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Switch the board off. Remove the mode jumper: then it starts in serial mode, which is needed to drive it and to change settings from here. Remove the SO–G jumper, too.&lt;/li&gt;&lt;li&gt;Wire the adapter as shown.&lt;/li&gt;&lt;li&gt;Lift the wheels off the ground, switch the board on, and connect:&lt;/li&gt;&lt;/ol&gt;</source>
         <translation>Sie brauchen einen USB-Seriell-Adapter mit TTL-Pegeln (5 V oder 3,3 V) und drei Leitungen.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Schalten Sie das Board aus. Ziehen Sie den Modus-Jumper ab: Dann startet es im seriellen Modus, der nötig ist, um es von hier aus zu steuern und Einstellungen zu ändern. Ziehen Sie auch den SO–G-Jumper ab.&lt;/li&gt;&lt;li&gt;Schließen Sie den Adapter wie gezeigt an.&lt;/li&gt;&lt;li&gt;Heben Sie die Räder vom Boden ab, schalten Sie das Board ein und verbinden Sie:&lt;/li&gt;&lt;/ol&gt;</translation></message>
     <message><source>TT&amp;L adapter</source>
-        <translation>TT&amp;L-Adapter</translation></message>
+        <translation>&amp;TTL-Adapter</translation></message>
     <message><source>You need an RS-232 port of the computer or an RS-232 adapter, and three wires.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Switch the board off. Remove the mode and SO–G jumpers, as for a TTL adapter.&lt;/li&gt;&lt;li&gt;Wire the port to the RS-232 pins as shown, and leave SI and SO free: the voltages of RS-232 can damage them.&lt;/li&gt;&lt;li&gt;Lift the wheels off the ground, switch the board on, and connect:&lt;/li&gt;&lt;/ol&gt;</source>
         <translation>Sie brauchen einen RS-232-Port am Computer oder einen RS-232-Adapter und drei Leitungen.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Schalten Sie das Board aus. Ziehen Sie Modus- und SO–G-Jumper ab, wie bei einem TTL-Adapter.&lt;/li&gt;&lt;li&gt;Schließen Sie den Port wie gezeigt an die RS-232-Pins an, und lassen Sie SI und SO frei: Die Spannungen von RS-232 können sie beschädigen.&lt;/li&gt;&lt;li&gt;Heben Sie die Räder vom Boden ab, schalten Sie das Board ein und verbinden Sie:&lt;/li&gt;&lt;/ol&gt;</translation></message>
     <message><source>RS-&amp;232 adapter</source>
@@ -4872,7 +4868,7 @@ bisher {1}</translation></message>
     <message><source>You need an RC receiver with a servo cable for each channel, and an adapter to connect the board to this computer.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Set the board up through the adapter first: with the mode jumper on, it accepts no settings.&lt;/li&gt;&lt;li&gt;Switch the board off. Connect the receiver as shown: a servo cable has signal, 5 V and GND. The BEC jumper lets the board feed the receiver, with 100 mA at most.&lt;/li&gt;&lt;li&gt;Put the mode jumper on RC. Lift the wheels off the ground and switch on: the transmitter drives, and this program shows what it does.&lt;/li&gt;&lt;/ol&gt;</source>
         <translation>Sie brauchen einen RC-Empfänger mit einem Servokabel je Kanal und einen Adapter, um das Board mit diesem Computer zu verbinden.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Richten Sie das Board zuerst über den Adapter ein: Mit gestecktem Modus-Jumper nimmt es keine Einstellungen an.&lt;/li&gt;&lt;li&gt;Schalten Sie das Board aus. Schließen Sie den Empfänger wie gezeigt an: Ein Servokabel hat Signal, 5 V und GND. Mit dem BEC-Jumper versorgt das Board den Empfänger, mit höchstens 100 mA.&lt;/li&gt;&lt;li&gt;Stecken Sie den Modus-Jumper auf RC. Heben Sie die Räder vom Boden ab und schalten Sie ein: Der Sender steuert, und dieses Programm zeigt, was er tut.&lt;/li&gt;&lt;/ol&gt;</translation></message>
     <message><source>RC recei&amp;ver</source>
-        <translation>RC-&amp;Empfänger</translation></message>
+        <translation>&amp;RC-Empfänger</translation></message>
     <message><source>Wiring: TX of the RS-232 port (pin 3 of nine) to RX, RX (pin 2) to TX, GND (pin 5) to GND of the board</source>
         <translation>Verdrahtung: TX des RS-232-Ports (Pin 3 von neun) an RX, RX (Pin 2) an TX, GND (Pin 5) an GND des Boards</translation></message>
     <message><source>RS-232 port</source>
@@ -4916,7 +4912,7 @@ bisher {1}</translation></message>
     <message><source>No board at hand?</source>
         <translation>Kein Board zur Hand?</translation></message>
     <message><source>&amp;Try the demo</source>
-        <translation>&amp;Demo ausprobieren</translation></message>
+        <translation>Demo aus&amp;probieren</translation></message>
     <message><source>Set up, calibrate, drive and understand a Pololu TReX or TReX Jr. You need the board with its supply, and a serial adapter with three wires. No motor moves before you click Run motor, and Esc stops the motors in every window.</source>
         <translation>Einen Pololu TReX oder TReX Jr einrichten, kalibrieren, ansteuern und verstehen. Sie brauchen das Board mit seiner Stromversorgung und einen seriellen Adapter mit drei Leitungen. Kein Motor bewegt sich, bevor Sie auf „Motor freigeben“ klicken, und Esc stoppt die Motoren in jedem Fenster.</translation></message>
     <message><source>Discard and reload</source>
@@ -4926,11 +4922,11 @@ bisher {1}</translation></message>
     <message><source>Keep the values of the board</source>
         <translation>Werte des Boards behalten</translation></message>
     <message><source>S&amp;tatus</source>
-        <translation>St&amp;atus</translation></message>
+        <translation>&amp;Status</translation></message>
     <message><source>&amp;Channels</source>
         <translation>&amp;Kanäle</translation></message>
     <message><source>Cali&amp;bration</source>
-        <translation>Ka&amp;librierung</translation></message>
+        <translation>Kalibrierun&amp;g</translation></message>
     <message><source>&amp;Motors</source>
         <translation>&amp;Motoren</translation></message>
     <message><source>C&amp;urrents</source>
@@ -4948,9 +4944,9 @@ bisher {1}</translation></message>
     <message><source>&amp;Save settings file…</source>
         <translation>Einstellungsdatei &amp;speichern…</translation></message>
     <message><source>Prin&amp;t settings…</source>
-        <translation>Einstellungen &amp;drucken…</translation></message>
+        <translation>&amp;Einstellungen drucken…</translation></message>
     <message><source>&amp;Export as code…</source>
-        <translation>Als Code &amp;exportieren…</translation></message>
+        <translation>Als &amp;Code exportieren…</translation></message>
     <message><source>&amp;History…</source>
         <translation>&amp;Verlauf…</translation></message>
     <message><source>Open recor&amp;ding…</source>
@@ -4960,9 +4956,9 @@ bisher {1}</translation></message>
     <message><source>Start recording &amp;with Run motor</source>
         <translation>Aufzeichnung &amp;mit „Motor freigeben“ starten</translation></message>
     <message><source>&amp;Keep 30 s around each fault and stop</source>
-        <translation>30 s um jede Störung und jeden Stopp beha&amp;lten</translation></message>
+        <translation>30 s um &amp;jede Störung und jeden Stopp behalten</translation></message>
     <message><source>Compare traffic &amp;log with simulator…</source>
-        <translation>Datenverkehrsprotokoll mit S&amp;imulator vergleichen…</translation></message>
+        <translation>&amp;Datenverkehrsprotokoll mit Simulator vergleichen…</translation></message>
     <message><source>&amp;Discard all edits</source>
         <translation>Alle Änderungen &amp;verwerfen</translation></message>
     <message><source>R&amp;eload settings from device</source>
@@ -4988,7 +4984,7 @@ bisher {1}</translation></message>
     <message><source>Restore factor&amp;y defaults…</source>
         <translation>&amp;Werkseinstellungen wiederherstellen…</translation></message>
     <message><source>Restore ser&amp;ial defaults…</source>
-        <translation>Serielle Standardwerte w&amp;iederherstellen…</translation></message>
+        <translation>Serielle Standardwerte wieder&amp;herstellen…</translation></message>
     <message><source>Plot of currents in its o&amp;wn window</source>
         <translation>Stromkurven in eigenem &amp;Fenster</translation></message>
     <message><source>&amp;Demo TReX panel</source>
@@ -5000,7 +4996,7 @@ bisher {1}</translation></message>
     <message><source>Errors ({0})</source>
         <translation>Fehler ({0})</translation></message>
     <message><source>Open &amp;settings file…</source>
-        <translation>Einstellungsdatei ö&amp;ffnen…</translation></message>
+        <translation>&amp;Einstellungsdatei öffnen…</translation></message>
     <message><source>&amp;Open recording…</source>
         <translation>&amp;Aufzeichnung öffnen…</translation></message>
     <message><source>Show…</source>
@@ -5060,7 +5056,7 @@ bisher {1}</translation></message>
     <message><source>The power is off. Switch it on, then press Connect.</source>
         <translation>Die Stromversorgung ist aus. Schalten Sie sie ein und klicken Sie dann auf „Verbinden“.</translation></message>
     <message><source>Demo {0} (no hardware)</source>
-        <translation>Demo-{0} (keine Hardware)</translation></message>
+        <translation>Demo-{0} (simuliert)</translation></message>
     <message><source>No board was found.</source>
         <translation>Kein Board wurde gefunden.</translation></message>
     <message><source>Ending the search …</source>
@@ -5095,6 +5091,10 @@ bisher {1}</translation></message>
         <translation>Der Simulator startet nicht. Installieren Sie das Programm neu.</translation></message>
     <message><source>The simulator ended at once. {0}</source>
         <translation>Der Simulator hat sich sofort beendet. {0}</translation></message>
+    <message><source>&amp;Undo {0}</source>
+        <translation>&amp;Rückgängig: {0}</translation></message>
+    <message><source>&amp;Redo {0}</source>
+        <translation>&amp;Wiederherstellen: {0}</translation></message>
     <message><source>F&amp;ind…</source>
         <translation>Su&amp;chen…</translation></message>
     <message><source>Set up CRC…</source>
@@ -5250,7 +5250,7 @@ Kein Produkt von Pololu.</translation></message>
     <message><source>Units</source>
         <translation>Einheiten</translation></message>
     <message><source>&amp;Begin file dialogs in one folder</source>
-        <translation>&amp;Dateidialoge in einem festen Ordner öffnen</translation></message>
+        <translation>Dateidialoge in einem festen &amp;Ordner öffnen</translation></message>
     <message><source>C&amp;hoose…</source>
         <translation>&amp;Auswählen…</translation></message>
     <message><source>Connect to known boards automat&amp;ically</source>
@@ -5258,13 +5258,13 @@ Kein Produkt von Pololu.</translation></message>
     <message><source>When the program starts and when an adapter is plugged in at which a board was found before, if just one board answers. Not after Disconnect, and not while another program uses the port. No motor moves.</source>
         <translation>Beim Programmstart und beim Einstecken eines Adapters, an dem schon ein Board gefunden wurde, wenn genau ein Board antwortet. Nicht nach „Trennen“, und nicht, solange ein anderes Programm den Port verwendet. Kein Motor bewegt sich.</translation></message>
     <message><source>&amp;Theme:</source>
-        <translation>D&amp;esign:</translation></message>
+        <translation>&amp;Design:</translation></message>
     <message><source>&amp;Font size:</source>
-        <translation>&amp;Schriftgröße:</translation></message>
+        <translation>S&amp;chriftgröße:</translation></message>
     <message><source>&amp;Language:</source>
         <translation>S&amp;prache:</translation></message>
     <message><source>&amp;Units:</source>
-        <translation>E&amp;inheiten:</translation></message>
+        <translation>&amp;Einheiten:</translation></message>
     <message><source>&amp;Reset to defaults</source>
         <translation>Auf Standardwerte &amp;zurücksetzen</translation></message>
     <message><source>Folder of file dialogs</source>
@@ -5288,7 +5288,7 @@ Kein Produkt von Pololu.</translation></message>
     <message><source>Collecting …</source>
         <translation>Zusammenstellen …</translation></message>
     <message><source>&amp;Save…</source>
-        <translation>&amp;Speichern…</translation></message>
+        <translation>Spei&amp;chern…</translation></message>
     <message><source>Zip archives (*.zip)</source>
         <translation>ZIP-Archive (*.zip)</translation></message>
     <message><source>Files of the report</source>
@@ -5316,7 +5316,7 @@ Kein Produkt von Pololu.</translation></message>
     <message><source>Welcome to TReX Studio</source>
         <translation>Willkommen bei TReX Studio</translation></message>
     <message><source>Connect my &amp;board</source>
-        <translation>Mein &amp;Board verbinden</translation></message>
+        <translation>Mein Bo&amp;ard verbinden</translation></message>
     <message><source>Shows the wiring for your adapter or receiver, then connects.</source>
         <translation>Zeigt die Verdrahtung für Ihren Adapter oder Empfänger, dann wird verbunden.</translation></message>
     <message><source>The board is wired, but you do not know its port or its serial settings. The search moves no motor.</source>
@@ -5348,7 +5348,7 @@ Kein Produkt von Pololu.</translation></message>
     <message><source>E&amp;xplain</source>
         <translation>E&amp;rklären</translation></message>
     <message><source>Cop&amp;y</source>
-        <translation>Kop&amp;ieren</translation></message>
+        <translation>&amp;Kopieren</translation></message>
     <message><source>Messages, stops, lost connections and written settings will be listed here.</source>
         <translation>Meldungen, Stopps, verlorene Verbindungen und geschriebene Einstellungen werden hier aufgelistet.</translation></message>
     <message numerus="yes"><source>%n line(s) copied.</source>
@@ -5400,7 +5400,7 @@ Kein Produkt von Pololu.</translation></message>
     <message><source>Show &amp;all</source>
         <translation>&amp;Alles zeigen</translation></message>
     <message><source>&amp;Export span…</source>
-        <translation>Zeitbereich &amp;exportieren…</translation></message>
+        <translation>&amp;Zeitbereich exportieren…</translation></message>
     <message><source>Save a cop&amp;y…</source>
         <translation>&amp;Kopie speichern…</translation></message>
     <message><source>&amp;Cancel</source>
@@ -5454,7 +5454,7 @@ Kein Produkt von Pololu.</translation></message>
     <message><source>Picture as &amp;PNG…</source>
         <translation>Bild als &amp;PNG…</translation></message>
     <message><source>Picture as &amp;SVG…</source>
-        <translation>Bild als &amp;SVG…</translation></message>
+        <translation>&amp;Bild als SVG…</translation></message>
     <message><source>Pictures on a &amp;light background</source>
         <translation>Bilder mit &amp;hellem Hintergrund</translation></message>
     <message><source>Tables (*.csv)</source>
@@ -5464,13 +5464,13 @@ Kein Produkt von Pololu.</translation></message>
     <message><source>Export</source>
         <translation>Export</translation></message>
     <message><source>E&amp;xport</source>
-        <translation>E&amp;xport</translation></message>
+        <translation>&amp;Export</translation></message>
     <message><source>Pictu&amp;re</source>
         <translation>&amp;Bild</translation></message>
     <message><source>Save what the plot shows as PNG or SVG</source>
         <translation>Was das Diagramm zeigt, als PNG oder SVG speichern</translation></message>
     <message><source>&amp;Visible range as CSV…</source>
-        <translation>Si&amp;chtbarer Bereich als CSV…</translation></message>
+        <translation>&amp;Sichtbarer Bereich als CSV…</translation></message>
     <message><source>&amp;Everything as CSV…</source>
         <translation>&amp;Alles als CSV…</translation></message>
     <message><source>There is nothing to export yet.</source>
@@ -5578,7 +5578,7 @@ Kein Produkt von Pololu.</translation></message>
     <message><source>Save layout</source>
         <translation>Layout speichern</translation></message>
     <message><source>&amp;Open layout…</source>
-        <translation>Layout öff&amp;nen…</translation></message>
+        <translation>&amp;Layout öffnen…</translation></message>
     <message><source>&amp;Save layout…</source>
         <translation>Layout &amp;speichern…</translation></message>
     <message><source>&amp;Reset layout</source>
@@ -5606,15 +5606,15 @@ Kein Produkt von Pololu.</translation></message>
     <message><source>Range of the currents</source>
         <translation>Bereich der Ströme</translation></message>
     <message><source>Pa&amp;use</source>
-        <translation>Pa&amp;use</translation></message>
+        <translation>&amp;Pause</translation></message>
     <message><source>Hold pea&amp;ks</source>
-        <translation>Spit&amp;zen halten</translation></message>
+        <translation>&amp;Spitzen halten</translation></message>
     <message><source>Show the &amp;last</source>
         <translation>Die &amp;letzten</translation></message>
     <message><source>A fixed range keeps plots comparable; peaks above it are cut off</source>
         <translation>Ein fester Bereich hält Diagramme vergleichbar; Spitzen darüber werden abgeschnitten</translation></message>
     <message><source>Ran&amp;ge</source>
-        <translation>Bere&amp;ich</translation></message>
+        <translation>Be&amp;reich</translation></message>
     <message><source>Keep the highest value of each curve from now on, as a line and a figure</source>
         <translation>Den höchsten Wert jeder Kurve ab jetzt halten, als Linie und als Zahl</translation></message>
     <message><source>Back to li&amp;ve</source>
@@ -5632,7 +5632,7 @@ Kein Produkt von Pololu.</translation></message>
     <message><source>Search the traffic log</source>
         <translation>Datenverkehrsprotokoll durchsuchen</translation></message>
     <message><source>&amp;Show polling</source>
-        <translation>Ab&amp;frage anzeigen</translation></message>
+        <translation>Abf&amp;rage anzeigen</translation></message>
     <message><source>O&amp;nly faults</source>
         <translation>&amp;Nur Fehler</translation></message>
     <message><source>&amp;Copy</source>
@@ -5690,7 +5690,7 @@ Kein Produkt von Pololu.</translation></message>
     <message><source>Bytes to send</source>
         <translation>Zu sendende Bytes</translation></message>
     <message><source>Bytes t&amp;o send:</source>
-        <translation>Zu sen&amp;dende Bytes:</translation></message>
+        <translation>&amp;Zu sendende Bytes:</translation></message>
     <message><source>Send these bytes as they are (Enter)</source>
         <translation>Diese Bytes unverändert senden (Enter)</translation></message>
     <message><source>Sent</source>

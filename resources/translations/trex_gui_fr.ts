@@ -458,7 +458,7 @@
     <message><source>End the sequence, send nothing more, stay where the robot is (Esc, anywhere)</source>
         <translation>Terminer la séquence, ne plus rien envoyer, laisser le robot où il est (Échap, partout)</translation></message>
     <message><source>End afte&amp;r this step</source>
-        <translation>Te&amp;rminer après cette étape</translation></message>
+        <translation>Ter&amp;miner après cette étape</translation></message>
     <message><source>The motion continues by itself for about {0:.0f} s.</source>
         <translation>Le mouvement continue de lui-même pendant {0:.0f} s environ.</translation></message>
     <message><source>At rest: nothing is sent.</source>
@@ -702,9 +702,9 @@
     <message><source>Choose a sequence or a gait to see its steps.</source>
         <translation>Choisissez une séquence ou une allure pour voir ses étapes.</translation></message>
     <message><source>&amp;New</source>
-        <translation>&amp;Nouveau</translation></message>
+        <translation>No&amp;uveau</translation></message>
     <message><source>Add s&amp;tep</source>
-        <translation>Ajouter une éta&amp;pe</translation></message>
+        <translation>Ajout&amp;er une étape</translation></message>
     <message><source>Add a step to “{0}” after the current one</source>
         <translation>Ajouter une étape vers « {0} » après l'étape actuelle</translation></message>
     <message><source> ms</source>
@@ -736,7 +736,7 @@
     <message><source>&amp;Save</source>
         <translation>&amp;Enregistrer</translation></message>
     <message><source>Save &amp;as…</source>
-        <translation>Enregistrer &amp;sous…</translation></message>
+        <translation>Enregis&amp;trer sous…</translation></message>
     <message><source>{0}, changed</source>
         <translation>{0}, modifié</translation></message>
     <message><source>Not saved yet</source>
@@ -752,7 +752,7 @@
     <message><source>Speed in percent</source>
         <translation>Vitesse en pour cent</translation></message>
     <message><source>&amp;Blend in</source>
-        <translation>Transit&amp;ion d'entrée</translation></message>
+        <translation>Tran&amp;sition d'entrée</translation></message>
     <message><source>B&amp;lend out to stand</source>
         <translation>Transition &amp;de sortie vers « stand »</translation></message>
     <message><source>Pla&amp;y</source>
@@ -786,7 +786,7 @@
     <message><source>{0:.1f} s</source>
         <translation>{0:.1f} s</translation></message>
     <message><source>R&amp;ounds</source>
-        <translation>&amp;Cycles</translation></message>
+        <translation>C&amp;ycles</translation></message>
     <message><source>&amp;Speed</source>
         <translation>&amp;Vitesse</translation></message>
     <message><source>not defined</source>
@@ -804,9 +804,9 @@
     <message><source>Set this pose to the robot's position</source>
         <translation>Donner à cette pose la position du robot</translation></message>
     <message><source>Capt&amp;ure</source>
-        <translation>Capt&amp;urer</translation></message>
+        <translation>&amp;Capturer</translation></message>
     <message><source>&amp;Go to</source>
-        <translation>&amp;Aller à</translation></message>
+        <translation>Alle&amp;r à</translation></message>
     <message><source>Motor {0}: {1:.0f}°, limits {2} to {3}</source>
         <translation>Moteur {0} : {1:.0f}°, limites {2} à {3}</translation></message>
     <message><source>Position of motor {0} in this pose</source>
@@ -882,7 +882,7 @@
     <message><source>Present positions</source>
         <translation>Positions actuelles</translation></message>
     <message><source>Ce&amp;ntre</source>
-        <translation>Ce&amp;ntre</translation></message>
+        <translation>&amp;Centre</translation></message>
     <message><source>512 = 150°; nothing moves yet</source>
         <translation>512 = 150° ; rien ne bouge encore</translation></message>
     <message><source>S&amp;tand</source>
@@ -896,7 +896,7 @@
     <message><source>Send while dra&amp;gging</source>
         <translation>Envoyer pendant le &amp;glissement</translation></message>
     <message><source>Reset li&amp;mits</source>
-        <translation>Réinitialiser les li&amp;mites</translation></message>
+        <translation>&amp;Réinitialiser les limites</translation></message>
     <message><source>Inner 50–600, outer 0–550: tuned on the robot by its authors</source>
         <translation>Intérieures 50–600, extérieures 0–550 : ajustées sur le robot par ses auteurs</translation></message>
     <message><source>&amp;Limits instead of speeds</source>
@@ -924,9 +924,9 @@
     <message><source>a pose file of an Aracna</source>
         <translation>un fichier de poses d'un Aracna</translation></message>
     <message><source>&amp;Aracna</source>
-        <translation>A&amp;racna</translation></message>
+        <translation>&amp;Aracna</translation></message>
     <message><source>Pos&amp;es</source>
-        <translation>Po&amp;ses</translation></message>
+        <translation>P&amp;oses</translation></message>
     <message><source>Stop &amp;recording</source>
         <translation>Arrêter l'enregist&amp;rement</translation></message>
     <message><source>&amp;Record…</source>
@@ -942,9 +942,9 @@
     <message><source>Tr&amp;y the demo</source>
         <translation>&amp;Essayer la démo</translation></message>
     <message><source>R&amp;obot</source>
-        <translation>R&amp;obot</translation></message>
+        <translation>&amp;Robot</translation></message>
     <message><source>Lo&amp;g</source>
-        <translation>Journa&amp;l</translation></message>
+        <translation>&amp;Journal</translation></message>
     <message><source>&amp;Traffic</source>
         <translation>&amp;Trafic</translation></message>
     <message><source>&amp;Move to the sliders' goals</source>
@@ -962,9 +962,9 @@
     <message><source>Ope&amp;n recording…</source>
         <translation>Ou&amp;vrir un enregistrement…</translation></message>
     <message><source>Set up &amp;goals and limits without a robot</source>
-        <translation>Ré&amp;gler cibles et limites sans robot</translation></message>
+        <translation>Régler cibles et limites &amp;sans robot</translation></message>
     <message><source>Reset the joints' &amp;limits</source>
-        <translation>Réinitialiser les li&amp;mites des articulations</translation></message>
+        <translation>Réinitialiser les limites des &amp;articulations</translation></message>
     <message><source>&amp;Debug LED of the board</source>
         <translation>&amp;LED de débogage de la carte</translation></message>
     <message><source>&amp;New pose file</source>
@@ -986,7 +986,7 @@
     <message><source>&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Wire an FTDI cable to the header of the ArbotiX board, or put an XBee radio into its socket. Both share one line: use only one of them.&lt;/li&gt;&lt;li&gt;Give the legs room. This robot has no stop: a motion ends by itself, or when its servo power is cut.&lt;/li&gt;&lt;li&gt;Switch on the board and the servo power, without which the first move never ends, and connect. Nothing moves until you choose Move.&lt;/li&gt;&lt;/ol&gt;</source>
         <translation>&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Reliez un câble FTDI au connecteur de la carte ArbotiX, ou enfichez une radio XBee dans son support. Les deux partagent une même liaison : n'en utilisez qu'un.&lt;/li&gt;&lt;li&gt;Laissez de la place aux pattes. Ce robot n'a pas d'arrêt : un mouvement se termine de lui-même, ou quand l'alimentation de ses servos est coupée.&lt;/li&gt;&lt;li&gt;Mettez sous tension la carte et les servos, sans quoi le premier mouvement ne se termine jamais, puis connectez. Rien ne bouge tant que vous n'avez pas choisi « Déplacer ».&lt;/li&gt;&lt;/ol&gt;</translation></message>
     <message><source>Open pose fi&amp;le…</source>
-        <translation>Ouvrir un &amp;fichier de poses…</translation></message>
+        <translation>O&amp;uvrir un fichier de poses…</translation></message>
     <message><source>Set &amp;up goals and limits</source>
         <translation>&amp;Régler cibles et limites</translation></message>
     <message><source>ArbotiX</source>
@@ -1852,7 +1852,7 @@
     <message><source>How often in a second the PWM of the motor switches. Low frequencies whine and heat the motor, frequencies above the driver's rating heat the driver. Type any number or use the arrow keys: prescaler and maximum are set to the nearest frequency there is.</source>
         <translation>Nombre de commutations par seconde du PWM du moteur. Une fréquence basse fait siffler et chauffer le moteur, une fréquence supérieure à la valeur nominale du driver fait chauffer celui-ci. Tapez un nombre quelconque ou utilisez les flèches : le prédiviseur et le maximum sont réglés sur la fréquence possible la plus proche.</translation></message>
     <message><source>This firmware has stored beyond that: wire value {0}.</source>
-        <translation>Ce firmware a enregistré au-delà : valeur brute {0}.</translation></message>
+        <translation>Ce firmware a enregistré au-delà : valeur transmise {0}.</translation></message>
     <message><source>The vendor's documents or staff confirm range and default.</source>
         <translation>Les documents ou le personnel du fabricant confirment la plage et la valeur par défaut.</translation></message>
     <message><source>The range is confirmed by the vendor; the default is inferred.</source>
@@ -1880,7 +1880,7 @@
     <message><source>User's guide of the board</source>
         <translation>Guide d'utilisation de la carte</translation></message>
     <message><source>The meaning of the wire values is inferred, too.</source>
-        <translation>La signification des valeurs brutes est déduite, elle aussi.</translation></message>
+        <translation>La signification des valeurs transmises est déduite, elle aussi.</translation></message>
     <message><source>The vendor's parameter document was not available. The board rejects any value that it does not support.</source>
         <translation>Le document du fabricant sur les paramètres n'était pas disponible. La carte rejette toute valeur qu'elle ne prend pas en charge.</translation></message>
     <message><source>{0} differs: {1}.</source>
@@ -1902,9 +1902,9 @@
     <message><source>User's guide, section {0}</source>
         <translation>Guide d'utilisation, section {0}</translation></message>
     <message><source>{0} (wire value {1} to {2})</source>
-        <translation>{0} (valeur brute {1} à {2})</translation></message>
+        <translation>{0} (valeur transmise : {1} à {2})</translation></message>
     <message><source>Wire value: {0}.</source>
-        <translation>Valeur brute : {0}.</translation></message>
+        <translation>Valeur transmise : {0}.</translation></message>
     <message><source>Still active: {0}.</source>
         <translation>Encore actif : {0}.</translation></message>
     <message><source>Recording {0} ended: the board or its input source has changed.</source>
@@ -1924,7 +1924,7 @@
     <message><source>Setting</source>
         <translation>Réglage</translation></message>
     <message><source>Wire</source>
-        <translation>Valeur brute</translation></message>
+        <translation>Valeur transmise</translation></message>
     <message><source>Result</source>
         <translation>Résultat</translation></message>
     <message><source>stored</source>
@@ -2332,7 +2332,7 @@
     <message><source>the CRC is {0:02X}, not {1:02X}</source>
         <translation>le CRC est {0:02X}, et non {1:02X}</translation></message>
     <message><source>UART settings are a wire value of 0 to 127, not {0}</source>
-        <translation>les réglages UART sont une valeur brute de 0 à 127, et non {0}</translation></message>
+        <translation>les réglages UART sont une valeur transmise de 0 à 127, et non {0}</translation></message>
     <message><source>UART settings {0:#04x} name no baud rate</source>
         <translation>les réglages UART {0:#04x} ne désignent aucun débit</translation></message>
     <message><source>a TReX runs at {0} baud, not {1}</source>
@@ -2352,7 +2352,7 @@
     <message><source>a baud rate, error detection and stop bits (low four bits 0 to 10)</source>
         <translation>un débit, une détection d'erreurs et des bits d'arrêt (quatre bits de poids faible de 0 à 10)</translation></message>
     <message><source>{0} to {1} (wire value {2} to {3})</source>
-        <translation>{0} à {1} (valeur brute {2} à {3})</translation></message>
+        <translation>{0} à {1} (valeur transmise : {2} à {3})</translation></message>
     <message><source>{0} {1} has no parameter {2!r}{3}</source>
         <translation>{0} {1} n'a pas de paramètre {2!r}{3}</translation></message>
     <message><source> or </source>
@@ -2362,11 +2362,11 @@
     <message><source>; did you mean {0}?</source>
         <translation> ; vouliez-vous dire {0} ?</translation></message>
     <message><source>channels 1 to 5 (wire value 0 to {0})</source>
-        <translation>voies 1 à 5 (valeur brute 0 à {0})</translation></message>
+        <translation>voies 1 à 5 (valeur transmise : 0 à {0})</translation></message>
     <message><source>empty</source>
         <translation>vide</translation></message>
     <message><source>wire {0}</source>
-        <translation>valeur brute {0}</translation></message>
+        <translation>valeur transmise {0}</translation></message>
     <message><source>Which bytes? Give them in hexadecimal, such as 86 1F.</source>
         <translation>Quels octets ? Donnez-les en hexadécimal, par exemple 86 1F.</translation></message>
     <message><source>device {0}: {1}</source>
@@ -2556,11 +2556,11 @@
     <message><source>Stop both motors and the auxiliary now (Esc, anywhere)</source>
         <translation>Arrêter tout de suite les deux moteurs et l'auxiliaire (Échap, partout)</translation></message>
     <message><source>&amp;Run motor</source>
-        <translation>Ac&amp;tiver les moteurs</translation></message>
+        <translation>&amp;Activer les moteurs</translation></message>
     <message><source>There are unapplied changes.</source>
         <translation>Il y a des modifications non appliquées.</translation></message>
     <message><source>&amp;Apply settings</source>
-        <translation>A&amp;ppliquer les réglages</translation></message>
+        <translation>Appli&amp;quer les réglages</translation></message>
     <message><source>Unknown: motors may still turn. The stop is being repeated.</source>
         <translation>Inconnu : les moteurs tournent peut-être encore. L'ordre d'arrêt est répété.</translation></message>
     <message><source>The board driven before may still turn its motors. Cut their power.</source>
@@ -2674,7 +2674,7 @@
     <message><source>Sa&amp;ve…</source>
         <translation>Enre&amp;gistrer…</translation></message>
     <message><source>&amp;Close</source>
-        <translation>Fe&amp;rmer</translation></message>
+        <translation>&amp;Fermer</translation></message>
     <message><source>The window of the bench test was closed.</source>
         <translation>La fenêtre de l'essai au banc a été fermée.</translation></message>
     <message><source>Release to stop</source>
@@ -2728,7 +2728,7 @@
     <message><source>&amp;Motor</source>
         <translation>&amp;Moteur</translation></message>
     <message><source>Pro&amp;file</source>
-        <translation>Pro&amp;fil</translation></message>
+        <translation>P&amp;rofil</translation></message>
     <message><source>Direc&amp;tion</source>
         <translation>Sen&amp;s</translation></message>
     <message><source>&amp;Duration</source>
@@ -2736,7 +2736,7 @@
     <message><source>Se&amp;nt as</source>
         <translation>&amp;Envoi</translation></message>
     <message><source>Abort &amp;above</source>
-        <translation>Interrompre au-dess&amp;us de</translation></message>
+        <translation>&amp;Interrompre au-dessus de</translation></message>
     <message><source>1 to {0}, the speed ceiling of the Motors page</source>
         <translation>1 à {0}, la vitesse maximale de la page Moteurs</translation></message>
     <message><source>A step has no period.</source>
@@ -2998,7 +2998,7 @@
     <message><source>Search with Find first: it finds a board at any of its settings. If that fails, these steps from Pololu's support forum restore the serial settings of the factory. One user saw the LEDs alternate for three seconds only, and nothing was restored: then begin again. Compare the other settings with your last snapshot afterwards (Ctrl+H).</source>
         <translation>Lancez d'abord « Rechercher… » : cela trouve une carte quels que soient ses réglages. En cas d'échec, ces étapes, tirées du forum d'assistance de Pololu, restaurent les réglages série d'usine. Un utilisateur n'a vu les LED alterner que pendant trois secondes, et rien n'a été restauré : dans ce cas, recommencez. Comparez ensuite les autres réglages avec votre dernier instantané (Ctrl+H).</translation></message>
     <message><source>&amp;Back</source>
-        <translation>&amp;Précédent</translation></message>
+        <translation>Précéden&amp;t</translation></message>
     <message><source>&amp;Next</source>
         <translation>&amp;Suivant</translation></message>
     <message><source>Board does not respond</source>
@@ -3094,7 +3094,7 @@
     <message><source>Safe-start: the motors wait until channel 5 no longer requests override.</source>
         <translation>Démarrage sécurisé : les moteurs attendent que la voie 5 ne demande plus la priorité.</translation></message>
     <message><source>Power cycle</source>
-        <translation>Couper et remettre l'alimentation</translation></message>
+        <translation>Couper et remettre</translation></message>
     <message><source>Power on</source>
         <translation>Mettre sous tension</translation></message>
     <message><source>SO–G holds the serial output to ground: no reply gets out.</source>
@@ -3243,8 +3243,8 @@
         <translation>Une erreur de la liaison série que la carte signale</translation></message>
     <message><source>Corrupt one byte</source>
         <translation>Altérer un octet</translation></message>
-    <message><source>The next byte reaches the board with this error; the Status page counts it. Only a board with parity detects a parity error.</source>
-        <translation>Le prochain octet arrive à la carte avec cette erreur ; la page État la compte. Seule une carte avec parité détecte une erreur de parité.</translation></message>
+    <message><source>The next byte reaches the board with this error; the Errors page counts it. Only a board with parity detects a parity error.</source>
+        <translation>Le prochain octet arrive à la carte avec cette erreur ; la page Erreurs la compte. Seule une carte avec parité détecte une erreur de parité.</translation></message>
     <message><source>{0} to start the boot loader.</source>
         <translation>{0} pour démarrer le chargeur d'amorçage.</translation></message>
     <message><source>brake</source>
@@ -3394,7 +3394,7 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
     <message><source>Forget everything measured and go back to the rest positions.</source>
         <translation>Oublier toutes les mesures et revenir aux positions de repos.</translation></message>
     <message><source>Test &amp;again</source>
-        <translation>Tester à nou&amp;veau</translation></message>
+        <translation>&amp;Tester à nouveau</translation></message>
     <message><source>Forget what was tested so far and begin the test again.</source>
         <translation>Oublier ce qui a été testé jusqu'ici et recommencer le test.</translation></message>
     <message><source>Stopping the motors. The next step comes when the board has confirmed the stop and no current flows.</source>
@@ -3536,7 +3536,7 @@ avant {1}</translation></message>
     <message><source>These must be the settings that the board has now. A new board talks at 19200 baud, without error detection, with one stop bit. Changing them here changes nothing in the board.</source>
         <translation>Ce doivent être les réglages que la carte a actuellement. Une carte neuve communique à 19200 bauds, sans détection d'erreurs, avec un bit d'arrêt. Les modifier ici ne change rien dans la carte.</translation></message>
     <message><source>&amp;Address one board of several by its number (Pololu protocol)</source>
-        <translation>&amp;Adresser une carte parmi plusieurs par son numéro (protocole Pololu)</translation></message>
+        <translation>Adresser une &amp;carte parmi plusieurs par son numéro (protocole Pololu)</translation></message>
     <message><source>&amp;Line:</source>
         <translation>&amp;Liaison :</translation></message>
     <message><source>CRC-7 &amp;polynomial:</source>
@@ -3544,7 +3544,7 @@ avant {1}</translation></message>
     <message><source>&amp;Device number:</source>
         <translation>&amp;Numéro d'appareil :</translation></message>
     <message><source>&amp;Restore defaults</source>
-        <translation>&amp;Restaurer les valeurs par défaut</translation></message>
+        <translation>Restaurer les valeurs par &amp;défaut</translation></message>
     <message><source>Why this value? Kept on this computer and in files.</source>
         <translation>Pourquoi cette valeur ? Conservé sur cet ordinateur et dans les fichiers.</translation></message>
     <message><source>Note</source>
@@ -3564,7 +3564,7 @@ avant {1}</translation></message>
     <message><source>{0} could not be saved: {1}</source>
         <translation>{0} n'a pas pu être enregistré : {1}</translation></message>
     <message><source>&amp;Copy to</source>
-        <translation>C&amp;opier vers</translation></message>
+        <translation>Copier &amp;vers</translation></message>
     <message><source>&amp;Equal travel to both ends</source>
         <translation>Course égale vers les &amp;deux extrémités</translation></message>
     <message><source>As on the &amp;shorter side</source>
@@ -3597,12 +3597,12 @@ avant {1}</translation></message>
         <translation>Courbe de la voie</translation></message>
     <message><source>Its handles can be dragged; the fields below set the same values.</source>
         <translation>Vous pouvez faire glisser ses poignées ; les champs ci-dessous règlent les mêmes valeurs.</translation></message>
+    <message><source>Now</source>
+        <translation>Maintenant</translation></message>
     <message><source>Input of the last 10 seconds</source>
         <translation>Entrée des 10 dernières secondes</translation></message>
     <message><source>The input of the last 10 seconds; the newest is at the top</source>
         <translation>L'entrée des 10 dernières secondes ; la plus récente est en haut</translation></message>
-    <message><source>Now</source>
-        <translation>Maintenant</translation></message>
     <message><source>flip on</source>
         <translation>retournement actif</translation></message>
     <message><source>override on</source>
@@ -3616,7 +3616,7 @@ avant {1}</translation></message>
     <message><source>The output changes its sign: forward and reverse are swapped</source>
         <translation>La sortie change de signe : avant et arrière sont inversés</translation></message>
     <message><source>Parab&amp;olic</source>
-        <translation>Parabo&amp;lique</translation></message>
+        <translation>Para&amp;bolique</translation></message>
     <message><source>Gentle near neutral, steep near the ends</source>
         <translation>Doux près du neutre, raide près des extrémités</translation></message>
     <message><source>I&amp;gnored</source>
@@ -3624,7 +3624,7 @@ avant {1}</translation></message>
     <message><source>Held at neutral at any input; for channels without a cable</source>
         <translation>Maintenue au neutre quelle que soit l'entrée ; pour les voies sans câble</translation></message>
     <message><source>Re&amp;quired in RC mode</source>
-        <translation>Re&amp;quise en mode RC</translation></message>
+        <translation>&amp;Requise en mode RC</translation></message>
     <message><source>The motors stop when its pulses are missing for half a second</source>
         <translation>Les moteurs s'arrêtent quand ses impulsions manquent pendant une demi-seconde</translation></message>
     <message><source>Its values have not been read yet.</source>
@@ -3674,13 +3674,13 @@ avant {1}</translation></message>
     <message><source>Connect to a board to see and change its calibrations.</source>
         <translation>Connectez une carte pour voir et modifier ses étalonnages.</translation></message>
     <message><source>Learn &amp;this channel…</source>
-        <translation>Apprendre &amp;cette voie…</translation></message>
+        <translation>Apprendre cette &amp;voie…</translation></message>
     <message><source>Learn a&amp;ll…</source>
-        <translation>Tout app&amp;rendre…</translation></message>
+        <translation>Tout appr&amp;endre…</translation></message>
     <message><source>Cop&amp;y, reset, files</source>
-        <translation>Copier, réinitialiser, fic&amp;hiers</translation></message>
+        <translation>&amp;Copier, réinitialiser, fichiers</translation></message>
     <message><source>Di&amp;scard</source>
-        <translation>A&amp;bandonner</translation></message>
+        <translation>Re&amp;jeter</translation></message>
     <message><source>No board responds. Edits are kept until a board of the same kind is connected.</source>
         <translation>Aucune carte ne répond. Les modifications sont conservées jusqu'à ce qu'une carte du même type soit connectée.</translation></message>
     <message><source>no live value: the board reads the other source</source>
@@ -3692,7 +3692,7 @@ avant {1}</translation></message>
     <message><source>&amp;Note:</source>
         <translation>N&amp;ote :</translation></message>
     <message><source>Discard the edits of this channel</source>
-        <translation>Abandonner les modifications de cette voie</translation></message>
+        <translation>Rejeter les modifications de cette voie</translation></message>
     <message><source>For {0}, {1}: {2}</source>
         <translation>Pour {0}, {1} : {2}</translation></message>
     <message><source>Drag a handle of the curve, or type {0} or {1} counts. Nothing is written until you click Apply.</source>
@@ -3758,7 +3758,7 @@ avant {1}</translation></message>
     <message><source>Reading an error clears it in the board; this program counts each one. Errors in bold were reported since you cleared them.</source>
         <translation>Lire une erreur l'efface dans la carte ; ce programme compte chacune d'elles. Les erreurs en gras ont été signalées depuis votre dernier acquittement.</translation></message>
     <message><source>C&amp;lear errors</source>
-        <translation>Ac&amp;quitter les erreurs</translation></message>
+        <translation>Acquitter les &amp;erreurs</translation></message>
     <message><source>Reset co&amp;unts</source>
         <translation>Remettre les &amp;compteurs à zéro</translation></message>
     <message><source>Errors</source>
@@ -3938,9 +3938,9 @@ avant {1}</translation></message>
     <message><source>Gamepad</source>
         <translation>Manette</translation></message>
     <message><source>Drive with a &amp;gamepad</source>
-        <translation>Piloter avec une mane&amp;tte</translation></message>
+        <translation>Pilot&amp;er avec une manette</translation></message>
     <message><source>Set &amp;up…</source>
-        <translation>Confi&amp;gurer…</translation></message>
+        <translation>&amp;Configurer…</translation></message>
     <message><source>Turn</source>
         <translation>Rotation</translation></message>
     <message><source>Stop whe&amp;n the window loses the focus</source>
@@ -3966,23 +3966,23 @@ avant {1}</translation></message>
     <message><source>Options</source>
         <translation>Options</translation></message>
     <message><source>Accelerate along the board's ra&amp;mp</source>
-        <translation>Accélérer selon la ra&amp;mpe de la carte</translation></message>
+        <translation>Accélérer &amp;selon la rampe de la carte</translation></message>
     <message><source>Se&amp;t at once</source>
-        <translation>Régler immé&amp;diatement</translation></message>
+        <translation>&amp;Régler immédiatement</translation></message>
     <message><source>Drive with arrow &amp;keys or WASD</source>
-        <translation>Piloter avec les &amp;flèches ou les touches WASD</translation></message>
+        <translation>Piloter avec les flèches ou &amp;WASD</translation></message>
     <message><source>&amp;Brake strength</source>
-        <translation>&amp;Intensité du freinage</translation></message>
+        <translation>Intensité du freina&amp;ge</translation></message>
     <message><source>coast (0 %)</source>
         <translation>roue libre (0 %)</translation></message>
     <message><source>L&amp;ock after Stop</source>
         <translation>Verr&amp;ouillage après un arrêt</translation></message>
     <message><source>Stop when you lea&amp;ve this page</source>
-        <translation>Arrêter en &amp;quittant cette page</translation></message>
+        <translation>Arrêter en quittant &amp;cette page</translation></message>
     <message><source>Return slider to &amp;zero when it is released</source>
-        <translation>Remettre le curseur à &amp;zéro quand il est relâché</translation></message>
+        <translation>Remettre à &amp;zéro le curseur relâché</translation></message>
     <message><source>&amp;Link both motors</source>
-        <translation>&amp;Lier les deux moteurs</translation></message>
+        <translation>Lier les deux &amp;moteurs</translation></message>
     <message><source>none (0 s)</source>
         <translation>aucun (0 s)</translation></message>
     <message><source>The motors run differently: stop both, or give both the same speed</source>
@@ -4058,9 +4058,9 @@ avant {1}</translation></message>
     <message><source>&amp;Modified only</source>
         <translation>&amp;Modifiés seulement</translation></message>
     <message><source>Not default onl&amp;y</source>
-        <translation>&amp;Différents de la valeur par défaut</translation></message>
+        <translation>Différent&amp;s de la valeur par défaut</translation></message>
     <message><source>&amp;Both motors as one</source>
-        <translation>Les deux moteurs en&amp;semble</translation></message>
+        <translation>Les deux moteurs &amp;ensemble</translation></message>
     <message><source>None of {1} matches</source>
         <translation>Aucun des {1} ne correspond</translation></message>
     <message><source>{0} of {1}</source>
@@ -4116,15 +4116,15 @@ avant {1}</translation></message>
     <message><source>Edit</source>
         <translation>Modifier</translation></message>
     <message><source>Try another &amp;wire value…</source>
-        <translation>Essayer une autre valeur &amp;brute…</translation></message>
+        <translation>Essayer une autre valeur &amp;transmise…</translation></message>
     <message><source>Leave out of the file</source>
         <translation>Ne pas inclure dans le fichier</translation></message>
     <message><source>Pi&amp;n to the top</source>
-        <translation>É&amp;pingler en haut</translation></message>
+        <translation>Épingler en &amp;haut</translation></message>
     <message><source>Other &amp;value…</source>
         <translation>Autre &amp;valeur…</translation></message>
     <message><source>Pi&amp;n</source>
-        <translation>É&amp;pingler</translation></message>
+        <translation>Épin&amp;gler</translation></message>
     <message><source>Defa&amp;ult</source>
         <translation>Valeur par défa&amp;ut</translation></message>
     <message><source>U&amp;npin</source>
@@ -4134,13 +4134,13 @@ avant {1}</translation></message>
     <message><source>Copy to {0}</source>
         <translation>Copier vers {0}</translation></message>
     <message><source>{0} is {1}. This limit is inferred: no document confirms it. You can try any wire value from 0 to {2}. The board decides: it may reject the value, or store another one, and the program shows which. A value that the board stores is remembered for its firmware.</source>
-        <translation>{0} : {1}. Cette limite est déduite : aucun document ne la confirme. Vous pouvez essayer toute valeur brute de 0 à {2}. La carte décide : elle peut rejeter la valeur ou en enregistrer une autre, et le programme indique laquelle. Une valeur que la carte enregistre est mémorisée pour son firmware.</translation></message>
+        <translation>{0} : {1}. Cette limite est déduite : aucun document ne la confirme. Vous pouvez essayer de transmettre toute valeur de 0 à {2}. La carte décide : elle peut rejeter la valeur ou en enregistrer une autre, et le programme indique laquelle. Une valeur que la carte enregistre est mémorisée pour son firmware.</translation></message>
     <message><source>Wire value</source>
-        <translation>Valeur brute</translation></message>
+        <translation>Valeur transmise</translation></message>
     <message><source>&amp;Try this value</source>
         <translation>&amp;Essayer cette valeur</translation></message>
     <message><source>&amp;Wire value:</source>
-        <translation>&amp;Valeur brute :</translation></message>
+        <translation>&amp;Valeur transmise :</translation></message>
     <message><source>Who drives, jumpers, sticks, motors and limits, step by step.</source>
         <translation>Qui pilote, cavaliers, manches, moteurs et limites, étape par étape.</translation></message>
     <message><source>compact packets</source>
@@ -4148,7 +4148,7 @@ avant {1}</translation></message>
     <message><source>LEDs on the board:</source>
         <translation>LED sur la carte :</translation></message>
     <message><source>Set up my r&amp;obot…</source>
-        <translation>Configurer mon r&amp;obot…</translation></message>
+        <translation>&amp;Configurer mon robot…</translation></message>
     <message><source>This firmware runs at half of this baud rate.</source>
         <translation>Ce firmware fonctionne à la moitié de ce débit.</translation></message>
     <message><source>LEDs that the board shows</source>
@@ -4282,7 +4282,7 @@ avant {1}</translation></message>
     <message><source>New value</source>
         <translation>Nouvelle valeur</translation></message>
     <message numerus="yes"><source>&amp;Write %n setting(s)</source>
-        <translation><numerusform>É&amp;crire %n réglage</numerusform><numerusform>É&amp;crire %n réglages</numerusform></translation></message>
+        <translation><numerusform>Écrire %n &amp;réglage</numerusform><numerusform>Écrire %n &amp;réglages</numerusform></translation></message>
     <message><source>The board is in {0} mode and does not accept settings. Set its mode jumper to serial, then switch it off and on.</source>
         <translation>La carte est en mode {0} et n'accepte pas de réglages. Retirez son cavalier de mode (mode série), puis coupez et remettez l'alimentation.</translation></message>
     <message><source>The board's present settings are saved first (File, History). Each value is read back to verify it; serial settings are written last.</source>
@@ -4366,7 +4366,7 @@ avant {1}</translation></message>
     <message><source>{0}: settings for a {1} with firmware {2}; the board has {3}.</source>
         <translation>{0} : réglages pour un {1}, firmware {2} ; la carte a le firmware {3}.</translation></message>
     <message numerus="yes"><source>&amp;Load %n change(s)</source>
-        <translation><numerusform>C&amp;harger %n modification</numerusform><numerusform>C&amp;harger %n modifications</numerusform></translation></message>
+        <translation><numerusform>&amp;Charger %n modification</numerusform><numerusform>&amp;Charger %n modifications</numerusform></translation></message>
     <message><source>{0} was not loaded: the board is no longer connected.</source>
         <translation>{0} n'a pas été chargé : la carte n'est plus connectée.</translation></message>
     <message><source>Copy values from {0}</source>
@@ -4426,7 +4426,7 @@ avant {1}</translation></message>
     <message><source>Save writes this text. Comments and the order of the lines stay as they are; change values on the other pages.</source>
         <translation>« Enregistrer » écrit ce texte. Les commentaires et l'ordre des lignes restent tels quels ; modifiez les valeurs sur les autres pages.</translation></message>
     <message><source>Chec&amp;k again</source>
-        <translation>Vérifier de no&amp;uveau</translation></message>
+        <translation>&amp;Vérifier de nouveau</translation></message>
     <message><source>&amp;Repair values</source>
         <translation>&amp;Réparer les valeurs</translation></message>
     <message><source>This file cannot be used. Correct the text here, then check it again; the other pages open once it has no errors.</source>
@@ -4436,7 +4436,7 @@ avant {1}</translation></message>
     <message><source>Read the text again and list its errors</source>
         <translation>Relire le texte et lister ses erreurs</translation></message>
     <message><source>Write values with units as wire values, and numbers beyond their range as the nearest one in it; the file changes when you save it</source>
-        <translation>Écrire les valeurs avec unités en valeurs brutes, et remplacer les nombres hors plage par la valeur permise la plus proche ; le fichier change quand vous l'enregistrez</translation></message>
+        <translation>Écrire les valeurs avec unités comme elles sont transmises, et remplacer les nombres hors plage par la valeur permise la plus proche ; le fichier change quand vous l'enregistrez</translation></message>
     <message><source>Text of the settings file</source>
         <translation>Texte du fichier de réglages</translation></message>
     <message><source>This is the text as it was opened, without your changes: {0}. Save offers to rewrite the file from the settings.</source>
@@ -4452,7 +4452,7 @@ avant {1}</translation></message>
     <message><source>&amp;Compare</source>
         <translation>&amp;Comparer</translation></message>
     <message><source>&amp;Device</source>
-        <translation>&amp;Appareil</translation></message>
+        <translation>Apparei&amp;l</translation></message>
     <message><source>Save settings file</source>
         <translation>Enregistrer le fichier de réglages</translation></message>
     <message><source>Save as PDF</source>
@@ -4474,7 +4474,7 @@ avant {1}</translation></message>
     <message><source>&amp;New…</source>
         <translation>&amp;Nouveau…</translation></message>
     <message><source>&amp;Print…</source>
-        <translation>Im&amp;primer…</translation></message>
+        <translation>&amp;Imprimer…</translation></message>
     <message><source>Save as P&amp;DF…</source>
         <translation>Enregistrer en P&amp;DF…</translation></message>
     <message><source>&amp;Convert for another board…</source>
@@ -4499,10 +4499,6 @@ avant {1}</translation></message>
         <translation>Les pages ont été enregistrées dans {0}.</translation></message>
     <message><source>Not compared. {0}</source>
         <translation>Non comparé. {0}</translation></message>
-    <message><source>&amp;Undo {0}</source>
-        <translation>A&amp;nnuler {0}</translation></message>
-    <message><source>&amp;Redo {0}</source>
-        <translation>&amp;Rétablir {0}</translation></message>
     <message><source>Open settings file</source>
         <translation>Ouvrir un fichier de réglages</translation></message>
     <message><source>{0} applies and checks the settings shown; read its first lines.</source>
@@ -4554,7 +4550,7 @@ avant {1}</translation></message>
     <message><source>&amp;Sticks</source>
         <translation>&amp;Manches</translation></message>
     <message><source>Which &amp;motor is which</source>
-        <translation>Quel m&amp;oteur est lequel</translation></message>
+        <translation>&amp;Quel moteur est lequel</translation></message>
     <message><source>&amp;Ramps and limits</source>
         <translation>&amp;Rampes et limites</translation></message>
     <message><source>Serial &amp;timeout</source>
@@ -4586,9 +4582,9 @@ avant {1}</translation></message>
     <message><source>Nothing</source>
         <translation>Rien</translation></message>
     <message><source>The wheels are &amp;off the ground, and nothing can get caught in them</source>
-        <translation>Les r&amp;oues ne touchent pas le sol et rien ne peut s'y prendre</translation></message>
+        <translation>&amp;Les roues ne touchent pas le sol et rien ne peut s'y prendre</translation></message>
     <message><source>Wir&amp;es swapped – test again</source>
-        <translation>Fils &amp;permutés – tester de nouveau</translation></message>
+        <translation>Fils permutés – tester de &amp;nouveau</translation></message>
     <message><source>Armed. Hold a button: its motor is driven forward in short, weak pulses; the other one stays at rest. Then say below what turned.</source>
         <translation>Moteurs activés. Maintenez un bouton : son moteur est entraîné vers l'avant par de courtes impulsions faibles ; l'autre reste à l'arrêt. Indiquez ensuite ci-dessous ce qui a tourné.</translation></message>
     <message><source>Motor {0} is driven in pulses. Release the button to stop it.</source>
@@ -4620,7 +4616,7 @@ avant {1}</translation></message>
     <message><source>Two motors cannot drive the same wheel: try both buttons again.</source>
         <translation>Deux moteurs ne peuvent pas entraîner la même roue : essayez à nouveau les deux boutons.</translation></message>
     <message><source>Hold to pulse motor {0}</source>
-        <translation>Maintenir pour faire tourner le moteur {0} par impulsions</translation></message>
+        <translation>Maintenir : impulsions au moteur {0}</translation></message>
     <message><source>Remove the mode jumper to set up the board: it accepts settings only without it. To drive, put it on RC, or on analog for a joystick with potentiometers. The board reads it when it is switched on.</source>
         <translation>Retirez le cavalier de mode pour configurer la carte : elle n'accepte des réglages que sans lui. Pour piloter, placez-le sur RC, ou sur analogique pour un joystick à potentiomètres. La carte le lit à la mise sous tension.</translation></message>
     <message><source>This board was started in {0} mode. Switch it off, remove the mode jumper and switch it on again. This statement then updates by itself.</source>
@@ -4682,7 +4678,7 @@ avant {1}</translation></message>
     <message><source>Serial timeout in seconds</source>
         <translation>Délai série en secondes</translation></message>
     <message><source>Review and &amp;apply…</source>
-        <translation>Vérifier et a&amp;ppliquer…</translation></message>
+        <translation>&amp;Vérifier et appliquer…</translation></message>
     <message><source>All changes are stored.</source>
         <translation>Toutes les modifications sont enregistrées dans la carte.</translation></message>
     <message><source>The jumpers are not as they have to be, or were not checked.</source>
@@ -4744,7 +4740,7 @@ avant {1}</translation></message>
     <message><source>&amp;Tank</source>
         <translation>&amp;Char</translation></message>
     <message><source>Ro&amp;ver</source>
-        <translation>Ro&amp;ver</translation></message>
+        <translation>&amp;Rover</translation></message>
     <message><source>&amp;Autonomous robot</source>
         <translation>Robot &amp;autonome</translation></message>
     <message><source>Acceleration: {0}; brake before a reversal: {1}.</source>
@@ -4844,7 +4840,7 @@ avant {1}</translation></message>
     <message><source>Restore snapshot of {0}</source>
         <translation>Restaurer l'instantané ({0})</translation></message>
     <message><source>Compare &amp;with:</source>
-        <translation>Comparer a&amp;vec :</translation></message>
+        <translation>Comparer &amp;avec :</translation></message>
     <message><source>Now, with edits</source>
         <translation>Maintenant, avec les modifications</translation></message>
     <message><source>Snapshot of {0}</source>
@@ -4864,7 +4860,7 @@ avant {1}</translation></message>
     <message><source>You need a USB-serial adapter with TTL levels (5 V or 3.3 V) and three wires.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Switch the board off. Remove the mode jumper: then it starts in serial mode, which is needed to drive it and to change settings from here. Remove the SO–G jumper, too.&lt;/li&gt;&lt;li&gt;Wire the adapter as shown.&lt;/li&gt;&lt;li&gt;Lift the wheels off the ground, switch the board on, and connect:&lt;/li&gt;&lt;/ol&gt;</source>
         <translation>Il vous faut un adaptateur USB-série à niveaux TTL (5 V ou 3,3 V) et trois fils.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Coupez l'alimentation de la carte. Retirez le cavalier de mode : elle démarre alors en mode série, nécessaire pour la piloter et modifier ses réglages d'ici. Retirez aussi le cavalier SO–G.&lt;/li&gt;&lt;li&gt;Câblez l'adaptateur comme indiqué.&lt;/li&gt;&lt;li&gt;Soulevez les roues du sol, mettez la carte sous tension et connectez :&lt;/li&gt;&lt;/ol&gt;</translation></message>
     <message><source>TT&amp;L adapter</source>
-        <translation>Adaptateur TT&amp;L</translation></message>
+        <translation>Adaptate&amp;ur TTL</translation></message>
     <message><source>You need an RS-232 port of the computer or an RS-232 adapter, and three wires.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Switch the board off. Remove the mode and SO–G jumpers, as for a TTL adapter.&lt;/li&gt;&lt;li&gt;Wire the port to the RS-232 pins as shown, and leave SI and SO free: the voltages of RS-232 can damage them.&lt;/li&gt;&lt;li&gt;Lift the wheels off the ground, switch the board on, and connect:&lt;/li&gt;&lt;/ol&gt;</source>
         <translation>Il vous faut un port RS-232 de l'ordinateur ou un adaptateur RS-232, et trois fils.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Coupez l'alimentation de la carte. Retirez les cavaliers de mode et SO–G, comme pour un adaptateur TTL.&lt;/li&gt;&lt;li&gt;Câblez le port aux broches RS-232 comme indiqué et laissez SI et SO libres : les tensions RS-232 peuvent les endommager.&lt;/li&gt;&lt;li&gt;Soulevez les roues du sol, mettez la carte sous tension et connectez :&lt;/li&gt;&lt;/ol&gt;</translation></message>
     <message><source>RS-&amp;232 adapter</source>
@@ -4916,7 +4912,7 @@ avant {1}</translation></message>
     <message><source>No board at hand?</source>
         <translation>Pas de carte sous la main ?</translation></message>
     <message><source>&amp;Try the demo</source>
-        <translation>Essa&amp;yer la démo</translation></message>
+        <translation>&amp;Essayer la démo</translation></message>
     <message><source>Set up, calibrate, drive and understand a Pololu TReX or TReX Jr. You need the board with its supply, and a serial adapter with three wires. No motor moves before you click Run motor, and Esc stops the motors in every window.</source>
         <translation>Configurer, étalonner, piloter et comprendre un Pololu TReX ou TReX Jr. Il vous faut la carte avec son alimentation, et un adaptateur série avec trois fils. Aucun moteur ne bouge avant que vous ne cliquiez sur « Activer les moteurs », et Échap arrête les moteurs dans toutes les fenêtres.</translation></message>
     <message><source>Discard and reload</source>
@@ -4926,7 +4922,7 @@ avant {1}</translation></message>
     <message><source>Keep the values of the board</source>
         <translation>Garder les valeurs de la carte</translation></message>
     <message><source>S&amp;tatus</source>
-        <translation>É&amp;tat</translation></message>
+        <translation>Ét&amp;at</translation></message>
     <message><source>&amp;Channels</source>
         <translation>&amp;Voies</translation></message>
     <message><source>Cali&amp;bration</source>
@@ -4934,13 +4930,13 @@ avant {1}</translation></message>
     <message><source>&amp;Motors</source>
         <translation>&amp;Moteurs</translation></message>
     <message><source>C&amp;urrents</source>
-        <translation>Co&amp;urants</translation></message>
+        <translation>&amp;Courants</translation></message>
     <message><source>&amp;Parameters</source>
         <translation>&amp;Paramètres</translation></message>
     <message><source>&amp;Errors</source>
-        <translation>Erreu&amp;rs</translation></message>
+        <translation>&amp;Erreurs</translation></message>
     <message><source>T&amp;raffic</source>
-        <translation>Traf&amp;ic</translation></message>
+        <translation>&amp;Trafic</translation></message>
     <message><source>&amp;New settings file…</source>
         <translation>&amp;Nouveau fichier de réglages…</translation></message>
     <message><source>&amp;Open settings file…</source>
@@ -4948,7 +4944,7 @@ avant {1}</translation></message>
     <message><source>&amp;Save settings file…</source>
         <translation>&amp;Enregistrer un fichier de réglages…</translation></message>
     <message><source>Prin&amp;t settings…</source>
-        <translation>Im&amp;primer les réglages…</translation></message>
+        <translation>&amp;Imprimer les réglages…</translation></message>
     <message><source>&amp;Export as code…</source>
         <translation>E&amp;xporter comme code…</translation></message>
     <message><source>&amp;History…</source>
@@ -4958,17 +4954,17 @@ avant {1}</translation></message>
     <message><source>Open fa&amp;ult or stop…</source>
         <translation>Ouvrir un &amp;défaut ou un arrêt…</translation></message>
     <message><source>Start recording &amp;with Run motor</source>
-        <translation>Démarrer l'enregistrement avec « Acti&amp;ver les moteurs »</translation></message>
+        <translation>Démarrer l'enregistrement &amp;avec « Activer les moteurs »</translation></message>
     <message><source>&amp;Keep 30 s around each fault and stop</source>
         <translation>&amp;Garder 30 s autour de chaque défaut ou arrêt</translation></message>
     <message><source>Compare traffic &amp;log with simulator…</source>
         <translation>&amp;Comparer un journal de trafic au simulateur…</translation></message>
     <message><source>&amp;Discard all edits</source>
-        <translation>A&amp;bandonner toutes les modifications</translation></message>
+        <translation>Abandonner toutes les &amp;modifications</translation></message>
     <message><source>R&amp;eload settings from device</source>
         <translation>Recharg&amp;er les réglages de l'appareil</translation></message>
     <message><source>&amp;Apply settings…</source>
-        <translation>&amp;Appliquer les réglages…</translation></message>
+        <translation>Appli&amp;quer les réglages…</translation></message>
     <message><source>Make stored settings acti&amp;ve…</source>
         <translation>Rendre acti&amp;fs les réglages enregistrés…</translation></message>
     <message><source>Find &amp;other boards on this line</source>
@@ -4978,7 +4974,7 @@ avant {1}</translation></message>
     <message><source>A&amp;pply a file to several boards…</source>
         <translation>Appliquer un fichier à &amp;plusieurs cartes…</translation></message>
     <message><source>Set &amp;up my robot…</source>
-        <translation>Confi&amp;gurer mon robot…</translation></message>
+        <translation>&amp;Configurer mon robot…</translation></message>
     <message><source>Lear&amp;n channels…</source>
         <translation>Apprendre les &amp;voies…</translation></message>
     <message><source>&amp;Test the sticks…</source>
@@ -4990,7 +4986,7 @@ avant {1}</translation></message>
     <message><source>Restore ser&amp;ial defaults…</source>
         <translation>Restaurer les réglages série par &amp;défaut…</translation></message>
     <message><source>Plot of currents in its o&amp;wn window</source>
-        <translation>Courbes des c&amp;ourants dans une fenêtre séparée</translation></message>
+        <translation>Courbes des courants dans une &amp;fenêtre séparée</translation></message>
     <message><source>&amp;Demo TReX panel</source>
         <translation>Panneau &amp;Démo TReX</translation></message>
     <message><source>&amp;Board does not respond…</source>
@@ -5000,7 +4996,7 @@ avant {1}</translation></message>
     <message><source>Errors ({0})</source>
         <translation>Erreurs ({0})</translation></message>
     <message><source>Open &amp;settings file…</source>
-        <translation>Ouvrir un fichier de &amp;réglages…</translation></message>
+        <translation>Ouvrir un fichier de réglage&amp;s…</translation></message>
     <message><source>&amp;Open recording…</source>
         <translation>&amp;Ouvrir un enregistrement…</translation></message>
     <message><source>Show…</source>
@@ -5095,6 +5091,10 @@ avant {1}</translation></message>
         <translation>Le simulateur ne démarre pas. Réinstallez le programme.</translation></message>
     <message><source>The simulator ended at once. {0}</source>
         <translation>Le simulateur s'est terminé aussitôt. {0}</translation></message>
+    <message><source>&amp;Undo {0}</source>
+        <translation>&amp;Annuler : {0}</translation></message>
+    <message><source>&amp;Redo {0}</source>
+        <translation>&amp;Rétablir : {0}</translation></message>
     <message><source>F&amp;ind…</source>
         <translation>Rec&amp;hercher…</translation></message>
     <message><source>Set up CRC…</source>
@@ -5106,9 +5106,9 @@ avant {1}</translation></message>
     <message><source>A device such as /dev/ttyUSB0 or COM3, or a network port such as socket://host:port or rfc2217://host:port:</source>
         <translation>Un périphérique comme /dev/ttyUSB0 ou COM3, ou un port réseau comme socket://hôte:port ou rfc2217://hôte:port :</translation></message>
     <message><source>&amp;Connect</source>
-        <translation>&amp;Connecter</translation></message>
+        <translation>Connec&amp;ter</translation></message>
     <message><source>Dis&amp;connect</source>
-        <translation>Dé&amp;connecter</translation></message>
+        <translation>Déconnec&amp;ter</translation></message>
     <message><source>Port</source>
         <translation>Port</translation></message>
     <message><source>How this computer talks to the board</source>
@@ -5124,7 +5124,7 @@ avant {1}</translation></message>
     <message><source>Other port or address…</source>
         <translation>Autre port ou adresse…</translation></message>
     <message><source>&amp;Port:</source>
-        <translation>P&amp;ort :</translation></message>
+        <translation>&amp;Port :</translation></message>
     <message><source>Starting the Demo {0} …</source>
         <translation>Démarrage de la démo {0} …</translation></message>
     <message><source>The likely settings come first; a port without a reply takes about half a minute.</source>
@@ -5160,7 +5160,7 @@ avant {1}</translation></message>
     <message><source>Shows what will be written first</source>
         <translation>Montre d'abord ce qui sera écrit</translation></message>
     <message><source>Search &amp;on:</source>
-        <translation>Recherc&amp;her sur :</translation></message>
+        <translation>&amp;Rechercher sur :</translation></message>
     <message><source>This computer has no serial ports. Plug an adapter in.</source>
         <translation>Cet ordinateur n'a pas de port série. Branchez un adaptateur.</translation></message>
     <message><source>Connect and set other line settings: {0}</source>
@@ -5180,7 +5180,7 @@ avant {1}</translation></message>
     <message><source>{0} is no longer there; it was removed from the recent files.</source>
         <translation>{0} n'existe plus ; il a été retiré des fichiers récents.</translation></message>
     <message><source>&amp;Clear list</source>
-        <translation>E&amp;ffacer la liste</translation></message>
+        <translation>&amp;Effacer la liste</translation></message>
     <message><source>Settings are still being written. Disconnect anyway? Unwritten settings stay pending.</source>
         <translation>Des réglages sont encore en cours d'écriture. Déconnecter quand même ? Les réglages non écrits restent en attente.</translation></message>
     <message><source>About TReX Studio</source>
@@ -5188,7 +5188,7 @@ avant {1}</translation></message>
     <message><source>&amp;Window</source>
         <translation>Fe&amp;nêtre</translation></message>
     <message><source>&amp;Help</source>
-        <translation>Aid&amp;e</translation></message>
+        <translation>A&amp;ide</translation></message>
     <message><source>{0} on {1}</source>
         <translation>{0} sur {1}</translation></message>
     <message><source>{0} (demo)</source>
@@ -5214,7 +5214,7 @@ Configurer, étalonner, piloter et comprendre un contrôleur double moteur Polol
 
 N'est pas un produit de Pololu.</translation></message>
     <message><source>&amp;Preferences…</source>
-        <translation>Préférence&amp;s…</translation></message>
+        <translation>&amp;Préférences…</translation></message>
     <message><source>E&amp;xit</source>
         <translation>&amp;Quitter</translation></message>
     <message><source>&amp;Line settings…</source>
@@ -5224,7 +5224,7 @@ N'est pas un produit de Pololu.</translation></message>
     <message><source>&amp;Stop motors</source>
         <translation>Arrêter le&amp;s moteurs</translation></message>
     <message><source>&amp;Save report for support…</source>
-        <translation>Enregistrer un rapport d'a&amp;ssistance…</translation></message>
+        <translation>&amp;Enregistrer un rapport d'assistance…</translation></message>
     <message><source>Open &amp;log folder</source>
         <translation>Ouvrir le dossier du &amp;journal</translation></message>
     <message><source>&amp;About…</source>
@@ -5296,9 +5296,9 @@ N'est pas un produit de Pololu.</translation></message>
     <message><source>Content of the file</source>
         <translation>Contenu du fichier</translation></message>
     <message><source>&amp;Files:</source>
-        <translation>&amp;Fichiers :</translation></message>
+        <translation>Fic&amp;hiers :</translation></message>
     <message><source>Con&amp;tent:</source>
-        <translation>Con&amp;tenu :</translation></message>
+        <translation>&amp;Contenu :</translation></message>
     <message><source>The report was written to {0}.</source>
         <translation>Le rapport a été écrit dans {0}.</translation></message>
     <message><source>{0} ({1:,} bytes)</source>
@@ -5306,7 +5306,7 @@ N'est pas un produit de Pololu.</translation></message>
     <message><source>No serial port was found. Plug the adapter in: it is listed here at once.</source>
         <translation>Aucun port série n'a été trouvé. Branchez l'adaptateur : il apparaît ici aussitôt.</translation></message>
     <message><source>Find &amp;my board…</source>
-        <translation>Rechercher &amp;ma carte…</translation></message>
+        <translation>Rechercher ma &amp;carte…</translation></message>
     <message><source>Search every port and baud rate; no motor moves</source>
         <translation>Explorer tous les ports et tous les débits ; aucun moteur ne bouge</translation></message>
     <message><source>A simulated board: nothing can be damaged</source>
@@ -5344,11 +5344,11 @@ N'est pas un produit de Pololu.</translation></message>
     <message><source>Search the log (Ctrl+F)</source>
         <translation>Rechercher dans le journal (Ctrl+F)</translation></message>
     <message><source>O&amp;nly problems</source>
-        <translation>&amp;Problèmes seulement</translation></message>
+        <translation>Problèmes &amp;seulement</translation></message>
     <message><source>E&amp;xplain</source>
-        <translation>E&amp;xpliquer</translation></message>
+        <translation>&amp;Expliquer</translation></message>
     <message><source>Cop&amp;y</source>
-        <translation>Cop&amp;ier</translation></message>
+        <translation>&amp;Copier</translation></message>
     <message><source>Messages, stops, lost connections and written settings will be listed here.</source>
         <translation>Les messages, les arrêts, les connexions perdues et les réglages écrits apparaîtront ici.</translation></message>
     <message numerus="yes"><source>%n line(s) copied.</source>
@@ -5400,7 +5400,7 @@ N'est pas un produit de Pololu.</translation></message>
     <message><source>Show &amp;all</source>
         <translation>&amp;Tout afficher</translation></message>
     <message><source>&amp;Export span…</source>
-        <translation>E&amp;xporter la plage…</translation></message>
+        <translation>&amp;Exporter la plage…</translation></message>
     <message><source>Save a cop&amp;y…</source>
         <translation>Enregistrer une cop&amp;ie…</translation></message>
     <message><source>&amp;Cancel</source>
@@ -5454,7 +5454,7 @@ N'est pas un produit de Pololu.</translation></message>
     <message><source>Picture as &amp;PNG…</source>
         <translation>Image &amp;PNG…</translation></message>
     <message><source>Picture as &amp;SVG…</source>
-        <translation>Image &amp;SVG…</translation></message>
+        <translation>&amp;Image SVG…</translation></message>
     <message><source>Pictures on a &amp;light background</source>
         <translation>Images sur &amp;fond clair</translation></message>
     <message><source>Tables (*.csv)</source>
@@ -5464,9 +5464,9 @@ N'est pas un produit de Pololu.</translation></message>
     <message><source>Export</source>
         <translation>Exporter</translation></message>
     <message><source>E&amp;xport</source>
-        <translation>E&amp;xporter</translation></message>
+        <translation>&amp;Exporter</translation></message>
     <message><source>Pictu&amp;re</source>
-        <translation>Ima&amp;ge</translation></message>
+        <translation>&amp;Image</translation></message>
     <message><source>Save what the plot shows as PNG or SVG</source>
         <translation>Enregistrer ce que montre le graphique en PNG ou SVG</translation></message>
     <message><source>&amp;Visible range as CSV…</source>
@@ -5564,7 +5564,7 @@ N'est pas un produit de Pololu.</translation></message>
     <message><source>As text</source>
         <translation>Comme le texte</translation></message>
     <message><source>La&amp;yout</source>
-        <translation>Dis&amp;position</translation></message>
+        <translation>Disp&amp;osition</translation></message>
     <message><source>Layout</source>
         <translation>Disposition</translation></message>
     <message><source>Colours of the curves; save and open how the plot is shown</source>
@@ -5610,7 +5610,7 @@ N'est pas un produit de Pololu.</translation></message>
     <message><source>Hold pea&amp;ks</source>
         <translation>Tenir les &amp;crêtes</translation></message>
     <message><source>Show the &amp;last</source>
-        <translation>Afficher les &amp;dernières</translation></message>
+        <translation>Afficher le&amp;s dernières</translation></message>
     <message><source>A fixed range keeps plots comparable; peaks above it are cut off</source>
         <translation>Une plage fixe permet de comparer les graphiques ; les crêtes au-dessus sont tronquées</translation></message>
     <message><source>Ran&amp;ge</source>
@@ -5634,7 +5634,7 @@ N'est pas un produit de Pololu.</translation></message>
     <message><source>&amp;Show polling</source>
         <translation>Afficher l'inte&amp;rrogation</translation></message>
     <message><source>O&amp;nly faults</source>
-        <translation>&amp;Défauts seulement</translation></message>
+        <translation>Défauts &amp;seulement</translation></message>
     <message><source>&amp;Copy</source>
         <translation>&amp;Copier</translation></message>
     <message><source>C&amp;lear</source>
@@ -5686,7 +5686,7 @@ N'est pas un produit de Pololu.</translation></message>
     <message><source>events lost: {0}</source>
         <translation>événements perdus : {0}</translation></message>
     <message><source>Send &amp;bytes</source>
-        <translation>Envoyer &amp;les octets</translation></message>
+        <translation>En&amp;voyer les octets</translation></message>
     <message><source>Bytes to send</source>
         <translation>Octets à envoyer</translation></message>
     <message><source>Bytes t&amp;o send:</source>
