@@ -1,12 +1,21 @@
 """Every window, page and dialog fits a small screen and can be used with the keyboard alone."""
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QPoint, QRect, QSettings, QSize
+from PySide6.QtCore import QLocale, QPoint, QRect, QSettings, QSize
 from PySide6.QtGui import QScreen
-from PySide6.QtWidgets import QAbstractButton, QDialog, QDockWidget, QTabWidget, QWidget
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QApplication,
+    QDialog,
+    QDockWidget,
+    QTabWidget,
+    QWidget,
+)
 
+from tests.support.catalogs import in_language
 from tests.support.keyboard import check_keyboard
 from tests.support.pages.every_window import WINDOWS_WITH_STOP, stop_button
 from tests.support.program import trex
@@ -20,12 +29,19 @@ from trex_gui.ui.widgets.scroll_box import ScrollBox
 FRAME = QSize(16, 48)
 
 
-@pytest.fixture(params=[(1024, 600), (1366, 728)], ids="{0[0]}×{0[1]}".format)
-def screen(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> QRect:
+@pytest.fixture(
+    params=[("en", 1024, 600), ("en", 1366, 728), ("de", 1366, 728), ("fr", 1366, 728)],
+    ids="{0[0]} {0[1]}×{0[2]}".format,
+)
+def screen(
+    request: pytest.FixtureRequest, qapp: QApplication, monkeypatch: pytest.MonkeyPatch
+) -> Iterator[QRect]:
     """The part of the screen that windows may cover, from before the first window is made."""
-    available = QRect(QPoint(), QSize(*request.param))
+    language, width, height = request.param
+    available = QRect(0, 0, width, height)
     monkeypatch.setattr(QScreen, "availableGeometry", lambda _: available)
-    return available
+    with in_language(qapp, QLocale(language)):
+        yield available
 
 
 def check_window(window: QWidget, screen: QRect, stop: QAbstractButton | None) -> None:
@@ -50,12 +66,14 @@ def check_pages(window: WindowDriver, screen: QRect, stop: str, panel: str) -> N
         runtime().sleep(0.3)
         assert dock.isVisible()
         check_window(window.window, screen, window.button(stop))
-        for box in (tabs.widget(index), dock.widget()):
+        page = tabs.widget(index)
+        assert page is not None
+        for box in (page, *page.findChildren(ScrollBox), dock.widget()):
             assert isinstance(box, ScrollBox)
             content = box.widget()
             assert content is not None
             needed = content.minimumSizeHint().width()
-            assert box.viewport().width() >= needed, content.objectName()
+            assert box.viewport().width() >= needed, (content.objectName(), needed)
 
 
 def test_first_start_fits(screen: QRect, request: pytest.FixtureRequest) -> None:

@@ -1,10 +1,11 @@
 """What a window owes to those who have only a keyboard: letters, an order for Tab, names."""
 
+import re
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import pairwise
 
-from PySide6.QtCore import QPoint, QRect, Qt
+from PySide6.QtCore import QLocale, QPoint, QRect, Qt
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -39,6 +40,7 @@ from tests.support.accessible_names import (
     path_of,
     unspoken,
 )
+from tests.support.catalogs import OTHER_LANGUAGES, translation, translation_of_qt
 from trex_gui.devices.trex.views.boards import BoardPanel
 from trex_gui.ui.devices.demo_panel import DemoDock
 from trex_gui.ui.widgets.behaviour import HoldButton
@@ -53,8 +55,11 @@ _INPUTS = (
     QLineEdit,
     QPlainTextEdit,
 )
-_ENTER_AND_ESC = {"OK", "Cancel", "Close"}
-"""Buttons that need no letter; the platform may give them their first one."""
+_STANDARD = QDialogButtonBox.StandardButton
+_ENTER_AND_ESC = {_STANDARD.Ok, _STANDARD.Cancel, _STANDARD.Close}
+"""Need no letter; the platform may give them their first one."""
+
+_NAME_OF_ESC = re.compile(r"(cancel|close)\w*Button$", re.IGNORECASE)
 
 _WITHOUT_LETTER = (
     RedButton,  # Esc stops, in every window
@@ -114,13 +119,13 @@ def letter(text: str) -> str:
 
 
 def _repeated_letters(window: QWidget) -> Iterator[str]:
-    texts = []
+    texts: list[str] = []
+    standard: list[str] = []
     for each in shown_in(window):
         match each:
             case QAbstractButton():
-                is_standard = isinstance(each.parent(), QDialogButtonBox)
-                takes_first = is_standard and each.text() in _ENTER_AND_ESC
-                texts.append(f"&{each.text()}" if takes_first else each.text())
+                takes_first = _is_standard(each) and not letter(each.text())
+                (standard if takes_first else texts).append(each.text())
             case QLabel() if each.buddy() is not None:
                 texts.append(each.text())
             case QGroupBox():
@@ -134,9 +139,23 @@ def _repeated_letters(window: QWidget) -> Iterator[str]:
         shown = [each for each in actions if each.isVisible()]
         yield from _clashes([(each.shortcut().toString(), each.text()) for each in shown])
     for menu in window.findChildren(QMenu):
-        shown = [each for each in menu.actions() if each.isVisible()]
-        yield from _clashes([(letter(each.text()), each.text()) for each in shown])
-    yield from _clashes([(letter(text), text) for text in texts])
+        yield from _shared_letters([each.text() for each in menu.actions() if each.isVisible()])
+    yield from _shared_letters(texts, standard)
+
+
+def _shared_letters(texts: list[str], standard: Iterable[str] = ()) -> Iterator[str]:
+    """Yield letters of several texts, in English and in what it is translated to.
+
+    `standard` are those of buttons of Qt, which may get their first letter.
+    """
+    firsts = [f"&{text}" for text in standard]
+    yield from _clashes([(letter(text), text) for text in (*texts, *firsts)])
+    if QLocale().language() is QLocale.Language.English:
+        for language in OTHER_LANGUAGES:
+            there = [translation(language, text) for text in texts if letter(text)]
+            firsts = [f"&{translation_of_qt(language, text)}" for text in standard]
+            for clash in _clashes([(letter(text), text) for text in (*there, *firsts)]):
+                yield f"{language}: {clash}"
 
 
 def _clashes(keys: list[tuple[str, str]]) -> Iterator[str]:
@@ -151,7 +170,7 @@ def _without_letter(window: QWidget) -> Iterator[str]:
     texts = Counter(each.text().replace("&", "") for each in buttons)
     for button in buttons:
         text = button.text()
-        if _is_free(button) or text in _ENTER_AND_ESC or letter(text):
+        if _is_free(button) or _is_standard(button) or letter(text):
             continue
         if not text:
             if not (button.toolTip() and button.accessibleName()):
@@ -167,12 +186,18 @@ def _without_letter(window: QWidget) -> Iterator[str]:
                 yield f"the letter is that of a character entity: {text}"
 
 
+def _is_standard(button: QAbstractButton) -> bool:
+    box = button.parent()
+    return isinstance(box, QDialogButtonBox) and box.standardButton(button) in _ENTER_AND_ESC
+
+
 def _is_free(widget: QWidget) -> bool:
     """Return whether a widget needs no letter."""
     name = widget.objectName()
     return (
         isinstance(widget, _WITHOUT_LETTER)
         or name in _NAMED_WITHOUT_LETTER
+        or _NAME_OF_ESC.search(name) is not None
         or name.startswith("qt_")
         or any(isinstance(above, _INSIDE_WITHOUT_LETTER) for above in _above(widget))
     )

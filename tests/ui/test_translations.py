@@ -8,8 +8,10 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QCoreApplication, QLocale
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QDialogButtonBox, QPushButton, QVBoxLayout, QWidget
+from pytestqt.qtbot import QtBot
 
+from tests.support.keyboard import check_keyboard
 from tests.support.scripts import load_script
 from trex_gui.core.resource_files import resource
 from trex_gui.core.translation import tr
@@ -104,3 +106,25 @@ def test_english_counts_have_plural_forms(qapp: QApplication, count: int, text: 
         "TrexWorkspace", "%n setting(s) written and verified.", "", count
     )
     assert translated == f"{text} written and verified."
+
+
+def test_letter_that_only_a_translation_repeats_is_found(
+    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window = QWidget()
+    qtbot.addWidget(window)
+    first, second = QPushButton("&Open", window), QPushButton("&Paste", window)
+    buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close, window)
+    layout = QVBoxLayout(window)
+    for widget in (first, second, buttons):
+        layout.addWidget(widget)
+    window.show()
+    words = {"&Open": "&Kopieren", "&Paste": "&Einfügen"}
+    monkeypatch.setattr("tests.support.keyboard.translation", lambda _, text: words[text])
+    check_keyboard(window)
+    words["&Paste"] = "&Klemmbrett"
+    with pytest.raises(AssertionError, match=r"de: Alt.K is &Kopieren and &Klemmbrett"):
+        check_keyboard(window)
+    words["&Paste"] = "Ein&setzen"
+    with pytest.raises(AssertionError, match=r"de: Alt.S is Ein&setzen and &Schließen"):
+        check_keyboard(window)
