@@ -5,10 +5,12 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QSignalBlocker, Qt, QUrl, Slot
+from PySide6.QtCore import QPointF, QRectF, QSignalBlocker, Qt, QUrl, Slot
 from PySide6.QtGui import (
     QDesktopServices,
     QImage,
+    QPainter,
+    QPen,
     QResizeEvent,
     QTextBlock,
     QTextCharFormat,
@@ -219,6 +221,9 @@ class _Browser(QTextBrowser):
         dark = theme().color("window").lightness() < 128
         path = url.toLocalFile()
         image = QImage(path.replace("-light.", "-dark.") if dark else path)
+        if image.isNull():  # Qt asks for it below other addresses, too
+            return image
+        image = image.convertToFormat(QImage.Format.Format_RGB32)
         width = self.viewport().width() - 2 * round(self.document().documentMargin())
         ratio = self.devicePixelRatioF()
         if url.fragment() != _WHOLE and image.width() > width * ratio > 0:
@@ -226,6 +231,9 @@ class _Browser(QTextBrowser):
                 round(width * ratio), Qt.TransformationMode.SmoothTransformation
             )
             image.setDevicePixelRatio(ratio)
+        with QPainter(image) as painter:  # a frame, or it looks like controls that work
+            painter.setPen(QPen(theme().color("muted"), 3))
+            painter.drawRect(QRectF(QPointF(), image.deviceIndependentSize()))
         return image
 
     def resizeEvent(self, event: QResizeEvent) -> None:
