@@ -4,6 +4,7 @@ import re
 import shutil
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -40,11 +41,14 @@ HINT = "run packaging/bootstrap.py translations, translate what is new, and run 
 FILES = sorted(resource("translations").glob("*.ts"))
 
 
+program_texts = cache(translations.program_texts)
+
+
 @pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
 def test_translation_file_is_complete_and_compiled(file: Path, tmp_path: Path) -> None:
     update = tmp_path / file.name
     shutil.copy(file, update)
-    assert translations.update(update, translations.program_texts()) == 0, HINT
+    assert translations.update(update, program_texts()) == 0, HINT
     assert update.read_text("utf-8") == file.read_text("utf-8"), HINT
     run("pyside6-lrelease", update)
     assert update.with_suffix(".qm").read_bytes() == file.with_suffix(".qm").read_bytes(), HINT
