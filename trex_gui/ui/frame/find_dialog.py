@@ -24,6 +24,7 @@ from trex_gui.ui.frame.workspace import LineChoice
 from trex_gui.ui.theme.style import use_theme_style
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
+from trex_gui.ui.widgets.placement import resize_with_font
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 _PORT = Qt.ItemDataRole.UserRole
@@ -54,7 +55,7 @@ class FindDialog(ReusedDialog):
         super().__init__(parent)
         self.setObjectName("findDialog")
         self.setWindowTitle(self.tr("Find a board"))
-        self.resize(620, 480)
+        resize_with_font(self, 620, 480)
         self._ports = ports
         self._manager = device_manager
         self._unless_busy = unless_busy
