@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QLocale, QPoint, QRect, QSettings, QSize
+from PySide6.QtCore import QCoreApplication, QLocale, QPoint, QRect, QSettings, QSize
 from PySide6.QtGui import QScreen
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -19,6 +19,7 @@ from tests.support.catalogs import in_language
 from tests.support.keyboard import check_keyboard
 from tests.support.pages.every_window import WINDOWS_WITH_STOP, stop_button
 from tests.support.program import trex
+from tests.support.pseudo_language import cut_texts
 from tests.support.window import WindowDriver
 from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
 from trex_gui.devices.trex.views.pages.motors.gamepad_dialog import GamepadDialog
@@ -47,6 +48,9 @@ def screen(
 def check_window(window: QWidget, screen: QRect, stop: QAbstractButton | None) -> None:
     """Check size, stop button and keyboard of a window as it is shown."""
     check_keyboard(window)
+    for _ in range(3):  # a layout may ask for another one
+        QCoreApplication.processEvents()
+    assert not list(cut_texts(window))
     case = f"{window.objectName()}: {window.frameGeometry()}"
     assert screen.contains(window.frameGeometry()), case
     least, room = window.minimumSizeHint(), screen.size() - FRAME
