@@ -1,11 +1,16 @@
 """Texts and numbers of packages without Qt in the language of the window."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import pytest
 
 from trex_gui.core.translation import Number, tr, use_translations
+from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameters_of
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.edit_in_place import amend
+from trex_gui.devices.trex.settings.writer import write_settings
 
 _WORDS = {"off": "aus", "Serial Timeout": "Serielles Timeout"}
 
@@ -49,6 +54,17 @@ def test_every_shown_value_can_be_typed_back(wire: int) -> None:
 @pytest.mark.usefixtures("german")
 def test_numbers_with_a_point_are_understood_in_every_language() -> None:
     assert timeout().wire("1.5") == timeout().wire("1,5") == 15
+
+
+@pytest.mark.usefixtures("german")
+def test_settings_files_are_alike_in_every_language() -> None:
+    trex = device_table().model("trex")
+    settings = Settings(trex, "1.2", {"serial_timeout": 15})
+    text = write_settings(settings)
+    assert "serial_timeout: 15              # 1.5 s\n" in text
+    edited = amend(text, replace(settings, parameters={"serial_timeout": 0}))
+    assert "serial_timeout: 0               # off\n" in edited
+    assert timeout().text(0) == "aus"
 
 
 def test_parameters_are_in_english_again_after_another_language(german: None) -> None:

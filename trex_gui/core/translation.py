@@ -1,8 +1,10 @@
 """Texts in the language of the window; where there is none, as on the command line, in English."""
 
-from collections.abc import Callable
-from functools import cache
-from typing import ParamSpec, TypeVar, cast
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from functools import cache, wraps
+from typing import ParamSpec, TypeVar
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -16,6 +18,7 @@ def _english(text: str, comment: str) -> str:
 _translate: Callable[[str, str], str] = _english
 _decimal_point = "."
 _clear_caches: list[Callable[[], None]] = []
+_is_english = ContextVar("_is_english", default=False)
 
 
 def tr(text: str, comment: str = "") -> str:
@@ -23,7 +26,7 @@ def tr(text: str, comment: str = "") -> str:
 
     A comment tells it apart from the same text that needs another translation.
     """
-    return _translate(text, comment)
+    return text if _is_english.get() else _translate(text, comment)
 
 
 def tr_noop(text: str) -> str:
@@ -33,9 +36,20 @@ def tr_noop(text: str) -> str:
 
 def cached_text(function: Callable[P, T]) -> Callable[P, T]:
     """Cache what a function returns with texts in it, until the language changes."""
-    cached = cache(function)
+
+    def made(in_english: bool, *args: P.args, **kwargs: P.kwargs) -> T:
+        del in_english
+        return function(*args, **kwargs)
+
+    cached = cache(made)
+    call: Callable[..., T] = cached
     _clear_caches.append(cached.cache_clear)
-    return cast("Callable[P, T]", cached)
+
+    @wraps(function)
+    def text(*args: P.args, **kwargs: P.kwargs) -> T:
+        return call(_is_english.get(), *args, **kwargs)
+
+    return text
 
 
 class Number(float):
@@ -47,7 +61,17 @@ class Number(float):
 
 def with_decimal_point(number: str) -> str:
     """Return a formatted number with the decimal point of the language."""
-    return number.replace(".", _decimal_point)
+    return number if _is_english.get() else number.replace(".", _decimal_point)
+
+
+@contextmanager
+def in_english() -> Iterator[None]:
+    """Make texts in English whatever the language of the window: those of files."""
+    before = _is_english.set(True)
+    try:
+        yield
+    finally:
+        _is_english.reset(before)
 
 
 def use_translations(translate: Callable[[str, str], str], decimal_point: str = ".") -> None:

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 
 from trex_gui import __version__
 from trex_gui.core.code import Language, hexadecimal, plain, render
+from trex_gui.core.translation import in_english
 from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_FIELDS,
     Calibration,
@@ -37,8 +38,8 @@ def file_name(settings: Settings, language: Language) -> str:
 def export_code(settings: Settings, link: ConnectionSettings, language: Language) -> str:
     """Return a complete program that stores and checks settings and drives motors.
 
-    The same settings and line give the same text, plain ASCII. A value that the board would
-    reject is named in a comment and left out. The port of `link` is not used.
+    The same settings and line give the same text, plain ASCII and in English. A value that the
+    board would reject is named in a comment and left out. The port of `link` is not used.
 
     Raises:
         BadRequest: the settings hold a key that their model and firmware do not have, or the
@@ -46,6 +47,11 @@ def export_code(settings: Settings, link: ConnectionSettings, language: Language
     """
     link.line.to_wire()  # raises for an unknown baud rate
     check_keys(settings)
+    with in_english():
+        return _program(settings, link, language)
+
+
+def _program(settings: Settings, link: ConnectionSettings, language: Language) -> str:
     valid = settings.without_invalid()
     left_out = [
         p for spec, wire in settings.parameter_items() if (p := spec.problem(wire, forced=True))

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from ruamel.yaml.nodes import MappingNode, Node
 
 from trex_gui.core.files import SettingsError
+from trex_gui.core.translation import in_english, tr
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS
 from trex_gui.devices.trex.protocol.parameters import ParameterKind
 from trex_gui.devices.trex.settings.document import Settings
@@ -53,15 +54,18 @@ def amend(text: str, settings: Settings, name: str = "settings") -> str:
     wanted = settings.without_invalid()
     mark = BYTE_ORDER_MARK if text.startswith(BYTE_ORDER_MARK) else ""
     document = _Document(text.removeprefix(BYTE_ORDER_MARK), name)
-    _change_entries(document, old, wanted)
-    homeless = _change_notes(document, old.notes, wanted.notes)
-    document.append(list(_missing_lines(document, settings, homeless)))
+    with in_english():
+        _change_entries(document, old, wanted)
+        homeless = _change_notes(document, old.notes, wanted.notes)
+        document.append(list(_missing_lines(document, settings, homeless)))
     amended = mark + document.text()
     if (amended != text or wanted != old) and not _reads_as(wanted, amended):
         raise SettingsError.of(
             name,
-            "this file is written in a way that cannot be changed in place; save the settings as "
-            "a new file",
+            tr(
+                "this file is written in a way that cannot be changed in place; save the settings "
+                "as a new file"
+            ),
         )
     return amended
 

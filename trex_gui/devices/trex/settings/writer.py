@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 from itertools import chain, groupby
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import in_english, tr
 from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_FIELDS,
     Calibration,
@@ -24,6 +25,7 @@ _CALIBRATION_TITLES = {
 def write_settings(settings: Settings, *, title_lines: Sequence[str] = ()) -> str:
     """Return the text of a settings file, which reads back as the same settings.
 
+    The program's comments are in English, as the keys are: files are alike in every language.
     A value that the board would reject becomes a comment with the reason. Notes are comments above
     their settings, those on settings that are not given at the end. `title_lines` are comments for
     the head of the file.
@@ -32,6 +34,11 @@ def write_settings(settings: Settings, *, title_lines: Sequence[str] = ()) -> st
         BadRequest: the settings hold a key that their model and firmware do not have.
     """
     check_keys(settings)
+    with in_english():
+        return _text(settings, title_lines)
+
+
+def _text(settings: Settings, title_lines: Sequence[str]) -> str:
     head = [f"product: {settings.product.name}"]
     head += [_comment(part) for line in title_lines for part in line.splitlines() or [""]]
     if settings.firmware is not None:
@@ -48,7 +55,7 @@ def check_keys(settings: Settings) -> None:
     known = {spec.key for spec in settings.specs.readable}
     if unknown := [key for key in settings.parameters if key not in known]:
         board = f"{settings.product.name} {settings.firmware or ''}".strip()
-        raise BadRequest(f"a {board} has no {', '.join(unknown)}")
+        raise BadRequest(tr("a {0} has no {1}").format(board, ", ".join(unknown)))
 
 
 def _parameter_blocks(settings: Settings) -> Iterator[list[str]]:
@@ -85,7 +92,7 @@ def parameter_text(spec: ParameterSpec, wire: int, settings: Settings) -> str:
 def plain_text(spec: ParameterSpec, wire: int) -> str:
     """Return a value in its own unit; empty if that would repeat the value."""
     if spec.is_open(wire):
-        return "beyond a limit that is inferred: the board decides"
+        return tr("beyond a limit that is inferred: the board decides")
     text = spec.text(wire)
     return "" if text == str(wire) else text
 
@@ -129,7 +136,8 @@ def _calibration_setting(key: CalibrationKey, calibration: Calibration) -> str:
 def calibration_text(source: InputSource, calibration: Calibration) -> str:
     points = (calibration.minimum, calibration.neutral, calibration.maximum)
     numbers = " / ".join(source.text(point).removesuffix(f" {source.unit}") for point in points)
-    return f"{numbers} {source.unit}, deadband {source.text(calibration.deadband)}"
+    deadband = source.text(calibration.deadband)
+    return tr("{0}, deadband {1}").format(f"{numbers} {source.unit}", deadband)
 
 
 def _left_out(setting: str, problem: str) -> str:
