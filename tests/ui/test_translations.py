@@ -1,9 +1,11 @@
 """Translations: compiled files hold every plural form of the program's texts."""
 
+import ast
 import re
 import shutil
 import subprocess
 import sys
+from collections.abc import Iterable, Iterator
 from functools import cache
 from pathlib import Path
 
@@ -81,6 +83,101 @@ tr(variable)
                 ("%n step(s)", "")}  # fmt: skip
     assert set(found) == expected
     assert len(found) == len(expected)
+
+
+MARKS = {*translations.TEXT_PLACE}
+USER_TEXTS = {"Finding", "LintFinding", "of", "_error", "_report", "_report_damaged"}
+"""What takes a text for users, beside the classes of errors; `of` makes a `SettingsError`."""
+WORD = re.compile(r"(?:^|(?<=[ '(]))[A-Za-z]+\b")
+ENGLISH_PARTS = {"cli", "simulator", "library.py", "app.py"}
+"""Files and packages whose texts are for the command line and for programs."""
+
+
+def name_of(node: ast.expr) -> str:
+    return node.attr if isinstance(node, ast.Attribute) else getattr(node, "id", "")
+
+
+def user_errors(modules: Iterable[ast.Module]) -> set[str]:
+    """Return the names of all classes that derive from StudioError."""
+    bases = {
+        node.name: set(map(name_of, node.bases))
+        for module in modules
+        for node in ast.walk(module)
+        if isinstance(node, ast.ClassDef)
+    }
+    errors = {"StudioError"}
+    while more := {name for name, above in bases.items() if above & errors} - errors:
+        errors |= more
+    return errors
+
+
+def unmarked(node: ast.AST) -> Iterator[str]:
+    """Yield the texts of three or more words below a node that are not marked."""
+    if isinstance(node, ast.Call) and name_of(node.func) in MARKS:
+        return
+    parts = node.values if isinstance(node, ast.JoinedStr) else [node]
+    text = "".join(str(part.value) if isinstance(part, ast.Constant) else "{}" for part in parts)
+    is_text = isinstance(node, ast.JoinedStr | ast.Constant)
+    is_comment = text.startswith("# ")  # in a file, whose comments are in English
+    if is_text and len(WORD.findall(text)) > 2 and not is_comment:
+        yield text
+    elif not isinstance(node, ast.JoinedStr):
+        for child in ast.iter_child_nodes(node):
+            yield from unmarked(child)
+
+
+def untranslatable(module: ast.Module, errors: set[str]) -> Iterator[str]:
+    """Yield texts of errors, given at once or by a name, and of tables, that are not marked."""
+    given = [
+        argument
+        for node in ast.walk(module)
+        if isinstance(node, ast.Call) and name_of(node.func) in errors | USER_TEXTS
+        for argument in [*node.args, *(word.value for word in node.keywords)]
+    ]
+    names = {node.id for value in given for node in ast.walk(value) if isinstance(node, ast.Name)}
+    given += [
+        node.value
+        for node in ast.walk(module)
+        if isinstance(node, ast.Assign) and {*map(name_of, node.targets)} & names
+    ]
+    for node in module.body:
+        if isinstance(node, ast.Assign | ast.AnnAssign) and isinstance(node.value, ast.Dict):
+            given += node.value.values
+    for value in given:
+        yield from unmarked(value)
+
+
+def test_text_of_an_error_that_is_not_marked_is_found() -> None:
+    module = """
+TABLE = {"a": "a table of texts", "b": tr_noop("a marked one, too")}
+class Mine(StudioError): ...
+def fail(path):
+    raise Mine(f"{path} is missing here")
+def fail_later(path):
+    message = "given by its name"
+    if path:
+        message = tr("the file {0} is missing").format(path)
+    raise Mine(message, "two words")
+"""
+    parsed = ast.parse(module)
+    found = list(untranslatable(parsed, user_errors([parsed])))
+    assert found == ["{} is missing here", "given by its name", "a table of texts"]
+
+
+def test_every_text_of_an_error_can_be_translated() -> None:
+    program = translations.PROGRAM
+    modules = {
+        path.relative_to(program): ast.parse(path.read_text("utf-8"))
+        for path in sorted(program.rglob("*.py"))
+    }
+    errors = user_errors(modules.values())
+    found = [
+        f"{path}: {text}"
+        for path, module in modules.items()
+        if not ENGLISH_PARTS & {*path.parts}
+        for text in untranslatable(module, errors)
+    ]
+    assert not found, "\n".join(found)
 
 
 @pytest.mark.realtime

@@ -11,6 +11,7 @@ from shiboken6 import Shiboken
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import SettingsError, save
+from trex_gui.core.translation import tr
 from trex_gui.ui.runtime import now
 from trex_gui.ui.workers.file_worker import FileWorker, ProgressCallback
 
@@ -109,5 +110,8 @@ def save_picture(path: Path, image: QImage) -> None:
     """
     kind, buffer = path.suffix.removeprefix("."), QBuffer()
     if not QImageWriter(buffer, kind.encode()).write(image):
-        raise SettingsError.of(path, f"pictures cannot be written as {kind or 'this'}")
+        message = tr("pictures cannot be written without a suffix such as .png")
+        if kind:
+            message = tr("pictures cannot be written as {0}").format(kind)
+        raise SettingsError.of(path, message)
     save(path, bytes(buffer.data().data()))

@@ -34,6 +34,7 @@ from trex_gui.core.discovery.prober import (
     never_cancelled,
 )
 from trex_gui.core.errors import BadRequest, PortUnavailable, StudioError
+from trex_gui.core.translation import tr
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
@@ -135,8 +136,9 @@ def scan_port(
         return PortScan(error=error)
     except Exception as error:
         log.exception("scan of %s", settings.url)
-        text = f"Internal error while searching {settings.label}"
-        error = StudioError(f"{text} ({type(error).__name__}: {error}).")
+        cause = f"{type(error).__name__}: {error}"
+        text = tr("Internal error while searching {0} ({1}).").format(settings.label, cause)
+        error = StudioError(text)
         return PortScan(error=error, is_fault=True)
     if result.error is not None:  # a search that was cut short says nothing by its silence
         diagnoses = [one for one in diagnoses if one.evidence > Evidence.SILENCE]

@@ -7,6 +7,7 @@ from typing import Generic
 
 from trex_gui.core.recording.kinds import Marker, RecordT
 from trex_gui.core.session import Condition
+from trex_gui.core.translation import tr
 
 CAPACITY = 100_000  # pending records: nine minutes at full rate, some 15 MB
 
@@ -57,6 +58,8 @@ class Backlog(Generic[RecordT]):
 
     def _mark_lost(self, time: float) -> None:
         if self._unmarked:
-            text = f"Samples missing here, because the disk was too slow: {self._unmarked}."
+            text = tr("Samples missing here, because the disk was too slow: {0}.").format(
+                self._unmarked
+            )
             self._pending.append(Marker(time, "note", text))
             self._unmarked = 0

@@ -8,6 +8,7 @@ from pathlib import Path
 from trex_gui.core.files import data_folder
 from trex_gui.core.recording.kinds import RecordingError
 from trex_gui.core.recording.store import SUFFIX, remove_recording
+from trex_gui.core.translation import tr
 
 MOST_FILES = 50  # some 10 MB
 MOST_BYTES = 100 * 1024 * 1024
@@ -40,7 +41,8 @@ def make_kept_folder() -> Path:
 
 
 def _unusable(error: OSError) -> RecordingError:
-    return RecordingError(str(kept_folder()), f"It cannot be used: {error.strerror or error}.")
+    message = tr("It cannot be used: {0}.").format(error.strerror or error)
+    return RecordingError(str(kept_folder()), message)
 
 
 def make_room(most_files: int = MOST_FILES, most_bytes: int = MOST_BYTES) -> None:

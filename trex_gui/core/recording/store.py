@@ -30,6 +30,7 @@ from trex_gui.core.recording.kinds import (
     Timestamped,
     Value,
 )
+from trex_gui.core.translation import tr, tr_noop
 
 SUFFIX = ".trexrec"
 APPLICATION_ID = 0x54524543  # `TREC`, at offset 68 of the file
@@ -45,7 +46,11 @@ _LATEST_CLOCK = 1e10  # seconds: three hundred years
 _LONGEST_S = 200 * 86400.0
 """Seconds from the start of a recording that a record may have; before the start, an hour."""
 _EARLIEST_S = -3600.0
-_NOT_A_RECORDING = "This is not a TReX Studio recording."
+_NOT_A_RECORDING = tr_noop("This is not a TReX Studio recording.")
+_NOT_WRITTEN = tr_noop("It cannot be written: {0}.")
+_NOT_OPENED = tr_noop("It cannot be opened: {0}.")
+_NOT_READ = tr_noop("It cannot be read: {0}.")
+_DAMAGED = tr_noop("It is damaged: {0}.")
 _ENDED = "ended_utc_s"
 
 _Content = tuple[str, bool]
@@ -66,7 +71,7 @@ def _reported(path: Path, message: str) -> Iterator[None]:
     try:
         yield
     except (OSError, ValueError, sqlite3.Error) as error:
-        raise RecordingError(str(path), f"{message}: {reason_of(error)}.") from error
+        raise RecordingError(str(path), tr(message).format(reason_of(error))) from error
 
 
 # --- Writing ----------------------------------------------------------------------------
@@ -83,7 +88,7 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
         self._path = path
         self._count = 0
         self._kinds: dict[type[object], tuple[SampleKind, str]] = {}
-        with _reported(path, "It cannot be written"):
+        with _reported(path, _NOT_WRITTEN):
             with atomic_file(path) as draft:
                 draft.close()
                 with contextlib.closing(_connect(draft.name)) as database:
@@ -138,7 +143,7 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
             number += 1
             kind = self._kinds[type(record)][0]
             rows.setdefault(type(record), []).append((number, record.time, *kind.pack(record)))
-        with _reported(self._path, "It cannot be written"):
+        with _reported(self._path, _NOT_WRITTEN):
             if not self._database.in_transaction:
                 self._database.execute("BEGIN")
             for record_type, values in rows.items():
@@ -147,19 +152,19 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
 
     def commit(self) -> None:
         """Keep everything taken so far, even if the program crashes."""
-        with _reported(self._path, "It cannot be written"):
+        with _reported(self._path, _NOT_WRITTEN):
             if self._database.in_transaction:
                 self._database.execute("COMMIT")
 
     def sync(self) -> None:
         """Commit, and bring everything down to the disk."""
         self.commit()
-        with _reported(self._path, "It cannot be written"):
+        with _reported(self._path, _NOT_WRITTEN):
             self._database.execute("PRAGMA wal_checkpoint(PASSIVE)")
 
     def finish(self) -> None:
         self.write([])
-        with _reported(self._path, "It cannot be written"):
+        with _reported(self._path, _NOT_WRITTEN):
             self._database.execute(
                 "INSERT INTO header VALUES (?, CAST(strftime('%s') AS INTEGER))", (_ENDED,)
             )
@@ -189,7 +194,7 @@ def copy_recording(source: Path, path: Path) -> None:
         RecordingError: it cannot be read or written.
     """
     with (
-        _reported(path, "It cannot be written"),
+        _reported(path, _NOT_WRITTEN),
         open_ordinary(source) as whole,
         atomic_file(path) as copy,
     ):
@@ -244,25 +249,27 @@ class Recording(Generic[HeaderT, RecordT]):
         self.format = fmt
         if path.suffix.lower() == ".csv":
             raise self._error(
-                "A CSV file is an export and cannot be opened as a recording. Open the recording "
-                f"({SUFFIX}) that it was exported from."
+                tr(
+                    "A CSV file is an export and cannot be opened as a recording. Open the "
+                    "recording ({0}) that it was exported from."
+                ).format(SUFFIX)
             )
-        with _reported(path, "It cannot be opened"), open_ordinary(path) as file:
+        with _reported(path, _NOT_OPENED), open_ordinary(path) as file:
             head = file.read(_HEAD.size)
             size = file.seek(0, os.SEEK_END)
         if len(head) < _HEAD.size or not head.startswith(_MAGIC):
-            raise self._error(_NOT_A_RECORDING)
+            raise self._error(tr(_NOT_A_RECORDING))
         page_size, pages = _HEAD.unpack(head)
-        with _reported(path, "It cannot be opened"):
+        with _reported(path, _NOT_OPENED):
             for companion in _companions(path):
                 with contextlib.suppress(FileNotFoundError):
                     check_ordinary(companion)
         log = path.with_name(f"{path.name}-wal")  # committed, but not yet synchronised
         if size < page_size * pages and not log.exists():
-            self.problems.append("The end of the file is missing.")
+            self.problems.append(tr("The end of the file is missing."))
         self._database = self._connect()
         try:
-            with _reported(path, "It is damaged"):
+            with _reported(path, _DAMAGED):
                 self.header = self._read_header()
                 self.kinds = tuple(fmt.kinds(self.header))
                 self._check_tables()
@@ -295,12 +302,14 @@ class Recording(Generic[HeaderT, RecordT]):
             except sqlite3.Error as error:
                 database.close()
                 if error.sqlite_errorcode == sqlite3.SQLITE_BUSY:
-                    message = "It is still being recorded. End the recording, then open it again."
+                    message = tr(
+                        "It is still being recorded. End the recording, then open it again."
+                    )
                     raise self._error(message) from error
                 reason = reason_of(error)
             else:
                 return database
-        raise self._error(f"It cannot be read: {reason}.")
+        raise self._error(tr(_NOT_READ).format(reason))
 
     def _error(self, message: str) -> RecordingError:
         return RecordingError(str(self.path), message)
@@ -308,11 +317,13 @@ class Recording(Generic[HeaderT, RecordT]):
     def _read_header(self) -> HeaderT:
         execute = self._database.execute
         if execute("PRAGMA application_id").fetchone()[0] != APPLICATION_ID:
-            raise self._error(_NOT_A_RECORDING)
+            raise self._error(tr(_NOT_A_RECORDING))
         version = execute("PRAGMA user_version").fetchone()[0]
         if version != SCHEMA_VERSION:
             raise self._error(
-                f"Its format, {version}, is not known. A later version of TReX Studio may open it."
+                tr(
+                    "Its format, {0}, is not known. A later version of TReX Studio may open it."
+                ).format(version)
             )
         values = dict(
             execute(
@@ -324,15 +335,19 @@ class Recording(Generic[HeaderT, RecordT]):
         if values.get("device") != self.format.device:
             name = str(values.get("device_name") or values.get("device"))[:60]
             raise self._error(
-                f"This is a recording of another device: {name}. It opens where the window shows "
-                "the pages of that device: choose its port or its demo in the list of ports, then "
-                "open the file again."
+                tr(
+                    "This is a recording of another device: {0}. It opens where the window shows "
+                    "the pages of that device: choose its port or its demo in the list of ports, "
+                    "then open the file again."
+                ).format(name)
             )
         if _ENDED not in values:
-            self.problems.append("It was not ended; samples of the last seconds may be missing.")
+            self.problems.append(
+                tr("It was not ended; samples of the last seconds may be missing.")
+            )
         header = self.format.read_header(values)
         if not abs(header.clock) <= _LATEST_CLOCK:  # also NaN
-            raise ValueError("the clock in the header is not in seconds")
+            raise ValueError(tr("the clock in the header is not in seconds"))
         return header
 
     def _check_tables(self) -> None:
@@ -341,17 +356,20 @@ class Recording(Generic[HeaderT, RecordT]):
         tables = {name for (name,) in self._database.execute(plain)}
         for kind in self.kinds:
             if kind.name not in tables:
-                raise self._error(f"The table {kind.name} is missing.")
+                raise self._error(tr("The table {0} is missing.").format(kind.name))
             info = self._database.execute(f"PRAGMA table_xinfo({kind.name})").fetchall()
             missing = {"record", "clock_s", "time_s", *kind.exported} - {row[1] for row in info}
             if missing:
-                raise self._error(f"The column {kind.name}.{min(missing)} is missing.")
+                column = f"{kind.name}.{min(missing)}"
+                raise self._error(tr("The column {0} is missing.").format(column))
             stored = {"record", "clock_s", *(column.name for column in kind.columns)}
             for _, name, *_, hidden in info:
                 if hidden and name in stored:  # an expression could make any amount of data
-                    raise self._error(f"The column {kind.name}.{name} is computed.")
+                    column = f"{kind.name}.{name}"
+                    raise self._error(tr("The column {0} is computed.").format(column))
             if [row[1:3] for row in info if row[5]] != [("record", "INTEGER")]:  # else slow to find
-                raise self._error(f"The column {kind.name}.record is not the key of its table.")
+                message = tr("The column {0} is not the key of its table.")
+                raise self._error(message.format(f"{kind.name}.record"))
 
     def _last_record(self) -> int:
         last = 0
@@ -414,22 +432,24 @@ class Recording(Generic[HeaderT, RecordT]):
             if _EARLIEST_S <= row[1] - self.header.clock <= _LONGEST_S:
                 yield row
             else:
-                self._report_damaged(row[0], "its time is not in the recording")
+                self._report_damaged(row[0], tr("its time is not in the recording"))
 
     def _select(self, kind: SampleKind, names: str, first: int, last: int) -> list[tuple[Any, ...]]:
         query = f"SELECT {names} FROM {kind.name} WHERE record BETWEEN ? AND ? ORDER BY record"
         try:
             return self._database.execute(query, (first, last)).fetchall()
         except sqlite3.ProgrammingError as error:  # closed
-            raise self._error(f"It cannot be read: {error}.") from error
+            raise self._error(tr(_NOT_READ).format(error)) from error
         except (sqlite3.Error, UnicodeError) as error:
             self._report(
-                f"Samples of {kind.name} among records {first} to {last} are lost: {error}."
+                tr("Samples of {0} among records {1} to {2} are lost: {3}.").format(
+                    kind.name, first, last, error
+                )
             )
             return []
 
     def _report_damaged(self, number: object, reason: object) -> None:
-        self._report(f"Record {number} cannot be read: {reason}.")
+        self._report(tr("Record {0} cannot be read: {1}.").format(number, reason))
 
     def _report(self, problem: str) -> None:
         if problem not in self.problems and len(self.problems) < _MOST_PROBLEMS:
@@ -440,10 +460,10 @@ def _wrong_type(columns: Mapping[str, _Content], types: Sequence[type]) -> str:
     """Say which value of a record has another type than its column; empty if none has."""
     _number, clock, *values = types
     if clock is not float:
-        return "its time is not a number"
+        return tr("its time is not a number")
     for (name, (type_name, is_optional)), found in zip(columns.items(), values, strict=True):
         if found is not _TYPES[type_name] and not (is_optional and found is NoneType):
-            return f"{name} is not {type_name}"
+            return tr("{0} is not {1}").format(name, type_name)
     return ""
 
 

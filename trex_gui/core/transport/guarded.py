@@ -5,6 +5,7 @@ from collections.abc import Callable
 
 from trex_gui.core.errors import BadReply, NoReply, PortUnavailable
 from trex_gui.core.guardian.guardian import HEARTBEAT_INTERVAL, StopSequence
+from trex_gui.core.translation import tr
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import SerialFormat
 
@@ -117,7 +118,7 @@ class GuardedTransport:
     def write(self, data: bytes) -> None:
         self.beat()
         if self._stop_to_send and data not in self._stop_to_send:
-            raise NoReply("The motors have to be stopped first.")
+            raise NoReply(tr("The motors have to be stopped first."))
         self._stop_to_send = b""
         self._below.write(data)
 

@@ -25,7 +25,7 @@ from trex_gui.core.discovery.prober import (
     never_cancelled,
 )
 from trex_gui.core.errors import BadReply, BadRequest
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import tr, tr_noop
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.aracna.protocol import commands
@@ -41,7 +41,7 @@ _SLICE = 0.02
 _KEPT = 48
 
 _HELLO = b"h\r\n"
-_RESETS = "Opening this port has reset the board: it responds about a second later."
+_RESETS = tr_noop("Opening this port has reset the board: it responds about a second later.")
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,7 +154,7 @@ class AracnaProber:
         self._received = (self._received + data)[:_KEPT]
         for reply in self._reader.feed(data):
             if isinstance(reply, Version):
-                note = _RESETS if _HELLO in self._received else ""
+                note = tr(_RESETS) if _HELLO in self._received else ""
                 self.found.append(FoundRobot(self._settings, reply, note))
                 return
 

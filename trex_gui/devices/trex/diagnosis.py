@@ -12,6 +12,7 @@ from dataclasses import replace
 
 from trex_gui.core.discovery.prober import ScanProgress, flush, ignore_step, never_cancelled
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, StudioError
+from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.discovery import FoundBoard, TrexProber, attempts
 from trex_gui.devices.trex.probe import Attempt
@@ -27,10 +28,10 @@ from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 
 _DETECTION_TEXT = {
-    Detection.NONE: "no parity and no CRC",
+    Detection.NONE: tr_noop("no parity and no CRC"),
     Detection.CRC7: "CRC-7",
-    Detection.EVEN: "even parity",
-    Detection.ODD: "odd parity",
+    Detection.EVEN: tr_noop("even parity"),
+    Detection.ODD: tr_noop("odd parity"),
 }
 
 
@@ -113,7 +114,7 @@ def _elsewhere(settings: ConnectionSettings, board: FoundBoard) -> StudioError:
     if found.baud != used.baud:
         code, texts = ErrorCode.OTHER_BAUD, (found.short, used.short)
     elif found.detection is not used.detection:
-        detections = _DETECTION_TEXT[found.detection], _DETECTION_TEXT[used.detection]
+        detections = tr(_DETECTION_TEXT[found.detection]), tr(_DETECTION_TEXT[used.detection])
         code, texts = ErrorCode.OTHER_DETECTION, detections
     elif found.has_crc and board.settings.polynomial != settings.polynomial:
         polynomials = f"{board.settings.polynomial:02X}", f"{settings.polynomial:02X}"

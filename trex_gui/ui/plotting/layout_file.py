@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from trex_gui.core.files import Finding, SettingsError, decode
+from trex_gui.core.translation import tr
 from trex_gui.ui.plotting.axes import MAX_SPAN, MIN_SPAN
 
 VERSION = 1
@@ -69,35 +70,41 @@ def read_layout(data: bytes, name: str, known: Collection[str]) -> PlotLayout:
     try:
         found: dict[str, Any] = tomllib.loads(decode(data, name))
     except tomllib.TOMLDecodeError as error:
-        raise SettingsError.of(name, f"this is not a plot layout: {error}") from error
+        raise SettingsError.of(name, tr("this is not a plot layout: {0}").format(error)) from error
     if (version := found.pop("version", None)) != VERSION or isinstance(version, bool):
-        said = "has no version" if version is None else f"has the version {version!r}"
-        raise SettingsError.of(name, f"{said}; this program reads layouts of version {VERSION}")
+        message = tr("has no version; this program reads layouts of version {0}").format(VERSION)
+        if version is not None:
+            message = tr("has the version {0}; this program reads layouts of version {1}").format(
+                repr(version), VERSION
+            )
+        raise SettingsError.of(name, message)
     problems: list[Finding] = []
 
     def take(key: str, check: Callable[[Any], str]) -> Any:
         value = found.pop(key, None)
-        message = "is missing" if value is None else check(value)
+        message = tr("is missing") if value is None else check(value)
         if message:
             problems.append(Finding(None, key, message))
         return value
 
     def check_curves(curves: Any) -> str:
         if not isinstance(curves, dict):
-            return "is not a table of curves"
+            return tr("is not a table of curves")
         for curve, color in curves.items():
             if curve not in known:
-                message = f"is no curve of this plot, which has {', '.join(known)}"
+                message = tr("is no curve of this plot, which has {0}").format(", ".join(known))
                 problems.append(Finding(None, curve, message))
             elif not isinstance(color, str) or color not in COLORS:
-                message = f"has the colour {color!r}, which is none of {', '.join(COLORS)}"
+                message = tr("has the colour {0}, which is none of {1}").format(
+                    repr(color), ", ".join(COLORS)
+                )
                 problems.append(Finding(None, curve, message))
         return ""
 
     seconds = take("seconds", lambda value: _number(value, MIN_SPAN, MAX_SPAN))
     top = take("top", lambda value: _number(value, 0, LARGEST_TOP))
     curves = take("curves", check_curves)
-    problems += [Finding(None, key, "is not known in a plot layout") for key in found]
+    problems += [Finding(None, key, tr("is not known in a plot layout")) for key in found]
     if problems:
         raise SettingsError(name, problems)
     return PlotLayout(float(seconds), float(top), curves)
@@ -110,4 +117,6 @@ def _number(value: Any, lowest: float, highest: float) -> str:
         and lowest <= value <= highest
     ):
         return ""
-    return f"is {value!r}, not a number from {lowest:g} to {highest:g}"
+    return tr("is {0}, not a number from {1} to {2}").format(
+        repr(value), f"{lowest:g}", f"{highest:g}"
+    )

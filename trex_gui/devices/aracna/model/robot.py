@@ -7,7 +7,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.errors import BadRequest, StudioError
 from trex_gui.core.session import Close, Outcome
-from trex_gui.core.translation import Number
+from trex_gui.core.translation import Number, tr
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.robot_state import Rate, RobotState
 from trex_gui.devices.aracna.model.setpoints import JointLimits, Targets
@@ -240,7 +240,9 @@ class Robot(DeviceConnection[PortSettings]):
         motors, values = self.state.motors, tuple(speeds)
         if len(values) != motors or any(not 0 <= speed <= HIGHEST for speed in values):
             raise BadRequest(
-                f"{motors} speeds of 0 to {HIGHEST}, not {', '.join(map(str, values))}"
+                tr("{0} speeds of 0 to {1}, not {2}").format(
+                    motors, HIGHEST, ", ".join(map(str, values))
+                )
             )
         self.speeds, self.speeds_chosen = values, True
         if (

@@ -7,6 +7,7 @@ line carries one value of one to four digits for each motor.
 from collections.abc import Sequence
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.aracna.protocol.joints import HIGHEST
 
 BAUD = 38_400  # its UART runs at 38400 8N1, without flow control
@@ -21,18 +22,18 @@ def led(*, on: bool) -> bytes:
 
 def speeds(values: Sequence[int], motors: int) -> bytes:
     """Return the command that sets every servo's speed, 0-1023 (0: unlimited)."""
-    return _line("v", "speed", values, motors)
+    return _line("v", tr_noop("the speed of motor {0} is 0 to {1}, not {2}"), values, motors)
 
 
 def positions(values: Sequence[int], motors: int) -> bytes:
     """Return the command that moves every servo to a goal, 0-1023."""
-    return _line("c", "position", values, motors)
+    return _line("c", tr_noop("the position of motor {0} is 0 to {1}, not {2}"), values, motors)
 
 
-def _line(letter: str, quantity: str, values: Sequence[int], motors: int) -> bytes:
+def _line(letter: str, rejection: str, values: Sequence[int], motors: int) -> bytes:
     if len(values) != motors:
-        raise BadRequest(f"{motors} motors need {motors} values, not {len(values)}")
+        raise BadRequest(tr("{0} motors need {0} values, not {1}").format(motors, len(values)))
     for motor, value in enumerate(values):
         if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= HIGHEST:
-            raise BadRequest(f"the {quantity} of motor {motor} is 0 to {HIGHEST}, not {value!r}")
+            raise BadRequest(tr(rejection).format(motor, HIGHEST, repr(value)))
     return f".{letter}{','.join(map(str, values))}\n".encode("ascii")

@@ -1,6 +1,6 @@
 """Decodes the lines between a host and an Aracna for the traffic log."""
 
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import tr, tr_noop
 from trex_gui.core.transport.traffic import Decoded, Decoder, Transaction
 from trex_gui.devices.aracna.protocol.replies import (
     UNREADABLE,
@@ -15,10 +15,10 @@ from trex_gui.devices.aracna.protocol.replies import (
 )
 
 _COMMANDS = {
-    b".q": "query version and motors",
-    b".l1": "switch the debug LED on",
-    b".l0": "switch the debug LED off",
-    b"": "end an unfinished line in the robot's buffer",
+    b".q": tr_noop("query version and motors"),
+    b".l1": tr_noop("switch the debug LED on"),
+    b".l0": tr_noop("switch the debug LED off"),
+    b"": tr_noop("end an unfinished line in the robot's buffer"),
 }
 _REPLY_KINDS: dict[bytes, type[Reply]] = {
     b".q": Version,
@@ -112,7 +112,7 @@ def _command(sent: bytes) -> str:
     if behind:
         return tr("{0}, then query whether it is free").format(_command(line))
     if (text := _COMMANDS.get(line)) is not None:
-        return text
+        return tr(text)
     values = line[2:].decode("latin-1").replace(",", ", ")
     match line[:2]:
         case b".c":

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from math import ceil
 
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.calibration.neutral import Neutral, deadband_floor, swing_text
 from trex_gui.devices.trex.calibration.problems import Problem, ProblemKind, has_fatal
 from trex_gui.devices.trex.calibration.travel import Task, Travel, Way
@@ -13,7 +13,7 @@ _INSIDE = 0.01  # share of the way by which an end is put inside the measured on
 _INSIDE_DEVIATIONS = 3.0  # standard deviations of the noise that are added to it
 _IDLE_LEAST = 1 / 3  # least distance of an end never reached, as a share of the other one
 
-WHY_THESE_VALUES = (
+WHY_THESE_VALUES = tr_noop(
     "The ends are 1 % of the travel and three times the noise inside the measured ones, so that "
     "full output is reliably reached. The deadband covers the noise at rest, but is at least {0}, "
     "since a stick does not return to exactly the same place each time."

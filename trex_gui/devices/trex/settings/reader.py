@@ -10,7 +10,7 @@ from ruamel.yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files import Finding, SettingsError, Severity, decode
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_FIELDS,
     CALIBRATION_KEYS,
@@ -30,31 +30,33 @@ _INTEGER = re.compile(r"[-+]?(?:0|[1-9][0-9]{0,17})|0[xX][0-9A-Fa-f]{1,16}")
 _FIRMWARE = re.compile(r"[0-9](?:\.[0-9]{1,3}){1,2}")
 
 _MESSAGES: Mapping[str, str] = {
-    "unterminated": "the last line has no end; was the file cut short?",
-    "more_errors": "{count} more errors are not listed",
-    "key_is_no_name": "a name belongs before the colon, not a list or a group",
-    "repeated": "was given in line {first} already",
-    "repeated_in_group": "{name} was given in line {first} already",
-    "product_missing": "the first setting is {wanted}; this file has none",
-    "product_not_first": "must be the first setting of the file",
-    "product_misspelt": "{models}, not {given}; did you mean {model}?",
-    "product_unknown": "{models}, not {given}; these are not settings of a TReX",
-    "firmware_invalid": "a version such as {newest}, not {given}",
-    "firmware_unknown": "versions {oldest} to {newest} are known, {given} is not",
-    "not_a_setting": "is a command to the board, not a setting",
-    "value_invalid": "{allowed}, not {given}{hint}",
-    "value_open": "{allowed}, not {given}; this limit is inferred, so the board decides",
-    "needs_firmware": "a {product} has it from firmware {since} on, these are for {firmware}",
-    "other_product": "a {product} does not have it, whatever its firmware",
-    "key_unknown": "there is no such setting{guess}",
-    "calibration_layout": "is written {layout}, not {given}",
-    "field_unknown": "a calibration has no {field!r}{guess}",
-    "field_invalid": "{field} is 0 to {highest}, not {given}",
-    "field_missing": "{fields} is missing",
-    "fields_missing": "{fields} are missing",
+    "unterminated": tr_noop("the last line has no end; was the file cut short?"),
+    "more_errors": tr_noop("{count} more errors are not listed"),
+    "key_is_no_name": tr_noop("a name belongs before the colon, not a list or a group"),
+    "repeated": tr_noop("was given in line {first} already"),
+    "repeated_in_group": tr_noop("{name} was given in line {first} already"),
+    "product_missing": tr_noop("the first setting is {wanted}; this file has none"),
+    "product_not_first": tr_noop("must be the first setting of the file"),
+    "product_misspelt": tr_noop("{models}, not {given}; did you mean {model}?"),
+    "product_unknown": tr_noop("{models}, not {given}; these are not settings of a TReX"),
+    "firmware_invalid": tr_noop("a version such as {newest}, not {given}"),
+    "firmware_unknown": tr_noop("versions {oldest} to {newest} are known, {given} is not"),
+    "not_a_setting": tr_noop("is a command to the board, not a setting"),
+    "value_invalid": tr_noop("{allowed}, not {given}{hint}"),
+    "value_open": tr_noop("{allowed}, not {given}; this limit is inferred, so the board decides"),
+    "needs_firmware": tr_noop(
+        "a {product} has it from firmware {since} on, these are for {firmware}"
+    ),
+    "other_product": tr_noop("a {product} does not have it, whatever its firmware"),
+    "key_unknown": tr_noop("there is no such setting{guess}"),
+    "calibration_layout": tr_noop("is written {layout}, not {given}"),
+    "field_unknown": tr_noop("a calibration has no {field!r}{guess}"),
+    "field_invalid": tr_noop("{field} is 0 to {highest}, not {given}"),
+    "field_missing": tr_noop("{fields} is missing"),
+    "fields_missing": tr_noop("{fields} are missing"),
     "calibration_invalid": "{problem}",
-    "parameter_missing": "1 of {total} parameters is missing: {names}",
-    "parameters_missing": "{count} of {total} parameters are missing: {names}",
+    "parameter_missing": tr_noop("1 of {total} parameters is missing: {names}"),
+    "parameters_missing": tr_noop("{count} of {total} parameters are missing: {names}"),
 }
 
 
@@ -171,7 +173,7 @@ class _Reader:
 
     def _product(self, entries: Mapping[str, _Entry]) -> Model | None:
         models = device_table().models
-        wanted = " or ".join(f"'product: {model.name}'" for model in models)
+        wanted = tr(" or ").join(f"'product: {model.name}'" for model in models)
         found = entries.get("product")
         if found is None:
             self.error(1, None, "product_missing", wanted=wanted)
@@ -179,7 +181,7 @@ class _Reader:
         if next(iter(entries)) != "product":
             self.error(found.line, "product", "product_not_first")
         given = _words(found.value)
-        names = " or ".join(model.name for model in models)
+        names = tr(" or ").join(model.name for model in models)
         fields = {"models": names, "given": _shown(found.value)}
         for model in models:
             if _bare(given) in {_bare(model.name), _bare(model.key)}:
@@ -264,7 +266,7 @@ class _Reader:
                 values[name] = wire
         if missing := [name for name in CALIBRATION_FIELDS if name not in inner]:
             code = "field_missing" if len(missing) == 1 else "fields_missing"
-            self.error(entry.line, key, code, fields=" and ".join(missing))
+            self.error(entry.line, key, code, fields=tr(" and ").join(missing))
         if len(values) < len(CALIBRATION_FIELDS):
             return
         calibration = Calibration(**values)
@@ -288,7 +290,7 @@ class _Reader:
 def _finding(
     line: int | None, key: str | None, code: str, severity: Severity, **fields: object
 ) -> Finding:
-    return Finding(line, key, _MESSAGES[code].format(**fields), severity, code)
+    return Finding(line, key, tr(_MESSAGES[code]).format(**fields), severity, code)
 
 
 def _integer(node: Node) -> int | None:

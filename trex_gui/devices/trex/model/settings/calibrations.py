@@ -6,6 +6,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.devices.undo import Edit
@@ -136,7 +137,7 @@ class Calibrations(QObject):
         """
         key = self._key(channel)
         if problem := wanted.problem():
-            raise BadRequest(f"calibration of channel {key.channel}: {problem}")
+            raise BadRequest(tr("calibration of channel {0}: {1}").format(key.channel, problem))
         self._change(key, wanted, run=run)
 
     def restore(self, channel: int) -> None:

@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.errors import BadRequest, StudioError
 from trex_gui.core.files import Finding, SettingsError, decode, load, save
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft, diff_against_draft
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_in_place import BYTE_ORDER_MARK, amend
@@ -192,10 +193,10 @@ def text_of(data: bytes, name: str) -> tuple[str, Finding | None]:
         if not all(c.isprintable() or c in _LAYOUT for c in text) or "\ufffd" in text:
             raise
         found = error.findings[0]
-        message = (
-            f"{found.message}; it is shown as Western European text. Check the characters that "
-            "are not plain letters; Save writes UTF-8"
-        )
+        message = tr(
+            "{0}; it is shown as Western European text. Check the characters that are not plain "
+            "letters; Save writes UTF-8"
+        ).format(found.message)
         return text, Finding(found.line, found.key, message)
     return (BYTE_ORDER_MARK + text if data.startswith(BYTE_ORDER_MARK.encode()) else text), None
 
@@ -211,7 +212,7 @@ def take_calibrations(
         BadRequest: it has no calibrations, or is for another model.
     """
     if not settings.calibrations:
-        raise BadRequest("it contains no calibrations")
+        raise BadRequest(tr("it contains no calibrations"))
     comparison = diff_against_draft(draft, replace(settings, parameters={}))
     rows = [row for row in comparison.rows if row.after is not None and row.before != row.after]
     if rows:
@@ -233,6 +234,6 @@ def put_calibrations(shown: Settings, path: Path, title: str) -> None:
     before = load(path)
     old, _ = read_settings(before, path.name)
     if old.product.key != shown.product.key:
-        raise BadRequest(f"it holds settings of a {old.product.name}")
+        raise BadRequest(tr("it holds settings of a {0}").format(old.product.name))
     whole = replace(old, calibrations={**old.calibrations, **shown.calibrations})
     save(path, amend(before.decode("utf-8"), whole, path.name))

@@ -232,7 +232,8 @@ class ReviewPage(QWidget):
         self._curve = CurvePane(learning)
         source = learning.preconditions.source
         floor = source.text(deadband_floor(source))
-        self._common = ui.named(Muted(WHY_THESE_VALUES.format(floor), self), "learnCommonReasons")
+        why = tr(WHY_THESE_VALUES).format(floor)
+        self._common = ui.named(Muted(why, self), "learnCommonReasons")
         self._earlier = ui.named(Note(0, self), "learnEarlierEdits")
 
         self._body = ui.row((ui.column(*self._forms), 2), (self._curve, 3), spacing=_GAP)
