@@ -8,7 +8,7 @@ from datetime import datetime
 from enum import Enum
 from operator import itemgetter
 
-from trex_gui.core.translation import Number, tr
+from trex_gui.core.translation import Number, tr, tr_noop
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 
 SHORTEST = 0.2  # seconds that a test or a period lasts at least: ten steps of the profile
@@ -26,6 +26,14 @@ class Shape(Enum):
     @property
     def has_period(self) -> bool:
         return self is not Shape.STEP
+
+
+_TITLES = {
+    Shape.STEP: tr_noop("step {0}, {1} s"),
+    Shape.RAMP: tr_noop("ramp {0}, {1} s"),
+    Shape.REVERSE: tr_noop("reverse {0}, {1} s"),
+    Shape.SINE: tr_noop("sine {0}, {1} s"),
+}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -150,7 +158,8 @@ class Run:
     def title(self) -> str:
         """A short name for the user, such as `step +60, 3 s`."""
         profile = self.profile
-        return f"{profile.shape.value} {profile.speed:+d}, {profile.duration:g} s".replace("-", "−")
+        speed = f"{profile.speed:+d}".replace("-", "−")
+        return tr(_TITLES[profile.shape]).format(speed, f"{Number(profile.duration):g}")
 
     def setpoint_at(self, seconds: float) -> int:
         """Return the speed setpoint at a moment; 0 without one."""

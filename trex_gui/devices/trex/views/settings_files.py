@@ -21,6 +21,7 @@ from trex_gui.core.code import Language
 from trex_gui.core.errors import BadRequest, StudioError
 from trex_gui.core.files import SettingsError, load, reason_of, save
 from trex_gui.core.resource_files import resource
+from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.document import SettingsDocument, text_of
 from trex_gui.devices.trex.protocol.device_table import Model, device_table
@@ -37,6 +38,17 @@ from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.builders import named, tab_order
 from trex_gui.ui.widgets.file_questions import SaveAnswer
 from trex_gui.ui.widgets.placement import keep_on_screen
+
+SAMPLES = {
+    "autonomous_robot": tr_noop(
+        "A robot without a driver: a computer on board drives it, and no one can catch it"
+    ),
+    "rover_with_serial_override": tr_noop(
+        "A rover driven by radio; a switch hands it over to a computer"
+    ),
+    "tank_with_mix": tr_noop("A tank: two tracks, driven by radio with one stick"),
+}
+"""The first comment of each sample, which says what it is for, by the name of its file."""
 
 
 class SettingsFiles(QObject):
@@ -120,23 +132,19 @@ class SettingsFiles(QObject):
         """Yield what a new file can begin with, by title."""
         shown = self._device.draft.shown
         if shown is not None and self._device.state is not None:
-            text, title = self.tr("The board as shown: {0}, firmware {1}"), self.tr("As shown.")
+            text, title = self.tr("The board as shown: {0}, firmware {1}"), "As shown."
             name = f"{shown.product.key}_settings.txt"
             make = partial(SettingsDocument.of_settings, shown, name, title)
             yield text.format(shown.product.name, shown.firmware), make
-        text, title = (
-            self.tr("Factory defaults of a {0}, firmware {1}"),
-            self.tr("Factory defaults."),
-        )
+        text = self.tr("Factory defaults of a {0}, firmware {1}")
         for model in device_table().models:
             for firmware in reversed(model.firmware):
-                make = partial(_from_factory, model, firmware, title)
+                make = partial(_from_factory, model, firmware)
                 yield text.format(model.name, firmware), make
         for path in sorted(resource("samples").glob("*.txt")):
-            if not path.stem.endswith("factory_defaults"):
-                sample = path.read_text(encoding="utf-8")
-                make = partial(SettingsDocument, sample, path.name)
-                yield self.tr("Sample: {0}").format(_title(sample, path.stem)), make
+            if path.stem in SAMPLES:
+                make = partial(SettingsDocument, path.read_text(encoding="utf-8"), path.name)
+                yield self.tr("Sample: {0}").format(tr(SAMPLES[path.stem])), make
 
     # --- Opening ------------------------------------------------------------------------
 
@@ -430,12 +438,7 @@ def _content_of(path: Path) -> bytes | SettingsError | None:
         return error
 
 
-def _from_factory(model: Model, firmware: str, title: str) -> SettingsDocument:
+def _from_factory(model: Model, firmware: str) -> SettingsDocument:
     settings = factory_settings(model, firmware)
-    return SettingsDocument.of_settings(settings, f"{model.key}_settings.txt", title)
-
-
-def _title(sample: str, default: str) -> str:
-    """Return the first comment of a sample, which says what it is for."""
-    comments = (line.removeprefix("#").strip() for line in sample.splitlines() if line[:1] == "#")
-    return next(filter(None, comments), default).rstrip(".")
+    name = f"{model.key}_settings.txt"
+    return SettingsDocument.of_settings(settings, name, "Factory defaults.")
