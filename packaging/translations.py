@@ -73,7 +73,7 @@ def texts_of_parameters(table: str) -> Iterator[Text]:
     for parameter in tomllib.loads(table)["parameter"]:
         for key in PARAMETER_TEXTS:
             if parameter.get(key):
-                yield Text(parameter[key])
+                yield Text(parameter[key], parameter.get(f"{key}_of", ""))
         yield Text(re.sub("^Motor [12] ", "", parameter["name"]))
         for word in parameter.get("values", {}).values():
             yield Text(word)

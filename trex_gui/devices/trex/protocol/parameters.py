@@ -373,7 +373,7 @@ class ParameterSpec:
 def _channels_text(mask: int) -> str:
     channels = channels_in(mask)
     if not channels:
-        return tr("none")
+        return tr("none", "channels")
     text = tr("channel {0}") if len(channels) == 1 else tr("channels {0}")
     return text.format(", ".join(map(str, channels)))
 
@@ -474,7 +474,7 @@ def _read_spec(row: Mapping[str, Any], model: Model) -> ParameterSpec:
         default=row.get(f"default_{model.key}", row["min"]),
         unit=row["unit"],
         scale=scale[model.key] if isinstance(scale, dict) else scale,
-        zero=tr(row.get("zero", "")),
+        zero=tr(row.get("zero", ""), row.get("zero_of", "")),
         choices={int(wire, 0): tr(word) for wire, word in row.get("values", {}).items()},
         valid=valid,
         needs_power_cycle=row["needs_reset"],

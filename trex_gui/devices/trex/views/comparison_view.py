@@ -118,7 +118,8 @@ class ComparisonView(QWidget):
 
     def show_nothing(self, reason: str = "") -> None:
         """Show an empty table, and why it is empty."""
-        self.show_comparison(Comparison(()), self.tr("Before"), self.tr("After"), with_ticks=False)
+        before, after = self.tr("Before", "value"), self.tr("After", "value")
+        self.show_comparison(Comparison(()), before, after, with_ticks=False)
         self._has_comparison = False
         self._summary.setText(reason)
 

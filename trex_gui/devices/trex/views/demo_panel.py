@@ -205,7 +205,7 @@ def _supply_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRo
     rows = BoardRows(tr("Power and jumpers"), columns, parent)
     power = rows.check_box(
         "demoPower",
-        tr("Power on"),
+        tr("Power on", "state"),
         tr("The board's power switch"),
         board.set_power,
         lambda snapshot: snapshot.power,

@@ -155,7 +155,7 @@ class ReviewDialog(ReusedDialog):
     def _write_rows(self, wanted: frozenset[str]) -> None:
         self._problem = ""
         self._phase = _Phase.WRITING  # the findings stay
-        self._rows.freeze(self.tr("Before"), self.tr("New value"))
+        self._rows.freeze(self.tr("Before", "value"), self.tr("New value"))
         self._progress.setRange(0, len(wanted))
         self._progress.setValue(0)
         self._enter(_Phase.WRITING)

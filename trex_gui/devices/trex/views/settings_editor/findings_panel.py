@@ -50,7 +50,7 @@ class FindingsPanel(QWidget):
             on_click=self._on_accept_clicked,
         )
         self._table.setHorizontalHeaderLabels(
-            [self.tr("Kind"), self.tr("Line"), self.tr("Setting"), self.tr("Message")]
+            [self.tr("Kind"), self.tr("Line", "of a text"), self.tr("Setting"), self.tr("Message")]
         )
         header = self._table.horizontalHeader()
         header.setStretchLastSection(True)

@@ -397,7 +397,7 @@ class LimitsPage(QWidget):
             suffix=" A",
             on_change=self._on_limit_changed,
         )
-        self._limit.setSpecialValueText(self.tr("off"))
+        self._limit.setSpecialValueText(self.tr("off", "limit"))
         self._hint = ui.named(Note(3, self), "setupLimitHint")
         self._choices.chosen.connect(setup.choose_preset)
         ui.column(
