@@ -43,6 +43,7 @@ def test_parameters_and_numbers_follow_the_language() -> None:
     assert timeout().text(0) == "aus"
     assert timeout().text(15) == "1,5 s"
     assert f"{Number(11.96):.1f} V, {Number(0.5):g}" == "12,0 V, 0,5"
+    assert f"{Number(0.125):.1%}" == "12,5\u00a0%"
 
 
 @pytest.mark.usefixtures("german")

@@ -497,7 +497,7 @@ def test_keys_drive_in_pad_and_if_enabled_elsewhere(armed: MotorsPage) -> None:
     armed.pad.setFocus()
     armed.press_key(Qt.Key.Key_Down)
     armed.wait_for_targets(BACK, BACK)
-    assert "back 100%" in spoken_state(armed.pad)
+    assert "back 100\u00a0%" in spoken_state(armed.pad)
     armed.release_key(Qt.Key.Key_Down)
     armed.wait_for_brake()
 
@@ -565,7 +565,7 @@ def test_pad_shows_held_keys_only(keys: MotorsPage) -> None:
     }
     for name, end in ends.items():
         keys.press_key(Qt.Key.Key_W)
-        assert shown() == "forward 100%, right 0%", name
+        assert shown() == "forward 100\u00a0%, right 0\u00a0%", name
         end()
         assert shown() == "At rest", name
         keys.release_key(Qt.Key.Key_W)
@@ -577,7 +577,7 @@ def test_pad_shows_held_keys_only(keys: MotorsPage) -> None:
     keys.press_key(Qt.Key.Key_W)
     keys.press_key(Qt.Key.Key_D)
     keys.release_key(Qt.Key.Key_W)
-    assert shown() == "forward 0%, right 100%"
+    assert shown() == "forward 0\u00a0%, right 100\u00a0%"
     keys.release_key(Qt.Key.Key_D)
     assert shown() == "At rest"
 

@@ -198,6 +198,8 @@ def test_language_is_one_translation_file(
     # English formats of numbers, too, for the tests that follow.
     for translator in (*translators, *install_translations(qapp, ENGLISH)):
         qapp.removeTranslator(translator)
+    monkeypatch.undo()
+    install_translations(qapp, ENGLISH)
 
 
 @pytest.mark.parametrize(("count", "text"), [(1, "1 setting"), (2, "2 settings")])

@@ -53,10 +53,13 @@ def cached_text(function: Callable[P, T]) -> Callable[P, T]:
 
 
 class Number(float):
-    """A number that is formatted with the decimal point of the language: `1,5` in German."""
+    """A number that is formatted with the decimal point of the language: `1,5` in German.
+
+    A share has a space before `%`.
+    """
 
     def __format__(self, spec: str) -> str:
-        return with_decimal_point(super().__format__(spec))
+        return with_decimal_point(super().__format__(spec).replace("%", "\u00a0%"))
 
 
 def with_decimal_point(number: str) -> str:

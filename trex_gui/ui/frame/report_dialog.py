@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import Qt, Slot
+from PySide6.QtCore import QLocale, Qt, Slot
 from PySide6.QtWidgets import (
     QDialogButtonBox,
     QListWidget,
@@ -85,7 +85,8 @@ class ReportDialog(ReusedDialog):
     def _show(self, files: tuple[ReportFile, ...]) -> None:
         self._list.clear()
         for file in files:
-            item = QListWidgetItem(self.tr("{0} ({1:,} bytes)").format(file.name, len(file.data)))
+            size = QLocale().toString(len(file.data))
+            item = QListWidgetItem(self.tr("{0} ({1} bytes)").format(file.name, size))
             item.setData(_FILE, file)
             item.setFlags(item.flags() | Qt.ItemFlag.ItemIsUserCheckable)
             item.setCheckState(Qt.CheckState.Checked)

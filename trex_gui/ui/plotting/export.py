@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TextIO
 
 import numpy as np
-from PySide6.QtCore import QBuffer, QCoreApplication, QPoint, QRectF, QSize, Qt, Slot
+from PySide6.QtCore import QBuffer, QCoreApplication, QLocale, QPoint, QRectF, QSize, Qt, Slot
 from PySide6.QtGui import QFont, QFontMetricsF, QImage, QPainter, QPalette, QPen, QRegion
 from PySide6.QtSvg import QSvgGenerator
 from PySide6.QtWidgets import QMenu, QToolButton, QWidget
@@ -136,9 +136,8 @@ class ExportButton(QToolButton):
 
     @Slot(int, object)
     def _on_saved(self, count: int, path: Path) -> None:
-        self._notifier.info.emit(
-            self.tr("{0} sample(s) written to {1}.", "", count).format(f"{count:,}", path)
-        )
+        text = self.tr("{0} sample(s) written to {1}.", "", count)
+        self._notifier.info.emit(text.format(QLocale().toString(count), path))
 
     def save_picture(self, path: Path) -> None:
         source = self._plot.source

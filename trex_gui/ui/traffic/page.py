@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import Qt, Slot
+from PySide6.QtCore import QLocale, Qt, Slot
 from PySide6.QtGui import QGuiApplication, QHideEvent, QKeySequence, QShowEvent
 from PySide6.QtWidgets import QPushButton, QWidget
 
@@ -202,18 +202,18 @@ class TrafficPage(QWidget):
         self._summarize()
 
     def _summarize(self) -> None:
-        traffic = self._traffic
+        traffic, count = self._traffic, QLocale().toString
         parts = [
-            self.tr("shown: {0}").format(f"{self._table.rowCount():,}"),
-            self.tr("transactions: {0}").format(f"{traffic.everything.count:,}"),
-            self.tr("faults: {0}").format(f"{traffic.faults:,}"),
+            self.tr("shown: {0}").format(count(self._table.rowCount())),
+            self.tr("transactions: {0}").format(count(traffic.everything.count)),
+            self.tr("faults: {0}").format(count(traffic.faults)),
         ]
         if not self._polling.isChecked():
             parts.append(self.tr("polling is hidden"))
         if self._paused.isChecked():
             parts.append(self.tr("paused"))
         if lost := traffic.log.lost:  # the GUI thread was blocked for too long
-            parts.append(self.tr("events lost: {0}").format(f"{lost:,}"))
+            parts.append(self.tr("events lost: {0}").format(count(lost)))
         self._summary.setText(" · ".join(parts))
         self._view.set_placeholder(self._placeholder())
 
@@ -254,7 +254,7 @@ class TrafficPage(QWidget):
             self._notifier.error.emit(self.tr("No rows to copy."))
             return
         QGuiApplication.clipboard().setText(text)
-        self._notifier.info.emit(self.tr("Copied rows: {0}.").format(f"{len(rows):,}"))
+        self._notifier.info.emit(self.tr("Copied rows: {0}.").format(QLocale().toString(len(rows))))
 
     @Slot()
     def _ask_and_save(self) -> None:
@@ -274,5 +274,5 @@ class TrafficPage(QWidget):
     @Slot(int, object)
     def _on_saved(self, count: int, path: Path) -> None:
         self._notifier.info.emit(
-            self.tr("{0} row(s) written to {1}.", "", count).format(f"{count:,}", path)
+            self.tr("{0} row(s) written to {1}.", "", count).format(QLocale().toString(count), path)
         )

@@ -91,7 +91,8 @@ class Leds(QWidget):
         self._shown = shown
         for index in range(2):
             name, meaning = self._names[index], meanings[index]
-            self._words[index].setText(f"{name}: {words[index]}" if words[index] else name)
+            text = self.tr("{0}: {1}").format(name, words[index]) if words[index] else name
+            self._words[index].setText(text)
             spoken = self.tr("{0} LED: {1}").format(name, meaning or words[index])
             self.lamps[index].setAccessibleName(spoken)
             for widget in (self.lamps[index], self._words[index]):

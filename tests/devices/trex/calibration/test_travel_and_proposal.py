@@ -210,7 +210,7 @@ def test_lost_samples_are_reported_only_beyond_one_tenth() -> None:
     assert problems_with_lost_samples(5) == []
     ((kind, text),) = problems_with_lost_samples(6)
     assert kind is ProblemKind.JITTER
-    assert "12% of the samples had no valid pulse" in text
+    assert "12\u00a0% of the samples had no valid pulse" in text
 
 
 def test_no_signal_is_reported_beyond_half_of_samples() -> None:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import NamedTuple
 
-from trex_gui.core.translation import tr, tr_noop
+from trex_gui.core.translation import Number, tr, tr_noop
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import InputSource, channels_in
@@ -197,7 +197,9 @@ def _pwm_above_rating(case: _Case) -> Iterator[_Match]:
 
 
 def _kilohertz(hertz: float) -> str:
-    return f"{hertz / 1000:.3g} kHz" if hertz < 1e6 else f"{hertz / 1e6:.3g} MHz"
+    if hertz < 1e6:
+        return f"{Number(hertz / 1000):.3g} kHz"
+    return f"{Number(hertz / 1e6):.3g} MHz"
 
 
 def _required_but_ignored(case: _Case) -> Iterator[_Match]:

@@ -1,11 +1,13 @@
 """Sentences for the problems of a channel that is learned."""
 
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.calibration.problems import Problem, ProblemKind
 
 
 def problem_text(problem: Problem) -> str:
-    return " ".join(_sentences()[problem.kind, problem.variant]).format(*problem.values)
+    return " ".join(_sentences()[problem.kind, problem.variant]).format(
+        *(Number(value) if isinstance(value, float) else value for value in problem.values)
+    )
 
 
 def problems_text(problems: tuple[Problem, ...]) -> str:

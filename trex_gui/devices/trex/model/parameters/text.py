@@ -229,7 +229,8 @@ class ParameterText(QObject):
 
     def spoken(self, key: str) -> str:
         """Return the value with its name and its edit, as a screen reader says it."""
-        return " ".join((f"{self.title(key)}: {self.value(key)}.", *self.notes(key)))
+        text = self.tr("{0}: {1}.").format(self.title(key), self.value(key))
+        return " ".join((text, *self.notes(key)))
 
     def tool_tip(self, key: str) -> str:
         """Return the value with what is special about it as rich text, which tool tips wrap."""

@@ -7,7 +7,7 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model import channel_text
 from trex_gui.devices.trex.model.calibration_moves import Handle
@@ -291,9 +291,9 @@ class CalibrationPage(PlotPage):
             )
         if blocker := self._device.settings_blocker:
             return blocker
-        values, counts = "1500 µs, 1.5 ms", "3750"
+        values, counts = f"1500 µs, {Number(1.5)} ms", "3750"
         if self.source is InputSource.ANALOG:
-            values, counts = "2.5 V, 2500 mV", "512"
+            values, counts = f"{Number(2.5)} V, 2500 mV", "512"
         return self.tr(
             "Drag a handle of the curve, or type {0} or {1} counts. Nothing is written until you "
             "click Apply."

@@ -15,6 +15,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from trex_gui.core.translation import Number
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.ui.theme.theme import scaled_font, theme
 from trex_gui.ui.widgets.accessible import Spoken
@@ -170,7 +171,7 @@ class DrivePad(QWidget, Spoken):
             ahead = self.tr("forward") if self._forward >= 0 else self.tr("back")
             side = self.tr("right") if self._turn >= 0 else self.tr("left")
             position = self.tr("{0} {1:.0%}, {2} {3:.0%}.").format(
-                ahead, abs(self._forward), side, abs(self._turn)
+                ahead, Number(abs(self._forward)), side, Number(abs(self._turn))
             )
         parts = [position, use]
         if self._ceiling < FULL_SCALE:

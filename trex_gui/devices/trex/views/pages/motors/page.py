@@ -372,7 +372,8 @@ def _stored_text(parameters: ParameterModel, *, joint: bool, linked: bool) -> st
         title = tr("Both motors") if same else tr("Motor {0}").format(motor)
         if joint:
             title = tr("Motor (joint)")
-        if values := ", ".join(f"{name}: {value}" for name, value in links.items() if value):
+        pair = tr("{0}: {1}")
+        if values := ", ".join(pair.format(*both) for both in links.items() if both[1]):
             parts.append(f"<b>{title}</b> \u2013 {values}.")
     if timeout := link(ParameterKey.SERIAL_TIMEOUT):
         parts.append(f"<b>{tr('Serial timeout')}</b> \u2013 {timeout}.")

@@ -425,7 +425,7 @@ class ParameterView(QTableView):
         self._reset.setText(model.text.reset(key))
         self._reset.setEnabled(can_edit and self.currentIndex().data(Role.RESET) is not None)
         restore = self.tr("Restore stored value")
-        self._restore.setText(f"{restore}: {stored}" if stored else restore)
+        self._restore.setText(self.tr("{0}: {1}").format(restore, stored) if stored else restore)
         self._restore.setEnabled(can_edit and bool(self.currentIndex().data(Role.DIRTY)))
         self._leave_out.setVisible(model.can_leave_out(key))
         other_motor = model.other_motor_of(key)
