@@ -18,6 +18,7 @@ from trex_gui.ui.theme.theme import follow_theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.labels import Muted
+from trex_gui.ui.widgets.placement import resize_with_font
 
 _NUMBER = Qt.ItemDataRole.UserRole
 _WIDEST = "00 · TReX Jr 1.2  "
@@ -236,7 +237,7 @@ class NumberDialog(ReusedDialog):
         form.addRow(self.tr("Board:"), self._now)
         form.addRow(self.tr("&New number:"), self._number)
         ui.column(intro, form, self._known, 1, self._buttons, into=self)
-        self.resize(460, 260)
+        resize_with_font(self, 460, 260)
         boards.changed.connect(self._update)
         device.link_changed.connect(self._update)
         device.motors.arming_changed.connect(self._update)

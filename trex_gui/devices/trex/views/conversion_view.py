@@ -18,7 +18,7 @@ from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.builders import button, column, combo_box, flat_table, label, row
-from trex_gui.ui.widgets.placement import keep_on_screen
+from trex_gui.ui.widgets.placement import keep_on_screen, resize_with_font
 
 _SIGNS = {
     Fate.CHANGED: ("edited", "icon"),
@@ -102,7 +102,7 @@ class ConvertDialog(QDialog):
         self.setObjectName("convertDialog")
         self._document = document
         self.setWindowTitle(self.tr("Convert {0}").format(document.name))
-        self.resize(860, 520)
+        resize_with_font(self, 860, 520)
         keep_on_screen(self)
         boards = [(m, firmware) for m in device_table().models for firmware in m.firmware[::-1]]
         self._board = combo_box(

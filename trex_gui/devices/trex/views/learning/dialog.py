@@ -19,6 +19,7 @@ from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.placement import resize_with_font
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 _PLACES = {LearningStep.NEUTRAL: 1, LearningStep.TRAVEL: 2, LearningStep.REVIEW: 3}
@@ -82,7 +83,7 @@ class LearnDialog(ReusedDialog):
     def __init__(self, learning: Learning, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("learnDialog")
-        self.resize(920, 600)
+        resize_with_font(self, 920, 600)
         self._learning = learning
         self._shown: tuple[LearningStep, object] | None = None
         self._page: QWidget | None = None

@@ -69,7 +69,8 @@ class ChannelsPage(QWidget):
             ),
         )
         for column, (text, tip) in enumerate(headings):
-            self._grid.addWidget(ui.label(self, "", text, tip=tip, bold=True), 0, column)
+            heading = ui.label(self, "", text, tip=tip, bold=True, wrap=column > 0)
+            self._grid.addWidget(heading, 0, column)
         self._rows = {channel: self._add_row(channel) for channel in CHANNELS}
         follow_theme(self, "values", self._fit_values)
         ui.column(self._summary, (self._grid, 1), into=self)

@@ -9,6 +9,7 @@ from trex_gui.ui.theme.style import use_theme_style
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.builders import button, column, grid, label, named, row, set_bold
 from trex_gui.ui.widgets.labels import Note, Sign
+from trex_gui.ui.widgets.placement import resize_with_font
 
 _STEPS_DONE = {PowerCycleStage.ON_WANTED: 1, PowerCycleStage.BACK: 3}
 
@@ -132,7 +133,7 @@ class PowerCycleDialog(ReusedDialog):
         super().__init__(parent)
         self.setObjectName("powerCycleDialog")
         self.setWindowTitle(self.tr("Switch the board off and on"))
-        self.resize(560, 240)
+        resize_with_font(self, 560, 240)
         self._device = device
         self._cycle = PowerCycle(device, self)
 

@@ -162,6 +162,9 @@ class Options(ui.GroupBox):
             ),
             on_toggle=self.keys_toggled,
         )
+        self._link = ui.check_box(
+            self, "linkMotors", self.tr("&Link both motors"), on_toggle=motors.set_linked
+        )
         self._brake = Level(
             self.tr("&Brake strength"),
             "brake",
@@ -200,19 +203,16 @@ class Options(ui.GroupBox):
             checked=self._store.flag("motors/return_to_zero", default=False),
             on_toggle=lambda wanted: self._store.set("motors/return_to_zero", wanted),
         )
-        self._link = ui.check_box(
-            self, "linkMotors", self.tr("&Link both motors"), on_toggle=motors.set_linked
-        )
 
         # Without a spacing of its own a column would take that of its row.
-        left = ui.column(accelerate, at_once, keys, 1, spacing=_SPACING)
+        left = ui.column(accelerate, at_once, keys, self._link, 1, spacing=_SPACING)
         right = ui.grid(spacing=(2 * _SPACING, _SPACING), stretch=[(1, 1)])
         for column, widget in enumerate(self._brake.widgets):
             right.addWidget(widget, 0, column)
         right.addWidget(lock_label, 1, 0)
-        right.addLayout(ui.row(self._lock, (self._leave, 1), spacing=10), 1, 1, 1, 2)
-        checks = ui.row(self._return, self._link, 1, spacing=3 * _SPACING)
-        right.addLayout(checks, 2, 0, 1, 3)
+        right.addLayout(ui.row(self._lock, 1), 1, 1, 1, 2)
+        right.addWidget(self._leave, 2, 0, 1, 3)
+        right.addWidget(self._return, 3, 0, 1, 3)
         ui.row(left, (right, 1), into=self, spacing=4 * _SPACING)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
 
