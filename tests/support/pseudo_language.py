@@ -10,6 +10,7 @@ from PySide6.QtCore import (
     QAbstractItemModel,
     QAbstractListModel,
     QModelIndex,
+    QRect,
     QSize,
     Qt,
     QTranslator,
@@ -18,6 +19,7 @@ from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractItemView,
     QAbstractScrollArea,
+    QAbstractSpinBox,
     QCheckBox,
     QComboBox,
     QDockWidget,
@@ -30,6 +32,7 @@ from PySide6.QtWidgets import (
     QPlainTextEdit,
     QPushButton,
     QRadioButton,
+    QScrollArea,
     QSpinBox,
     QStyle,
     QStyleOptionButton,
@@ -184,6 +187,9 @@ def cut_texts(root: QWidget) -> Iterator[str]:
         if not widget.isVisible() or widget.objectName().startswith("qt_"):
             continue
         where = widget.objectName() or widget.metaObject().className()
+        is_area = isinstance(widget, QScrollArea) and widget.horizontalScrollBar().isVisible()
+        if is_area and not isinstance(widget.parent(), QDockWidget):  # users make those narrow
+            yield f"{where} scrolls sideways"
         for text, needed, room in _needs(widget):
             if not text:
                 continue
@@ -200,11 +206,19 @@ def _is_inside(widget: QWidget) -> bool:
         rect.translate(inner.pos())
         area = outer.parentWidget()
         if isinstance(area, QAbstractScrollArea) and outer is area.viewport():
+            never = area.horizontalScrollBarPolicy() is Qt.ScrollBarPolicy.ScrollBarAlwaysOff
+            if isinstance(area, QScrollArea) and never and not _holds_width(outer.rect(), rect):
+                return False
             rect = outer.rect()
         elif not outer.rect().contains(rect):
             return False
         inner = outer
     return True
+
+
+def _holds_width(room: QRect, rect: QRect) -> bool:
+    """Return whether a widget can be read without scrolling sideways."""
+    return room.left() <= rect.left() and rect.right() <= room.right()
 
 
 def _needs(widget: QWidget) -> Iterator[tuple[str, QSize, QSize]]:
@@ -225,6 +239,10 @@ def _needs(widget: QWidget) -> Iterator[tuple[str, QSize, QSize]]:
             field, combo = QStyle.SubControl.SC_ComboBoxEditField, QStyle.ComplexControl.CC_ComboBox
             room = style.subControlRect(combo, box, field, widget).size()
             yield widget.currentText(), _size(widget, widget.currentText()), room
+        case QAbstractSpinBox():
+            (edit,) = widget.findChildren(QLineEdit)
+            longest = max(_spin_box_texts(widget), key=len)
+            yield longest, QSize(_size(widget, longest).width(), 0), edit.contentsRect().size()
         case QGroupBox():
             check = style.pixelMetric(QStyle.PixelMetric.PM_IndicatorWidth, None, widget)
             beside = 2 * check if widget.isCheckable() else check // 2
@@ -237,6 +255,12 @@ def _needs(widget: QWidget) -> Iterator[tuple[str, QSize, QSize]]:
                 yield widget.tabText(index), _size(widget, widget.tabText(index)), place.size()
         case QHeaderView() if widget.orientation() is Qt.Orientation.Horizontal:
             yield from _needs_of_header(widget)
+
+
+def _spin_box_texts(box: QAbstractSpinBox) -> Iterator[str]:
+    """Yield the text of a spin box, and that of a value that stands for none."""
+    yield box.text()
+    yield box.specialValueText()
 
 
 def _size(widget: QWidget, text: str, beside: int = 0) -> QSize:
