@@ -1,8 +1,8 @@
 """Bring the Linguist files of `resources/translations` up to date, and compile them.
 
-The texts are those of each call of `tr`, `translate` and `QT_TRANSLATE_NOOP` in the program, and
-what users see of the parameter table. `lupdate` of PySide6 6.11 misses some calls in expressions,
-so the calls are found in the syntax tree. A text has one translation wherever it is used: all are
+The texts are those of each call of `tr` and `tr_noop` in the program, and what users see of the
+parameter table. `lupdate` of PySide6 6.11 misses some calls in expressions, so the calls are found
+in the syntax tree. A text has one translation wherever it is used: all are
 in one context. `python3 packaging/bootstrap.py translations` runs this.
 """
 
@@ -23,8 +23,8 @@ PARAMETERS = ROOT / "resources" / "trex_parameters.toml"
 FOLDER = ROOT / "resources" / "translations"
 
 CONTEXT = "trex_gui"
-TEXT_PLACE = {"tr": 0, "_tr": 0, "tr_noop": 0, "translate": 1, "QT_TRANSLATE_NOOP": 1}
-"""Functions that take a text, and which of their arguments it is."""
+MARKS = {"tr", "tr_noop"}
+"""Functions whose first argument is a text."""
 
 PARAMETER_TEXTS = ("name", "description", "zero", "doubt")
 ONLY_PLURALS = "en"
@@ -60,10 +60,9 @@ def texts_of_module(source: str) -> Iterator[Text]:
         function = node.func
         name = function.attr if isinstance(function, ast.Attribute) else None
         name = function.id if isinstance(function, ast.Name) else name
-        place = TEXT_PLACE.get(name or "")
-        if place is None or len(node.args) <= place:
+        if name not in MARKS or not node.args:
             continue
-        words = [arg.value if isinstance(arg, ast.Constant) else None for arg in node.args[place:]]
+        words = [arg.value if isinstance(arg, ast.Constant) else None for arg in node.args]
         if isinstance(words[0], str):
             comment = words[1] if len(words) > 1 else None
             yield Text(words[0], comment if isinstance(comment, str) else "", len(words) > 2)

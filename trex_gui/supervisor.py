@@ -10,8 +10,9 @@ import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import QCoreApplication, QObject, Qt, QTimer, Signal, Slot
+from PySide6.QtCore import QObject, Qt, QTimer, Signal, Slot
 
+from trex_gui.core.translation import tr
 from trex_gui.system.signals import SignalWatch
 from trex_gui.ui.notifier import Remedy
 from trex_gui.ui.program import Program
@@ -222,7 +223,7 @@ class ExceptionWatch:
         def hook(*args: Any) -> None:
             error = error_of(*args)
             try:
-                text = QCoreApplication.translate("ExceptionWatch", "Internal error ({0})")
+                text = tr("Internal error ({0})")
                 self._stop(text.format(type(error).__name__))
             finally:
                 # `before` prints it.

@@ -2,8 +2,10 @@
 
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 
 import pytest
+from PySide6.QtCore import QCoreApplication
 
 from trex_gui.core.translation import Number, tr, use_translations
 from trex_gui.devices.trex.protocol.device_table import device_table
@@ -11,6 +13,7 @@ from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameters_
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_in_place import amend
 from trex_gui.devices.trex.settings.writer import write_settings
+from trex_gui.ui.translations import CONTEXT
 
 _WORDS = {"off": "aus", "Serial Timeout": "Serielles Timeout"}
 
@@ -23,7 +26,7 @@ def _english(text: str, _comment: str) -> str:
 def german() -> Iterator[None]:
     use_translations(lambda text, _comment: _WORDS.get(text, text), ",")
     yield
-    use_translations(_english)
+    use_translations(partial(QCoreApplication.translate, CONTEXT))  # as the other tests want it
 
 
 def timeout() -> ParameterSpec:

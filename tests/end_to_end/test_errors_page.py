@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QLabel, QTableWidget
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
 from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.translations import CONTEXT
 
 
 def row(page: WidgetDriver, error: str) -> dict[str, str]:
@@ -104,7 +105,7 @@ class OtherLanguage(QTranslator):
         return False
 
     def translate(self, context: str, text: str, *_: object) -> str:
-        return f"<{text}>" if context == "DriveBlocker" else ""
+        return f"<{text}>" if context == CONTEXT else ""
 
 
 def test_names_and_meanings_of_errors_are_translated(window: WindowDriver) -> None:

@@ -72,8 +72,8 @@ def test_translation_keeps_places_tags_and_letter_for_alt(file: Path) -> None:
 def test_texts_are_found_in_every_kind_of_call() -> None:
     module = """
 self.tr("page {0}").format(1)
-head = [tr("a" " list") for x in y if translate("Context", "in a loop", "comment")]
-NOTE = QT_TRANSLATE_NOOP("Context", "a table")
+head = [tr("a" " list") for x in y if tr("in a loop", "comment")]
+NOTE = tr_noop("a table")
 self.tr("%n step(s)", "", count)
 painter.translate(1, 2)
 tr(variable)
@@ -85,7 +85,7 @@ tr(variable)
     assert len(found) == len(expected)
 
 
-MARKS = {*translations.TEXT_PLACE}
+MARKS = translations.MARKS
 USER_TEXTS = {"Finding", "LintFinding", "of", "_error", "_report", "_report_damaged"}
 """What takes a text for users, beside the classes of errors; `of` makes a `SettingsError`."""
 WORD = re.compile(r"(?:^|(?<=[ '(]))[A-Za-z]+\b")

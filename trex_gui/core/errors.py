@@ -5,7 +5,6 @@ They cross threads and processes as values, so every one pickles.
 
 from collections.abc import Callable
 from enum import Enum
-from typing import ClassVar
 
 from trex_gui.core.translation import tr_noop
 
@@ -77,8 +76,6 @@ class CodedError(StudioError):
     A field may be another coded error, or a tuple of them. `str` gives the text in English.
     """
 
-    context: ClassVar[str] = ""  # in which the texts of its codes are translated
-
     def __init__(self, code: Enum, *fields: object) -> None:
         super().__init__(code, *fields)
         self.code = code
@@ -86,12 +83,6 @@ class CodedError(StudioError):
 
     def __str__(self) -> str:
         return describe(self.code, self.fields)
-
-
-def QT_TRANSLATE_NOOP(context: str, text: str) -> str:  # noqa: N802 - the name that lupdate finds
-    """Mark a text for translation without Qt."""
-    del context
-    return text
 
 
 def describe(

@@ -10,6 +10,8 @@ import sys
 
 from PySide6.QtCore import QAbstractNativeEventFilter, QByteArray, QCoreApplication, QObject, Signal
 
+from trex_gui.core.translation import tr
+
 WM_QUERYENDSESSION, WM_POWERBROADCAST, WM_WTSSESSION_CHANGE = 0x0011, 0x0218, 0x02B1
 PBT_APMSUSPEND = 0x0004
 WTS_CONSOLE_DISCONNECT, WTS_REMOTE_DISCONNECT, WTS_SESSION_LOGOFF, WTS_SESSION_LOCK = 2, 4, 6, 7
@@ -18,10 +20,6 @@ _LEAVES = {WTS_CONSOLE_DISCONNECT, WTS_REMOTE_DISCONNECT, WTS_SESSION_LOGOFF, WT
 
 def why_to_stop(message: int, parameter: int) -> str | None:
     """Return the reason to stop that a window message gives; `None`: it gives none."""
-
-    def tr(text: str) -> str:
-        return QCoreApplication.translate("WindowsEvents", text)
-
     if message == WM_POWERBROADCAST and parameter == PBT_APMSUSPEND:
         return tr("The computer goes to sleep")
     if message == WM_WTSSESSION_CHANGE and parameter in _LEAVES:

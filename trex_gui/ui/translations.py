@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QApplication
 
 from trex_gui.core.errors import CodedError, describe
 from trex_gui.core.resource_files import resource
-from trex_gui.core.translation import use_translations
+from trex_gui.core.translation import tr, use_translations
 from trex_gui.ui.preferences import Preferences
 
 CONTEXT = "trex_gui"
@@ -87,8 +87,7 @@ class Plural:
 def error_text(error: BaseException) -> str:
     """Return the message of an error in the language of the window, as far as it has a code."""
     if isinstance(error, CodedError):
-        translate = partial(QCoreApplication.translate, error.context)
-        return describe(error.code, error.fields, translate)
+        return describe(error.code, error.fields, tr)
     return str(error)
 
 

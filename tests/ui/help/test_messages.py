@@ -16,7 +16,7 @@ from trex_gui.devices.trex.settings.rules import _MESSAGES
 from trex_gui.devices.trex.views import help as trex
 from trex_gui.ui.help.messages import MESSAGES, heading_of, texts_of
 from trex_gui.ui.help.pages import anchor_of, pages
-from trex_gui.ui.translations import error_sentence
+from trex_gui.ui.translations import CONTEXT, error_sentence
 
 
 def explained() -> set[str]:
@@ -103,7 +103,7 @@ class _Shouting(QTranslator):
     """A language in which every text is in capital letters."""
 
     def translate(self, context: str, text: str, comment: str | None = None, n: int = -1) -> str:
-        return text.upper() if context == TrexError.context else ""
+        return text.upper() if context == CONTEXT else ""
 
 
 def test_translated_message_leads_to_its_section(qtbot: QtBot, qapp: QApplication) -> None:

@@ -1,11 +1,10 @@
 """Which section of the help explains a message that has a code."""
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from enum import Enum
 
-from PySide6.QtCore import QCoreApplication
-
+from trex_gui.core.translation import tr
 from trex_gui.ui.help.pages import anchor_of
 
 MESSAGES = "messages.md"
@@ -25,9 +24,9 @@ def heading_of(text: str) -> str:
 class MessageHelp:
     """Finds the help of the messages of a device, in the language of the window."""
 
-    def __init__(self, texts: Mapping[str, Iterable[str]]) -> None:
-        """`texts`: in English with a place for each field, by the context of their translation."""
-        self._texts = [(context, text) for context, some in texts.items() for text in some]
+    def __init__(self, texts: Iterable[str]) -> None:
+        """`texts`: in English with a place for each field."""
+        self._texts = tuple(texts)
 
     def topic(self, message: str) -> str:
         """Return the topic of the coded text in a message or a line of the log; empty if none.
@@ -39,8 +38,8 @@ class MessageHelp:
 
     def _matches(self, message: str) -> Iterable[tuple[int, str]]:
         line = " ".join(message.split())
-        for context, text in self._texts:
-            shown = " ".join(QCoreApplication.translate(context, text).split()).rstrip(". ")
+        for text in self._texts:
+            shown = " ".join(tr(text).split()).rstrip(". ")
             parts = _FIELD.split(shown)
             size = sum(map(len, parts))
             pattern = ".+?".join(map(re.escape, parts)).removeprefix(".+?").removesuffix(".+?")

@@ -3,9 +3,7 @@
 import math
 from collections.abc import Sequence
 
-from PySide6.QtCore import QCoreApplication
-
-from trex_gui.core.translation import Number
+from trex_gui.core.translation import Number, tr
 from trex_gui.ui.widgets.bar import MINUS
 
 Labels = list[tuple[float, str]]  # values of an axis and their texts
@@ -149,17 +147,16 @@ def time_step(length: float) -> float:
 
 def ago_labels(length: float) -> Labels:
     """Return labels for the last seconds, counted from the right edge: `30 s` ... `now`."""
-    translate = QCoreApplication.translate
     labels = []
     for x in ticks(-length, 0, time_step(length)):
         if abs(x) < 1e-9:
-            text = translate("axes", "now")
+            text = tr("now")
         elif length >= 3600 and round(-x, 6) % 3600 == 0:
-            text = translate("axes", "{n} h").format(n=f"{Number(-x / 3600):g}")
+            text = tr("{n} h").format(n=f"{Number(-x / 3600):g}")
         elif length >= 120 and round(-x, 6) % 60 == 0:
-            text = translate("axes", "{n} min").format(n=f"{Number(-x / 60):g}")
+            text = tr("{n} min").format(n=f"{Number(-x / 60):g}")
         else:
-            text = translate("axes", "{n} s").format(n=f"{Number(-x):g}")
+            text = tr("{n} s").format(n=f"{Number(-x):g}")
         labels.append((x, text))
     return labels
 

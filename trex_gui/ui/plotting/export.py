@@ -12,13 +12,14 @@ from pathlib import Path
 from typing import TextIO
 
 import numpy as np
-from PySide6.QtCore import QBuffer, QCoreApplication, QLocale, QPoint, QRectF, QSize, Qt, Slot
+from PySide6.QtCore import QBuffer, QLocale, QPoint, QRectF, QSize, Qt, Slot
 from PySide6.QtGui import QFont, QFontMetricsF, QImage, QPainter, QPalette, QPen, QRegion
 from PySide6.QtSvg import QSvgGenerator
 from PySide6.QtWidgets import QMenu, QToolButton, QWidget
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import save
+from trex_gui.core.translation import tr
 from trex_gui.ui.files import in_background, save_picture
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.plotting.history import Floats
@@ -288,17 +289,17 @@ def _paint(painter: QPainter, plot: TracePlot, heading: str, line_width: float) 
 
 
 def _figures(source: Traces, trace: TraceInfo, start: float, end: float) -> str:
-    found, unit, tr = source.statistics(trace.name, start, end), trace.unit, QCoreApplication
+    found, unit = source.statistics(trace.name, start, end), trace.unit
     if not found.seconds:
         return ""
     parts = [
-        tr.translate("Picture", "low {0}").format(value_text(found.low, unit)),
-        tr.translate("Picture", "peak {0}").format(value_text(found.high, unit)),
-        tr.translate("Picture", "mean {0}").format(value_text(found.mean, unit)),
-        tr.translate("Picture", "RMS {0}").format(value_text(found.rms, unit)),
+        tr("low {0}").format(value_text(found.low, unit)),
+        tr("peak {0}").format(value_text(found.high, unit)),
+        tr("mean {0}").format(value_text(found.mean, unit)),
+        tr("RMS {0}").format(value_text(found.rms, unit)),
     ]
     if unit == "A":
-        parts.append(tr.translate("Picture", "charge {0}").format(charge_text(found)))
+        parts.append(tr("charge {0}").format(charge_text(found)))
         if (limit := source.limits.get(trace.name)) is not None:
-            parts.append(tr.translate("Picture", "limit {0}").format(value_text(limit, unit)))
+            parts.append(tr("limit {0}").format(value_text(limit, unit)))
     return ", ".join(parts)

@@ -4,12 +4,13 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, QPoint, QSize, Qt, Slot
+from PySide6.QtCore import QPoint, QSize, Qt, Slot
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QFileDialog, QMenu, QToolButton, QWidget
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import load, save
+from trex_gui.core.translation import tr
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.plotting.figures import swatch
@@ -33,7 +34,6 @@ _SUFFIX = ".toml"
 
 def color_text(name: str) -> str:
     """Return the name of a colour for the user."""
-    tr = partial(QCoreApplication.translate, "PlotColors")
     return {
         "blue": tr("Blue"),
         "orange": tr("Orange"),

@@ -3,11 +3,11 @@
 import math
 from collections.abc import Collection, Sequence
 
-from PySide6.QtCore import QCoreApplication, QEvent, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QHelpEvent, QMouseEvent, QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import QLabel, QSizePolicy, QToolTip, QWidget
 
-from trex_gui.core.translation import Number
+from trex_gui.core.translation import Number, tr
 from trex_gui.ui.event_log import Event, EventKind
 from trex_gui.ui.plotting.axes import clock_text, spread
 from trex_gui.ui.plotting.history import Statistics
@@ -64,15 +64,14 @@ class EventMarks(QWidget, Spoken):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
-        translate = QCoreApplication.translate
         self._words = {
-            EventKind.APPLY: translate("marks", "Apply"),
-            EventKind.STOP: translate("marks", "Stop"),
-            EventKind.FAULT: translate("marks", "Fault"),
-            EventKind.OVER_LIMIT: translate("marks", "Limit"),
-            EventKind.TIMEOUT: translate("marks", "Timeout"),
-            EventKind.LINK: translate("marks", "Line"),
-            EventKind.NOTE: translate("marks", "Note"),
+            EventKind.APPLY: tr("Apply"),
+            EventKind.STOP: tr("Stop"),
+            EventKind.FAULT: tr("Fault"),
+            EventKind.OVER_LIMIT: tr("Limit"),
+            EventKind.TIMEOUT: tr("Timeout"),
+            EventKind.LINK: tr("Line"),
+            EventKind.NOTE: tr("Note"),
         }
         self.marks: list[tuple[float, Event]] = []
         self.setObjectName("eventMarks")

@@ -7,10 +7,11 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import QCoreApplication, QObject, Slot
+from PySide6.QtCore import QObject, Slot
 
 from trex_gui.core.recording.kinds import marker
 from trex_gui.core.recording.store import Recording
+from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.protocol.joints import degrees
@@ -131,7 +132,7 @@ class RobotPlayback(RecordingPlayer[Header, Record, RobotState]):
 
 
 def _trace(motor: int) -> TraceInfo:
-    label = QCoreApplication.translate("RobotPlayback", "Motor {0}").format(motor)
+    label = tr("Motor {0}").format(motor)
     color = COLORS[motor % len(COLORS)]
     return TraceInfo(f"motor_{motor}", label, "°", color, str(motor))
 

@@ -3,13 +3,13 @@
 from enum import Enum, unique
 
 from trex_gui.core.errors import (
-    QT_TRANSLATE_NOOP,
     BadReply,
     BadRequest,
     CodedError,
     InternalError,
     NoReply,
 )
+from trex_gui.core.translation import tr_noop
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.protocol import commands
 
@@ -18,73 +18,52 @@ from trex_gui.devices.aracna.protocol import commands
 class ErrorCode(Enum):
     """What went wrong; the value is the sentence with a place for each field."""
 
-    NO_ROBOT = QT_TRANSLATE_NOOP(
-        "AracnaErrors",
+    NO_ROBOT = tr_noop(
         "No Aracna responds on {0}. It does not listen while it moves: if it is moving, wait until "
         "it stops. Check that the robot's board has power, that the adapter's TX goes to its "
         "RX and its RX to its TX (or that both radios are on the same channel), and that ground is "
         "connected.",
     )
-    ECHO = QT_TRANSLATE_NOOP(
-        "AracnaErrors",
+    ECHO = tr_noop(
         "Everything sent on {0} comes back, and nothing else: the adapter's TX and RX are joined.",
     )
-    BOOT_LOOP = QT_TRANSLATE_NOOP(
-        "AracnaErrors",
+    BOOT_LOOP = tr_noop(
         "An Aracna on {0} reports that it starts, but does not respond afterwards. It may be "
         "restarting repeatedly: check its power supply.",
     )
-    OTHER_DEVICE = QT_TRANSLATE_NOOP(
-        "AracnaErrors",
+    OTHER_DEVICE = tr_noop(
         "Something responds on {0}, but not like an Aracna: {1}. Another device, perhaps a TReX "
         "at another baud rate, or interference on the line.",
     )
-    NOT_READY = QT_TRANSLATE_NOOP(
-        "AracnaErrors", "The robot has not replied yet; it is still being queried."
+    NOT_READY = tr_noop("The robot has not replied yet; it is still being queried.")
+    COMMAND_PENDING = tr_noop(
+        "One command at a time: the robot has not replied to the last one yet."
     )
-    COMMAND_PENDING = QT_TRANSLATE_NOOP(
-        "AracnaErrors", "One command at a time: the robot has not replied to the last one yet."
-    )
-    TIMEOUT = QT_TRANSLATE_NOOP("AracnaErrors", "The robot did not reply in time.")
-    UNEXPECTED_REPLY = QT_TRANSLATE_NOOP(
-        "AracnaErrors", "The reply does not match the command: {0}."
-    )
-    MOTOR_STUCK = QT_TRANSLATE_NOOP(
-        "AracnaErrors", "The robot is waiting for motor {0}, which has not reached its goal."
-    )
-    STUCK = QT_TRANSLATE_NOOP("AracnaErrors", "The robot is stuck: nothing was sent.")
+    TIMEOUT = tr_noop("The robot did not reply in time.")
+    UNEXPECTED_REPLY = tr_noop("The reply does not match the command: {0}.")
+    MOTOR_STUCK = tr_noop("The robot is waiting for motor {0}, which has not reached its goal.")
+    STUCK = tr_noop("The robot is stuck: nothing was sent.")
     SPEEDS_REJECTED = "{0}"
-    SPEED_REJECTED = QT_TRANSLATE_NOOP(
-        "AracnaErrors", "Motor {0} did not accept speed {1}; it still has speed {2}."
-    )
-    SPEED_UNREADABLE = QT_TRANSLATE_NOOP(
-        "AracnaErrors", "Motor {0} did not accept speed {1}: it does not respond."
-    )
-    NO_SERVO_POWER = QT_TRANSLATE_NOOP(
-        "AracnaErrors", "No motor accepted its speed. Check the servo power."
-    )
-    SPEEDS_UNCONFIRMED = QT_TRANSLATE_NOOP(
-        "AracnaErrors", "The robot did not confirm its speeds, so no motor was moved. {0}"
-    )
-    GOALS_MISSED = QT_TRANSLATE_NOOP(
-        "AracnaErrors",
+    SPEED_REJECTED = tr_noop("Motor {0} did not accept speed {1}; it still has speed {2}.")
+    SPEED_UNREADABLE = tr_noop("Motor {0} did not accept speed {1}: it does not respond.")
+    NO_SERVO_POWER = tr_noop("No motor accepted its speed. Check the servo power.")
+    SPEEDS_UNCONFIRMED = tr_noop("The robot did not confirm its speeds, so no motor was moved. {0}")
+    GOALS_MISSED = tr_noop(
         "{0} It is blocked, or servo power was off. The sequence does not continue by itself.",
     )
-    GOAL_MISSED = QT_TRANSLATE_NOOP("AracnaErrors", "Motor {0} is {1} units off its goal.")
-    PLAYING = QT_TRANSLATE_NOOP("AracnaErrors", "A sequence is playing: stop it first.")
-    SUPERSEDED = QT_TRANSLATE_NOOP("AracnaErrors", "Newer speeds replaced these.")
-    HALTED = QT_TRANSLATE_NOOP("AracnaErrors", "Stopped before it was sent.")
-    RESTARTED = QT_TRANSLATE_NOOP("AracnaErrors", "The robot's board has restarted.")
-    OTHER_ROBOT = QT_TRANSLATE_NOOP("AracnaErrors", "Another robot now responds on this port.")
-    NOT_RESPONDING = QT_TRANSLATE_NOOP("AracnaErrors", "The robot stopped responding.")
-    CLOSED = QT_TRANSLATE_NOOP("AracnaErrors", "The connection was closed before this was done.")
-    INTERNAL = QT_TRANSLATE_NOOP("AracnaErrors", "Internal error in the connection: {0}")
+    GOAL_MISSED = tr_noop("Motor {0} is {1} units off its goal.")
+    PLAYING = tr_noop("A sequence is playing: stop it first.")
+    SUPERSEDED = tr_noop("Newer speeds replaced these.")
+    HALTED = tr_noop("Stopped before it was sent.")
+    RESTARTED = tr_noop("The robot's board has restarted.")
+    OTHER_ROBOT = tr_noop("Another robot now responds on this port.")
+    NOT_RESPONDING = tr_noop("The robot stopped responding.")
+    CLOSED = tr_noop("The connection was closed before this was done.")
+    INTERNAL = tr_noop("Internal error in the connection: {0}")
 
 
 class RobotError(CodedError):
     """An error of a session with a robot."""
-
-    context = "AracnaErrors"
 
 
 class RobotBusyError(RobotError, BadRequest):

@@ -1,7 +1,7 @@
 """Which part of the help is about which page and message of an Aracna."""
 
 from trex_gui.core.errors import PortFault
-from trex_gui.devices.aracna.session.errors import ErrorCode, RobotError
+from trex_gui.devices.aracna.session.errors import ErrorCode
 from trex_gui.ui.help.messages import MessageHelp, texts_of
 
 TOPICS = {
@@ -17,4 +17,4 @@ TOPICS = {
 
 
 def message_help() -> MessageHelp:
-    return MessageHelp({RobotError.context: texts_of(ErrorCode), "PortFault": texts_of(PortFault)})
+    return MessageHelp([*texts_of(ErrorCode), *texts_of(PortFault)])

@@ -1,6 +1,6 @@
 """Window of a recording of a robot."""
 
-from PySide6.QtCore import QCoreApplication, QSize, Qt, Signal, Slot
+from PySide6.QtCore import QSize, Qt, Signal, Slot
 from PySide6.QtGui import QColor, QIcon, QPixmap
 from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QSizePolicy, QWidget
 
@@ -38,9 +38,7 @@ class RobotPlaybackWindow(RecordingWindow):
     def __init__(
         self, playback: RobotPlayback, robot: Robot, parent: QWidget | None = None
     ) -> None:
-        plot_name = QCoreApplication.translate(
-            "RobotPlaybackWindow", "Plot of the motors' positions against time"
-        )
+        plot_name = tr("Plot of the motors' positions against time")
         super().__init__(playback, "aracnaPlayback", plot_name, parent)
         self.playback = playback
         state = playback.state()

@@ -7,10 +7,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from enum import Enum, IntEnum, unique
 
-from trex_gui.core.errors import QT_TRANSLATE_NOOP
-
-TEXT_CONTEXT = "DriveBlocker"
-"""Of everything here that is translated."""
+from trex_gui.core.translation import tr_noop
 
 
 class Effect(IntEnum):
@@ -31,173 +28,146 @@ class DriveBlocker(Enum):
 
     LOST = (
         Effect.STOPS,
-        QT_TRANSLATE_NOOP("DriveBlocker", "The connection was lost: motors may still turn."),
-        QT_TRANSLATE_NOOP("DriveBlocker", "Cut their power."),
+        tr_noop("The connection was lost: motors may still turn."),
+        tr_noop("Cut their power."),
     )
     SILENT = (
         Effect.STOPS,
-        QT_TRANSLATE_NOOP("DriveBlocker", "The board does not respond."),
-        QT_TRANSLATE_NOOP("DriveBlocker", "Check its power and the cable."),
+        tr_noop("The board does not respond."),
+        tr_noop("Check its power and the cable."),
     )
     CHANNEL_SILENT = (
         Effect.STOPS,
-        QT_TRANSLATE_NOOP("DriveBlocker", "Channel {0} is required but has no signal."),
-        QT_TRANSLATE_NOOP(
-            "DriveBlocker",
+        tr_noop("Channel {0} is required but has no signal."),
+        tr_noop(
             "Safe-start keeps the motors off: switch the transmitter on and release its sticks.",
         ),
     )
     CHANNEL_ABOVE = (
         Effect.STOPS,
-        QT_TRANSLATE_NOOP("DriveBlocker", "Channel {0} is {1} above neutral."),
-        QT_TRANSLATE_NOOP(
-            "DriveBlocker",
+        tr_noop("Channel {0} is {1} above neutral."),
+        tr_noop(
             "Safe-start holds the motors until it is within about {2}: release the stick, or "
             "calibrate the channel (in serial mode).",
         ),
     )
     CHANNEL_BELOW = (
         Effect.STOPS,
-        QT_TRANSLATE_NOOP("DriveBlocker", "Channel {0} is {1} below neutral."),
+        tr_noop("Channel {0} is {1} below neutral."),
         CHANNEL_ABOVE[2],
     )
     OVERRIDE_AT_START = (
         Effect.STOPS,
-        QT_TRANSLATE_NOOP("DriveBlocker", "Channel 5 requests serial override."),
-        QT_TRANSLATE_NOOP(
-            "DriveBlocker", "Safe-start holds the motors until this switch is off once."
-        ),
+        tr_noop("Channel 5 requests serial override."),
+        tr_noop("Safe-start holds the motors until this switch is off once."),
     )
     SAFE_START = (
         Effect.STOPS,
-        QT_TRANSLATE_NOOP("DriveBlocker", "Safe-start may be holding the motors."),
-        QT_TRANSLATE_NOOP("DriveBlocker", "Release all sticks."),
+        tr_noop("Safe-start may be holding the motors."),
+        tr_noop("Release all sticks."),
     )
     FAULT = (
         Effect.STOPS,
-        QT_TRANSLATE_NOOP(
-            "DriveBlocker",
+        tr_noop(
             "Motor {0} has no drive: its driver shut down (too hot, a short circuit, or low "
             "voltage).",
         ),
-        QT_TRANSLATE_NOOP("DriveBlocker", "Reduce the load, check wires and battery, let it cool."),
+        tr_noop("Reduce the load, check wires and battery, let it cool."),
     )
     TIMEOUT = (
         Effect.STOPS,
-        QT_TRANSLATE_NOOP(
-            "DriveBlocker",
+        tr_noop(
             "Serial timeout ({0}): the board received nothing and stopped the motors.",
         ),
-        QT_TRANSLATE_NOOP(
-            "DriveBlocker", "Check the cable, or set a longer Serial Timeout in Parameters."
-        ),
+        tr_noop("Check the cable, or set a longer Serial Timeout in Parameters."),
     )
     LINE_ERROR = (
         Effect.STOPS,
-        QT_TRANSLATE_NOOP(
-            "DriveBlocker",
+        tr_noop(
             "Serial errors ({0}): the board stops the motors when bytes arrive corrupted.",
         ),
-        QT_TRANSLATE_NOOP(
-            "DriveBlocker",
+        tr_noop(
             "Check cable and ground; UART-Error Shutdown can be turned off in Parameters.",
         ),
     )
     STOPPING = (
         Effect.STOPS,
-        QT_TRANSLATE_NOOP("DriveBlocker", "Stopping: the board has not confirmed it yet."),
-        QT_TRANSLATE_NOOP("DriveBlocker", "The stop is being repeated; motors may still turn."),
+        tr_noop("Stopping: the board has not confirmed it yet."),
+        tr_noop("The stop is being repeated; motors may still turn."),
     )
     LOCKED = (
         Effect.STOPS,
-        QT_TRANSLATE_NOOP("DriveBlocker", "Stopped. The motors are locked for {0} s."),
-        QT_TRANSLATE_NOOP("DriveBlocker", "Then Run motor arms them again."),
+        tr_noop("Stopped. The motors are locked for {0} s."),
+        tr_noop("Then Run motor arms them again."),
     )
     NO_BOARD = (
         Effect.BLOCKS,
-        QT_TRANSLATE_NOOP("DriveBlocker", "No board is connected."),
-        QT_TRANSLATE_NOOP("DriveBlocker", "Choose a port above and press Connect."),
+        tr_noop("No board is connected."),
+        tr_noop("Choose a port above and press Connect."),
     )
     OPENING = (
         Effect.BLOCKS,
-        QT_TRANSLATE_NOOP("DriveBlocker", "The program is connecting to the board."),
+        tr_noop("The program is connecting to the board."),
     )
-    CLOSING = (Effect.BLOCKS, QT_TRANSLATE_NOOP("DriveBlocker", "The connection is being closed."))
+    CLOSING = (Effect.BLOCKS, tr_noop("The connection is being closed."))
     UNKNOWN = (
         Effect.BLOCKS,
-        QT_TRANSLATE_NOOP(
-            "DriveBlocker", "The board has not reported yet what controls the motors."
-        ),
+        tr_noop("The board has not reported yet what controls the motors."),
     )
     NOT_SERIAL = (
         Effect.BLOCKS,
-        QT_TRANSLATE_NOOP(
-            "DriveBlocker", "The board reports that serial commands do not control the motors."
-        ),
-        QT_TRANSLATE_NOOP("DriveBlocker", "Switch it off and on."),
+        tr_noop("The board reports that serial commands do not control the motors."),
+        tr_noop("Switch it off and on."),
     )
     RC_CHANNELS = (
         Effect.BLOCKS,
-        QT_TRANSLATE_NOOP(
-            "DriveBlocker", "The RC channels control the motors, not serial commands."
-        ),
-        QT_TRANSLATE_NOOP(
-            "DriveBlocker",
+        tr_noop("The RC channels control the motors, not serial commands."),
+        tr_noop(
             "To drive by serial commands, turn on the override switch (channel 5), or switch the "
             "board off, remove the mode jumper and switch it on.",
         ),
     )
     ANALOG_CHANNELS = (
         Effect.BLOCKS,
-        QT_TRANSLATE_NOOP(
-            "DriveBlocker", "The analog channels control the motors, not serial commands."
-        ),
+        tr_noop("The analog channels control the motors, not serial commands."),
         RC_CHANNELS[2],
     )
     SEVERAL_BOARDS = (
         Effect.BLOCKS,
-        QT_TRANSLATE_NOOP(
-            "DriveBlocker", "Commands without a device number would reach several boards."
-        ),
-        QT_TRANSLATE_NOOP("DriveBlocker", "Select one of the boards on this line."),
+        tr_noop("Commands without a device number would reach several boards."),
+        tr_noop("Select one of the boards on this line."),
     )
     NOT_ALLOWED = (
         Effect.BLOCKS,
-        QT_TRANSLATE_NOOP("DriveBlocker", "The motors cannot be armed at this moment."),
+        tr_noop("The motors cannot be armed at this moment."),
     )
     STOPPED = (
         Effect.BLOCKS,
-        QT_TRANSLATE_NOOP("DriveBlocker", "Stopped. {0}"),
-        QT_TRANSLATE_NOOP("DriveBlocker", "Run motor arms the motors again."),
+        tr_noop("Stopped. {0}"),
+        tr_noop("Run motor arms the motors again."),
     )
     NOT_ARMED = (
         Effect.BLOCKS,
-        QT_TRANSLATE_NOOP("DriveBlocker", "Not armed: nothing is sent yet."),
-        QT_TRANSLATE_NOOP("DriveBlocker", "Put the robot on blocks, then press Run motor."),
+        tr_noop("Not armed: nothing is sent yet."),
+        tr_noop("Put the robot on blocks, then press Run motor."),
     )
     OVER_LIMIT = (
         Effect.LIMITS,
-        QT_TRANSLATE_NOOP("DriveBlocker", "Motor {0} is slowed down: current over the limit."),
-        QT_TRANSLATE_NOOP(
-            "DriveBlocker", "Reduce the load, or raise the current limit in Parameters."
-        ),
+        tr_noop("Motor {0} is slowed down: current over the limit."),
+        tr_noop("Reduce the load, or raise the current limit in Parameters."),
     )
     RUNNING = (
         Effect.NOTE,
-        QT_TRANSLATE_NOOP(
-            "DriveBlocker", "The motors are armed: the controls on the Motors page move them."
-        ),
-        QT_TRANSLATE_NOOP("DriveBlocker", "Esc stops everything."),
+        tr_noop("The motors are armed: the controls on the Motors page move them."),
+        tr_noop("Esc stops everything."),
     )
     OVERRIDE = (
         Effect.NOTE,
-        QT_TRANSLATE_NOOP(
-            "DriveBlocker", "Channel 5 overrides the sticks for as long as its switch is on."
-        ),
+        tr_noop("Channel 5 overrides the sticks for as long as its switch is on."),
     )
     JOINT = (
         Effect.NOTE,
-        QT_TRANSLATE_NOOP("DriveBlocker", "Joint mode: both drivers work as one motor."),
+        tr_noop("Joint mode: both drivers work as one motor."),
     )
 
     def __init__(self, effect: Effect, text: str, remedy: str = "") -> None:

@@ -4,7 +4,7 @@ from bisect import bisect_right
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from trex_gui.core.errors import QT_TRANSLATE_NOOP
+from trex_gui.core.translation import tr_noop
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.driving.blockers import DriveBlocker, Reason, worst_first
@@ -201,15 +201,13 @@ PACKETS = "with packets"
 SAFE_START_FLASH = "fast flash"
 
 LED_TEXTS = {
-    "on": QT_TRANSLATE_NOOP("DriveBlocker", "on"),
-    PACKETS: QT_TRANSLATE_NOOP("DriveBlocker", "flickers with each packet"),
-    SAFE_START_FLASH: QT_TRANSLATE_NOOP("DriveBlocker", "flashes fast"),
+    "on": tr_noop("on"),
+    PACKETS: tr_noop("flickers with each packet"),
+    SAFE_START_FLASH: tr_noop("flashes fast"),
 }
 
 
-SAFE_START_NOTE = QT_TRANSLATE_NOOP(
-    "DriveBlocker", "If the green LED is steady instead, safe-start is over."
-)
+SAFE_START_NOTE = tr_noop("If the green LED is steady instead, safe-start is over.")
 """For a pattern `SAFE_START_FLASH`: safe-start is inferred, since no command asks for it."""
 
 

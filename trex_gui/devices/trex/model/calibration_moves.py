@@ -3,13 +3,10 @@
 from dataclasses import dataclass, replace
 from enum import Enum
 
-from PySide6.QtCore import QCoreApplication
-
-from trex_gui.core.errors import QT_TRANSLATE_NOOP, BadRequest
+from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, HIGHEST_CODED, Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
-
-translate = QCoreApplication.translate
 
 
 class Handle(Enum):
@@ -54,43 +51,43 @@ def moved(calibration: Calibration, handle: Handle, count: int) -> CalibrationMo
     match handle:
         case Handle.MINIMUM:
             limits = 0, min(c.neutral, c.maximum - 1)
-            why = translate("CalibrationMoves", "Minimum cannot pass neutral.")
+            why = tr("Minimum cannot pass neutral.")
             if c.neutral >= c.maximum:
                 why = _differ_text()
         case Handle.NEUTRAL:
             limits = c.minimum, c.maximum
             if count < c.minimum:
-                why = translate("CalibrationMoves", "Neutral cannot pass minimum.")
+                why = tr("Neutral cannot pass minimum.")
             else:
-                why = translate("CalibrationMoves", "Neutral cannot pass maximum.")
+                why = tr("Neutral cannot pass maximum.")
         case Handle.MAXIMUM:
             limits = max(c.neutral, c.minimum + 1), HIGHEST_CODED
-            why = translate("CalibrationMoves", "Maximum cannot pass neutral.")
+            why = tr("Maximum cannot pass neutral.")
             if c.neutral <= c.minimum:
                 why = _differ_text()
         case Handle.DEADBAND_LOW | Handle.DEADBAND_HIGH:
             field = "deadband"
             value = count - c.neutral if handle is Handle.DEADBAND_HIGH else c.neutral - count
             limits = 0, max(c.neutral - c.minimum, c.maximum - c.neutral, 0)
-            why = translate("CalibrationMoves", "The deadband cannot be wider than the travel.")
+            why = tr("The deadband cannot be wider than the travel.")
             if value < 0:
-                why = translate("CalibrationMoves", "The deadband ends at neutral.")
+                why = tr("The deadband ends at neutral.")
     kept = max(limits[0], min(limits[1], value))
     return CalibrationMove(replace(c, **{field: kept}), "" if kept == value else why)
 
 
 def _differ_text() -> str:
-    return translate("CalibrationMoves", "Minimum and maximum must differ.")
+    return tr("Minimum and maximum must differ.")
 
 
 _BEYOND_INPUT = {
     InputSource.RC: (
-        QT_TRANSLATE_NOOP("CalibrationMoves", "A pulse cannot be shorter than {0}."),
-        QT_TRANSLATE_NOOP("CalibrationMoves", "A pulse cannot be longer than {0}."),
+        tr_noop("A pulse cannot be shorter than {0}."),
+        tr_noop("A pulse cannot be longer than {0}."),
     ),
     InputSource.ANALOG: (
-        QT_TRANSLATE_NOOP("CalibrationMoves", "A voltage cannot be lower than {0}."),
-        QT_TRANSLATE_NOOP("CalibrationMoves", "A voltage cannot be higher than {0}."),
+        tr_noop("A voltage cannot be lower than {0}."),
+        tr_noop("A voltage cannot be higher than {0}."),
     ),
 }
 
@@ -106,7 +103,7 @@ def within_input(
     lowest, highest = min(source.lowest_count, now), max(source.highest_count, now)
     if lowest <= count <= highest:
         return count, ""
-    below, above = (translate("CalibrationMoves", text) for text in _BEYOND_INPUT[source])
+    below, above = (tr(text) for text in _BEYOND_INPUT[source])
     if count < lowest:
         return lowest, below.format(source.text(source.lowest_count))
     return highest, above.format(source.text(source.highest_count))
@@ -136,8 +133,7 @@ def why_not_symmetric(calibration: Calibration, source: InputSource, *, larger: 
     travel = _equal_travel(calibration, source, larger=larger)
     if travel > calibration.deadband + FULL_SCALE:
         return ""
-    return translate(
-        "CalibrationMoves",
+    return tr(
         "That would leave {0} on each side of neutral, {1} of it deadband: too little to reach "
         "every output value.",
     ).format(source.text(travel), source.text(calibration.deadband))

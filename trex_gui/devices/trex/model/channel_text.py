@@ -1,8 +1,6 @@
 """Sentences about one channel: what it does, and why its calibration may not work."""
 
-from PySide6.QtCore import QCoreApplication
-
-from trex_gui.core.errors import QT_TRANSLATE_NOOP, StudioError
+from trex_gui.core.errors import StudioError
 from trex_gui.core.translation import Number, tr, tr_noop, with_decimal_point
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.protocol.calibration import Calibration
@@ -27,38 +25,23 @@ SOURCE_NAMES = {
 }
 
 _TASKS = {
-    1: QT_TRANSLATE_NOOP("ChannelText", "drives motor 1; with the mix jumper on it steers"),
-    2: QT_TRANSLATE_NOOP(
-        "ChannelText", "drives motor 2; with the mix jumper on it drives forward and back"
-    ),
-    3: QT_TRANSLATE_NOOP("ChannelText", "drives the auxiliary motor, which turns one way only"),
-    4: QT_TRANSLATE_NOOP(
-        "ChannelText", "is the flip switch: motors 1 and 2 change places and directions"
-    ),
-    5: QT_TRANSLATE_NOOP(
-        "ChannelText", "is the override switch: serial commands control the motors"
-    ),
+    1: tr_noop("drives motor 1; with the mix jumper on it steers"),
+    2: tr_noop("drives motor 2; with the mix jumper on it drives forward and back"),
+    3: tr_noop("drives the auxiliary motor, which turns one way only"),
+    4: tr_noop("is the flip switch: motors 1 and 2 change places and directions"),
+    5: tr_noop("is the override switch: serial commands control the motors"),
 }
 _MIXED_TASKS = {
-    (1, False): QT_TRANSLATE_NOOP("ChannelText", "drives motor 1 (the mix jumper is off)"),
-    (1, True): QT_TRANSLATE_NOOP(
-        "ChannelText", "steers: it moves both motors (the mix jumper is on)"
-    ),
-    (2, False): QT_TRANSLATE_NOOP("ChannelText", "drives motor 2 (the mix jumper is off)"),
-    (2, True): QT_TRANSLATE_NOOP(
-        "ChannelText", "drives both motors forward and back (the mix jumper is on)"
-    ),
+    (1, False): tr_noop("drives motor 1 (the mix jumper is off)"),
+    (1, True): tr_noop("steers: it moves both motors (the mix jumper is on)"),
+    (2, False): tr_noop("drives motor 2 (the mix jumper is off)"),
+    (2, True): tr_noop("drives both motors forward and back (the mix jumper is on)"),
 }
 _JOINT_TASKS = {
-    1: QT_TRANSLATE_NOOP(
-        "ChannelText", "drives the one motor that both drivers power (joint mode, no mixing)"
-    ),
-    2: QT_TRANSLATE_NOOP("ChannelText", "has no motor: in joint mode both drivers power motor 1"),
+    1: tr_noop("drives the one motor that both drivers power (joint mode, no mixing)"),
+    2: tr_noop("has no motor: in joint mode both drivers power motor 1"),
 }
 _SWITCHES = (4, 5)
-
-
-translate = QCoreApplication.translate
 
 
 def input_text(source: InputSource, count: int) -> str:
@@ -86,30 +69,27 @@ def function_text(
     """
     if ignored:
         held = (
-            QT_TRANSLATE_NOOP("ChannelText", "is ignored: it is held off, whatever its input is")
+            tr_noop("is ignored: it is held off, whatever its input is")
             if channel in _SWITCHES
-            else QT_TRANSLATE_NOOP(
-                "ChannelText", "is ignored: it is held at neutral, whatever its input is"
-            )
+            else tr_noop("is ignored: it is held at neutral, whatever its input is")
         )
-        task = translate("ChannelText", held)
+        task = tr(held)
     else:
         task = _task(channel, joint=joint, mixed=mixed)
         if switches_at:
-            task = translate("ChannelText", "{0} while the input is {1}").format(task, switches_at)
+            task = tr("{0} while the input is {1}").format(task, switches_at)
         elif is_reversed:
-            task = translate("ChannelText", "{0}; it is reversed").format(task)
+            task = tr("{0}; it is reversed").format(task)
     if mode.is_serial:
-        text = translate("ChannelText", "Read only; does not drive. In RC and analog mode it {1}.")
+        text = tr("Read only; does not drive. In RC and analog mode it {1}.")
     elif overridden and channel not in _SWITCHES:
-        text = translate(
-            "ChannelText",
+        text = tr(
             "Does not drive now: serial commands override it. Otherwise it {1}.",
         )
     elif overridden and channel == 5:
-        text = translate("ChannelText", "On now. It {1}.")
+        text = tr("On now. It {1}.")
     else:
-        text = translate("ChannelText", "Channel {0} {1}.")
+        text = tr("Channel {0} {1}.")
     return text.format(channel, task)
 
 
@@ -119,7 +99,7 @@ def _task(channel: int, *, joint: bool, mixed: bool | None) -> str:
         task = _JOINT_TASKS.get(channel, task)
     elif mixed is not None:
         task = _MIXED_TASKS.get((channel, mixed), task)
-    return translate("ChannelText", task)
+    return tr(task)
 
 
 def switching_text(channel: int, curve: ChannelCurve, source: InputSource) -> str:
@@ -127,41 +107,32 @@ def switching_text(channel: int, curve: ChannelCurve, source: InputSource) -> st
     threshold = curve.threshold(channel)
     if threshold is None:
         return ""
-    side = (
-        translate("ChannelText", "above about {0}")
-        if curve.reversed_
-        else translate("ChannelText", "below about {0}")
-    )
+    side = tr("above about {0}") if curve.reversed_ else tr("below about {0}")
     return side.format(source.text(threshold))
 
 
 def learned_text(learned: bool) -> str:
     """Return the meaning of the board's learned flag (0x95) of a channel."""
     if learned:
-        return translate(
-            "ChannelText", "Learned: the board stores a calibration of its own for it."
-        )
-    return translate("ChannelText", "Not learned: it has the factory default calibration.")
+        return tr("Learned: the board stores a calibration of its own for it.")
+    return tr("Not learned: it has the factory default calibration.")
 
 
 def source_instructions(source: InputSource, mode: Mode) -> str:
     """Return how to make a board in this mode read the inputs as `source`."""
     if mode.is_serial:
-        text = translate(
-            "ChannelText",
+        text = tr(
             "The board reads {0} now, and only shows and accepts calibrations for them. To see "
             "these, make it read {1}: set Channel Input Source, apply, and switch the board off "
             "and on.",
         )
     elif source is InputSource.RC:
-        text = translate(
-            "ChannelText",
+        text = tr(
             "The board reads {0} now, and only shows and accepts calibrations for them. To see "
             "these: switch it off, put the mode jumper to RC, switch it on.",
         )
     else:
-        text = translate(
-            "ChannelText",
+        text = tr(
             "The board reads {0} now, and only shows and accepts calibrations for them. To see "
             "these: switch it off, put the mode jumper to analog, switch it on.",
         )
@@ -170,11 +141,7 @@ def source_instructions(source: InputSource, mode: Mode) -> str:
 
 def known_text(known: Known) -> str:
     """Return since when calibrations are known: `read 2026-03-14 15:09`."""
-    text = (
-        translate("ChannelText", "applied {0}")
-        if known.is_applied
-        else translate("ChannelText", "read {0}")
-    )
+    text = tr("applied {0}") if known.is_applied else tr("read {0}")
     return text.format(local_time(known.time))
 
 
@@ -182,15 +149,12 @@ def write_failure(error: StudioError) -> str:
     """Explain why a calibration was not stored."""
     result = error.result if isinstance(error, Rejected) else None
     if result is ResultCode.BAD_VALUE:
-        return translate(
-            "ChannelText",
+        return tr(
             "{0} It accepts a calibration only when minimum is not above neutral, neutral is not "
             "above maximum, and minimum and maximum differ.",
         ).format(error_sentence(error))
     if result is ResultCode.NOT_SERIAL_MODE:
-        return translate("ChannelText", "{0} The edits are kept meanwhile.").format(
-            error_sentence(error)
-        )
+        return tr("{0} The edits are kept meanwhile.").format(error_sentence(error))
     return error_sentence(error)
 
 
@@ -201,21 +165,13 @@ def wrong_order(calibration: Calibration, source: InputSource) -> str:
         for count in (calibration.minimum, calibration.neutral, calibration.maximum)
     )
     if calibration.minimum > calibration.neutral:
-        return translate("ChannelText", "Minimum ({0}) cannot be above neutral ({1}).").format(
-            lowest, middle
-        )
+        return tr("Minimum ({0}) cannot be above neutral ({1}).").format(lowest, middle)
     if calibration.neutral > calibration.maximum:
-        return translate("ChannelText", "Maximum ({0}) cannot be below neutral ({1}).").format(
-            highest, middle
-        )
+        return tr("Maximum ({0}) cannot be below neutral ({1}).").format(highest, middle)
     if calibration.minimum == calibration.maximum:
-        return translate("ChannelText", "Minimum and maximum cannot both be {0}.").format(lowest)
+        return tr("Minimum and maximum cannot both be {0}.").format(lowest)
     problem = calibration.problem()
-    return (
-        translate("ChannelText", "The board would reject this: {0}.").format(problem)
-        if problem
-        else ""
-    )
+    return tr("The board would reject this: {0}.").format(problem) if problem else ""
 
 
 def beyond_input(calibration: Calibration, source: InputSource) -> str:
@@ -230,31 +186,24 @@ def beyond_input(calibration: Calibration, source: InputSource) -> str:
         for count in (calibration.minimum, calibration.neutral, calibration.maximum)
     )
     if not lowest <= calibration.neutral <= highest:
-        text = translate(
-            "ChannelText", "Neutral ({1}) is beyond the input: {3}. No stick position gives 0."
-        )
+        text = tr("Neutral ({1}) is beyond the input: {3}. No stick position gives 0.")
     elif calibration.minimum < lowest and calibration.maximum > highest:
-        text = translate(
-            "ChannelText",
+        text = tr(
             "Minimum ({0}) and maximum ({2}) are beyond the input: {3}. Full output is never "
             "reached.",
         )
     elif calibration.minimum < lowest:
-        text = translate(
-            "ChannelText",
+        text = tr(
             "Minimum ({0}) is beyond the input: {3}. Full output on that side is never reached.",
         )
     elif calibration.maximum > highest:
-        text = translate(
-            "ChannelText",
+        text = tr(
             "Maximum ({2}) is beyond the input: {3}. Full output on that side is never reached.",
         )
     else:
         return ""
     limits = (
-        translate("ChannelText", "a pulse is {0} to {1}")
-        if source is InputSource.RC
-        else translate("ChannelText", "a voltage is {0} to {1}")
+        tr("a pulse is {0} to {1}") if source is InputSource.RC else tr("a voltage is {0} to {1}")
     )
     limits = limits.format(source.text(lowest), source.text(highest))
     return text.format(minimum, neutral, maximum, limits)
@@ -275,20 +224,17 @@ def concern(calibration: Calibration, source: InputSource) -> str:
     at_minimum = calibration.neutral - calibration.minimum <= calibration.deadband
     at_maximum = calibration.maximum - calibration.neutral <= calibration.deadband
     if at_minimum and at_maximum:
-        text = translate(
-            "ChannelText",
+        text = tr(
             "The deadband ({0} to each side of neutral) reaches minimum and maximum: there is "
             "nothing between 0 and full output.",
         )
     elif at_minimum:
-        text = translate(
-            "ChannelText",
+        text = tr(
             "The deadband ({0} to each side of neutral) reaches minimum: there is nothing between "
             "0 and full output on that side.",
         )
     elif at_maximum:
-        text = translate(
-            "ChannelText",
+        text = tr(
             "The deadband ({0} to each side of neutral) reaches maximum: there is nothing between "
             "0 and full output on that side.",
         )

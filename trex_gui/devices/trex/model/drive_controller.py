@@ -3,7 +3,7 @@
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 
-from PySide6.QtCore import QCoreApplication, QObject, Signal, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.errors import NoReply, StudioError, describe
 from trex_gui.core.session import Closed, Outcome
@@ -19,7 +19,6 @@ from trex_gui.devices.trex.driving.requests import (
     Stop,
 )
 from trex_gui.devices.trex.model.connection import Connection
-from trex_gui.devices.trex.model.errors import bit_text
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.model.telemetry import Telemetry
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
@@ -353,7 +352,7 @@ def _name_of(board: Connected) -> str:
     name, number = str(board.state.signature), board.settings.device_number
     if number is None:
         return name
-    return QCoreApplication.translate("Device", "{0}, device {1}").format(name, number)
+    return tr("{0}, device {1}").format(name, number)
 
 
 def _port_of(board: Connected) -> str:
@@ -367,14 +366,12 @@ def why_the_board_stopped(latched: LatchedStatus, *, errors_stop: bool) -> str:
     (`errors_stop`). The next motor command would start them again: only the user may give it.
     """
     if latched.uart & UartError.TIMEOUT:
-        return QCoreApplication.translate(
-            "board_stop",
+        return tr(
             "The board received nothing within its Serial Timeout and stopped its motors.",
         )
     if latched.uart and errors_stop:
-        names = ", ".join(map(bit_text, bit_names(latched.uart)))
-        text = QCoreApplication.translate(
-            "board_stop",
+        names = ", ".join(map(tr, bit_names(latched.uart)))
+        text = tr(
             "The board stopped its motors because of an error on the line ({0}): UART-Error "
             "Shutdown is set.",
         )

@@ -8,8 +8,7 @@ from operator import or_
 
 from PySide6.QtCore import QObject, Slot
 
-from trex_gui.core.errors import QT_TRANSLATE_NOOP
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.driving.blockers import DriveBlocker, Reason, worst_first
 from trex_gui.devices.trex.driving.board_reasons import (
     NOISE_COUNTS,
@@ -61,20 +60,13 @@ class DriveStatus:
     remedy: str = ""
 
 
-_LOST_WITH_TIMEOUT = QT_TRANSLATE_NOOP(
-    "DriveBlocker",
+_LOST_WITH_TIMEOUT = tr_noop(
     "The board stops them {0} after the last byte it received; if not, cut their power.",
 )
-_SILENT_WHILE_DRIVEN = QT_TRANSLATE_NOOP(
-    "DriveBlocker", "The board does not respond: motors may still turn."
-)
-_CHECK_WHILE_DRIVEN = QT_TRANSLATE_NOOP(
-    "DriveBlocker", "Check its power and the cable; the stop is being repeated."
-)
-_STOPS_BY_TIMEOUT = QT_TRANSLATE_NOOP(
-    "DriveBlocker", "The board stops them {0} after the last byte it received."
-)
-_DOUBTFUL = QT_TRANSLATE_NOOP("DriveBlocker", "{0} Doubtful: the line is noisy and has no CRC.")
+_SILENT_WHILE_DRIVEN = tr_noop("The board does not respond: motors may still turn.")
+_CHECK_WHILE_DRIVEN = tr_noop("Check its power and the cable; the stop is being repeated.")
+_STOPS_BY_TIMEOUT = tr_noop("The board stops them {0} after the last byte it received.")
+_DOUBTFUL = tr_noop("{0} Doubtful: the line is noisy and has no CRC.")
 
 _LINK_BLOCKERS = {
     ConnectionState.DISCONNECTED: DriveBlocker.NO_BOARD,

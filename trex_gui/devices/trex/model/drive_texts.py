@@ -5,7 +5,6 @@ from dataclasses import dataclass
 from trex_gui.core.translation import Number, tr
 from trex_gui.core.transport.serial_port import latency_of
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.errors import bit_text
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.driving import Drive
@@ -59,7 +58,7 @@ def report_text(device: Device, motor: int) -> str:
         if device.is_joint:
             parts.append(tr("no current sensing in joint mode"))
         else:
-            parts += [bit_text(entry.name).lower() for entry in device.errors.recent(motor)]
+            parts += [tr(entry.name).lower() for entry in device.errors.recent(motor)]
     value = telemetry.remapped_of(motor)
     if by_serial and state is not None and not state.mode.is_serial and value is not None:
         value = abs(value) if motor == 3 else value

@@ -9,13 +9,13 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 
-from PySide6.QtCore import QCoreApplication, QObject, Signal, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.core.errors import QT_TRANSLATE_NOOP
 from trex_gui.core.session import Closed
+from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import WriteResult
-from trex_gui.devices.trex.driving.blockers import TEXT_CONTEXT, DriveBlocker
+from trex_gui.devices.trex.driving.blockers import DriveBlocker
 from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.flags import STATUS_MEANING, UART_MEANING, Status, UartError
@@ -50,35 +50,27 @@ _STATUS_REMEDIES = {
     Status.MOTOR1_OVER_LIMIT: DriveBlocker.OVER_LIMIT.remedy,
     Status.MOTOR2_FAULT: DriveBlocker.FAULT.remedy,
     Status.MOTOR2_OVER_LIMIT: DriveBlocker.OVER_LIMIT.remedy,
-    Status.UART_ERROR: QT_TRANSLATE_NOOP("DriveBlocker", "See the rows below."),
+    Status.UART_ERROR: tr_noop("See the rows below."),
 }
 """What to do about each status bit, in the order in which the bits are shown."""
 
 _UART_REMEDIES = {
     UartError.TIMEOUT: DriveBlocker.TIMEOUT.remedy,
-    UartError.FORMAT: QT_TRANSLATE_NOOP(
-        "DriveBlocker",
+    UartError.FORMAT: tr_noop(
         "Check cable and ground, and that no other program sends on this line.",
     ),
-    UartError.CRC: QT_TRANSLATE_NOOP(
-        "DriveBlocker",
+    UartError.CRC: tr_noop(
         "Check cable and ground, and that every program on this line uses the same polynomial.",
     ),
-    UartError.FRAMING: QT_TRANSLATE_NOOP(
-        "DriveBlocker",
+    UartError.FRAMING: tr_noop(
         "Check cable, ground and baud rate, and keep motor leads away from the line.",
     ),
-    UartError.DATA_OVERRUN: QT_TRANSLATE_NOOP("DriveBlocker", "Use a lower baud rate."),
-    UartError.PARITY: QT_TRANSLATE_NOOP(
-        "DriveBlocker",
+    UartError.DATA_OVERRUN: tr_noop("Use a lower baud rate."),
+    UartError.PARITY: tr_noop(
         "Check cable and ground, and that every program on this line uses the same parity.",
     ),
-    UartError.READ_OVERRUN: QT_TRANSLATE_NOOP(
-        "DriveBlocker", "Let no other program send on this line."
-    ),
-    UartError.SEND_OVERRUN: QT_TRANSLATE_NOOP(
-        "DriveBlocker", "Let other programs request fewer channels at once."
-    ),
+    UartError.READ_OVERRUN: tr_noop("Let no other program send on this line."),
+    UartError.SEND_OVERRUN: tr_noop("Let other programs request fewer channels at once."),
 }
 
 _UNSEEN = (
@@ -93,11 +85,6 @@ second, and again and again says what lasts."""
 
 def is_latched(bit: Status | UartError, latched: LatchedStatus) -> bool:
     return bool(bit & (latched.status if isinstance(bit, Status) else latched.uart))
-
-
-def bit_text(text: str) -> str:
-    """Return a name, meaning or remedy of an error in the language of the program."""
-    return QCoreApplication.translate(TEXT_CONTEXT, text)
 
 
 class ErrorLog(QObject):
@@ -286,9 +273,7 @@ class BoardEvents(EventLog):
             bits = [entry for entry in _UNSEEN if is_latched(entry.bit, latched)]
             # The kinds of UART errors say more than that there was one.
             has_kinds = bool(latched.uart)
-            names = [
-                bit_text(e.name) for e in bits if not (has_kinds and e.bit is Status.UART_ERROR)
-            ]
+            names = [tr(e.name) for e in bits if not (has_kinds and e.bit is Status.UART_ERROR)]
             text = self.tr("Latched before connecting, perhaps by the search for the board: {0}")
             self.add(EventKind.LINK, text.format(", ".join(names)), latched.time)
             return
@@ -302,4 +287,4 @@ class BoardEvents(EventLog):
         before = self._seen.get(name)
         self._seen[name] = time
         if before is None or time - before > GOES_ON:
-            self.add(kind, bit_text(name), time, is_problem=True)
+            self.add(kind, tr(name), time, is_problem=True)

@@ -6,9 +6,10 @@ from enum import IntEnum
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QCoreApplication, QObject, Signal, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.timing import TEXT_INTERVAL
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.client.telemetry import Control, Currents, Raw, Remapped
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.flags import CHANNELS
@@ -37,21 +38,23 @@ _TYPES = ["float64" if one in {Series.CURRENT1, Series.CURRENT2} else "float16" 
 
 def board_traces() -> list[TraceInfo]:
     """Return the curves of a board, connected or recorded, in the order of `Series`."""
-
-    def tr(text: str, number: int) -> str:
-        return QCoreApplication.translate("board_traces", text).format(number)
-
     currents = [
-        TraceInfo(f"motor{m}_current", tr("Motor {0}", m), "A", f"motor{m}", str(m)) for m in (1, 2)
+        TraceInfo(f"motor{m}_current", tr("Motor {0}").format(m), "A", f"motor{m}", str(m))
+        for m in (1, 2)
     ]
     setpoints = [
         TraceInfo(
-            f"motor{m}_setpoint", tr("Speed setpoint {0}", m), "", f"motor{m}", f"S{m}", False
+            f"motor{m}_setpoint",
+            tr("Speed setpoint {0}").format(m),
+            "",
+            f"motor{m}",
+            f"S{m}",
+            False,
         )
         for m in (1, 2)
     ]
     channels = [
-        TraceInfo(f"channel{c}", tr("Channel {0}", c), "", color, f"C{c}", shown=False)
+        TraceInfo(f"channel{c}", tr("Channel {0}").format(c), "", color, f"C{c}", shown=False)
         for c, color in zip(CHANNELS, _CHANNEL_COLORS, strict=True)
     ]
     return [*currents, *setpoints, *channels]

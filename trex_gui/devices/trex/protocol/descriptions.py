@@ -120,7 +120,7 @@ def describe_reply(command: c.Command[Any], value: Any, board: c.Signature | Non
         case _, ResultCode():
             return tr(_RESULTS[value])
         case _, (Status() | UartError()):
-            return ", ".join(bit_names(value)) or tr("none")
+            return ", ".join(map(tr, bit_names(value))) or tr("none")
         case _, Calibration():
             return _calibration(value)
         case c.GetSerialControl(), _:

@@ -3,13 +3,13 @@
 from enum import Enum, IntEnum, unique
 
 from trex_gui.core.errors import (
-    QT_TRANSLATE_NOOP,
     BadReply,
     BadRequest,
     CodedError,
     InternalError,
     NoReply,
 )
+from trex_gui.core.translation import tr_noop
 from trex_gui.core.transport.settings import PortSettings
 
 
@@ -27,196 +27,151 @@ class ErrorCode(Enum):
     """What went wrong; the value is the sentence with a place for each field."""
 
     # Connecting
-    NO_BOARD = QT_TRANSLATE_NOOP(
-        "TrexErrors",
+    NO_BOARD = tr_noop(
         "No TReX responds on {0}. Check that the board has power (an LED is lit), that the "
         "adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that "
         "ground is connected, and that the board's serial settings are these. If both LEDs blink "
         "together, the board is in learning mode: remove the SO–G jumper, then switch it off and "
         "on.",
     )
-    NO_BOARD_AT_NUMBER = QT_TRANSLATE_NOOP(
-        "TrexErrors",
+    NO_BOARD_AT_NUMBER = tr_noop(
         "No TReX responds on {0}. Check that the board has power (an LED is lit), that the "
         "adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that "
         "ground is connected, and that the board's serial settings are these, its device number "
         "is {1}. If both LEDs blink together, the board is in learning mode: remove the SO–G "
         "jumper, then switch it off and on.",
     )
-    ECHO_ONLY = QT_TRANSLATE_NOOP(
-        "TrexErrors",
+    ECHO_ONLY = tr_noop(
         "Everything sent on {0} comes back, and nothing else. Either this is the RS-232 side of a "
         "board that is off or set to another baud rate, or the adapter's TX and RX are joined.",
     )
-    OTHER_DEVICE = QT_TRANSLATE_NOOP(
-        "TrexErrors",
+    OTHER_DEVICE = tr_noop(
         "Something responds on {0}, but not like a TReX. {1} Usually the baud rate, parity or CRC "
         "differs from the board's setting, or another device is connected.",
     )
-    BOOT_LOADER = QT_TRANSLATE_NOOP(
-        "TrexErrors",
+    BOOT_LOADER = tr_noop(
         "The TReX on {0} is in its boot loader, waiting for new firmware. Check that the mix and "
         "SO–G jumpers are off, then switch the board off and on and connect again. Its serial "
         "settings may be those of the factory now: 19200 baud, no parity, no CRC.",
     )
-    QIK = QT_TRANSLATE_NOOP(
-        "TrexErrors",
+    QIK = tr_noop(
         "The device on {0} responds like a Pololu qik, not like a TReX. This program does not "
         "support it: choose the port of the TReX, or connect the adapter to the TReX.",
     )
-    SEVERAL_BOARDS = QT_TRANSLATE_NOOP(
-        "TrexErrors",
+    SEVERAL_BOARDS = tr_noop(
         "Several boards reply at once on {0} at {1}. Find asks for each device number; of boards "
         "that share one, switch off all but one and give it a number of its own.",
     )
-    OTHER_BAUD = QT_TRANSLATE_NOOP(
-        "TrexErrors",
+    OTHER_BAUD = tr_noop(
         "A {1} responds on {0} at {2}, but this connection uses {3}. Connect with the settings "
         "of the board.",
     )
-    OTHER_DETECTION = QT_TRANSLATE_NOOP(
-        "TrexErrors",
+    OTHER_DETECTION = tr_noop(
         "A {1} responds on {0} with {2}, but this connection uses {3}. Connect with the settings "
         "of the board.",
     )
-    OTHER_POLYNOMIAL = QT_TRANSLATE_NOOP(
-        "TrexErrors",
+    OTHER_POLYNOMIAL = tr_noop(
         "A {1} responds on {0} with CRC polynomial {2}, but this connection uses {3}. Connect "
         "with the settings of the board.",
     )
-    OTHER_NUMBER = QT_TRANSLATE_NOOP(
-        "TrexErrors",
+    OTHER_NUMBER = tr_noop(
         "A {1} responds on {0}, but its device number is {2}, and this connection uses {3}. "
         "Connect with the settings of the board.",
     )
-    REPLIES_LOST = QT_TRANSLATE_NOOP(
-        "TrexErrors",
+    REPLIES_LOST = tr_noop(
         "A {1} responds on {0} only some of the time: the line loses or corrupts bytes. Check "
         "cable and ground, keep motor leads away from them, then connect again.",
     )
     # Transactions
-    NO_REPLY = QT_TRANSLATE_NOOP("TrexErrors", "No reply to {0}.")
-    INCOMPLETE_REPLY = QT_TRANSLATE_NOOP("TrexErrors", "Incomplete reply to {0}: only {1} arrived.")
-    CORRUPTED_REPLY = QT_TRANSLATE_NOOP("TrexErrors", "The reply {0} is corrupted: {1}.")
-    LATE_REPLIES = QT_TRANSLATE_NOOP(
-        "TrexErrors", "Late replies arrived and cannot be matched to requests."
-    )
-    READINGS_DIFFER = QT_TRANSLATE_NOOP(
-        "TrexErrors",
+    NO_REPLY = tr_noop("No reply to {0}.")
+    INCOMPLETE_REPLY = tr_noop("Incomplete reply to {0}: only {1} arrived.")
+    CORRUPTED_REPLY = tr_noop("The reply {0} is corrupted: {1}.")
+    LATE_REPLIES = tr_noop("Late replies arrived and cannot be matched to requests.")
+    READINGS_DIFFER = tr_noop(
         "The board's replies to {0} differ each time: the line corrupts bytes, so what is stored "
         "is not known. Check cable and ground, keep motor leads away from them, or use a lower "
         "baud rate or CRC.",
     )
     # Motors
-    STOP_UNCONFIRMED = QT_TRANSLATE_NOOP(
-        "TrexErrors",
+    STOP_UNCONFIRMED = tr_noop(
         "The stop was sent, but the board does not confirm it. If a motor still turns, cut its "
         "power.",
     )
-    STOP_ON_NOISY_LINE = QT_TRANSLATE_NOOP(
-        "TrexErrors",
+    STOP_ON_NOISY_LINE = tr_noop(
         "The stop was sent and the board responds, but the line corrupts bytes. It is sent again "
         "until the line is quiet. If a motor still turns, cut its power.",
     )
-    NO_HEARTBEAT = QT_TRANSLATE_NOOP(
-        "TrexErrors", "The program did not respond for more than half a second."
-    )
-    LOCKED_OUT = QT_TRANSLATE_NOOP(
-        "TrexErrors", "The motors are locked for a while after a stop; nothing was sent."
-    )
-    NOT_ARMED = QT_TRANSLATE_NOOP(
-        "TrexErrors",
+    NO_HEARTBEAT = tr_noop("The program did not respond for more than half a second.")
+    LOCKED_OUT = tr_noop("The motors are locked for a while after a stop; nothing was sent.")
+    NOT_ARMED = tr_noop(
         "These bytes may move a motor; nothing was sent. Choose Run motor first.",
     )
-    MOVES_ANOTHER_BOARD = QT_TRANSLATE_NOOP(
-        "TrexErrors",
+    MOVES_ANOTHER_BOARD = tr_noop(
         "These bytes may move a motor of another board, which a stop on this connection does not "
         "reach; nothing was sent. Address device {0} in them, or connect with the compact "
         "protocol.",
     )
-    OVERTAKEN_BY_STOP = QT_TRANSLATE_NOOP("TrexErrors", "A stop came first; nothing was sent.")
+    OVERTAKEN_BY_STOP = tr_noop("A stop came first; nothing was sent.")
     # Several boards on one line
-    OTHERS_WHILE_DRIVING = QT_TRANSLATE_NOOP(
-        "TrexErrors",
+    OTHERS_WHILE_DRIVING = tr_noop(
         "Other boards are not looked for while motors are armed or may be moving. Stop the motors "
         "first.",
     )
-    NOT_SELECTED_MOVING = QT_TRANSLATE_NOOP(
-        "TrexErrors",
+    NOT_SELECTED_MOVING = tr_noop(
         "Board {0} was not selected, since no stop of the present one is confirmed. If a motor "
         "still turns, cut its power.",
     )
-    NOT_SELECTED_SILENT = QT_TRANSLATE_NOOP(
-        "TrexErrors",
+    NOT_SELECTED_SILENT = tr_noop(
         "Board {0} was not selected, since it does not respond. Check that it has power. The "
         "board that was selected before still is.",
     )
-    NUMBER_TAKEN = QT_TRANSLATE_NOOP(
-        "TrexErrors",
+    NUMBER_TAKEN = tr_noop(
         "Another board on this line has the device number {0}. Choose a number that is free.",
     )
     # Writes
-    BAD_PARAMETER = QT_TRANSLATE_NOOP(
-        "TrexErrors",
+    BAD_PARAMETER = tr_noop(
         "{0}: the board does not know this parameter (code 1); its firmware may be too old for it",
     )
-    BAD_VALUE = QT_TRANSLATE_NOOP("TrexErrors", "{0}: the board rejects this value (code 2)")
-    NOT_SERIAL_MODE = QT_TRANSLATE_NOOP(
-        "TrexErrors",
+    BAD_VALUE = tr_noop("{0}: the board rejects this value (code 2)")
+    NOT_SERIAL_MODE = tr_noop(
         "{0}: the board is not in serial mode (code 3); switch it off, remove the mode jumper, "
         "switch it on again",
     )
-    PARAMETER_MISMATCH = QT_TRANSLATE_NOOP(
-        "TrexErrors",
+    PARAMETER_MISMATCH = tr_noop(
         "{0} could not be verified: wrote {1}, but the board reads back {2}",
     )
-    CALIBRATION_MISMATCH = QT_TRANSLATE_NOOP(
-        "TrexErrors", "{0} could not be verified: the board reads back {1}"
-    )
-    OTHER_SOURCE = QT_TRANSLATE_NOOP(
-        "TrexErrors", "{0} is for {1} inputs, but the board reads {2} now"
-    )
-    OTHER_BOARD = QT_TRANSLATE_NOOP(
-        "TrexErrors", "Another board responds now: {0}. Nothing was written to it."
-    )
-    OTHER_BOARD_AFTER_WRITING = QT_TRANSLATE_NOOP(
-        "TrexErrors",
+    CALIBRATION_MISMATCH = tr_noop("{0} could not be verified: the board reads back {1}")
+    OTHER_SOURCE = tr_noop("{0} is for {1} inputs, but the board reads {2} now")
+    OTHER_BOARD = tr_noop("Another board responds now: {0}. Nothing was written to it.")
+    OTHER_BOARD_AFTER_WRITING = tr_noop(
         "Another board responds now: {0}. Settings may have been written to it; compare it with "
         "its last snapshot.",
     )
-    OTHER_VALUES = QT_TRANSLATE_NOOP(
-        "TrexErrors",
+    OTHER_VALUES = tr_noop(
         "The board no longer stores the settings that were read from it: it is another one, or was "
         "changed meanwhile. Nothing was written.",
     )
-    STRAY_WRITE = QT_TRANSLATE_NOOP(
-        "TrexErrors",
+    STRAY_WRITE = tr_noop(
         "The line corrupted bytes while {0} was written, and another setting may have been changed "
         "instead. Read the board again and compare it with the last snapshot. {1}",
     )
-    TOO_MANY_DIFFER = QT_TRANSLATE_NOOP(
-        "TrexErrors",
+    TOO_MANY_DIFFER = tr_noop(
         "{0} settings differ from what was read before, so none was restored: another board may be "
         "connected.",
     )
-    WRITE_CANCELLED = QT_TRANSLATE_NOOP(
-        "TrexErrors", "The writing was cancelled before this was tried."
-    )
-    LINE_SETTINGS_UNCERTAIN = QT_TRANSLATE_NOOP(
-        "TrexErrors",
+    WRITE_CANCELLED = tr_noop("The writing was cancelled before this was tried.")
+    LINE_SETTINGS_UNCERTAIN = tr_noop(
         "{0} {1} may have gone back to the factory default: after a power cycle the board would "
         "run at {2}",
     )
     # The session
-    SCANNING = QT_TRANSLATE_NOOP("TrexErrors", "The board is not responding; scanning for it.")
-    CLOSED = QT_TRANSLATE_NOOP("TrexErrors", "The connection was closed before this was done.")
-    INTERNAL = QT_TRANSLATE_NOOP("TrexErrors", "Internal error in the connection: {0}")
+    SCANNING = tr_noop("The board is not responding; scanning for it.")
+    CLOSED = tr_noop("The connection was closed before this was done.")
+    INTERNAL = tr_noop("Internal error in the connection: {0}")
 
 
 class TrexError(CodedError):
     """An error of a connection to a board."""
-
-    context = "TrexErrors"
 
 
 class TrexRequestError(TrexError, BadRequest):

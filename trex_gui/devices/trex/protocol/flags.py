@@ -7,8 +7,8 @@ from collections.abc import Iterable
 from enum import Enum, IntFlag
 from functools import cache
 
-from trex_gui.core.errors import QT_TRANSLATE_NOOP, BadRequest
-from trex_gui.core.translation import Number, tr
+from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import Number, tr, tr_noop
 
 CHANNELS = (1, 2, 3, 4, 5)
 ALL_CHANNELS = 0x1F
@@ -54,93 +54,77 @@ def stops_motors(bits: Status | UartError, *, errors_stop: bool = False) -> bool
 
 STATUS_MEANING: dict[Status, tuple[str, str]] = {
     Status.MOTOR2_OVER_LIMIT: (
-        QT_TRANSLATE_NOOP("DriveBlocker", "Motor 2 over current limit"),
-        QT_TRANSLATE_NOOP(
-            "DriveBlocker",
+        tr_noop("Motor 2 over current limit"),
+        tr_noop(
             "The current of motor 2 passed its limit and the limiter lowered its speed.",
         ),
     ),
     Status.MOTOR2_FAULT: (
-        QT_TRANSLATE_NOOP("DriveBlocker", "Motor 2 fault"),
-        QT_TRANSLATE_NOOP(
-            "DriveBlocker",
+        tr_noop("Motor 2 fault"),
+        tr_noop(
             "The driver of motor 2 shut itself down: too hot, short circuit or low voltage.",
         ),
     ),
     Status.MOTOR1_OVER_LIMIT: (
-        QT_TRANSLATE_NOOP("DriveBlocker", "Motor 1 over current limit"),
-        QT_TRANSLATE_NOOP(
-            "DriveBlocker",
+        tr_noop("Motor 1 over current limit"),
+        tr_noop(
             "The current of motor 1 passed its limit and the limiter lowered its speed.",
         ),
     ),
     Status.MOTOR1_FAULT: (
-        QT_TRANSLATE_NOOP("DriveBlocker", "Motor 1 fault"),
-        QT_TRANSLATE_NOOP(
-            "DriveBlocker",
+        tr_noop("Motor 1 fault"),
+        tr_noop(
             "The driver of motor 1 shut itself down: too hot, short circuit or low voltage.",
         ),
     ),
     Status.UART_ERROR: (
-        QT_TRANSLATE_NOOP("DriveBlocker", "UART error"),
-        QT_TRANSLATE_NOOP(
-            "DriveBlocker", "A serial error occurred; the UART error bits show which."
-        ),
+        tr_noop("UART error"),
+        tr_noop("A serial error occurred; the UART error bits show which."),
     ),
 }
 """Name and explanation of each status bit, highest bit first."""
 
 UART_MEANING: dict[UartError, tuple[str, str]] = {
     UartError.TIMEOUT: (
-        QT_TRANSLATE_NOOP("DriveBlocker", "Serial timeout"),
-        QT_TRANSLATE_NOOP(
-            "DriveBlocker",
+        tr_noop("Serial timeout"),
+        tr_noop(
             "No byte arrived within the Serial Timeout, so the board stopped its motors.",
         ),
     ),
     UartError.FORMAT: (
-        QT_TRANSLATE_NOOP("DriveBlocker", "Format error"),
-        QT_TRANSLATE_NOOP(
-            "DriveBlocker",
+        tr_noop("Format error"),
+        tr_noop(
             "A packet had an unknown command, a command byte inside it or an invalid data byte.",
         ),
     ),
     UartError.CRC: (
-        QT_TRANSLATE_NOOP("DriveBlocker", "CRC error"),
-        QT_TRANSLATE_NOOP(
-            "DriveBlocker", "The CRC byte of a packet was wrong; the packet was discarded."
-        ),
+        tr_noop("CRC error"),
+        tr_noop("The CRC byte of a packet was wrong; the packet was discarded."),
     ),
     UartError.FRAMING: (
-        QT_TRANSLATE_NOOP("DriveBlocker", "Framing error"),
-        QT_TRANSLATE_NOOP(
-            "DriveBlocker", "A stop bit was missing: the baud rates differ, or the line is noisy."
-        ),
+        tr_noop("Framing error"),
+        tr_noop("A stop bit was missing: the baud rates differ, or the line is noisy."),
     ),
     UartError.DATA_OVERRUN: (
-        QT_TRANSLATE_NOOP("DriveBlocker", "Data overrun"),
-        QT_TRANSLATE_NOOP(
-            "DriveBlocker", "A byte arrived while the receive register was still full."
-        ),
+        tr_noop("Data overrun"),
+        tr_noop("A byte arrived while the receive register was still full."),
     ),
     UartError.PARITY: (
-        QT_TRANSLATE_NOOP("DriveBlocker", "Parity error"),
-        QT_TRANSLATE_NOOP(
-            "DriveBlocker",
+        tr_noop("Parity error"),
+        tr_noop(
             "A byte had the wrong parity: the parity settings differ, or the line is noisy.",
         ),
     ),
     UartError.READ_OVERRUN: (
-        QT_TRANSLATE_NOOP("DriveBlocker", "Read buffer overrun"),
-        QT_TRANSLATE_NOOP(
-            "DriveBlocker",
+        tr_noop("Read buffer overrun"),
+        tr_noop(
             "More bytes arrived than the board can buffer; something sends while the board "
             "replies.",
         ),
     ),
     UartError.SEND_OVERRUN: (
-        QT_TRANSLATE_NOOP("DriveBlocker", "Send buffer overrun"),
-        QT_TRANSLATE_NOOP("DriveBlocker", "A reply was longer than the send buffer."),
+        tr_noop("Send buffer overrun"),
+        tr_noop("A reply was longer than the send buffer."),
     ),
 }
 """Name and explanation of each UART error bit, highest bit first."""

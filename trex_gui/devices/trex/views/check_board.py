@@ -6,8 +6,7 @@ from functools import partial
 from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtWidgets import QTabWidget, QWidget
 
-from trex_gui.core.errors import QT_TRANSLATE_NOOP
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.views.jumper_sketch import JumperPlaces, JumperSketch
@@ -39,29 +38,26 @@ class _Sight:
 _SIGHTS = (
     _Sight(
         ("off", "off"),
-        QT_TRANSLATE_NOOP("CheckBoard", "Both off"),
-        QT_TRANSLATE_NOOP("CheckBoard", "No power"),
-        QT_TRANSLATE_NOOP(
-            "CheckBoard",
+        tr_noop("Both off"),
+        tr_noop("No power"),
+        tr_noop(
             "Check the supply and its leads. If only a blue LED is lit, the board has no firmware.",
         ),
     ),
     _Sight(
         ("on", "off"),
-        QT_TRANSLATE_NOOP("CheckBoard", "Red on"),
-        QT_TRANSLATE_NOOP("CheckBoard", "Running, serial commands control the motors"),
-        QT_TRANSLATE_NOOP(
-            "CheckBoard",
+        tr_noop("Red on"),
+        tr_noop("Running, serial commands control the motors"),
+        tr_noop(
             "Compare the wires with the picture, then search with Find. Green lights while the "
             "board receives a command: if it never does, nothing arrives.",
         ),
     ),
     _Sight(
         ("off", "on"),
-        QT_TRANSLATE_NOOP("CheckBoard", "Green on, or flashing fast"),
-        QT_TRANSLATE_NOOP("CheckBoard", "Running, the channels control the motors"),
-        QT_TRANSLATE_NOOP(
-            "CheckBoard",
+        tr_noop("Green on, or flashing fast"),
+        tr_noop("Running, the channels control the motors"),
+        tr_noop(
             "As above: the board responds in RC and analog mode, too. Red lights while it "
             "receives a command. Fast flashes are safe-start; five at the start say which channels "
             "are learned.",
@@ -69,29 +65,27 @@ _SIGHTS = (
     ),
     _Sight(
         ("blink 1/s", "blink 1/s"),
-        QT_TRANSLATE_NOOP("CheckBoard", "Both blink together, or both on"),
-        QT_TRANSLATE_NOOP("CheckBoard", "Learning mode"),
-        QT_TRANSLATE_NOOP(
-            "CheckBoard",
+        tr_noop("Both blink together, or both on"),
+        tr_noop("Learning mode"),
+        tr_noop(
             "The board does not respond while it learns its channels. Remove the SO–G jumper, "
             "then switch the board off and on.",
         ),
     ),
     _Sight(
         ("alternate 1/s", "alternate 1/s"),
-        QT_TRANSLATE_NOOP("CheckBoard", "Red and green alternate"),
-        QT_TRANSLATE_NOOP("CheckBoard", "Waiting for the boot loader hand-shake"),
-        QT_TRANSLATE_NOOP(
-            "CheckBoard",
+        tr_noop("Red and green alternate"),
+        tr_noop("Waiting for the boot loader hand-shake"),
+        tr_noop(
             "Switch the board off, remove the mix and SO–G jumpers, and switch it on. Or go on "
             "with the hand-shake for lost serial settings.",
         ),
     ),
     _Sight(
         ("off", "short flash 1/s"),
-        QT_TRANSLATE_NOOP("CheckBoard", "Green flashes once a second"),
-        QT_TRANSLATE_NOOP("CheckBoard", "Boot loader, waiting for new firmware"),
-        QT_TRANSLATE_NOOP("CheckBoard", "Switch the board off and on, with the jumpers removed."),
+        tr_noop("Green flashes once a second"),
+        tr_noop("Boot loader, waiting for new firmware"),
+        tr_noop("Switch the board off and on, with the jumpers removed."),
     ),
 )
 """Ref: the reference's table of LED patterns (guide 4.e, manual pages 10-11, forum 1769, 5011)."""
@@ -141,56 +135,53 @@ class _Step:
 
 _STEPS = (
     _Step(
-        QT_TRANSLATE_NOOP("CheckBoard", "Jumpers"),
-        QT_TRANSLATE_NOOP(
-            "CheckBoard",
+        tr_noop("Jumpers"),
+        tr_noop(
             "Switch the board off. Remove the mode jumper. Put the mix and SO–G jumpers on.",
         ),
         True,
         True,
         "mode",
         ("off", "off"),
-        QT_TRANSLATE_NOOP("CheckBoard", "Both are off."),
-        QT_TRANSLATE_NOOP("CheckBoard", "Nothing: the board has no power."),
+        tr_noop("Both are off."),
+        tr_noop("Nothing: the board has no power."),
     ),
     _Step(
-        QT_TRANSLATE_NOOP("CheckBoard", "Switch on"),
-        QT_TRANSLATE_NOOP("CheckBoard", "Switch the board on."),
+        tr_noop("Switch on"),
+        tr_noop("Switch the board on."),
         True,
         True,
         "",
         ("alternate 1/s", "alternate 1/s"),
-        QT_TRANSLATE_NOOP("CheckBoard", "Red and green alternate, about once a second."),
-        QT_TRANSLATE_NOOP("CheckBoard", "Nothing: the SO–G jumper holds its line to ground."),
+        tr_noop("Red and green alternate, about once a second."),
+        tr_noop("Nothing: the SO–G jumper holds its line to ground."),
     ),
     _Step(
-        QT_TRANSLATE_NOOP("CheckBoard", "Mix off"),
-        QT_TRANSLATE_NOOP("CheckBoard", "Remove the mix jumper. Leave the power on."),
+        tr_noop("Mix off"),
+        tr_noop("Remove the mix jumper. Leave the power on."),
         False,
         True,
         "mix",
         ("alternate 4/s", "alternate 4/s"),
-        QT_TRANSLATE_NOOP("CheckBoard", "Red and green alternate, four times as fast."),
-        QT_TRANSLATE_NOOP("CheckBoard", "Nothing: the SO–G jumper holds its line to ground."),
+        tr_noop("Red and green alternate, four times as fast."),
+        tr_noop("Nothing: the SO–G jumper holds its line to ground."),
     ),
     _Step(
-        QT_TRANSLATE_NOOP("CheckBoard", "SO–G off"),
-        QT_TRANSLATE_NOOP("CheckBoard", "Remove the SO–G jumper. Leave the power on."),
+        tr_noop("SO–G off"),
+        tr_noop("Remove the SO–G jumper. Leave the power on."),
         False,
         False,
         "so_ground",
         ("off", "short flash 1/s"),
-        QT_TRANSLATE_NOOP("CheckBoard", "Green flashes briefly, once a second."),
-        QT_TRANSLATE_NOOP(
-            "CheckBoard",
+        tr_noop("Green flashes briefly, once a second."),
+        tr_noop(
             "The boot loader answers each byte with a question mark. The serial settings should "
             "be those of the factory now.",
         ),
     ),
     _Step(
-        QT_TRANSLATE_NOOP("CheckBoard", "Connect"),
-        QT_TRANSLATE_NOOP(
-            "CheckBoard",
+        tr_noop("Connect"),
+        tr_noop(
             "Switch the board off and on, with all three jumpers removed. Then connect at 19200 "
             "baud, without parity and CRC.",
         ),
@@ -198,8 +189,8 @@ _STEPS = (
         False,
         "",
         ("on", "off"),
-        QT_TRANSLATE_NOOP("CheckBoard", "Five flashes, then red stays on."),
-        QT_TRANSLATE_NOOP("CheckBoard", "The TReX responds at the factory settings."),
+        tr_noop("Five flashes, then red stays on."),
+        tr_noop("The TReX responds at the factory settings."),
     ),
 )
 """Ref: forum threads 1769 and 4631. Inferred: which settings are restored."""

@@ -1,10 +1,9 @@
 """Panel of the Demo TReX: a simulated board that is operated like a real one."""
 
-from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.translation import Number, tr
-from trex_gui.devices.trex.driving.blockers import TEXT_CONTEXT
 from trex_gui.devices.trex.driving.board_reasons import LED_TEXTS, PACKETS
 from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.demo import (
@@ -54,7 +53,7 @@ def led_words(pattern: str) -> str:
     """Return the words of the Status page, of which only the first has room here."""
     if pattern == PACKETS:
         return tr("flickers")
-    return QCoreApplication.translate(TEXT_CONTEXT, LED_TEXTS.get(pattern, pattern))
+    return tr(LED_TEXTS.get(pattern, pattern))
 
 
 def led_meaning(snapshot: DemoSnapshot, pattern: str) -> str:

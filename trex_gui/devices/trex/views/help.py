@@ -1,8 +1,8 @@
 """Which part of the help is about which page, dialog and message of a TReX."""
 
 from trex_gui.core.errors import PortFault
-from trex_gui.devices.trex.driving.blockers import TEXT_CONTEXT, DriveBlocker
-from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
+from trex_gui.devices.trex.driving.blockers import DriveBlocker
+from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.ui.help.messages import MessageHelp, texts_of
 
 GUIDE = "https://www.pololu.com/docs/0J1"
@@ -55,10 +55,5 @@ TOPICS = {
 
 
 def message_help() -> MessageHelp:
-    return MessageHelp(
-        {
-            TrexError.context: texts_of(ErrorCode),
-            "PortFault": texts_of(PortFault),
-            TEXT_CONTEXT: [blocker.text for blocker in DriveBlocker],
-        }
-    )
+    blockers = [blocker.text for blocker in DriveBlocker]
+    return MessageHelp([*texts_of(ErrorCode), *texts_of(PortFault), *blockers])

@@ -1,8 +1,8 @@
 """The ways to wire a TReX, for the panel that is shown while nothing is connected."""
 
-from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.views.jumper_sketch import JumperPlaces, JumperSketch
 from trex_gui.ui.frame.start_panel import StartWay
 from trex_gui.ui.frame.wiring_sketch import Wiring
@@ -15,7 +15,7 @@ def start_ways(ttl: Wiring, parent: QWidget) -> tuple[StartWay, ...]:
     """
     return (
         StartWay(
-            _tr(
+            tr(
                 "You need a USB-serial adapter with TTL levels (5 V or 3.3 V) and three wires."
                 "<ol style='margin-left: -10px'>"
                 "<li>Switch the board off. Remove the mode jumper: then it starts in serial mode, "
@@ -26,11 +26,11 @@ def start_ways(ttl: Wiring, parent: QWidget) -> tuple[StartWay, ...]:
                 "</ol>"
             ),
             ttl,
-            _tr("TT&L adapter"),
-            _jumpers(JumperPlaces(_tr("Jumpers to connect"), "", None), parent),
+            tr("TT&L adapter"),
+            _jumpers(JumperPlaces(tr("Jumpers to connect"), "", None), parent),
         ),
         StartWay(
-            _tr(
+            tr(
                 "You need an RS-232 port of the computer or an RS-232 adapter, and three wires."
                 "<ol style='margin-left: -10px'>"
                 "<li>Switch the board off. Remove the mode and SO–G jumpers, as for a TTL "
@@ -43,17 +43,17 @@ def start_ways(ttl: Wiring, parent: QWidget) -> tuple[StartWay, ...]:
             Wiring(
                 ttl.board,
                 (("TX, pin 3", "RX"), ("RX, pin 2", "TX"), ("GND, pin 5", "GND")),
-                _tr(
+                tr(
                     "Wiring: TX of the RS-232 port (pin 3 of nine) to RX, RX (pin 2) to TX, GND "
                     "(pin 5) to GND of the board"
                 ),
-                _tr("RS-232 port"),
+                tr("RS-232 port"),
             ),
-            _tr("RS-&232 adapter"),
-            _jumpers(JumperPlaces(_tr("Jumpers to connect"), "", None), parent),
+            tr("RS-&232 adapter"),
+            _jumpers(JumperPlaces(tr("Jumpers to connect"), "", None), parent),
         ),
         StartWay(
-            _tr(
+            tr(
                 "You need an RC receiver with a servo cable for each channel, and an adapter to "
                 "connect the board to this computer."
                 "<ol style='margin-left: -10px'>"
@@ -69,14 +69,14 @@ def start_ways(ttl: Wiring, parent: QWidget) -> tuple[StartWay, ...]:
             Wiring(
                 ttl.board,
                 (("CH 1", "Channel 1"), ("CH 2", "Channel 2"), ("5 V, GND", "5 V, GND")),
-                _tr(
+                tr(
                     "Wiring: channels 1 and 2 of the receiver to channels 1 and 2 of the board, "
                     "5 V to 5 V, GND to GND"
                 ),
-                _tr("Receiver"),
+                tr("Receiver"),
             ),
-            _tr("RC recei&ver"),
-            _jumpers(JumperPlaces(_tr("Jumpers to drive"), "RC", None), parent),
+            tr("RC recei&ver"),
+            _jumpers(JumperPlaces(tr("Jumpers to drive"), "RC", None), parent),
         ),
     )
 
@@ -85,7 +85,3 @@ def _jumpers(places: JumperPlaces, parent: QWidget) -> JumperSketch:
     jumpers = JumperSketch(parent)
     jumpers.show_boards(places)
     return jumpers
-
-
-def _tr(text: str) -> str:
-    return QCoreApplication.translate("StartWays", text)

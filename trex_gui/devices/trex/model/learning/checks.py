@@ -3,8 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from PySide6.QtCore import QCoreApplication
-
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.calibration.neutral import Neutral
 from trex_gui.devices.trex.calibration.problems import Problem, ProblemKind
@@ -12,8 +11,6 @@ from trex_gui.devices.trex.calibration.travel import Task, Travel, Way
 from trex_gui.devices.trex.model.channel_text import concern
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.flags import InputSource
-
-translate = QCoreApplication.translate
 
 _ASIDE = {InputSource.RC: 250, InputSource.ANALOG: 102}
 """Counts beyond rest at which the speed of a throttle is given: 100 us, 0.5 V."""
@@ -105,19 +102,17 @@ class Check:
         if threshold is None:
             return ""
         if self.curve.reversed_:
-            text = translate(
-                "Check",
+            text = tr(
                 "Active above {0} (inferred: it switches halfway between neutral and maximum).",
             )
         else:
-            text = translate(
-                "Check",
+            text = tr(
                 "Active below {0} (inferred: it switches halfway between neutral and minimum).",
             )
         if self.curve.is_switched(self.channel, self.neutral.value):
-            rest = translate("Check", "At rest it is active.")
+            rest = tr("At rest it is active.")
         else:
-            rest = translate("Check", "At rest it is off.")
+            rest = tr("At rest it is off.")
         return f"{text.format(self.neutral.source.text(round(threshold)))} {rest}"
 
     def _aside(self, idle: Way) -> tuple[int, int]:
@@ -133,14 +128,12 @@ class Check:
             return ""
         place, speed = self._aside(idle)
         if idle is Way.UP:
-            text = translate(
-                "Check",
+            text = tr(
                 "Above its rest position the motor speeds up again, whatever the sign: at {0} to "
                 "{1} of {2}.",
             )
         else:
-            text = translate(
-                "Check",
+            text = tr(
                 "Below its rest position the motor speeds up again, whatever the sign: at {0} to "
                 "{1} of {2}.",
             )

@@ -5,21 +5,16 @@ mixed and flipped.
 """
 
 from collections.abc import Sequence
-from functools import partial
 
-from PySide6.QtCore import QCoreApplication
-
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.calibration.neutral import LIMITS
 from trex_gui.devices.trex.calibration.travel import TASKS, Task
-from trex_gui.devices.trex.driving.blockers import TEXT_CONTEXT
 from trex_gui.devices.trex.driving.board_reasons import safe_start_reasons
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
-
-translate = QCoreApplication.translate
 
 _HELD = 3  # samples in a row (60 ms) that make an end, or a position of a switch, reached
 _REST_SECONDS = 0.5  # how long a channel has to give 0 to be at rest
@@ -85,44 +80,35 @@ class StickTest:
     def text(self) -> str:
         """What is still to be done, or that the channel is good."""
         if self.ignored:
-            return translate(
-                "StickTests", "Ignored: the board holds it at neutral. There is nothing to test."
-            )
+            return tr("Ignored: the board holds it at neutral. There is nothing to test.")
         if self.output is None:
-            return translate("StickTests", "No signal.")
+            return tr("No signal.")
         if self.passed:
-            return translate("StickTests", "Good.")
+            return tr("Good.")
         task = TASKS[self.channel]
         if task is Task.SWITCH:
             if not self.off and not self.on:
-                return translate("StickTests", "Move the switch to all its positions.")
+                return tr("Move the switch to all its positions.")
             if self.off:
-                return translate(
-                    "StickTests", "Only off was seen. Move the switch to its other position."
-                )
-            return translate(
-                "StickTests", "Only on was seen. Move the switch to its other position."
-            )
+                return tr("Only off was seen. Move the switch to its other position.")
+            return tr("Only on was seen. Move the switch to its other position.")
         if task is Task.ONE_WAY and not (self.forward or self.reverse):
-            return translate("StickTests", "Full output not reached yet. Push it all the way.")
+            return tr("Full output not reached yet. Push it all the way.")
         if task is Task.STICK and not (self.forward and self.reverse):
             return self._unreached_text()
         if self.output == 0:
-            return translate("StickTests", "Full output reached. Let it rest for a moment.")
+            return tr("Full output reached. Let it rest for a moment.")
         now = f"{self.output:+d}".replace("-", "−")
-        return translate(
-            "StickTests",
+        return tr(
             "Full output reached. Release it: at rest the output must be 0, but it is {0}.",
         ).format(now)
 
     def _unreached_text(self) -> str:
         if self.forward:
-            return translate("StickTests", "Full output not reached yet: reverse (−127).")
+            return tr("Full output not reached yet: reverse (−127).")
         if self.reverse:
-            return translate("StickTests", "Full output not reached yet: forward (+127).")
-        return translate(
-            "StickTests", "Full output not reached yet: forward (+127) and reverse (−127)."
-        )
+            return tr("Full output not reached yet: forward (+127).")
+        return tr("Full output not reached yet: forward (+127) and reverse (−127).")
 
 
 def idle_side(calibration: Calibration, *, reversed_: bool) -> int:
@@ -221,7 +207,7 @@ class StickTests:
             source=self._device.calibrations.source,
             joint=stored_of(ParameterKey.MOTOR_MODE) == 1,
         )
-        return " ".join(reason.text(partial(translate, TEXT_CONTEXT)) for reason in reasons)
+        return " ".join(reason.text(tr) for reason in reasons)
 
     @property
     def safe_start_text(self) -> str:
@@ -229,7 +215,7 @@ class StickTests:
         if not self.heard:
             return ""
         if reasons := self.safe_start_reasons:
-            text = translate("StickTests", "In {0} mode safe-start would hold the motors now. {1}")
+            text = tr("In {0} mode safe-start would hold the motors now. {1}")
             return text.format(self.mode, reasons)
-        text = translate("StickTests", "In {0} mode safe-start would release the motors now.")
+        text = tr("In {0} mode safe-start would release the motors now.")
         return text.format(self.mode)

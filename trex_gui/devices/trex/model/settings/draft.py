@@ -4,10 +4,11 @@ from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 
-from PySide6.QtCore import QCoreApplication, QObject, Signal, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtGui import QUndoStack
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
@@ -21,8 +22,6 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow, compare
 from trex_gui.devices.trex.settings.document import Settings, settings_of, specs_for
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
-
-translate = QCoreApplication.translate
 
 
 @dataclass(frozen=True, slots=True)
@@ -241,9 +240,9 @@ def diff_against_draft(
     """
     shown = draft.stored if is_stored else draft.shown
     if shown is None:
-        raise BadRequest(translate("Draft", "There are no settings to compare with"))
+        raise BadRequest(tr("There are no settings to compare with"))
     if settings.product.key != shown.product.key:
-        message = translate("Draft", "These settings are for a {0}, not a {1}")
+        message = tr("These settings are for a {0}, not a {1}")
         raise BadRequest(message.format(settings.product.name, shown.product.name))
     known = {spec.key for spec in shown.specs.readable}
     unread = [key for key in settings.parameters if key in known and not draft.can_edit(key)]
@@ -256,9 +255,8 @@ def diff_against_draft(
             calibrations={k: c for k, c in settings.calibrations.items() if k not in hidden},
         ),
     )
-    not_read = translate("Draft", "{0} is left out: it could not be read from the board.")
-    not_shown = translate(
-        "Draft",
+    not_read = tr("{0} is left out: it could not be read from the board.")
+    not_shown = tr(
         "The {0} calibrations are left out: the board accepts them only while it reads its inputs "
         "as {0}.",
     )

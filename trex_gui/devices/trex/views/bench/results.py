@@ -4,7 +4,7 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, QObject, QSize, Qt, Signal
+from PySide6.QtCore import QObject, QSize, Qt, Signal
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import reason_of, save
-from trex_gui.core.translation import Number
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.bench.figures import BAND, Figures, figures
 from trex_gui.devices.trex.bench.files import load_run, to_csv
 from trex_gui.devices.trex.bench.run import Run
@@ -31,10 +31,6 @@ from trex_gui.ui.widgets.file_questions import last_folder, remember_folder
 
 def _rows(band: float = BAND) -> tuple[tuple[str, str, str, str], ...]:
     """Return name, field of `Figures`, unit and explanation of each row."""
-
-    def tr(text: str) -> str:
-        return QCoreApplication.translate("figures_table", text)
-
     until_braking = tr("From the first setpoint until braking.")
     return (
         (tr("Peak current"), "peak", "A", tr("The highest reading.")),

@@ -14,9 +14,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.connection_quality import quality_text
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.errors import ErrorEntry, bit_text
+from trex_gui.devices.trex.model.errors import ErrorEntry
 from trex_gui.devices.trex.protocol.flags import stops_motors
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.ui.runtime import now
@@ -208,15 +209,15 @@ class ErrorsPage(QWidget):
         if entry.is_doubtful:
             last = self.tr("{0}\n(doubtful)").format(last)
             doubt = self.tr("The line is noisy and has no CRC: a corrupted reply looks alike.")
-        remedy = bit_text(entry.remedy) if entry.count else ""
+        remedy = tr(entry.remedy) if entry.count else ""
         yes, no = self.tr("⚠ Yes"), self.tr("No") if device.is_connected else self.tr("N/A")
         texts = {
-            _Column.ERROR: bit_text(entry.name),
+            _Column.ERROR: tr(entry.name),
             _Column.ACTIVE: yes if is_active else no,
             _Column.STOPS: yes if is_stopping else no,
             _Column.COUNT: str(entry.count),
             _Column.LAST: last,
-            _Column.REMEDY: f"{bit_text(entry.meaning)} {remedy}".rstrip(),
+            _Column.REMEDY: f"{tr(entry.meaning)} {remedy}".rstrip(),
         }
         for column, text in texts.items():
             item = items[column]

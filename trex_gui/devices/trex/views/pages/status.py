@@ -2,7 +2,7 @@
 
 from html import escape
 
-from PySide6.QtCore import QCoreApplication, Qt, Signal, Slot
+from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QFormLayout,
@@ -12,7 +12,7 @@ from PySide6.QtWidgets import (
 
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.client.reading import DeviceState
-from trex_gui.devices.trex.driving.blockers import TEXT_CONTEXT, DriveBlocker, Effect
+from trex_gui.devices.trex.driving.blockers import DriveBlocker, Effect
 from trex_gui.devices.trex.driving.board_reasons import (
     LED_TEXTS,
     SAFE_START_FLASH,
@@ -60,7 +60,7 @@ class MotorsBox(ui.GroupBox):
         )
         title = ui.label(self._leds_line, "", self.tr("LEDs on the board:"))
         ui.row(title, (self._leds, 1), into=self._leds_line, margins=0, spacing=10)
-        note = QCoreApplication.translate(TEXT_CONTEXT, SAFE_START_NOTE)
+        note = tr(SAFE_START_NOTE)
         self._steady = ui.named(Muted(note, self), "statusLedsNote")
         ui.column(self._reasons, self._leds_line, self._steady, into=self)
 
@@ -86,9 +86,7 @@ class MotorsBox(ui.GroupBox):
         patterns = led_patterns(board) if board is not None else ()
         self._steady.setVisible(SAFE_START_FLASH in patterns)
         if patterns:
-            red, green = (
-                QCoreApplication.translate(TEXT_CONTEXT, LED_TEXTS[one]) for one in patterns
-            )
+            red, green = (tr(LED_TEXTS[one]) for one in patterns)
             self._leds.show_patterns(patterns, (red, green), (red, green))
 
 

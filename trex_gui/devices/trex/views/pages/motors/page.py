@@ -3,10 +3,11 @@
 from functools import partial
 from html import escape
 
-from PySide6.QtCore import QCoreApplication, QEvent, Qt, Signal, Slot
+from PySide6.QtCore import QEvent, Qt, Signal, Slot
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import SafeStartWatch, drive_inputs, drive_statuses
 from trex_gui.devices.trex.model.drive_texts import channel_text, report_text, setpoint_text
@@ -346,9 +347,6 @@ def _stored_text(parameters: ParameterModel, *, joint: bool, linked: bool) -> st
 
     If they are `linked`, each value that was read is a link to the key of its parameter.
     """
-
-    def tr(text: str) -> str:
-        return QCoreApplication.translate("MotorsPage", text)
 
     def link(key: str) -> str:
         wire = parameters.stored_of(key)
