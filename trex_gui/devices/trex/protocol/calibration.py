@@ -50,7 +50,7 @@ class CalibrationKey(StrEnum):
     @property
     def label(self) -> str:
         """Name for the user, such as `RC channel 1`."""
-        return tr("{0} channel {1}").format(self.source.value, self.channel)
+        return tr("{0} channel {1}").format(self.source.word, self.channel)
 
 
 CALIBRATION_KEYS: Mapping[str, CalibrationKey] = {str(key): key for key in CalibrationKey}

@@ -146,6 +146,11 @@ class InputSource(Enum):
     ANALOG = "analog"
 
     @property
+    def word(self) -> str:
+        """`RC` or `analog`, in the language of the window."""
+        return self.value if self is InputSource.RC else tr("analog")
+
+    @property
     def unit(self) -> str:
         """`µs` or `V`."""
         return "µs" if self is InputSource.RC else "V"

@@ -142,7 +142,7 @@ class ValuesPanel(QWidget):
             self._set(f"channel{channel}Remapped", text)
 
     def _control_text(self, state: BoardSnapshot) -> str:
-        inputs = state.mode.source.value
+        inputs = state.mode.source.word
         if state.mode.is_serial:
             mode = self.tr("Serial mode with {0} inputs").format(inputs)
         else:

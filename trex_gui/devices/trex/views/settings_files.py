@@ -413,7 +413,7 @@ class SettingsFiles(QObject):
         except SettingsError as error:
             trouble = error.findings[0].message
             return (fresh if file_questions.may_write_fresh(self._window, trouble) else None), ""
-        names = ", ".join(sorted({key.source.value for key in hidden}))
+        names = ", ".join(sorted({key.source.word for key in hidden}))
         kept = self.tr("Calibrations that the board does not show now were kept: {0}.")
         return text, kept.format(names) if hidden else ""
 

@@ -75,7 +75,7 @@ class CalibrationPreconditions(QObject):
                     "The board is in {0} mode: the sticks drive the motors, and it rejects "
                     "settings. Switch it off, remove the mode jumper and switch it on."
                 )
-            return why.format(state.mode.source.value)
+            return why.format(state.mode.source.word)
         if self._device.applying:
             return self.tr("Settings are being written.")
         return ""

@@ -192,7 +192,7 @@ class StickTests:
     @property
     def mode(self) -> str:
         """The mode in which the channels would be in control: `RC` or `analog`."""
-        return self._device.calibrations.source.value
+        return self._device.calibrations.source.word
 
     @property
     def safe_start_reasons(self) -> str:

@@ -261,5 +261,5 @@ def diff_against_draft(
         "as {0}.",
     )
     notes = [not_read.format(key) for key in unread]
-    notes += [not_shown.format(name) for name in sorted({key.source.value for key in hidden})]
+    notes += [not_shown.format(name) for name in sorted({key.source.word for key in hidden})]
     return replace(result, left_out=(*result.left_out, *notes))

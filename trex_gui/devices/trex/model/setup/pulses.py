@@ -64,7 +64,7 @@ class MotorPulses(QObject):
                 "The board is in {0} mode, so the sticks control the motors and not this program. "
                 "Skip this step, or switch the board off, remove the mode jumper and switch it on."
             )
-            return text.format(device.state.mode.source.value)
+            return text.format(device.state.mode.source.word)
         if device.is_connected and device.is_joint:
             return self.tr("Joint mode: both outputs drive one motor, so there is nothing to find.")
         return ""

@@ -150,7 +150,7 @@ class RobotSetup(QObject):
             text = self.tr(
                 "The board is in {0} mode and rejects settings: go back to the jumpers, or skip."
             )
-            return text.format(device.state.mode.source.value)
+            return text.format(device.state.mode.source.word)
         return ""
 
     def _wanted(self, step: SetupStep) -> Mapping[str, int]:

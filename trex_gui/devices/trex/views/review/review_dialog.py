@@ -315,7 +315,7 @@ class ReviewDialog(ReusedDialog):
                 "The board is in {0} mode and does not accept settings. Set its mode jumper to "
                 "serial, then switch it off and on."
             )
-            return text.format(state.mode.source.value), True
+            return text.format(state.mode.source.word), True
         text = self.tr("%n setting(s) of the {0} will change.", "", count)
         return text.format(self._board_text()), False
 

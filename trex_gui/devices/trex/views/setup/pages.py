@@ -199,7 +199,7 @@ class JumperPage(QWidget):
             "This board was started in {0} mode. Switch it off, remove the mode jumper and switch "
             "it on again. This statement then updates by itself."
         )
-        return False, text.format(state.mode.source.value)
+        return False, text.format(state.mode.source.word)
 
     def _mix_result(self, is_mixed: bool) -> tuple[bool | None, str]:
         seen = self._setup.is_mixed
@@ -646,7 +646,7 @@ class ReviewPage(QWidget):
             rc = self.tr("Switch on the transmitter, then the board.")
             on_again = rc if source is InputSource.RC else self.tr("Switch the board on.")
             safe = self.tr("The motors stay off until the sticks are released (safe-start).")
-            texts.append(f"{start.format(source.value, mix)} {on_again} {safe}")
+            texts.append(f"{start.format(source.word, mix)} {on_again} {safe}")
         else:
             texts.append(
                 self.tr(
