@@ -3,6 +3,8 @@
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
     <name>trex_gui</name>
+    <message><source>Internal error while searching {0} ({1}).</source>
+        <translation>Interner Fehler bei der Suche an {0} ({1}).</translation></message>
     <message><source>Permission denied for {0}. {1}</source>
         <translation>Zugriff auf {0} verweigert. {1}</translation></message>
     <message><source>{0} cannot be reached: {1}.</source>
@@ -49,8 +51,54 @@
         <translation>es gibt keinen Ordner {0}</translation></message>
     <message><source>permission denied</source>
         <translation>Zugriff verweigert</translation></message>
+    <message><source>Samples missing here, because the disk was too slow: {0}.</source>
+        <translation>Hier fehlen Messwerte, weil der Datenträger zu langsam war: {0}.</translation></message>
     <message><source>It cannot be written: {0}.</source>
         <translation>Sie kann nicht geschrieben werden: {0}.</translation></message>
+    <message><source>It cannot be used: {0}.</source>
+        <translation>Nicht verwendbar: {0}.</translation></message>
+    <message><source>This is not a TReX Studio recording.</source>
+        <translation>Das ist keine Aufzeichnung von TReX Studio.</translation></message>
+    <message><source>It cannot be opened: {0}.</source>
+        <translation>Lässt sich nicht öffnen: {0}.</translation></message>
+    <message><source>It cannot be read: {0}.</source>
+        <translation>Sie kann nicht gelesen werden: {0}.</translation></message>
+    <message><source>It is damaged: {0}.</source>
+        <translation>Beschädigt: {0}.</translation></message>
+    <message><source>its time is not a number</source>
+        <translation>die Zeit ist keine Zahl</translation></message>
+    <message><source>The end of the file is missing.</source>
+        <translation>Das Ende der Datei fehlt.</translation></message>
+    <message><source>It was not ended; samples of the last seconds may be missing.</source>
+        <translation>Sie wurde nicht beendet; Messwerte der letzten Sekunden können fehlen.</translation></message>
+    <message><source>the clock in the header is not in seconds</source>
+        <translation>die Uhrzeit im Kopf ist nicht in Sekunden angegeben</translation></message>
+    <message><source>The column {0} is not the key of its table.</source>
+        <translation>Die Spalte {0} ist nicht der Schlüssel ihrer Tabelle.</translation></message>
+    <message><source>its time is not in the recording</source>
+        <translation>die Zeit liegt nicht in der Aufzeichnung</translation></message>
+    <message><source>Record {0} cannot be read: {1}.</source>
+        <translation>Datensatz {0} ist nicht lesbar: {1}.</translation></message>
+    <message><source>{0} is not {1}</source>
+        <translation>{0} ist nicht vom Typ {1}</translation></message>
+    <message><source>A CSV file is an export and cannot be opened as a recording. Open the recording ({0}) that it was exported from.</source>
+        <translation>Eine CSV-Datei ist ein Export und lässt sich nicht als Aufzeichnung öffnen. Öffnen Sie die Aufzeichnung ({0}), aus der sie exportiert wurde.</translation></message>
+    <message><source>It is still being recorded. End the recording, then open it again.</source>
+        <translation>Sie wird noch aufgezeichnet. Beenden Sie die Aufzeichnung und öffnen Sie sie dann erneut.</translation></message>
+    <message><source>Its format, {0}, is not known. A later version of TReX Studio may open it.</source>
+        <translation>Das Format {0} ist unbekannt. Eine neuere Version von TReX Studio kann sie vielleicht öffnen.</translation></message>
+    <message><source>This is a recording of another device: {0}. It opens where the window shows the pages of that device: choose its port or its demo in the list of ports, then open the file again.</source>
+        <translation>Das ist eine Aufzeichnung eines anderen Geräts: {0}. Sie lässt sich öffnen, wenn das Fenster die Seiten dieses Geräts zeigt: Wählen Sie seinen Port oder seine Demo in der Liste der Ports und öffnen Sie die Datei dann erneut.</translation></message>
+    <message><source>The table {0} is missing.</source>
+        <translation>Die Tabelle {0} fehlt.</translation></message>
+    <message><source>The column {0} is missing.</source>
+        <translation>Die Spalte {0} fehlt.</translation></message>
+    <message><source>Samples of {0} among records {1} to {2} are lost: {3}.</source>
+        <translation>Messwerte von {0} in den Datensätzen {1} bis {2} sind verloren: {3}.</translation></message>
+    <message><source>The column {0} is computed.</source>
+        <translation>Die Spalte {0} ist berechnet.</translation></message>
+    <message><source>The motors have to be stopped first.</source>
+        <translation>Die Motoren müssen zuerst gestoppt werden.</translation></message>
     <message><source>another line of this program</source>
         <translation>einer anderen Leitung dieses Programms</translation></message>
     <message><source>{0} (process {1})</source>
@@ -97,6 +145,8 @@
         <translation>dies ist keine Zeile eines Datenverkehrsprotokolls</translation></message>
     <message><source>{0} cannot be written: {1}.</source>
         <translation>{0} kann nicht geschrieben werden: {1}.</translation></message>
+    <message><source>Opening this port has reset the board: it responds about a second later.</source>
+        <translation>Das Öffnen dieses Ports hat das Board zurückgesetzt: Es antwortet etwa eine Sekunde später.</translation></message>
     <message><source>Aracna {0}</source>
         <translation>Aracna {0}</translation></message>
     <message><source>No probe for an Aracna was sent on {0}: its baud rate is set at the other end of the network, and a TReX at another rate could take the probe for a command. If you know that it is an Aracna, connect once with: trex-gui --device aracna --port {1}</source>
@@ -201,6 +251,8 @@
         <translation>Die laufende Bewegung endet in etwa {0:.1f} s von selbst.</translation></message>
     <message><source>{0}. Nothing more is sent to the robot.</source>
         <translation>{0}. Es wird nichts mehr an den Roboter gesendet.</translation></message>
+    <message><source>{0} speeds of 0 to {1}, not {2}</source>
+        <translation>{0} Geschwindigkeiten von 0 bis {1}, nicht {2}</translation></message>
     <message><source>Which leg is which is assumed; even motors are inner joints, odd ones outer.</source>
         <translation>Welches Bein welches ist, ist angenommen; Motoren mit gerader Nummer sind innere Gelenke, solche mit ungerader äußere.</translation></message>
     <message><source>Motor {0} is at {1}, {2} from its goal {3}.</source>
@@ -345,6 +397,12 @@
         <translation>ein Schritt dauert {0} bis {1} ms, nicht {2}</translation></message>
     <message><source>positions are 0 to {0}, not {1} (motor {2} of {3})</source>
         <translation>Positionen sind 0 bis {0}, nicht {1} (Motor {2} von {3})</translation></message>
+    <message><source>the speed of motor {0} is 0 to {1}, not {2}</source>
+        <translation>die Geschwindigkeit von Motor {0} ist 0 bis {1}, nicht {2}</translation></message>
+    <message><source>the position of motor {0} is 0 to {1}, not {2}</source>
+        <translation>die Position von Motor {0} ist 0 bis {1}, nicht {2}</translation></message>
+    <message><source>{0} motors need {0} values, not {1}</source>
+        <translation>{0} Motoren brauchen {0} Werte, nicht {1}</translation></message>
     <message><source>limits are 0 to {0} in order, not {1} to {2}</source>
         <translation>Grenzen sind 0 bis {0} in aufsteigender Reihenfolge, nicht {1} bis {2}</translation></message>
     <message><source>No Aracna responds on {0}. It does not listen while it moves: if it is moving, wait until it stops. Check that the robot's board has power, that the adapter's TX goes to its RX and its RX to its TX (or that both radios are on the same channel), and that ground is connected.</source>
@@ -409,6 +467,14 @@
         <translation>Die Positionen eines Schrittes{0} sind 0 bis {1}: {2}.</translation></message>
     <message><source>A step{0} takes more than 0 s, not {1:g} s.</source>
         <translation>Ein Schritt{0} dauert länger als 0 s, nicht {1:g} s.</translation></message>
+    <message><source>query version and motors</source>
+        <translation>Version und Motoren abfragen</translation></message>
+    <message><source>switch the debug LED on</source>
+        <translation>die Debug-LED einschalten</translation></message>
+    <message><source>switch the debug LED off</source>
+        <translation>die Debug-LED ausschalten</translation></message>
+    <message><source>end an unfinished line in the robot's buffer</source>
+        <translation>eine unvollständige Zeile im Puffer des Roboters abschließen</translation></message>
     <message><source>not a command of an Aracna</source>
         <translation>kein Befehl eines Aracna</translation></message>
     <message><source>the robot has started, busy for a second</source>
@@ -1013,12 +1079,22 @@
         <translation>Zeile {0} oder darunter: {1}</translation></message>
     <message><source>line {0}: invalid row “{1}”</source>
         <translation>Zeile {0}: ungültige Zeile „{1}“</translation></message>
+    <message><source>step {0}, {1} s</source>
+        <translation>Sprung {0}, {1} s</translation></message>
+    <message><source>ramp {0}, {1} s</source>
+        <translation>Rampe {0}, {1} s</translation></message>
+    <message><source>reverse {0}, {1} s</source>
+        <translation>Umkehr {0}, {1} s</translation></message>
+    <message><source>sine {0}, {1} s</source>
+        <translation>Sinus {0}, {1} s</translation></message>
     <message><source>the speed of a bench test is −{0} to {0} and not 0, not {1}</source>
         <translation>die Geschwindigkeit eines Prüflaufs ist −{0} bis {0} und nicht 0, nicht {1}</translation></message>
     <message><source>a bench test lasts {0:g} to {1:g} s, not {2:g} s</source>
         <translation>ein Prüflauf dauert {0:g} bis {1:g} s, nicht {2:g} s</translation></message>
     <message><source>the period of a bench test is {0:g} to {1:g} s, not {2:g} s</source>
         <translation>die Periode eines Prüflaufs ist {0:g} bis {1:g} s, nicht {2:g} s</translation></message>
+    <message><source>The ends are 1 % of the travel and three times the noise inside the measured ones, so that full output is reliably reached. The deadband covers the noise at rest, but is at least {0}, since a stick does not return to exactly the same place each time.</source>
+        <translation>Die Enden liegen um 1 % des Wegs und das Dreifache des Rauschens innerhalb der gemessenen, damit die volle Ausgabe sicher erreicht wird. Der Totbereich deckt das Rauschen in Ruhe ab, beträgt aber mindestens {0}, da ein Knüppel nicht jedes Mal genau an dieselbe Stelle zurückkehrt.</translation></message>
     <message><source>{0}: reversed is suggested.</source>
         <translation>{0}; Vorschlag: umgekehrt.</translation></message>
     <message><source>{0}: not reversed is suggested.</source>
@@ -1049,6 +1125,8 @@
         <translation>Kalibrierung von Kanal {0}</translation></message>
     <message><source>stored settings</source>
         <translation>gespeicherte Einstellungen</translation></message>
+    <message><source>no parity and no CRC</source>
+        <translation>ohne Parität und ohne CRC</translation></message>
     <message><source> It also echoes what is sent.</source>
         <translation> Es sendet außerdem ein Echo des Gesendeten.</translation></message>
     <message><source>Switched off and on, it will run at {0}.</source>
@@ -1165,11 +1243,13 @@
         <translation>Parallelbetrieb: Beide Treiber treiben gemeinsam einen Motor an.</translation></message>
     <message><source>If the green LED is steady instead, safe-start is over.</source>
         <translation>Leuchtet die grüne LED stattdessen dauernd, ist Safe-Start beendet.</translation></message>
-    <message><source>on</source>
+    <message><source>on</source><comment>LED</comment>
         <translation>an</translation></message>
-    <message><source>flickers with each packet</source>
+    <message><source>off</source><comment>LED</comment>
+        <translation>aus</translation></message>
+    <message><source>flickers with each packet</source><comment>LED</comment>
         <translation>flackert bei jedem Paket</translation></message>
-    <message><source>flashes fast</source>
+    <message><source>flashes fast</source><comment>LED</comment>
         <translation>blinkt schnell</translation></message>
     <message><source>Not written: the board stores other settings than when it was reviewed.</source>
         <translation>Nicht geschrieben: Das Board speichert andere Einstellungen als bei der Prüfung.</translation></message>
@@ -1891,6 +1971,8 @@
         <translation>Gespeichert: {0}.</translation></message>
     <message><source>nothing</source>
         <translation>nichts</translation></message>
+    <message><source>{0}: {1}.</source>
+        <translation>{0}: {1}.</translation></message>
     <message><source>{0:.0f} Hz</source>
         <translation>{0:.0f} Hz</translation></message>
     <message><source>prescaler {0}, maximum {1}</source>
@@ -1921,6 +2003,8 @@
         <translation>Was auf dieses Board angewendet wurde, lässt sich nicht merken. {0}</translation></message>
     <message><source>What is kept here for this {0} (notes, calibrations, applied settings) is of {1}, when it was at another USB adapter or socket. If this is another board, give it a device number of its own: boards with the same number share what is kept.</source>
         <translation>Was hier für diesen {0} aufbewahrt wird (Notizen, Kalibrierungen, angewendete Einstellungen), stammt vom {1}, als er an einem anderen USB-Adapter oder einer anderen Buchse war. Wenn dies ein anderes Board ist, geben Sie ihm eine eigene Gerätenummer: Boards mit derselben Nummer teilen sich das Aufbewahrte.</translation></message>
+    <message><source>calibration of channel {0}: {1}</source>
+        <translation>Kalibrierung von Kanal {0}: {1}</translation></message>
     <message><source>Setting</source>
         <translation>Einstellung</translation></message>
     <message><source>Wire</source>
@@ -1931,6 +2015,12 @@
         <translation>gespeichert</translation></message>
     <message><source>Note: {0}</source>
         <translation>Notiz: {0}</translation></message>
+    <message><source>it contains no calibrations</source>
+        <translation>sie enthält keine Kalibrierungen</translation></message>
+    <message><source>{0}; it is shown as Western European text. Check the characters that are not plain letters; Save writes UTF-8</source>
+        <translation>{0}; sie wird als westeuropäischer Text angezeigt. Prüfen Sie die Zeichen, die keine einfachen Buchstaben sind; beim Speichern wird UTF-8 geschrieben</translation></message>
+    <message><source>it holds settings of a {0}</source>
+        <translation>sie enthält Einstellungen eines {0}</translation></message>
     <message><source>{0} is left out: it could not be read from the board.</source>
         <translation>{0} wird ausgelassen: Der Wert konnte nicht vom Board gelesen werden.</translation></message>
     <message><source>The {0} calibrations are left out: the board accepts them only while it reads its inputs as {0}.</source>
@@ -2339,6 +2429,8 @@
         <translation>ein TReX läuft mit {0} Baud, nicht {1}</translation></message>
     <message><source>1 or 2 stop bits, not {0}</source>
         <translation>1 oder 2 Stoppbits, nicht {0}</translation></message>
+    <message><source>none</source><comment>channels</comment>
+        <translation>keine</translation></message>
     <message><source>none or some of the channels 1 to 5, such as 1, 3</source>
         <translation>keiner oder einige der Kanäle 1 bis 5, zum Beispiel 1, 3</translation></message>
     <message><source>the table has no parameter {0!r}</source>
@@ -2449,6 +2541,8 @@
         <translation>sie kann nicht umbenannt werden: {0}</translation></message>
     <message><source>it cannot be read: {0}</source>
         <translation>sie kann nicht gelesen werden: {0}</translation></message>
+    <message><source>this file is written in a way that cannot be changed in place; save the settings as a new file</source>
+        <translation>diese Datei ist so geschrieben, dass sie sich nicht an Ort und Stelle ändern lässt; speichern Sie die Einstellungen als neue Datei</translation></message>
     <message><source>{0} {1}: how many snapshots to keep is not known, so none is removed.</source>
         <translation>{0} {1}: Wie viele Sicherungskopien behalten werden sollen, ist nicht bekannt, daher wird keine entfernt.</translation></message>
     <message><source>It is empty.</source>
@@ -2457,8 +2551,6 @@
         <translation>Sie nennt nicht, von welchem Board sie stammt.</translation></message>
     <message><source>is damaged</source>
         <translation>ist beschädigt</translation></message>
-    <message><source>It cannot be read: {0}.</source>
-        <translation>Sie kann nicht gelesen werden: {0}.</translation></message>
     <message><source>it cannot be removed: {0}</source>
         <translation>sie kann nicht entfernt werden: {0}</translation></message>
     <message><source>a history keeps at least one snapshot, not {0}</source>
@@ -2469,6 +2561,54 @@
         <translation>fehlt</translation></message>
     <message><source>cannot be read ({0})</source>
         <translation>kann nicht gelesen werden ({0})</translation></message>
+    <message><source>the last line has no end; was the file cut short?</source>
+        <translation>die letzte Zeile hat kein Zeilenende; wurde die Datei abgeschnitten?</translation></message>
+    <message><source>{count} more errors are not listed</source>
+        <translation>{count} weitere Fehler sind nicht aufgeführt</translation></message>
+    <message><source>a name belongs before the colon, not a list or a group</source>
+        <translation>vor den Doppelpunkt gehört ein Name, keine Liste oder Gruppe</translation></message>
+    <message><source>was given in line {first} already</source>
+        <translation>wurde schon in Zeile {first} angegeben</translation></message>
+    <message><source>{name} was given in line {first} already</source>
+        <translation>{name} wurde schon in Zeile {first} angegeben</translation></message>
+    <message><source>the first setting is {wanted}; this file has none</source>
+        <translation>die erste Einstellung ist {wanted}; in dieser Datei fehlt sie</translation></message>
+    <message><source>must be the first setting of the file</source>
+        <translation>muss die erste Einstellung der Datei sein</translation></message>
+    <message><source>{models}, not {given}; did you mean {model}?</source>
+        <translation>{models}, nicht {given}; meinten Sie {model}?</translation></message>
+    <message><source>{models}, not {given}; these are not settings of a TReX</source>
+        <translation>{models}, nicht {given}; das sind keine Einstellungen eines TReX</translation></message>
+    <message><source>a version such as {newest}, not {given}</source>
+        <translation>eine Version wie {newest}, nicht {given}</translation></message>
+    <message><source>versions {oldest} to {newest} are known, {given} is not</source>
+        <translation>bekannt sind die Versionen {oldest} bis {newest}, {given} nicht</translation></message>
+    <message><source>is a command to the board, not a setting</source>
+        <translation>ist ein Befehl an das Board, keine Einstellung</translation></message>
+    <message><source>{allowed}, not {given}{hint}</source>
+        <translation>{allowed}, nicht {given}{hint}</translation></message>
+    <message><source>{allowed}, not {given}; this limit is inferred, so the board decides</source>
+        <translation>{allowed}, nicht {given}; diese Grenze ist erschlossen, daher entscheidet das Board</translation></message>
+    <message><source>a {product} has it from firmware {since} on, these are for {firmware}</source>
+        <translation>ein {product} hat sie ab Firmware {since}, diese Einstellungen sind für {firmware}</translation></message>
+    <message><source>a {product} does not have it, whatever its firmware</source>
+        <translation>ein {product} hat sie mit keiner Firmware</translation></message>
+    <message><source>there is no such setting{guess}</source>
+        <translation>diese Einstellung gibt es nicht{guess}</translation></message>
+    <message><source>is written {layout}, not {given}</source>
+        <translation>wird {layout} geschrieben, nicht {given}</translation></message>
+    <message><source>a calibration has no {field!r}{guess}</source>
+        <translation>eine Kalibrierung hat kein {field!r}{guess}</translation></message>
+    <message><source>{field} is 0 to {highest}, not {given}</source>
+        <translation>{field} ist 0 bis {highest}, nicht {given}</translation></message>
+    <message><source>{fields} is missing</source>
+        <translation>{fields} fehlt</translation></message>
+    <message><source>{fields} are missing</source>
+        <translation>{fields} fehlen</translation></message>
+    <message><source>1 of {total} parameters is missing: {names}</source>
+        <translation>1 von {total} Parametern fehlt: {names}</translation></message>
+    <message><source>{count} of {total} parameters are missing: {names}</source>
+        <translation>{count} von {total} Parametern fehlen: {names}</translation></message>
     <message><source>channels 1 to 5</source>
         <translation>Kanäle 1 bis 5</translation></message>
     <message><source>a list</source>
@@ -2523,6 +2663,12 @@
         <translation>{0} und {1}</translation></message>
     <message><source>{0} with firmware {1}</source>
         <translation>{0} mit Firmware {1}</translation></message>
+    <message><source>beyond a limit that is inferred: the board decides</source>
+        <translation>jenseits einer erschlossenen Grenze: Das Board entscheidet</translation></message>
+    <message><source>{0}, deadband {1}</source>
+        <translation>{0}, Totbereich {1}</translation></message>
+    <message><source>a {0} has no {1}</source>
+        <translation>ein {0} hat kein {1}</translation></message>
     <message><source>settings are plain 'key: value' lines</source>
         <translation>Einstellungen sind einfache Zeilen „schlüssel: wert“</translation></message>
     <message><source>there are no settings here; the first is 'product: TReX'</source>
@@ -2855,8 +3001,6 @@
         <translation>Auf {0:.0f} % eingeschwungen nach</translation></message>
     <message><source>Saved as {0}.</source>
         <translation>Gespeichert als {0}.</translation></message>
-    <message><source>{0}: {1}.</source>
-        <translation>{0}: {1}.</translation></message>
     <message><source>Click a board, or press Enter, to show it on every page. Motors stop first.</source>
         <translation>Klicken Sie auf ein Board oder drücken Sie Enter, um es auf jeder Seite zu zeigen. Zuvor werden die Motoren gestoppt.</translation></message>
     <message><source>Progress of the search</source>
@@ -3041,8 +3185,10 @@
         <translation>&amp;Keine auswählen</translation></message>
     <message><source>Comparison of settings</source>
         <translation>Vergleich der Einstellungen</translation></message>
-    <message><source>After</source>
-        <translation>Nach</translation></message>
+    <message><source>Before</source><comment>value</comment>
+        <translation>Vorher</translation></message>
+    <message><source>After</source><comment>value</comment>
+        <translation>Nachher</translation></message>
     <message><source>For a {0}: {1} carried over, {2} changed, {3} left out.</source>
         <translation>Für einen {0}: {1} übernommen, {2} geändert, {3} ausgelassen.</translation></message>
     <message><source>Converted settings</source>
@@ -3079,6 +3225,12 @@
         <translation>{0} ist kein gültiger Wert. {1}</translation></message>
     <message><source>Enter 0 to {0}, such as 1500 µs, 1.5 ms or 3750 counts.</source>
         <translation>Geben Sie 0 bis {0} ein, etwa 1500 µs, 1,5 ms oder 3750 Counts.</translation></message>
+    <message><source>blink {0}/s</source>
+        <translation>blinkt {0}/s</translation></message>
+    <message><source>alternate {0}/s</source>
+        <translation>wechselt {0}/s</translation></message>
+    <message><source>short flash {0}/s</source>
+        <translation>blitzt {0}/s</translation></message>
     <message><source>on: the channels control the motors</source>
         <translation>an: Die Kanäle steuern die Motoren</translation></message>
     <message><source>Safe-start: the motors wait until the sticks are centred.</source>
@@ -3111,6 +3263,8 @@
         <translation>Vorrang</translation></message>
     <message><source>Power and jumpers</source>
         <translation>Stromversorgung und Jumper</translation></message>
+    <message><source>Power on</source><comment>state</comment>
+        <translation>Eingeschaltet</translation></message>
     <message><source>The board's power switch</source>
         <translation>Der Hauptschalter des Boards</translation></message>
     <message><source>Off for a second: jumpers are read, stored settings take effect</source>
@@ -3971,6 +4125,8 @@ bisher {1}</translation></message>
         <translation>Sofort set&amp;zen</translation></message>
     <message><source>Drive with arrow &amp;keys or WASD</source>
         <translation>Mit &amp;Pfeiltasten oder WASD fahren</translation></message>
+    <message><source>&amp;Link both motors</source>
+        <translation>Beide Motoren &amp;koppeln</translation></message>
     <message><source>&amp;Brake strength</source>
         <translation>Bre&amp;msstärke</translation></message>
     <message><source>coast (0 %)</source>
@@ -3981,8 +4137,6 @@ bisher {1}</translation></message>
         <translation>Beim Verl&amp;assen dieser Seite stoppen</translation></message>
     <message><source>Return slider to &amp;zero when it is released</source>
         <translation>Schieberegler beim &amp;Loslassen auf null setzen</translation></message>
-    <message><source>&amp;Link both motors</source>
-        <translation>Beide Motoren &amp;koppeln</translation></message>
     <message><source>none (0 s)</source>
         <translation>keine (0 s)</translation></message>
     <message><source>The motors run differently: stop both, or give both the same speed</source>
@@ -4397,6 +4551,8 @@ bisher {1}</translation></message>
         <translation>Warnung</translation></message>
     <message><source>Kind</source>
         <translation>Art</translation></message>
+    <message><source>Line</source><comment>of a text</comment>
+        <translation>Zeile</translation></message>
     <message><source>Message</source>
         <translation>Meldung</translation></message>
     <message><source>Double-click a finding to show its line.</source>
@@ -4499,8 +4655,16 @@ bisher {1}</translation></message>
         <translation>Die Seiten wurden in {0} gespeichert.</translation></message>
     <message><source>Not compared. {0}</source>
         <translation>Nicht verglichen. {0}</translation></message>
+    <message><source>A robot without a driver: a computer on board drives it, and no one can catch it</source>
+        <translation>Ein Roboter ohne Fahrer: Ein Computer an Bord fährt ihn, und niemand kann ihn aufhalten</translation></message>
+    <message><source>A rover driven by radio; a switch hands it over to a computer</source>
+        <translation>Ein ferngesteuerter Rover; ein Schalter übergibt ihn an einen Computer</translation></message>
+    <message><source>A tank: two tracks, driven by radio with one stick</source>
+        <translation>Ein Kettenfahrzeug: zwei Ketten, ferngesteuert mit einem Knüppel</translation></message>
     <message><source>Open settings file</source>
         <translation>Einstellungsdatei öffnen</translation></message>
+    <message><source>Factory defaults of a {0}, firmware {1}</source>
+        <translation>Werkseinstellungen eines {0}, Firmware {1}</translation></message>
     <message><source>{0} applies and checks the settings shown; read its first lines.</source>
         <translation>{0} wendet die angezeigten Einstellungen an und prüft sie; lesen Sie die ersten Zeilen der Datei.</translation></message>
     <message><source>is not a readable settings file.</source>
@@ -4513,18 +4677,12 @@ bisher {1}</translation></message>
         <translation>Neue Einstellungsdatei</translation></message>
     <message><source>&amp;Start the new file with:</source>
         <translation>Neue Datei &amp;beginnen mit:</translation></message>
-    <message><source>Factory defaults of a {0}, firmware {1}</source>
-        <translation>Werkseinstellungen eines {0}, Firmware {1}</translation></message>
-    <message><source>Factory defaults.</source>
-        <translation>Werkseinstellungen.</translation></message>
     <message><source>{0} was not saved again: it is still being saved.</source>
         <translation>{0} wurde nicht erneut gespeichert: Die Datei wird noch gespeichert.</translation></message>
     <message><source>Beginnings</source>
         <translation>Vorlagen</translation></message>
     <message><source>The board as shown: {0}, firmware {1}</source>
         <translation>Das Board, wie angezeigt: {0}, Firmware {1}</translation></message>
-    <message><source>As shown.</source>
-        <translation>Wie angezeigt.</translation></message>
     <message><source>Settings applied {0}</source>
         <translation>Angewendete Einstellungen, {0}</translation></message>
     <message><source>The settings shown were saved in {0}.</source>
@@ -4669,7 +4827,7 @@ bisher {1}</translation></message>
         <translation>{0}: Der Knüppel ist noch nahe der Mitte. Bewegen Sie ihn bis zum Anschlag.</translation></message>
     <message><source>Current limit of each motor</source>
         <translation>Stromgrenze jedes Motors</translation></message>
-    <message><source>off</source>
+    <message><source>off</source><comment>limit</comment>
         <translation>aus</translation></message>
     <message><source>In joint mode the board measures no current, so it cannot limit it.</source>
         <translation>Im Parallelbetrieb misst das Board keinen Strom und kann ihn daher nicht begrenzen.</translation></message>
@@ -5095,6 +5253,10 @@ bisher {1}</translation></message>
         <translation>&amp;Rückgängig: {0}</translation></message>
     <message><source>&amp;Redo {0}</source>
         <translation>&amp;Wiederherstellen: {0}</translation></message>
+    <message><source>pictures cannot be written without a suffix such as .png</source>
+        <translation>Bilder brauchen eine Dateiendung wie .png</translation></message>
+    <message><source>pictures cannot be written as {0}</source>
+        <translation>Bilder lassen sich nicht als {0} schreiben</translation></message>
     <message><source>F&amp;ind…</source>
         <translation>Su&amp;chen…</translation></message>
     <message><source>Set up CRC…</source>
@@ -5301,8 +5463,8 @@ Kein Produkt von Pololu.</translation></message>
         <translation>&amp;Inhalt:</translation></message>
     <message><source>The report was written to {0}.</source>
         <translation>Der Bericht wurde in {0} geschrieben.</translation></message>
-    <message><source>{0} ({1:,} bytes)</source>
-        <translation>{0} ({1:,} Bytes)</translation></message>
+    <message><source>{0} ({1} bytes)</source>
+        <translation>{0} ({1} Bytes)</translation></message>
     <message><source>No serial port was found. Plug the adapter in: it is listed here at once.</source>
         <translation>Kein serieller Port wurde gefunden. Stecken Sie den Adapter ein: Er erscheint hier sofort.</translation></message>
     <message><source>Find &amp;my board…</source>
@@ -5451,6 +5613,8 @@ Kein Produkt von Pololu.</translation></message>
         <translation>{n} min</translation></message>
     <message><source>{n} s</source>
         <translation>{n} s</translation></message>
+    <message numerus="yes"><source>{0} sample(s) written to {1}.</source>
+        <translation><numerusform>{0} Messwert in {1} geschrieben.</numerusform><numerusform>{0} Messwerte in {1} geschrieben.</numerusform></translation></message>
     <message><source>Picture as &amp;PNG…</source>
         <translation>Bild als &amp;PNG…</translation></message>
     <message><source>Picture as &amp;SVG…</source>
@@ -5485,8 +5649,6 @@ Kein Produkt von Pololu.</translation></message>
         <translation>Mittel {0}</translation></message>
     <message><source>RMS {0}</source>
         <translation>RMS {0}</translation></message>
-    <message numerus="yes"><source>{0} sample(s) written to {1}.</source>
-        <translation><numerusform>{0} Messwert in {1} geschrieben.</numerusform><numerusform>{0} Messwerte in {1} geschrieben.</numerusform></translation></message>
     <message><source>charge {0}</source>
         <translation>Ladung {0}</translation></message>
     <message><source>limit {0}</source>
@@ -5591,6 +5753,22 @@ Kein Produkt von Pololu.</translation></message>
         <translation>Diagrammlayouts</translation></message>
     <message><source>The layout of {0} is shown.</source>
         <translation>Das Layout aus {0} wird gezeigt.</translation></message>
+    <message><source>is not a table of curves</source>
+        <translation>ist keine Tabelle von Kurven</translation></message>
+    <message><source>is not known in a plot layout</source>
+        <translation>ist in einem Diagrammlayout unbekannt</translation></message>
+    <message><source>is {0}, not a number from {1} to {2}</source>
+        <translation>ist {0}, keine Zahl von {1} bis {2}</translation></message>
+    <message><source>has no version; this program reads layouts of version {0}</source>
+        <translation>hat keine Version; dieses Programm liest Layouts der Version {0}</translation></message>
+    <message><source>has the version {0}; this program reads layouts of version {1}</source>
+        <translation>hat die Version {0}; dieses Programm liest Layouts der Version {1}</translation></message>
+    <message><source>this is not a plot layout: {0}</source>
+        <translation>das ist kein Diagrammlayout: {0}</translation></message>
+    <message><source>is no curve of this plot, which has {0}</source>
+        <translation>ist keine Kurve dieses Diagramms; es hat {0}</translation></message>
+    <message><source>has the colour {0}, which is none of {1}</source>
+        <translation>hat die Farbe {0}, die nicht zu {1} gehört</translation></message>
     <message><source>Apply</source>
         <translation>Anwenden</translation></message>
     <message><source>Timeout</source>
@@ -5821,12 +5999,16 @@ Soll die Datei aus den Einstellungen neu geschrieben werden? Ihre Kommentare geh
         <translation>Serielles Timeout</translation></message>
     <message><source>The motors stop when the board receives no byte for this long. It protects you when the computer or the cable fails. 0 switches it off.</source>
         <translation>Die Motoren stoppen, wenn das Board so lange kein Byte empfängt. Das schützt Sie, wenn der Computer oder das Kabel versagt. 0 schaltet es aus.</translation></message>
+    <message><source>off</source>
+        <translation>aus</translation></message>
     <message><source>UART-Error Shutdown</source>
         <translation>Abschaltung bei UART-Fehlern</translation></message>
     <message><source>Whether a serial error (noise, wrong baud rate, malformed packet) stops the motors. The board still accepts commands, and the next motor command starts them again.</source>
         <translation>Ob ein serieller Fehler (Störung, falsche Baudrate, fehlerhaftes Paket) die Motoren stoppt. Das Board nimmt weiterhin Befehle an, und der nächste Motorbefehl startet sie wieder.</translation></message>
     <message><source>The default of on is doubtful: public programs that send a stray byte with each command, or pause within a packet, would stutter with it.</source>
         <translation>Der Standardwert „ein“ ist zweifelhaft: Öffentliche Programme, die mit jedem Befehl ein überzähliges Byte senden oder innerhalb eines Pakets pausieren, würden damit stottern.</translation></message>
+    <message><source>on</source>
+        <translation>an</translation></message>
     <message><source>Motor 1 PWM Prescaler</source>
         <translation>PWM-Vorteiler Motor 1</translation></message>
     <message><source>Divides the clock of the motor's PWM. Together with PWM Maximum it sets the PWM frequency: lower frequencies whine and heat the motor, frequencies above the driver's rating heat the driver.</source>

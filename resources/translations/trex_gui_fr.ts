@@ -3,6 +3,8 @@
 <TS version="2.1" language="fr" sourcelanguage="en">
 <context>
     <name>trex_gui</name>
+    <message><source>Internal error while searching {0} ({1}).</source>
+        <translation>Erreur interne pendant la recherche sur {0} ({1}).</translation></message>
     <message><source>Permission denied for {0}. {1}</source>
         <translation>Permission refusée pour {0}. {1}</translation></message>
     <message><source>{0} cannot be reached: {1}.</source>
@@ -49,8 +51,54 @@
         <translation>le dossier {0} n'existe pas</translation></message>
     <message><source>permission denied</source>
         <translation>permission refusée</translation></message>
+    <message><source>Samples missing here, because the disk was too slow: {0}.</source>
+        <translation>Échantillons manquants ici, car le disque était trop lent : {0}.</translation></message>
     <message><source>It cannot be written: {0}.</source>
         <translation>Le fichier ne peut pas être écrit : {0}.</translation></message>
+    <message><source>It cannot be used: {0}.</source>
+        <translation>Inutilisable : {0}.</translation></message>
+    <message><source>This is not a TReX Studio recording.</source>
+        <translation>Ce n'est pas un enregistrement de TReX Studio.</translation></message>
+    <message><source>It cannot be opened: {0}.</source>
+        <translation>Impossible de l'ouvrir : {0}.</translation></message>
+    <message><source>It cannot be read: {0}.</source>
+        <translation>Impossible à lire : {0}.</translation></message>
+    <message><source>It is damaged: {0}.</source>
+        <translation>Il est endommagé : {0}.</translation></message>
+    <message><source>its time is not a number</source>
+        <translation>son temps n'est pas un nombre</translation></message>
+    <message><source>The end of the file is missing.</source>
+        <translation>La fin du fichier manque.</translation></message>
+    <message><source>It was not ended; samples of the last seconds may be missing.</source>
+        <translation>Il n'a pas été terminé ; des échantillons des dernières secondes peuvent manquer.</translation></message>
+    <message><source>the clock in the header is not in seconds</source>
+        <translation>l'horloge de l'en-tête n'est pas en secondes</translation></message>
+    <message><source>The column {0} is not the key of its table.</source>
+        <translation>La colonne {0} n'est pas la clé de sa table.</translation></message>
+    <message><source>its time is not in the recording</source>
+        <translation>son temps n'est pas dans l'enregistrement</translation></message>
+    <message><source>Record {0} cannot be read: {1}.</source>
+        <translation>L'élément {0} est illisible : {1}.</translation></message>
+    <message><source>{0} is not {1}</source>
+        <translation>{0} n'est pas du type {1}</translation></message>
+    <message><source>A CSV file is an export and cannot be opened as a recording. Open the recording ({0}) that it was exported from.</source>
+        <translation>Un fichier CSV est un export et ne s'ouvre pas comme enregistrement. Ouvrez l'enregistrement ({0}) dont il provient.</translation></message>
+    <message><source>It is still being recorded. End the recording, then open it again.</source>
+        <translation>L'enregistrement est encore en cours. Terminez-le, puis ouvrez-le de nouveau.</translation></message>
+    <message><source>Its format, {0}, is not known. A later version of TReX Studio may open it.</source>
+        <translation>Son format, {0}, est inconnu. Une version plus récente de TReX Studio peut peut-être l'ouvrir.</translation></message>
+    <message><source>This is a recording of another device: {0}. It opens where the window shows the pages of that device: choose its port or its demo in the list of ports, then open the file again.</source>
+        <translation>C'est l'enregistrement d'un autre appareil : {0}. Il s'ouvre lorsque la fenêtre montre les pages de cet appareil : choisissez son port ou sa démo dans la liste des ports, puis ouvrez de nouveau le fichier.</translation></message>
+    <message><source>The table {0} is missing.</source>
+        <translation>La table {0} manque.</translation></message>
+    <message><source>The column {0} is missing.</source>
+        <translation>La colonne {0} manque.</translation></message>
+    <message><source>Samples of {0} among records {1} to {2} are lost: {3}.</source>
+        <translation>Des échantillons de {0} parmi les éléments {1} à {2} sont perdus : {3}.</translation></message>
+    <message><source>The column {0} is computed.</source>
+        <translation>La colonne {0} est calculée.</translation></message>
+    <message><source>The motors have to be stopped first.</source>
+        <translation>Il faut d'abord arrêter les moteurs.</translation></message>
     <message><source>another line of this program</source>
         <translation>une autre liaison de ce programme</translation></message>
     <message><source>{0} (process {1})</source>
@@ -97,6 +145,8 @@
         <translation>ce n'est pas une ligne d'un journal de trafic</translation></message>
     <message><source>{0} cannot be written: {1}.</source>
         <translation>{0} ne peut pas être écrit : {1}.</translation></message>
+    <message><source>Opening this port has reset the board: it responds about a second later.</source>
+        <translation>L'ouverture de ce port a réinitialisé la carte : elle répond environ une seconde plus tard.</translation></message>
     <message><source>Aracna {0}</source>
         <translation>Aracna {0}</translation></message>
     <message><source>No probe for an Aracna was sent on {0}: its baud rate is set at the other end of the network, and a TReX at another rate could take the probe for a command. If you know that it is an Aracna, connect once with: trex-gui --device aracna --port {1}</source>
@@ -201,6 +251,8 @@
         <translation>Le mouvement en cours se termine de lui-même dans {0:.1f} s environ.</translation></message>
     <message><source>{0}. Nothing more is sent to the robot.</source>
         <translation>{0}. Plus rien n'est envoyé au robot.</translation></message>
+    <message><source>{0} speeds of 0 to {1}, not {2}</source>
+        <translation>{0} vitesses de 0 à {1}, et non {2}</translation></message>
     <message><source>Which leg is which is assumed; even motors are inner joints, odd ones outer.</source>
         <translation>L'attribution des pattes est supposée ; les moteurs pairs sont les articulations intérieures, les impairs les extérieures.</translation></message>
     <message><source>Motor {0} is at {1}, {2} from its goal {3}.</source>
@@ -345,6 +397,12 @@
         <translation>une étape dure de {0} à {1} ms, pas {2}</translation></message>
     <message><source>positions are 0 to {0}, not {1} (motor {2} of {3})</source>
         <translation>les positions vont de 0 à {0}, pas {1} (moteur {2} de {3})</translation></message>
+    <message><source>the speed of motor {0} is 0 to {1}, not {2}</source>
+        <translation>la vitesse du moteur {0} va de 0 à {1}, et non {2}</translation></message>
+    <message><source>the position of motor {0} is 0 to {1}, not {2}</source>
+        <translation>la position du moteur {0} va de 0 à {1}, et non {2}</translation></message>
+    <message><source>{0} motors need {0} values, not {1}</source>
+        <translation>{0} moteurs demandent {0} valeurs, et non {1}</translation></message>
     <message><source>limits are 0 to {0} in order, not {1} to {2}</source>
         <translation>les limites vont de 0 à {0}, dans l'ordre, pas de {1} à {2}</translation></message>
     <message><source>No Aracna responds on {0}. It does not listen while it moves: if it is moving, wait until it stops. Check that the robot's board has power, that the adapter's TX goes to its RX and its RX to its TX (or that both radios are on the same channel), and that ground is connected.</source>
@@ -409,6 +467,14 @@
         <translation>Les positions d'une étape{0} vont de 0 à {1} : {2}.</translation></message>
     <message><source>A step{0} takes more than 0 s, not {1:g} s.</source>
         <translation>Une étape{0} dure plus de 0 s, pas {1:g} s.</translation></message>
+    <message><source>query version and motors</source>
+        <translation>demander la version et les moteurs</translation></message>
+    <message><source>switch the debug LED on</source>
+        <translation>allumer la LED de débogage</translation></message>
+    <message><source>switch the debug LED off</source>
+        <translation>éteindre la LED de débogage</translation></message>
+    <message><source>end an unfinished line in the robot's buffer</source>
+        <translation>terminer une ligne inachevée dans le tampon du robot</translation></message>
     <message><source>not a command of an Aracna</source>
         <translation>pas une commande d'un Aracna</translation></message>
     <message><source>the robot has started, busy for a second</source>
@@ -1013,12 +1079,22 @@
         <translation>ligne {0} ou plus bas : {1}</translation></message>
     <message><source>line {0}: invalid row “{1}”</source>
         <translation>ligne {0} : ligne non valide « {1} »</translation></message>
+    <message><source>step {0}, {1} s</source>
+        <translation>échelon {0}, {1} s</translation></message>
+    <message><source>ramp {0}, {1} s</source>
+        <translation>rampe {0}, {1} s</translation></message>
+    <message><source>reverse {0}, {1} s</source>
+        <translation>inversion {0}, {1} s</translation></message>
+    <message><source>sine {0}, {1} s</source>
+        <translation>sinus {0}, {1} s</translation></message>
     <message><source>the speed of a bench test is −{0} to {0} and not 0, not {1}</source>
         <translation>la vitesse d'un essai au banc va de −{0} à {0} sans être 0, pas {1}</translation></message>
     <message><source>a bench test lasts {0:g} to {1:g} s, not {2:g} s</source>
         <translation>un essai au banc dure de {0:g} à {1:g} s, pas {2:g} s</translation></message>
     <message><source>the period of a bench test is {0:g} to {1:g} s, not {2:g} s</source>
         <translation>la période d'un essai au banc va de {0:g} à {1:g} s, pas {2:g} s</translation></message>
+    <message><source>The ends are 1 % of the travel and three times the noise inside the measured ones, so that full output is reliably reached. The deadband covers the noise at rest, but is at least {0}, since a stick does not return to exactly the same place each time.</source>
+        <translation>Les extrémités sont placées à l'intérieur de celles mesurées, de 1 % de la course et de trois fois le bruit, afin que la sortie maximale soit atteinte à coup sûr. La zone morte couvre le bruit au repos, mais vaut au moins {0}, car un manche ne revient pas chaque fois exactement au même endroit.</translation></message>
     <message><source>{0}: reversed is suggested.</source>
         <translation>{0} ; réglage conseillé : inversée.</translation></message>
     <message><source>{0}: not reversed is suggested.</source>
@@ -1049,6 +1125,8 @@
         <translation>Étalonnage de la voie {0}</translation></message>
     <message><source>stored settings</source>
         <translation>réglages enregistrés</translation></message>
+    <message><source>no parity and no CRC</source>
+        <translation>sans parité ni CRC</translation></message>
     <message><source> It also echoes what is sent.</source>
         <translation> Il renvoie aussi l'écho de ce qui est envoyé.</translation></message>
     <message><source>Switched off and on, it will run at {0}.</source>
@@ -1165,11 +1243,13 @@
         <translation>Mode jumelé : les deux drivers fonctionnent comme un seul moteur.</translation></message>
     <message><source>If the green LED is steady instead, safe-start is over.</source>
         <translation>Si la LED verte est fixe, le démarrage sécurisé est terminé.</translation></message>
-    <message><source>on</source>
-        <translation>activé</translation></message>
-    <message><source>flickers with each packet</source>
+    <message><source>on</source><comment>LED</comment>
+        <translation>allumée</translation></message>
+    <message><source>off</source><comment>LED</comment>
+        <translation>éteinte</translation></message>
+    <message><source>flickers with each packet</source><comment>LED</comment>
         <translation>scintille à chaque paquet</translation></message>
-    <message><source>flashes fast</source>
+    <message><source>flashes fast</source><comment>LED</comment>
         <translation>clignote vite</translation></message>
     <message><source>Not written: the board stores other settings than when it was reviewed.</source>
         <translation>Non écrit : la carte contient d'autres réglages que lors de la vérification.</translation></message>
@@ -1891,6 +1971,8 @@
         <translation>Enregistré : {0}.</translation></message>
     <message><source>nothing</source>
         <translation>rien</translation></message>
+    <message><source>{0}: {1}.</source>
+        <translation>{0} : {1}.</translation></message>
     <message><source>{0:.0f} Hz</source>
         <translation>{0:.0f} Hz</translation></message>
     <message><source>prescaler {0}, maximum {1}</source>
@@ -1921,6 +2003,8 @@
         <translation>Ce qui a été appliqué à cette carte ne peut pas être mémorisé. {0}</translation></message>
     <message><source>What is kept here for this {0} (notes, calibrations, applied settings) is of {1}, when it was at another USB adapter or socket. If this is another board, give it a device number of its own: boards with the same number share what is kept.</source>
         <translation>Ce qui est conservé ici pour ce {0} (notes, étalonnages, réglages appliqués) date de {1}, quand il était sur un autre adaptateur USB ou une autre prise. S'il s'agit d'une autre carte, donnez-lui son propre numéro d'appareil : les cartes de même numéro partagent ce qui est conservé.</translation></message>
+    <message><source>calibration of channel {0}: {1}</source>
+        <translation>étalonnage de la voie {0} : {1}</translation></message>
     <message><source>Setting</source>
         <translation>Réglage</translation></message>
     <message><source>Wire</source>
@@ -1931,6 +2015,12 @@
         <translation>enregistré</translation></message>
     <message><source>Note: {0}</source>
         <translation>Note : {0}</translation></message>
+    <message><source>it contains no calibrations</source>
+        <translation>il ne contient aucun étalonnage</translation></message>
+    <message><source>{0}; it is shown as Western European text. Check the characters that are not plain letters; Save writes UTF-8</source>
+        <translation>{0} ; il est affiché comme texte d'Europe occidentale. Vérifiez les caractères qui ne sont pas de simples lettres ; l'enregistrement écrit en UTF-8</translation></message>
+    <message><source>it holds settings of a {0}</source>
+        <translation>il contient les réglages d'un {0}</translation></message>
     <message><source>{0} is left out: it could not be read from the board.</source>
         <translation>{0} est omis : impossible de le lire dans la carte.</translation></message>
     <message><source>The {0} calibrations are left out: the board accepts them only while it reads its inputs as {0}.</source>
@@ -2339,6 +2429,8 @@
         <translation>un TReX fonctionne à {0} bauds, et non {1}</translation></message>
     <message><source>1 or 2 stop bits, not {0}</source>
         <translation>1 ou 2 bits d'arrêt, et non {0}</translation></message>
+    <message><source>none</source><comment>channels</comment>
+        <translation>aucune</translation></message>
     <message><source>none or some of the channels 1 to 5, such as 1, 3</source>
         <translation>aucune, une ou plusieurs des voies 1 à 5, par exemple 1, 3</translation></message>
     <message><source>the table has no parameter {0!r}</source>
@@ -2449,6 +2541,8 @@
         <translation>impossible à renommer : {0}</translation></message>
     <message><source>it cannot be read: {0}</source>
         <translation>impossible à lire : {0}</translation></message>
+    <message><source>this file is written in a way that cannot be changed in place; save the settings as a new file</source>
+        <translation>ce fichier est écrit d'une façon qui ne permet pas de le modifier sur place ; enregistrez les réglages dans un nouveau fichier</translation></message>
     <message><source>{0} {1}: how many snapshots to keep is not known, so none is removed.</source>
         <translation>{0} {1} : le nombre d'instantanés à conserver n'est pas connu, aucun n'est donc supprimé.</translation></message>
     <message><source>It is empty.</source>
@@ -2457,8 +2551,6 @@
         <translation>Il n'indique pas de quelle carte il s'agit.</translation></message>
     <message><source>is damaged</source>
         <translation>est endommagé</translation></message>
-    <message><source>It cannot be read: {0}.</source>
-        <translation>Impossible à lire : {0}.</translation></message>
     <message><source>it cannot be removed: {0}</source>
         <translation>impossible à supprimer : {0}</translation></message>
     <message><source>a history keeps at least one snapshot, not {0}</source>
@@ -2469,6 +2561,54 @@
         <translation>est absent</translation></message>
     <message><source>cannot be read ({0})</source>
         <translation>est illisible ({0})</translation></message>
+    <message><source>the last line has no end; was the file cut short?</source>
+        <translation>la dernière ligne n'a pas de fin ; le fichier a-t-il été tronqué ?</translation></message>
+    <message><source>{count} more errors are not listed</source>
+        <translation>{count} autres erreurs ne sont pas indiquées</translation></message>
+    <message><source>a name belongs before the colon, not a list or a group</source>
+        <translation>avant les deux-points, il faut un nom, pas une liste ni un groupe</translation></message>
+    <message><source>was given in line {first} already</source>
+        <translation>est déjà indiqué à la ligne {first}</translation></message>
+    <message><source>{name} was given in line {first} already</source>
+        <translation>{name} est déjà indiqué à la ligne {first}</translation></message>
+    <message><source>the first setting is {wanted}; this file has none</source>
+        <translation>le premier réglage est {wanted} ; il manque dans ce fichier</translation></message>
+    <message><source>must be the first setting of the file</source>
+        <translation>doit être le premier réglage du fichier</translation></message>
+    <message><source>{models}, not {given}; did you mean {model}?</source>
+        <translation>{models}, et non {given} ; vouliez-vous dire {model} ?</translation></message>
+    <message><source>{models}, not {given}; these are not settings of a TReX</source>
+        <translation>{models}, et non {given} ; ce ne sont pas les réglages d'un TReX</translation></message>
+    <message><source>a version such as {newest}, not {given}</source>
+        <translation>une version telle que {newest}, et non {given}</translation></message>
+    <message><source>versions {oldest} to {newest} are known, {given} is not</source>
+        <translation>les versions {oldest} à {newest} sont connues, {given} ne l'est pas</translation></message>
+    <message><source>is a command to the board, not a setting</source>
+        <translation>est une commande à la carte, pas un réglage</translation></message>
+    <message><source>{allowed}, not {given}{hint}</source>
+        <translation>{allowed}, et non {given}{hint}</translation></message>
+    <message><source>{allowed}, not {given}; this limit is inferred, so the board decides</source>
+        <translation>{allowed}, et non {given} ; cette limite est déduite, c'est donc la carte qui décide</translation></message>
+    <message><source>a {product} has it from firmware {since} on, these are for {firmware}</source>
+        <translation>un {product} l'a à partir du firmware {since}, ces réglages sont pour {firmware}</translation></message>
+    <message><source>a {product} does not have it, whatever its firmware</source>
+        <translation>un {product} ne l'a pas, quel que soit son firmware</translation></message>
+    <message><source>there is no such setting{guess}</source>
+        <translation>ce réglage n'existe pas{guess}</translation></message>
+    <message><source>is written {layout}, not {given}</source>
+        <translation>s'écrit {layout}, et non {given}</translation></message>
+    <message><source>a calibration has no {field!r}{guess}</source>
+        <translation>un étalonnage n'a pas de {field!r}{guess}</translation></message>
+    <message><source>{field} is 0 to {highest}, not {given}</source>
+        <translation>{field} va de 0 à {highest}, et non {given}</translation></message>
+    <message><source>{fields} is missing</source>
+        <translation>{fields} manque</translation></message>
+    <message><source>{fields} are missing</source>
+        <translation>{fields} manquent</translation></message>
+    <message><source>1 of {total} parameters is missing: {names}</source>
+        <translation>1 paramètre sur {total} manque : {names}</translation></message>
+    <message><source>{count} of {total} parameters are missing: {names}</source>
+        <translation>{count} paramètres sur {total} manquent : {names}</translation></message>
     <message><source>channels 1 to 5</source>
         <translation>voies 1 à 5</translation></message>
     <message><source>a list</source>
@@ -2523,6 +2663,12 @@
         <translation>{0} et {1}</translation></message>
     <message><source>{0} with firmware {1}</source>
         <translation>{0} avec le firmware {1}</translation></message>
+    <message><source>beyond a limit that is inferred: the board decides</source>
+        <translation>au-delà d'une limite déduite : la carte décide</translation></message>
+    <message><source>{0}, deadband {1}</source>
+        <translation>{0}, zone morte {1}</translation></message>
+    <message><source>a {0} has no {1}</source>
+        <translation>un {0} n'a pas de {1}</translation></message>
     <message><source>settings are plain 'key: value' lines</source>
         <translation>les réglages sont de simples lignes « clé: valeur »</translation></message>
     <message><source>there are no settings here; the first is 'product: TReX'</source>
@@ -2855,8 +3001,6 @@
         <translation>Stabilisé à ±{0:.0f} % après</translation></message>
     <message><source>Saved as {0}.</source>
         <translation>Enregistré sous {0}.</translation></message>
-    <message><source>{0}: {1}.</source>
-        <translation>{0} : {1}.</translation></message>
     <message><source>Click a board, or press Enter, to show it on every page. Motors stop first.</source>
         <translation>Cliquez sur une carte, ou appuyez sur Entrée, pour l'afficher sur toutes les pages. Les moteurs s'arrêtent d'abord.</translation></message>
     <message><source>Progress of the search</source>
@@ -3041,7 +3185,9 @@
         <translation>&amp;Ne rien sélectionner</translation></message>
     <message><source>Comparison of settings</source>
         <translation>Comparaison des réglages</translation></message>
-    <message><source>After</source>
+    <message><source>Before</source><comment>value</comment>
+        <translation>Avant</translation></message>
+    <message><source>After</source><comment>value</comment>
         <translation>Après</translation></message>
     <message><source>For a {0}: {1} carried over, {2} changed, {3} left out.</source>
         <translation>Pour un {0} : {1} repris, {2} modifiés, {3} omis.</translation></message>
@@ -3079,6 +3225,12 @@
         <translation>{0} n'est pas une valeur valide. {1}</translation></message>
     <message><source>Enter 0 to {0}, such as 1500 µs, 1.5 ms or 3750 counts.</source>
         <translation>Entrez 0 à {0}, par exemple 1500 µs, 1,5 ms ou 3750 counts.</translation></message>
+    <message><source>blink {0}/s</source>
+        <translation>clignote {0}/s</translation></message>
+    <message><source>alternate {0}/s</source>
+        <translation>alterne {0}/s</translation></message>
+    <message><source>short flash {0}/s</source>
+        <translation>éclair bref {0}/s</translation></message>
     <message><source>on: the channels control the motors</source>
         <translation>allumée : les voies commandent les moteurs</translation></message>
     <message><source>Safe-start: the motors wait until the sticks are centred.</source>
@@ -3111,6 +3263,8 @@
         <translation>priorité</translation></message>
     <message><source>Power and jumpers</source>
         <translation>Alimentation et cavaliers</translation></message>
+    <message><source>Power on</source><comment>state</comment>
+        <translation>Sous tension</translation></message>
     <message><source>The board's power switch</source>
         <translation>L'interrupteur d'alimentation de la carte</translation></message>
     <message><source>Off for a second: jumpers are read, stored settings take effect</source>
@@ -3876,7 +4030,7 @@ avant {1}</translation></message>
     <message><source>Press it…</source>
         <translation>Appuyez…</translation></message>
     <message><source>&amp;Forward</source>
-        <translation>&amp;Avant</translation></message>
+        <translation>&amp;Suivant</translation></message>
     <message><source>&amp;Turn</source>
         <translation>&amp;Rotation</translation></message>
     <message><source>&amp;Hold to drive</source>
@@ -3971,6 +4125,8 @@ avant {1}</translation></message>
         <translation>&amp;Régler immédiatement</translation></message>
     <message><source>Drive with arrow &amp;keys or WASD</source>
         <translation>Piloter avec les flèches ou &amp;WASD</translation></message>
+    <message><source>&amp;Link both motors</source>
+        <translation>Lier les deux &amp;moteurs</translation></message>
     <message><source>&amp;Brake strength</source>
         <translation>Intensité du freina&amp;ge</translation></message>
     <message><source>coast (0 %)</source>
@@ -3981,8 +4137,6 @@ avant {1}</translation></message>
         <translation>Arrêter en quittant &amp;cette page</translation></message>
     <message><source>Return slider to &amp;zero when it is released</source>
         <translation>Remettre à &amp;zéro le curseur relâché</translation></message>
-    <message><source>&amp;Link both motors</source>
-        <translation>Lier les deux &amp;moteurs</translation></message>
     <message><source>none (0 s)</source>
         <translation>aucun (0 s)</translation></message>
     <message><source>The motors run differently: stop both, or give both the same speed</source>
@@ -4397,6 +4551,8 @@ avant {1}</translation></message>
         <translation>Avertissement</translation></message>
     <message><source>Kind</source>
         <translation>Type</translation></message>
+    <message><source>Line</source><comment>of a text</comment>
+        <translation>Ligne</translation></message>
     <message><source>Message</source>
         <translation>Message</translation></message>
     <message><source>Double-click a finding to show its line.</source>
@@ -4499,8 +4655,16 @@ avant {1}</translation></message>
         <translation>Les pages ont été enregistrées dans {0}.</translation></message>
     <message><source>Not compared. {0}</source>
         <translation>Non comparé. {0}</translation></message>
+    <message><source>A robot without a driver: a computer on board drives it, and no one can catch it</source>
+        <translation>Un robot sans pilote : un ordinateur embarqué le conduit, et personne ne peut le rattraper</translation></message>
+    <message><source>A rover driven by radio; a switch hands it over to a computer</source>
+        <translation>Un rover radiocommandé ; un interrupteur le confie à un ordinateur</translation></message>
+    <message><source>A tank: two tracks, driven by radio with one stick</source>
+        <translation>Un engin à deux chenilles, radiocommandé avec un seul manche</translation></message>
     <message><source>Open settings file</source>
         <translation>Ouvrir un fichier de réglages</translation></message>
+    <message><source>Factory defaults of a {0}, firmware {1}</source>
+        <translation>Réglages d'usine d'un {0}, firmware {1}</translation></message>
     <message><source>{0} applies and checks the settings shown; read its first lines.</source>
         <translation>{0} applique et vérifie les réglages affichés ; lisez ses premières lignes.</translation></message>
     <message><source>is not a readable settings file.</source>
@@ -4513,18 +4677,12 @@ avant {1}</translation></message>
         <translation>Nouveau fichier de réglages</translation></message>
     <message><source>&amp;Start the new file with:</source>
         <translation>&amp;Commencer le nouveau fichier avec :</translation></message>
-    <message><source>Factory defaults of a {0}, firmware {1}</source>
-        <translation>Réglages d'usine d'un {0}, firmware {1}</translation></message>
-    <message><source>Factory defaults.</source>
-        <translation>Réglages d'usine.</translation></message>
     <message><source>{0} was not saved again: it is still being saved.</source>
         <translation>{0} n'a pas été enregistré une nouvelle fois : son enregistrement est encore en cours.</translation></message>
     <message><source>Beginnings</source>
         <translation>Points de départ</translation></message>
     <message><source>The board as shown: {0}, firmware {1}</source>
         <translation>La carte telle qu'affichée : {0}, firmware {1}</translation></message>
-    <message><source>As shown.</source>
-        <translation>Tels qu'affichés.</translation></message>
     <message><source>Settings applied {0}</source>
         <translation>Réglages appliqués {0}</translation></message>
     <message><source>The settings shown were saved in {0}.</source>
@@ -4669,8 +4827,8 @@ avant {1}</translation></message>
         <translation>{0} : le manche est encore proche de son milieu. Poussez-le à fond.</translation></message>
     <message><source>Current limit of each motor</source>
         <translation>Limite de courant de chaque moteur</translation></message>
-    <message><source>off</source>
-        <translation>désactivé</translation></message>
+    <message><source>off</source><comment>limit</comment>
+        <translation>désactivée</translation></message>
     <message><source>In joint mode the board measures no current, so it cannot limit it.</source>
         <translation>En mode jumelé, la carte ne mesure aucun courant et ne peut donc pas le limiter.</translation></message>
     <message><source>This example was made for a {0}, which measures current in other units. Your board keeps its current limit.</source>
@@ -5095,6 +5253,10 @@ avant {1}</translation></message>
         <translation>&amp;Annuler : {0}</translation></message>
     <message><source>&amp;Redo {0}</source>
         <translation>&amp;Rétablir : {0}</translation></message>
+    <message><source>pictures cannot be written without a suffix such as .png</source>
+        <translation>les images doivent avoir une extension telle que .png</translation></message>
+    <message><source>pictures cannot be written as {0}</source>
+        <translation>les images ne peuvent pas être écrites au format {0}</translation></message>
     <message><source>F&amp;ind…</source>
         <translation>Rec&amp;hercher…</translation></message>
     <message><source>Set up CRC…</source>
@@ -5301,8 +5463,8 @@ N'est pas un produit de Pololu.</translation></message>
         <translation>&amp;Contenu :</translation></message>
     <message><source>The report was written to {0}.</source>
         <translation>Le rapport a été écrit dans {0}.</translation></message>
-    <message><source>{0} ({1:,} bytes)</source>
-        <translation>{0} ({1:,} octets)</translation></message>
+    <message><source>{0} ({1} bytes)</source>
+        <translation>{0} ({1} octets)</translation></message>
     <message><source>No serial port was found. Plug the adapter in: it is listed here at once.</source>
         <translation>Aucun port série n'a été trouvé. Branchez l'adaptateur : il apparaît ici aussitôt.</translation></message>
     <message><source>Find &amp;my board…</source>
@@ -5451,6 +5613,8 @@ N'est pas un produit de Pololu.</translation></message>
         <translation>{n} min</translation></message>
     <message><source>{n} s</source>
         <translation>{n} s</translation></message>
+    <message numerus="yes"><source>{0} sample(s) written to {1}.</source>
+        <translation><numerusform>{0} échantillon écrit dans {1}.</numerusform><numerusform>{0} échantillons écrits dans {1}.</numerusform></translation></message>
     <message><source>Picture as &amp;PNG…</source>
         <translation>Image &amp;PNG…</translation></message>
     <message><source>Picture as &amp;SVG…</source>
@@ -5485,8 +5649,6 @@ N'est pas un produit de Pololu.</translation></message>
         <translation>moyenne {0}</translation></message>
     <message><source>RMS {0}</source>
         <translation>RMS {0}</translation></message>
-    <message numerus="yes"><source>{0} sample(s) written to {1}.</source>
-        <translation><numerusform>{0} échantillon écrit dans {1}.</numerusform><numerusform>{0} échantillons écrits dans {1}.</numerusform></translation></message>
     <message><source>charge {0}</source>
         <translation>charge {0}</translation></message>
     <message><source>limit {0}</source>
@@ -5591,6 +5753,22 @@ N'est pas un produit de Pololu.</translation></message>
         <translation>dispositions de courbes</translation></message>
     <message><source>The layout of {0} is shown.</source>
         <translation>La disposition de {0} est affichée.</translation></message>
+    <message><source>is not a table of curves</source>
+        <translation>n'est pas une table de courbes</translation></message>
+    <message><source>is not known in a plot layout</source>
+        <translation>est inconnu dans une disposition de courbes</translation></message>
+    <message><source>is {0}, not a number from {1} to {2}</source>
+        <translation>est {0}, et non un nombre de {1} à {2}</translation></message>
+    <message><source>has no version; this program reads layouts of version {0}</source>
+        <translation>n'a pas de version ; ce programme lit les dispositions de version {0}</translation></message>
+    <message><source>has the version {0}; this program reads layouts of version {1}</source>
+        <translation>a la version {0} ; ce programme lit les dispositions de version {1}</translation></message>
+    <message><source>this is not a plot layout: {0}</source>
+        <translation>ce n'est pas une disposition de courbes : {0}</translation></message>
+    <message><source>is no curve of this plot, which has {0}</source>
+        <translation>n'est pas une courbe de ce graphique, qui a {0}</translation></message>
+    <message><source>has the colour {0}, which is none of {1}</source>
+        <translation>a la couleur {0}, qui ne fait pas partie de {1}</translation></message>
     <message><source>Apply</source>
         <translation>Appliqué</translation></message>
     <message><source>Timeout</source>
@@ -5821,12 +5999,16 @@ Réécrire le fichier à partir des réglages ? Ses commentaires seront perdus.
         <translation>Délai série</translation></message>
     <message><source>The motors stop when the board receives no byte for this long. It protects you when the computer or the cable fails. 0 switches it off.</source>
         <translation>Les moteurs s'arrêtent quand la carte ne reçoit aucun octet pendant ce temps. Cela vous protège si l'ordinateur ou le câble tombe en panne. 0 le désactive.</translation></message>
+    <message><source>off</source>
+        <translation>désactivé</translation></message>
     <message><source>UART-Error Shutdown</source>
         <translation>Arrêt sur erreur UART</translation></message>
     <message><source>Whether a serial error (noise, wrong baud rate, malformed packet) stops the motors. The board still accepts commands, and the next motor command starts them again.</source>
         <translation>Détermine si une erreur série (bruit, mauvais débit, paquet mal formé) arrête les moteurs. La carte accepte toujours les commandes, et la commande de moteur suivante les remet en marche.</translation></message>
     <message><source>The default of on is doubtful: public programs that send a stray byte with each command, or pause within a packet, would stutter with it.</source>
         <translation>La valeur par défaut « activé » est douteuse : des programmes publics qui envoient un octet parasite avec chaque commande, ou marquent une pause dans un paquet, auraient des à-coups.</translation></message>
+    <message><source>on</source>
+        <translation>activé</translation></message>
     <message><source>Motor 1 PWM Prescaler</source>
         <translation>Prédiviseur PWM moteur 1</translation></message>
     <message><source>Divides the clock of the motor's PWM. Together with PWM Maximum it sets the PWM frequency: lower frequencies whine and heat the motor, frequencies above the driver's rating heat the driver.</source>

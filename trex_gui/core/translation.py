@@ -29,8 +29,9 @@ def tr(text: str, comment: str = "") -> str:
     return text if _is_english.get() else _translate(text, comment)
 
 
-def tr_noop(text: str) -> str:
-    """Mark a text of a table, which `tr` translates where it is shown."""
+def tr_noop(text: str, comment: str = "") -> str:
+    """Mark a text of a table, which `tr` translates where it is shown, with the same comment."""
+    del comment
     return text
 
 

@@ -201,10 +201,12 @@ PACKETS = "with packets"
 SAFE_START_FLASH = "fast flash"
 
 LED_TEXTS = {
-    "on": tr_noop("on"),
-    PACKETS: tr_noop("flickers with each packet"),
-    SAFE_START_FLASH: tr_noop("flashes fast"),
+    "on": tr_noop("on", "LED"),
+    "off": tr_noop("off", "LED"),
+    PACKETS: tr_noop("flickers with each packet", "LED"),
+    SAFE_START_FLASH: tr_noop("flashes fast", "LED"),
 }
+"""Translated with the comment `LED`."""
 
 
 SAFE_START_NOTE = tr_noop("If the green LED is steady instead, safe-start is over.")

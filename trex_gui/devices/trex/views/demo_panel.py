@@ -3,7 +3,7 @@
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
-from trex_gui.core.translation import Number, tr
+from trex_gui.core.translation import Number, tr, tr_noop
 from trex_gui.devices.trex.driving.board_reasons import LED_TEXTS, PACKETS
 from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.demo import (
@@ -37,6 +37,13 @@ _STEPS = {InputSource.RC: 1, InputSource.ANALOG: 100}
 
 _SINGLE_STEP = {InputSource.RC: 10, InputSource.ANALOG: 5}
 
+_FLASHES = {
+    "blink": tr_noop("blink {0}/s"),
+    "alternate": tr_noop("alternate {0}/s"),
+    "short flash": tr_noop("short flash {0}/s"),
+}
+"""Patterns with a rate, while the board learns or is in the boot loader."""
+
 
 def led_patterns(snapshot: DemoSnapshot) -> tuple[str, str]:
     """Return the patterns of the red and the green LED, steady while packets arrive."""
@@ -53,14 +60,17 @@ def led_words(pattern: str) -> str:
     """Return the words of the Status page, of which only the first has room here."""
     if pattern == PACKETS:
         return tr("flickers")
-    return tr(LED_TEXTS.get(pattern, pattern))
+    kind, _, rate = pattern.rpartition(" ")
+    if kind in _FLASHES:
+        return tr(_FLASHES[kind]).format(rate.removesuffix("/s"))
+    return tr(LED_TEXTS[pattern], "LED")
 
 
 def led_meaning(snapshot: DemoSnapshot, pattern: str) -> str:
     if not snapshot.power:
         return tr("off: the power is off")
     if snapshot.boot_mode is not None:
-        return f"{pattern}. {state_text(snapshot)}"
+        return f"{led_words(pattern)}. {state_text(snapshot)}"
     on = tr("on: the channels control the motors")
     if snapshot.serial_controls:
         on = tr("on: serial commands control the motors")

@@ -86,7 +86,7 @@ class MotorsBox(ui.GroupBox):
         patterns = led_patterns(board) if board is not None else ()
         self._steady.setVisible(SAFE_START_FLASH in patterns)
         if patterns:
-            red, green = (tr(LED_TEXTS[one]) for one in patterns)
+            red, green = (tr(LED_TEXTS[one], "LED") for one in patterns)
             self._leds.show_patterns(patterns, (red, green), (red, green))
 
 
