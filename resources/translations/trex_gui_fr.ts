@@ -4212,7 +4212,7 @@ avant {1}</translation></message>
     <message><source>&amp;Modified only</source>
         <translation>&amp;Modifiés seulement</translation></message>
     <message><source>Not default onl&amp;y</source>
-        <translation>Différent&amp;s de la valeur par défaut</translation></message>
+        <translation>Hor&amp;s valeur par défaut</translation></message>
     <message><source>&amp;Both motors as one</source>
         <translation>Les deux moteurs &amp;ensemble</translation></message>
     <message><source>None of {1} matches</source>
