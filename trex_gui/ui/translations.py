@@ -77,11 +77,11 @@ def install_translations(app: QApplication, locale: QLocale) -> list[QTranslator
 
 
 class Plural:
-    """Texts with a count outside of QObjects: `lupdate` finds no count in `translate`."""
+    """Texts with a count outside of QObjects."""
 
     @staticmethod
     def tr(text: str, comment: str, count: int) -> str:
-        return QCoreApplication.translate("Plural", text, comment, count)
+        return QCoreApplication.translate(CONTEXT, text, comment, count)
 
 
 def error_text(error: BaseException) -> str:
