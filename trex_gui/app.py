@@ -188,6 +188,7 @@ def _run(arguments: argparse.Namespace, program_log: "ProgramLog") -> int:
     from trex_gui.core.run_file import RunFile  # noqa: PLC0415
     from trex_gui.core.timing import Timeouts  # noqa: PLC0415
     from trex_gui.supervisor import UNCONFIRMED_STOP, SafetySupervisor  # noqa: PLC0415
+    from trex_gui.system.process_exit import skip_exit_handlers  # noqa: PLC0415
     from trex_gui.ui.theme.theme import theme  # noqa: PLC0415
     from trex_gui.ui.translations import chosen_locale, install_translations  # noqa: PLC0415
     from trex_gui.ui.workers.threads import GuiThreadCollector  # noqa: PLC0415
@@ -212,6 +213,8 @@ def _run(arguments: argparse.Namespace, program_log: "ProgramLog") -> int:
         program = composition.build(Timeouts(extra=arguments.timeout))
         program.window.show()
         watching = SafetySupervisor(program, app, end_log=program_log.close)
+        if sys.platform == "linux":
+            skip_exit_handlers()
         later = partial(complete, program, collector, has_crashed=run_file.found_crash)
         QTimer.singleShot(_FIRST_PAINT_MS, later)
         begin(program, arguments)
