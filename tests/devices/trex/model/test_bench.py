@@ -102,6 +102,20 @@ def test_bench_needs_a_connected_board(qtbot: QtBot) -> None:
     assert bench.phase is Phase.IDLE
 
 
+@pytest.mark.parametrize(("model", "default"), [("trex", 15.0), ("trexjr", 4.0)])
+def test_abort_current_is_that_of_the_model_before_and_after_connecting(
+    qtbot: QtBot, start_simulator: StartSimulator, model: str, default: float
+) -> None:
+    setup = BenchSetup(qtbot, start_simulator("--unpaced", "--model", model))
+    setup.connect()
+    opened_later = Bench(setup.device)
+    assert setup.bench.plan.abort_current == opened_later.plan.abort_current == default
+    opened_later.set_plan(replace(opened_later.plan, abort_current=2.0))
+    setup.device.state_changed.emit()
+    assert opened_later.plan.abort_current == 2.0, "typed values stay"
+    qtbot.waitUntil(setup.device.shut_down)
+
+
 def test_bench_needs_armed_motors(connected: BenchSetup) -> None:
     connected.plan()
     assert "press Run motor" in connected.bench.blocker

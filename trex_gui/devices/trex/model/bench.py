@@ -83,6 +83,7 @@ class Bench(QObject):
             signal.connect(self._on_motors_changed)
         device.link_changed.connect(self._on_link_changed)
         device.state_changed.connect(self._on_state_changed)
+        self._on_state_changed()
 
     # --- State --------------------------------------------------------------------------
 
