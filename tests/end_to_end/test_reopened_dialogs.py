@@ -1,6 +1,7 @@
 """A dialog that is opened again is as it was the first time: Enter and the focus, too."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -76,3 +77,13 @@ def test_line_settings_are_used_once_they_are_accepted(window: WindowDriver) -> 
         QTest.keyClick(root, Qt.Key.Key_Return if accepted else Qt.Key.Key_Escape)
         window.wait(lambda: not window.has("lineSettingsDialog"))
         assert controller.settings.device_number == (7 if accepted else None)
+
+
+def test_line_settings_follow_what_is_stored_meanwhile(window: WindowDriver) -> None:
+    controller = trex(window.program).controller
+    window.trigger("line")
+    found = replace(controller.settings, device_number=9, polynomial=0x85)
+    controller.set_settings(found)
+    QTest.keyClick(window.dialog("lineSettingsDialog").root, Qt.Key.Key_Return)
+    window.wait(lambda: not window.has("lineSettingsDialog"))
+    assert controller.settings == found

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
 
-from PySide6.QtCore import QObject, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.errors import BadRequest, NoReply, StudioError
 from trex_gui.core.plugin import DevicePlugin
@@ -35,6 +35,8 @@ class TrexController(DeviceController[ConnectionSettings]):
     """Remembers the line settings of boards, and reports the outcome of automatic stops."""
 
     has_line_settings = True
+
+    settings_changed = Signal(object)  # the new `ConnectionSettings`
 
     def __init__(
         self,
@@ -73,6 +75,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         number = settings.device_number
         self._store.set(_NUMBER, -1 if number is None else number)
         self._store.set(_POLYNOMIAL, settings.polynomial)
+        self.settings_changed.emit(self.settings)
         self.changed.emit()
 
     def connect_to(self, port: Port) -> None:

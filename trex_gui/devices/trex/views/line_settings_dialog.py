@@ -20,8 +20,6 @@ class LineSettingsDialog(ReusedDialog):
         self.setObjectName("lineSettingsDialog")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(self.tr("Line settings"))
-        self._settings = settings
-
         intro = ui.label(
             self,
             "",
@@ -33,20 +31,15 @@ class LineSettingsDialog(ReusedDialog):
             wrap=True,
         )
         self._line = ui.named(LineSettingsEditor(self), "lineEditor")
-        self._line.set_settings(settings.line)
-        self._polynomial = ui.spin_box(
-            self, "polynomialField", "", 0x80, 0xFF, value=settings.polynomial
-        )
+        self._polynomial = ui.spin_box(self, "polynomialField", "", 0x80, 0xFF)
         self._polynomial.setDisplayIntegerBase(16)
         self._polynomial.setPrefix("0x")
         self._addressed = ui.check_box(
             self,
             "addressedBox",
             self.tr("&Address one board of several by its number (Pololu protocol)"),
-            checked=settings.device_number is not None,
         )
-        number = 7 if settings.device_number is None else settings.device_number
-        self._number = ui.spin_box(self, "deviceNumberField", "", 0, 127, value=number)
+        self._number = ui.spin_box(self, "deviceNumberField", "", 0, 127)
         buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Ok
             | QDialogButtonBox.StandardButton.Cancel
@@ -68,6 +61,17 @@ class LineSettingsDialog(ReusedDialog):
         restore = buttons.button(QDialogButtonBox.StandardButton.RestoreDefaults)
         restore.setText(self.tr("&Restore defaults"))
         restore.clicked.connect(self._on_restore_clicked)
+        self.show_settings(settings)
+
+    @Slot(object)
+    def show_settings(self, settings: ConnectionSettings) -> None:
+        """Show these settings instead of what was edited."""
+        self._settings = settings
+        self._line.set_settings(settings.line)
+        self._polynomial.setValue(settings.polynomial)
+        number = settings.device_number
+        self._addressed.setChecked(number is not None)
+        self._number.setValue(7 if number is None else number)
         self._on_changed()
 
     @Slot()

@@ -6,7 +6,7 @@ from dataclasses import replace
 from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, QUrl, Signal, Slot
+from PySide6.QtCore import QObject, Qt, QUrl, Signal, Slot
 from PySide6.QtGui import QAction, QDesktopServices, QKeySequence
 from PySide6.QtWidgets import QWidget
 from shiboken6 import Shiboken
@@ -55,6 +55,7 @@ from trex_gui.ui.frame.workspace import (
 from trex_gui.ui.log import LogPage
 from trex_gui.ui.translations import error_sentence, local_time
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.messages import PromptAnswer
 
 if TYPE_CHECKING:
@@ -603,10 +604,9 @@ class TrexWorkspace(Workspace):
         QObject.disconnect(self._undo_watch)  # the stack emits at its own end, too
         if not self._close_prompt.keeps_edits:
             self._device.edit_backup.discard()
-        self._learn.close()
-        for name in ("_history", "_setup", "_to_boards", "_check", "_bench"):
-            if name in vars(self):  # it was opened
-                getattr(self, name).close()
+        children = Qt.FindChildOption.FindDirectChildrenOnly
+        for dialog in self._frame.findChildren(ReusedDialog, options=children):
+            dialog.close()
         if self._plot is not None and Shiboken.isValid(self._plot):
             self._plot.close()
         self._demo.leave()
@@ -670,4 +670,5 @@ class TrexWorkspace(Workspace):
         if dialog is None:
             dialog = LineSettingsDialog(self._controller.settings, self._frame)
             dialog.chosen.connect(self._controller.set_settings)
+            self._controller.settings_changed.connect(dialog.show_settings)
         dialog.show_in_front()
