@@ -34,7 +34,7 @@ class PortFault(Enum):
     """Why a port cannot be used, with places for its name and the details."""
 
     FORBIDDEN = tr_noop("Permission denied for {0}. {1}")
-    UNREACHABLE = tr_noop("{0} cannot be reached: {1}.")
+    UNREACHABLE = tr_noop("The port {0} cannot be reached: {1}.")
     MISSING = tr_noop("There is no port {0}. Ports of this computer: {1}.")
     LOCKED = tr_noop(
         "{0} is in use by another program, or locked by its driver; for up to 5 seconds after a "
@@ -45,8 +45,8 @@ class PortFault(Enum):
         "Then connect again."
     )
     IN_USE = tr_noop("{0} is in use by {1}. Close it there, then connect again.")
-    NOT_SETTABLE = tr_noop("{0} cannot be set to {1} ({2}).")
-    NOT_OPEN = tr_noop("{0} cannot be opened: {1}.")
+    NOT_SETTABLE = tr_noop("The port {0} cannot be set to {1} ({2}).")
+    NOT_OPEN = tr_noop("The port {0} cannot be opened: {1}.")
     SHARED = tr_noop(
         "Another program reads {0}, too, and has taken bytes from it. Close it there, then connect "
         "again."

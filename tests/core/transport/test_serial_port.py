@@ -330,7 +330,7 @@ def test_regular_file_is_rejected_as_port(tmp_path: Path) -> None:
 
 
 def test_unserved_network_port_is_reported_unreachable() -> None:
-    assert refusal("socket://127.0.0.1:9").startswith("socket://127.0.0.1:9 cannot be reached")
+    assert "port socket://127.0.0.1:9 cannot be reached" in refusal("socket://127.0.0.1:9")
 
 
 @pytest.mark.parametrize("url", ["", "nonsense://x", "socket://nowhere", "rfc2217://", "a\0b"])
@@ -386,7 +386,7 @@ def test_unsupported_line_settings_are_named() -> None:
 
 
 def test_unexpected_error_shows_system_message() -> None:
-    assert why(errno.EIO) == "/dev/ttyUSB0 cannot be opened: input/output error."
+    assert why(errno.EIO) == "The port /dev/ttyUSB0 cannot be opened: input/output error."
 
 
 def test_error_number_is_found_in_wrapped_error() -> None:
@@ -399,7 +399,7 @@ def test_error_number_is_found_in_wrapped_error() -> None:
 
 def test_error_without_message_shows_its_type() -> None:
     said = str(why_not_open("/dev/ttyX", LINE, AttributeError()))
-    assert said == "/dev/ttyX cannot be opened: AttributeError."
+    assert said == "The port /dev/ttyX cannot be opened: AttributeError."
 
 
 # --- Lines that are lost ----------------------------------------------------------------

@@ -7,6 +7,8 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from trex_gui.core.errors import PortFault
+from trex_gui.core.recording.kinds import RecordingError
+from trex_gui.core.recording.store import _NOT_OPENED
 from trex_gui.devices.aracna.session.errors import ErrorCode as RobotErrorCode
 from trex_gui.devices.aracna.views import help as aracna
 from trex_gui.devices.trex.driving.blockers import DriveBlocker, Reason
@@ -86,6 +88,11 @@ def test_port_that_cannot_be_opened_leads_to_its_section(qtbot: QtBot) -> None:
         message = fault.value.format("/dev/ttyUSB0", "another program", "busy")
         assert topic(message) == f"messages.md#{anchor_of(heading_of(fault.value))}"
         assert aracna.message_help().topic(message) == topic(message)
+
+
+def test_file_that_cannot_be_opened_is_no_port(qtbot: QtBot) -> None:
+    error = RecordingError("flight.trexrec", _NOT_OPENED.format("Permission denied"))
+    assert not topic(error_sentence(error))
 
 
 def test_message_that_contains_another_leads_to_its_own_section(qtbot: QtBot) -> None:
