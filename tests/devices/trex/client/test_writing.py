@@ -6,8 +6,11 @@ from dataclasses import replace
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from PySide6.QtCore import QLocale
+from PySide6.QtWidgets import QApplication
 
 from tests.devices.trex.session.helpers import commands, replying, staged
+from tests.support.catalogs import in_language
 from tests.support.matrix import examples
 from tests.support.virtual import Stage
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable
@@ -293,6 +296,16 @@ def test_calibration_write_needs_serial_mode() -> None:
     stage, settings = staged(mode="rc")
     with pytest.raises(Rejected, match="Calibration of channel 1"):
         write_calibration(stage.client(settings).request, CalibrationKey.RC_CHANNEL_1, LEARNED)
+
+
+def test_other_input_source_is_named_in_the_language(qapp: QApplication) -> None:
+    board = Board()
+    board.eeprom.write("channel_input_source", 1)
+    board.power_cycle()
+    request = Stage(board).client().request
+    with in_language(qapp, QLocale("fr")), pytest.raises(BadReply) as caught:
+        write_calibration(request, CalibrationKey.RC_CHANNEL_1, LEARNED)
+    assert "is for RC inputs, but the board reads analogique now" in str(caught.value)
 
 
 # --- Several at once --------------------------------------------------------------------

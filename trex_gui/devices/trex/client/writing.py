@@ -138,7 +138,7 @@ def write_calibration(
         if not mode.is_serial:
             raise Rejected(what, ResultCode.NOT_SERIAL_MODE)
         if mode.source is not key.source:
-            names = key.source.value, mode.source.value
+            names = key.source.word, mode.source.word
             raise TrexBadReplyError(ErrorCode.OTHER_SOURCE, what, *names)
 
     stored = _write_and_verify(
