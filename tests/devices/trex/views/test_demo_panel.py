@@ -5,12 +5,13 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, QSettings, Qt
+from PySide6.QtCore import QEvent, QLocale, QPoint, QPointF, QSettings, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
+from tests.support.catalogs import in_language
 from tests.support.program import trex
 from tests.support.virtual_time import VirtualRuntime
 from tests.support.window import WindowDriver
@@ -94,6 +95,11 @@ def test_leds_have_the_words_of_the_status_page() -> None:
 )
 def test_led_pattern_is_explained(snapshot: DemoSnapshot, pattern: str, meaning: str) -> None:
     assert meaning in led_meaning(snapshot, pattern)
+
+
+def test_dark_led_is_described_in_the_language(qapp: QApplication) -> None:
+    with in_language(qapp, QLocale("fr")):
+        assert led_meaning(SERIAL, "off") == "éteinte"
 
 
 @pytest.mark.parametrize(

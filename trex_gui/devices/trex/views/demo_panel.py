@@ -78,7 +78,7 @@ def led_meaning(snapshot: DemoSnapshot, pattern: str) -> str:
         PACKETS: tr("lit while a packet arrives"),
         "fast flash": tr("fast flash: safe-start, the motors wait"),
         "on": on,
-    }.get(pattern, pattern)
+    }.get(pattern) or led_words(pattern)
 
 
 def state_text(snapshot: DemoSnapshot) -> str:
