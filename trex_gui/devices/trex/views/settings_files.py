@@ -231,7 +231,7 @@ class SettingsFiles(QObject):
     def offer_settings(self, settings: Settings, applied: str) -> None:
         """Offer settings that were applied to the board at this time."""
         title = self.tr("Settings applied {0}").format(applied)
-        document = SettingsDocument.of_settings(settings, title, title)
+        document = SettingsDocument.of_settings(settings, title, "Settings applied.")
         self._offer(document, self.tr("Applied")).offer_editing(False)
 
     def _offer(self, document: SettingsDocument, heading: str = "") -> LoadDialog:
