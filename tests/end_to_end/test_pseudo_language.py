@@ -46,7 +46,6 @@ from trex_gui.devices.trex.bench.files import to_csv
 from trex_gui.devices.trex.bench.run import End
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.views.bench.dialog import BenchDialog
-from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
 from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter
 from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
@@ -322,14 +321,14 @@ def look_at_bench(window: WindowDriver, found: Findings, folder: Path) -> None:
 
 def test_trex(pseudo_window: WindowDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     window, found = pseudo_window, Findings()
-    monkeypatch.setattr(LineSettingsDialog, "exec", lambda dialog: found.show(dialog))  # noqa: PLW0108 - a method
     monkeypatch.setattr(QMessageBox, "about", found.show_about)
     monkeypatch.setattr(
         QFileDialog, "getOpenFileName", lambda *_, **__: (str(tmp_path / "a.txt"), "")
     )
     found.look_at_tabs(window.window, window.window.pages)
-    for key in ("line", "about"):
-        window.trigger(key)
+    window.trigger("line")
+    found.look_at_dialogs(window.window, "line")
+    window.trigger("about")
     window.connect_to_demo()
     window.device.parameters.edit("serial_timeout", 15)
     found.look_at_tabs(window.window, window.window.pages)
