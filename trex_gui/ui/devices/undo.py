@@ -5,11 +5,11 @@ so taking an edit back after it was applied makes the old value an edit of its o
 """
 
 from collections.abc import Callable
-from functools import partial
 from typing import Generic, TypeVar
 
-from PySide6.QtCore import QCoreApplication
 from PySide6.QtGui import QUndoCommand
+
+from trex_gui.core.translation import tr
 
 KeyT = TypeVar("KeyT")
 ValueT = TypeVar("ValueT")
@@ -20,7 +20,6 @@ _OF_A_RUN = 1  # to Qt, commands of one kind may be merged; -1: never
 
 def undo_titles(undone: str, redone: str) -> tuple[str, str]:
     """Return the menu entries of undo and redo, with what they change as far as that is known."""
-    tr = partial(QCoreApplication.translate, "undo")
     return (
         tr("&Undo {0}").format(undone) if undone else tr("&Undo"),
         tr("&Redo {0}").format(redone) if redone else tr("&Redo"),

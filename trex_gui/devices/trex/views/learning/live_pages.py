@@ -8,7 +8,6 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
 from trex_gui.core.translation import Number, tr
-from trex_gui.core.translation import tr as translated
 from trex_gui.devices.trex.calibration.neutral import no_signal
 from trex_gui.devices.trex.calibration.travel import Task, Travel, Way
 from trex_gui.devices.trex.model.learning.channels import LearnedChannel
@@ -35,7 +34,7 @@ _TEST_TEXT_WIDTH = 20
 
 def _channel_label(channel: int, parent: QWidget) -> QLabel:
     name = tr("Channel {0}").format(channel)
-    label = QLabel(f"<b>{name}</b><br><small>{translated(CHANNEL_ROLES[channel])}</small>", parent)
+    label = QLabel(f"<b>{name}</b><br><small>{tr(CHANNEL_ROLES[channel])}</small>", parent)
     label.setTextFormat(Qt.TextFormat.RichText)
     return label
 
