@@ -36,7 +36,7 @@ ManifestDPIAware true
 !insertmacro MUI_LANGUAGE "French"
 
 LangString RUNNING ${LANG_ENGLISH} \
-  "${NAME} is running and may drive motors. Stop them and close it, then click Retry."
+  "${NAME} is running and may be driving motors. Stop them and close it, then click Retry."
 LangString RUNNING ${LANG_GERMAN} \
   "${NAME} läuft und treibt vielleicht Motoren an. Halten Sie sie an, schließen Sie das Programm und klicken Sie dann auf „Wiederholen“."
 LangString RUNNING ${LANG_FRENCH} \

@@ -110,7 +110,7 @@ def save_picture(path: Path, image: QImage) -> None:
     """
     kind, buffer = path.suffix.removeprefix("."), QBuffer()
     if not QImageWriter(buffer, kind.encode()).write(image):
-        message = tr("pictures cannot be written without a suffix such as .png")
+        message = tr("pictures cannot be written without a file extension such as .png")
         if kind:
             message = tr("pictures cannot be written as {0}").format(kind)
         raise SettingsError.of(path, message)
