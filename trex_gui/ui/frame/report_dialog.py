@@ -24,6 +24,7 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.labels import Muted
+from trex_gui.ui.widgets.placement import resize_with_font
 
 _FILE = Qt.ItemDataRole.UserRole
 
@@ -36,7 +37,7 @@ class ReportDialog(ReusedDialog):
         self._notifier = notifier
         self.setObjectName("reportDialog")
         self.setWindowTitle(self.tr("Save report for support"))
-        self.resize(860, 520)
+        resize_with_font(self, 860, 520)
         about = Muted(
             self.tr(
                 "This is what the report contains, and nothing else. It is only saved as a file, "

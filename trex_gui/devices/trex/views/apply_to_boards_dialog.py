@@ -18,6 +18,7 @@ from trex_gui.devices.trex.views.limits_prompt import LimitsPrompt
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.placement import resize_with_font
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 _LEFT_OUT = {BoardStep.FAILED, BoardStep.SKIPPED}
@@ -34,7 +35,7 @@ class ApplyToBoardsDialog(ReusedDialog):
     def __init__(self, boards: BoardList, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("applyToBoardsDialog")
-        self.resize(880, 520)
+        resize_with_font(self, 880, 520)
         self._boards = boards
         self._device = device
         self.work = ApplyToBoards(boards, device, self)

@@ -37,7 +37,7 @@ from trex_gui.ui.files import in_background
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.builders import named, tab_order
 from trex_gui.ui.widgets.file_questions import SaveAnswer
-from trex_gui.ui.widgets.placement import keep_on_screen
+from trex_gui.ui.widgets.placement import keep_on_screen, resize_with_font
 
 SAMPLES = {
     "autonomous_robot": tr_noop(
@@ -124,7 +124,7 @@ class SettingsFiles(QObject):
         dialog.textValueSelected.connect(lambda text: self.open_editor(makers[text]()))
         (buttons,) = dialog.findChildren(QDialogButtonBox)
         tab_order(view, buttons)
-        dialog.resize(620, 440)
+        resize_with_font(dialog, 620, 440)
         keep_on_screen(dialog)
         dialog.show()
 

@@ -14,6 +14,7 @@ from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.builders import button, column, label, named, row
 from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.placement import resize_with_font
 
 
 class DefaultsDialog(ReusedDialog):
@@ -25,7 +26,7 @@ class DefaultsDialog(ReusedDialog):
     def __init__(self, device: Device, boards: BoardList, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("defaultsDialog")
-        self.resize(880, 520)
+        resize_with_font(self, 880, 520)
         self._device = device
         self._boards = boards
         self._serial_only = self._is_confirming = False

@@ -25,6 +25,7 @@ from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.builders import button, column, label, named, progress_bar, row
 from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.placement import resize_with_font
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 
@@ -41,7 +42,7 @@ class ReviewDialog(ReusedDialog):
         super().__init__(parent)
         self.setObjectName("reviewDialog")
         self.setWindowTitle(self.tr("Apply settings"))
-        self.resize(920, 560)
+        resize_with_font(self, 920, 560)
         self._device = device
         self._linter = linter
         self._cycle = PowerCycle(device, self)

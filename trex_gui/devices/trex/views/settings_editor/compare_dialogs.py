@@ -19,7 +19,7 @@ from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsP
 from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets.builders import button, column, label, named, row
 from trex_gui.ui.widgets.labels import Note
-from trex_gui.ui.widgets.placement import keep_on_screen
+from trex_gui.ui.widgets.placement import keep_on_screen, resize_with_font
 
 _NAMED = 3
 """How many settings or findings are listed before the rest is only counted."""
@@ -42,7 +42,7 @@ class LoadDialog(QDialog):
         self.setObjectName("loadSettingsDialog")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(self.tr("Load settings from {0}").format(document.name))
-        self.resize(940, 620)
+        resize_with_font(self, 940, 620)
         keep_on_screen(self)
         self._device = device
         self._heading = heading or self.tr("File")
@@ -218,7 +218,7 @@ class CompareDialog(QDialog):
         self.setObjectName("compareDialog")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(self.tr("{0} and {1}").format(document.name, other_name))
-        self.resize(940, 560)
+        resize_with_font(self, 940, 560)
         keep_on_screen(self)
         self._document = document
         self._other = other

@@ -22,6 +22,7 @@ from trex_gui.devices.trex.views.setup.pages import (
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog, keep_room, only_when_visible
 from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.placement import resize_with_font
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 _Page = DriverPage | JumperPage | SticksPage | WiringPage | LimitsPage | TimeoutPage | ReviewPage
@@ -42,7 +43,7 @@ class SetupDialog(ReusedDialog):
         super().__init__(parent)
         self.setObjectName("setupDialog")
         self.setWindowTitle(self.tr("Set up my robot"))
-        self.resize(900, 540)
+        resize_with_font(self, 900, 540)
         self._device = device
         self.setup = setup = RobotSetup(device, learning, self)
 
