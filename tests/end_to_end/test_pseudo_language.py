@@ -49,8 +49,10 @@ from trex_gui.devices.trex.views.bench.dialog import BenchDialog
 from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter
 from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
+from trex_gui.ui.frame import preferences_dialog
 from trex_gui.ui.plotting.layout_button import LayoutButton
 from trex_gui.ui.runtime import runtime
+from trex_gui.ui.theme import theme as theme_module
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.translations import CONTEXT
 
@@ -114,7 +116,8 @@ def pseudo_window(
     percent, screen = request.param
     available = QRect(QPoint(), QSize(*screen))
     monkeypatch.setattr(QScreen, "availableGeometry", lambda _: available)
-    monkeypatch.setattr("trex_gui.ui.theme.theme.FONT_SIZES", (100, 200))
+    for module in (preferences_dialog, theme_module):
+        monkeypatch.setattr(module, "FONT_SIZES", (100, 200))
     QSettings().setValue("window/font_size", percent)
     translator = PseudoTranslator()
     qapp.installTranslator(translator)
