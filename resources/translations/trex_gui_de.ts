@@ -7,8 +7,8 @@
         <translation>Interner Fehler bei der Suche an {0} ({1}).</translation></message>
     <message><source>Permission denied for {0}. {1}</source>
         <translation>Zugriff auf {0} verweigert. {1}</translation></message>
-    <message><source>{0} cannot be reached: {1}.</source>
-        <translation>{0} ist nicht erreichbar: {1}.</translation></message>
+    <message><source>The port {0} cannot be reached: {1}.</source>
+        <translation>Der Port {0} ist nicht erreichbar: {1}.</translation></message>
     <message><source>There is no port {0}. Ports of this computer: {1}.</source>
         <translation>Es gibt keinen Port {0}. Ports dieses Computers: {1}.</translation></message>
     <message><source>{0} is in use by another program, or locked by its driver; for up to 5 seconds after a crash also by the guardian process that stops the motors.</source>
@@ -17,10 +17,10 @@
         <translation>Der Wächterprozess stoppt noch die Motoren an {0}; das dauert bis zu 5 Sekunden. Verbinden Sie danach erneut.</translation></message>
     <message><source>{0} is in use by {1}. Close it there, then connect again.</source>
         <translation>{0} wird von {1} verwendet. Schließen Sie den Port dort und verbinden Sie erneut.</translation></message>
-    <message><source>{0} cannot be set to {1} ({2}).</source>
-        <translation>{0} lässt sich nicht auf {1} einstellen ({2}).</translation></message>
-    <message><source>{0} cannot be opened: {1}.</source>
-        <translation>{0} kann nicht geöffnet werden: {1}.</translation></message>
+    <message><source>The port {0} cannot be set to {1} ({2}).</source>
+        <translation>Der Port {0} lässt sich nicht auf {1} einstellen ({2}).</translation></message>
+    <message><source>The port {0} cannot be opened: {1}.</source>
+        <translation>Der Port {0} kann nicht geöffnet werden: {1}.</translation></message>
     <message><source>Another program reads {0}, too, and has taken bytes from it. Close it there, then connect again.</source>
         <translation>Ein anderes Programm liest {0} ebenfalls und hat Bytes davon abgefangen. Schließen Sie den Port dort und verbinden Sie erneut.</translation></message>
     <message><source>The line to {0} is gone. Plug it in, then connect again.</source>
@@ -3351,10 +3351,6 @@
         <translation>Die Leitung von SO ist unterbrochen: Das Board führt Befehle aus, keine Antwort kommt an</translation></message>
     <message><source>This share of the bytes is corrupted in either direction; CRC detects them</source>
         <translation>Dieser Anteil der Bytes wird in beiden Richtungen verfälscht; CRC erkennt es</translation></message>
-    <message><source>lit while a packet arrives</source>
-        <translation>leuchtet, während ein Paket ankommt</translation></message>
-    <message><source>fast flash: safe-start, the motors wait</source>
-        <translation>schnelles Blinken: Safe-Start, die Motoren warten</translation></message>
     <message><source>Channel 5 hands control to serial commands.</source>
         <translation>Kanal 5 übergibt die Steuerung an serielle Befehle.</translation></message>
     <message><source>The sticks control the motors.</source>
@@ -3399,6 +3395,10 @@
         <translation>Ein Byte verfälschen</translation></message>
     <message><source>The next byte reaches the board with this error; the Errors page counts it. Only a board with parity detects a parity error.</source>
         <translation>Das nächste Byte erreicht das Board mit diesem Fehler; die Seite „Fehler“ zählt ihn. Nur ein Board mit Parität erkennt einen Paritätsfehler.</translation></message>
+    <message><source>lit while a packet arrives</source>
+        <translation>leuchtet, während ein Paket ankommt</translation></message>
+    <message><source>fast flash: safe-start, the motors wait</source>
+        <translation>schnelles Blinken: Safe-Start, die Motoren warten</translation></message>
     <message><source>{0} to start the boot loader.</source>
         <translation>{0}, um den Bootloader zu starten.</translation></message>
     <message><source>brake</source>
@@ -5253,7 +5253,7 @@ bisher {1}</translation></message>
         <translation>&amp;Rückgängig: {0}</translation></message>
     <message><source>&amp;Redo {0}</source>
         <translation>&amp;Wiederherstellen: {0}</translation></message>
-    <message><source>pictures cannot be written without a suffix such as .png</source>
+    <message><source>pictures cannot be written without a file extension such as .png</source>
         <translation>Bilder brauchen eine Dateiendung wie .png</translation></message>
     <message><source>pictures cannot be written as {0}</source>
         <translation>Bilder lassen sich nicht als {0} schreiben</translation></message>

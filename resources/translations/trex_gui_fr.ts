@@ -7,8 +7,8 @@
         <translation>Erreur interne pendant la recherche sur {0} ({1}).</translation></message>
     <message><source>Permission denied for {0}. {1}</source>
         <translation>Permission refusée pour {0}. {1}</translation></message>
-    <message><source>{0} cannot be reached: {1}.</source>
-        <translation>Impossible de joindre {0} : {1}.</translation></message>
+    <message><source>The port {0} cannot be reached: {1}.</source>
+        <translation>Impossible de joindre le port {0} : {1}.</translation></message>
     <message><source>There is no port {0}. Ports of this computer: {1}.</source>
         <translation>Le port {0} n'existe pas. Ports de cet ordinateur : {1}.</translation></message>
     <message><source>{0} is in use by another program, or locked by its driver; for up to 5 seconds after a crash also by the guardian process that stops the motors.</source>
@@ -17,10 +17,10 @@
         <translation>Le processus gardien est encore en train d'arrêter les moteurs sur {0}, ce qui prend jusqu'à 5 secondes. Reconnectez ensuite.</translation></message>
     <message><source>{0} is in use by {1}. Close it there, then connect again.</source>
         <translation>{0} est utilisé par {1}. Libérez-le d'abord, puis reconnectez.</translation></message>
-    <message><source>{0} cannot be set to {1} ({2}).</source>
-        <translation>{0} ne peut pas être réglé sur {1} ({2}).</translation></message>
-    <message><source>{0} cannot be opened: {1}.</source>
-        <translation>Impossible d'ouvrir {0} : {1}.</translation></message>
+    <message><source>The port {0} cannot be set to {1} ({2}).</source>
+        <translation>Le port {0} ne peut pas être réglé sur {1} ({2}).</translation></message>
+    <message><source>The port {0} cannot be opened: {1}.</source>
+        <translation>Impossible d'ouvrir le port {0} : {1}.</translation></message>
     <message><source>Another program reads {0}, too, and has taken bytes from it. Close it there, then connect again.</source>
         <translation>Un autre programme lit aussi {0} et en a pris des octets. Libérez-le dans ce programme, puis reconnectez.</translation></message>
     <message><source>The line to {0} is gone. Plug it in, then connect again.</source>
@@ -3351,10 +3351,6 @@
         <translation>Le fil de SO est coupé : la carte exécute les commandes, aucune réponse n'arrive</translation></message>
     <message><source>This share of the bytes is corrupted in either direction; CRC detects them</source>
         <translation>Cette proportion des octets est altérée dans chaque sens ; le CRC les détecte</translation></message>
-    <message><source>lit while a packet arrives</source>
-        <translation>allumée pendant l'arrivée d'un paquet</translation></message>
-    <message><source>fast flash: safe-start, the motors wait</source>
-        <translation>clignotement rapide : démarrage sécurisé, les moteurs attendent</translation></message>
     <message><source>Channel 5 hands control to serial commands.</source>
         <translation>La voie 5 donne la main aux commandes série.</translation></message>
     <message><source>The sticks control the motors.</source>
@@ -3399,6 +3395,10 @@
         <translation>Altérer un octet</translation></message>
     <message><source>The next byte reaches the board with this error; the Errors page counts it. Only a board with parity detects a parity error.</source>
         <translation>Le prochain octet arrive à la carte avec cette erreur ; la page Erreurs la compte. Seule une carte avec parité détecte une erreur de parité.</translation></message>
+    <message><source>lit while a packet arrives</source>
+        <translation>allumée pendant l'arrivée d'un paquet</translation></message>
+    <message><source>fast flash: safe-start, the motors wait</source>
+        <translation>clignotement rapide : démarrage sécurisé, les moteurs attendent</translation></message>
     <message><source>{0} to start the boot loader.</source>
         <translation>{0} pour démarrer le chargeur d'amorçage.</translation></message>
     <message><source>brake</source>
@@ -5253,7 +5253,7 @@ avant {1}</translation></message>
         <translation>&amp;Annuler : {0}</translation></message>
     <message><source>&amp;Redo {0}</source>
         <translation>&amp;Rétablir : {0}</translation></message>
-    <message><source>pictures cannot be written without a suffix such as .png</source>
+    <message><source>pictures cannot be written without a file extension such as .png</source>
         <translation>les images doivent avoir une extension telle que .png</translation></message>
     <message><source>pictures cannot be written as {0}</source>
         <translation>les images ne peuvent pas être écrites au format {0}</translation></message>
