@@ -22,7 +22,7 @@ from trex_gui.ui.translations import error_sentence
 
 
 def topic_shown(window: WindowDriver) -> str:
-    source = window.find(QTextBrowser, "helpText").source()
+    source = window.help.findChildren(QTextBrowser)[0].source()
     return f"{source.fileName()}#{source.fragment()}".removesuffix("#")
 
 
@@ -31,7 +31,7 @@ def press_f1(window: WindowDriver, widget: QWidget) -> str:
     widget.activateWindow()
     window.wait(widget.window().isActiveWindow)
     QTest.keyClick(widget.window().windowHandle(), Qt.Key.Key_F1)
-    dialog = window.find(QDialog, "helpDialog")
+    dialog = window.help
     window.wait(dialog.isVisible)
     topic = topic_shown(window)
     dialog.close()
@@ -106,7 +106,7 @@ def test_message_with_a_code_offers_its_help(connected_window: WindowDriver) -> 
     assert not window.has("bannerHelp")
     window.device.notifier.error.emit(error_sentence(TrexError(ErrorCode.STOP_UNCONFIRMED)))
     window.click("bannerHelp")
-    dialog = window.find(QDialog, "helpDialog")
+    dialog = window.help
     window.wait(dialog.isVisible)
     section = "the-stop-was-sent-but-the-board-does-not-confirm-it"
     assert topic_shown(window) == f"messages.md#{section}"
@@ -155,12 +155,20 @@ def test_escape_in_the_help_stops_the_motors(connected_window: WindowDriver) -> 
     window = connected_window
     window.device.motors.arm()
     window.trigger("help")
-    dialog = window.find(QDialog, "helpDialog")
+    dialog = window.help
     window.wait(dialog.isVisible)
     dialog.activateWindow()
     window.wait(dialog.isActiveWindow)
     QTest.keyClick(dialog.windowHandle(), Qt.Key.Key_Escape)
     assert not window.device.motors.armed
+
+
+def test_help_ends_with_the_window(window: WindowDriver) -> None:
+    window.trigger("help")
+    window.wait(window.help.isVisible)
+    assert window.help.windowHandle().transientParent() is None  # Windows would keep it above
+    window.window.close()
+    assert not window.help.isVisible()
 
 
 def test_keys_page_lists_every_shortcut(window: WindowDriver) -> None:

@@ -89,4 +89,4 @@ def test_recent_files_open_again(window: WindowDriver, tmp_path: Path) -> None:
     window.connect_to_demo("aracna")
     choose_recent(window, "run.trexrec")
     assert "disconnect, then open it again" in window.text("bannerText")
-    assert not window.has("helpDialog")
+    assert not window.window.help_dialog

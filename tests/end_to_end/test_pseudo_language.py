@@ -57,7 +57,7 @@ from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.translations import CONTEXT
 
 DIALOGS = (
-    "test_sticks", "find", "check_board", "preferences", "report", "help", "new", "power",
+    "test_sticks", "find", "check_board", "preferences", "report", "new", "power",
     "number", "to_boards",
 )  # fmt: skip
 
@@ -352,6 +352,8 @@ def test_trex(pseudo_window: WindowDriver, tmp_path: Path, monkeypatch: pytest.M
         window.wait_for_files()
         runtime().sleep(0.3)
         found.look_at_dialogs(window.window, key)
+    window.trigger("help")
+    found.show(window.help)
     open_wire_dialog(window)
     found.look_at_dialogs(window.window)
     set_up = window.open_page("motorsPage").button("gamepadSetUpButton")

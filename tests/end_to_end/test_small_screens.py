@@ -149,4 +149,4 @@ def test_windows_of_aracna_fit(screen: QRect, window: WindowDriver) -> None:
     window.click("aracnaLimitsBox")
     check_keyboard(window.window)
     window.trigger("help")
-    check_window(window.find(QDialog, "helpDialog"), screen, None)
+    check_window(window.help, screen, None)

@@ -205,6 +205,12 @@ class WindowDriver(WidgetDriver):
         """The Aracna, which is loaded for it."""
         return aracna(self.program).robot
 
+    @property
+    def help(self) -> QDialog:
+        """The window with the help, which was opened before."""
+        assert self.window.help_dialog is not None
+        return self.window.help_dialog
+
     # --- Connect ------------------------------------------------------------------------
 
     def connect(self, url: str) -> None:

@@ -46,6 +46,7 @@ def _use(qtbot: QtBot, url: str, settings: Path) -> None:
     program = build()
     program.window.show()
     program.open_named(settings, connecting=False)
+    program.window.show_help("safety.md")
     device = trex(program).device
     device.connect_to(ConnectionSettings(url))
     qtbot.waitUntil(lambda: device.link is ConnectionState.CONNECTED)

@@ -168,8 +168,9 @@ class Program:
             workspace.finish()
         manager = self.device_manager
         models = (manager, *manager.controllers, manager.scanner, self.ports, self._notifier)
-        for part in (self.window, *models):
-            part.deleteLater()
+        for part in (self.window.help_dialog, self.window, *models):
+            if part is not None:
+                part.deleteLater()
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
     def end(self) -> None:

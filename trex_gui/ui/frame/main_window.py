@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, QUrl, Signal, Slot
 from PySide6.QtGui import (
@@ -57,6 +58,9 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.file_drop import FileDrop
 from trex_gui.ui.widgets.messages import Banner, InlinePrompt, MessageRoom, PromptAnswer
 from trex_gui.ui.widgets.placement import keep_on_screen, restore_geometry, save_geometry
+
+if TYPE_CHECKING:
+    from trex_gui.ui.help.dialog import HelpDialog
 
 _LOG_OUT_S = 60.0
 """Seconds after the start of a log-out within which closing the window is part of it."""
@@ -120,6 +124,7 @@ class MainWindow(QMainWindow):
         self.recent.changed.connect(self._fill_recent)
         self._recent_menu = QMenu(self.tr("Recent &files"), self)
         self._recent_menu.setToolTipsVisible(True)
+        self.help_dialog: HelpDialog | None = None
         self._was_connected = False
         self._is_reopening = False
         self.reopens = False  # once it is closed: it was closed to be opened again,
@@ -456,8 +461,9 @@ class MainWindow(QMainWindow):
         """Show a page of the help beside the window, or a section: `page.md#anchor`."""
         from trex_gui.ui.help.dialog import HelpDialog  # noqa: PLC0415 - not at the start
 
-        dialog = self.findChild(HelpDialog) or HelpDialog(self, self._topic_of)
-        dialog.show_topic(topic)
+        if self.help_dialog is None:
+            self.help_dialog = HelpDialog(self._topic_of)
+        self.help_dialog.show_topic(topic)
 
     def _topic_of(self, message: str) -> str:
         return self._workspace.message_help.topic(message) if self._workspaces else ""
@@ -545,6 +551,8 @@ class MainWindow(QMainWindow):
         for workspace in self._workspaces:
             workspace.prepare_to_close()
         self._connection.close_dialogs()
+        if self.help_dialog is not None:
+            self.help_dialog.close()
         save_geometry(self, "window")
         for workspace in self._workspaces:
             workspace.finish()

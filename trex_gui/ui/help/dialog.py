@@ -31,6 +31,7 @@ from PySide6.QtWidgets import (
 from trex_gui.core.resource_files import resource
 from trex_gui.ui.help.pages import anchor_of, pages, search
 from trex_gui.ui.runtime import new_timer
+from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.theme.theme import follow_theme, theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
@@ -54,15 +55,17 @@ def page_url(topic: str) -> QUrl:
 
 
 class HelpDialog(ReusedDialog):
-    """The pages at the left, or what was found in them; at the right the text."""
+    """The pages at the left, or what was found in them; at the right the text.
 
-    def __init__(
-        self, parent: QWidget | None = None, topic_of: Callable[[str], str] = lambda _: ""
-    ) -> None:
+    It has no parent, since Windows keeps a window above the one of its parent.
+    """
+
+    def __init__(self, topic_of: Callable[[str], str]) -> None:
         """`topic_of` returns the topic of a message that was typed; empty if it is none."""
-        super().__init__(parent)
+        super().__init__()
         self._topic_of = topic_of
-        self.setWindowFlags(Qt.WindowType.Window)  # it may be maximised, and go below the main one
+        self.setWindowFlags(Qt.WindowType.Window)  # it may be maximised
+        self.setWindowIcon(application_icon())
         self.setObjectName("helpDialog")
         self.setWindowTitle(self.tr("Help"))
         resize_with_font(self, 1180, 800)
