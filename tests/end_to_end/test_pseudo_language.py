@@ -49,6 +49,7 @@ from trex_gui.devices.trex.views.bench.dialog import BenchDialog
 from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter
 from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
+from trex_gui.devices.trex.views.tour import SETUP_STEPS
 from trex_gui.ui.frame import preferences_dialog
 from trex_gui.ui.plotting.layout_button import LayoutButton
 from trex_gui.ui.runtime import runtime
@@ -308,6 +309,20 @@ def look_at_learning(window: WindowDriver, found: Findings) -> None:
     learn.click("learnCancelButton")
 
 
+def look_at_setup(window: WindowDriver, found: Findings) -> None:
+    """Look at each step of the assistant."""
+    window.trigger("setup")
+    setup, steps = window.dialog("setupDialog"), 1
+    found.look(setup.root)
+    while setup.has("setupNextButton") and setup.is_enabled("setupNextButton"):
+        setup.click("setupNextButton")
+        runtime().sleep(0.3)
+        found.look(setup.root)
+        steps += 1
+    assert steps == len(SETUP_STEPS)
+    setup.root.close()
+
+
 def look_at_bench(window: WindowDriver, found: Findings, folder: Path) -> None:
     """Look at a bench test that has ended, and at one that was aborted."""
     bench = open_bench(window, folder)
@@ -345,6 +360,7 @@ def test_trex(pseudo_window: WindowDriver, tmp_path: Path, monkeypatch: pytest.M
     window.device.draft.discard_edits()
     look_at_files(window, found, tmp_path)
     look_at_learning(window, found)
+    look_at_setup(window, found)
     look_at_bench(window, found, tmp_path)
     for key in DIALOGS:
         window.action(key).setEnabled(True)  # whatever the board would need it for

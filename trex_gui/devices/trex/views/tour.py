@@ -8,7 +8,7 @@ from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.tour import Do, Tour
 
-_SETUP_STEPS = ("driver", "jumpers", "sticks", "motors", "limits", "review")
+SETUP_STEPS = ("driver", "jumpers", "sticks", "motors", "limits", "review")
 """Those of a robot that is driven with one stick, in their order."""
 
 _HOLD_S = 1.2
@@ -69,9 +69,9 @@ def tour_steps(tour: Tour, controller: TrexController) -> Iterator[Do]:
     yield from tour.look_at("learnDialog", "learn-test")
     yield partial(tour.press, "learnCancelButton")
     yield partial(tour.choose, "setupAction")
-    for step in _SETUP_STEPS:
+    for step in SETUP_STEPS:
         yield from tour.look_at("setupDialog", f"setup-{step}")
-        if step != _SETUP_STEPS[-1]:
+        if step != SETUP_STEPS[-1]:
             yield partial(tour.press, "setupNextButton")
     yield partial(tour.press, "setupCloseButton")
     yield controller.leave
