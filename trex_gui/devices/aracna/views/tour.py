@@ -19,12 +19,23 @@ def tour_steps(tour: Tour, controller: AracnaController) -> Iterator[Do]:
         Step(goals * pairs, _STEP_S, name)
         for name, goals in (("down", (300, 400)), ("up", (550, 150)))
     )
+    play = partial(robot.play, Play(0, steps, rounds=0))
+
+    def is_stuck() -> bool:
+        """Return whether it waits for the servo.
+
+        On a busy computer it may miss a byte, which aborts the sequence: then it is played again.
+        """
+        if robot.state.play is None and robot.state.moving is None:
+            play()
+        return robot.state.stuck is not None
+
     yield partial(robot.move, steps[0].goals)
     yield lambda: robot.state.moved is not None
     yield from tour.look_at_pages()
-    yield partial(robot.play, Play(0, steps, rounds=0))
+    yield play
     yield lambda: robot.state.moving is not None
     yield from tour.look_at_pages("-moving")
     yield partial(demo.set_dead, _DEAD_SERVO, True)
-    yield lambda: robot.state.stuck is not None
+    yield is_stuck
     yield from tour.look_at_pages("-stuck", first_only=True)
