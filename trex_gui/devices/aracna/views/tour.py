@@ -22,12 +22,15 @@ def tour_steps(tour: Tour, controller: AracnaController) -> Iterator[Do]:
     play = partial(robot.play, Play(0, steps, rounds=0))
 
     def is_stuck() -> bool:
-        """Return whether it waits for the servo.
+        """Let a servo die while it moves; return whether the robot waits for it.
 
         On a busy computer it may miss a byte, which aborts the sequence: then it is played again.
         """
-        if robot.state.play is None and robot.state.moving is None:
+        if robot.state.stuck is None and robot.state.play is None:
+            demo.set_dead(_DEAD_SERVO, False)
             play()
+        elif robot.state.moving is not None:
+            demo.set_dead(_DEAD_SERVO, True)
         return robot.state.stuck is not None
 
     yield partial(robot.move, steps[0].goals)
@@ -36,6 +39,5 @@ def tour_steps(tour: Tour, controller: AracnaController) -> Iterator[Do]:
     yield play
     yield lambda: robot.state.moving is not None
     yield from tour.look_at_pages("-moving")
-    yield partial(demo.set_dead, _DEAD_SERVO, True)
     yield is_stuck
     yield from tour.look_at_pages("-stuck", first_only=True)
