@@ -1,9 +1,11 @@
 """Every parameter of every board, edited through its own editor as a parameters does."""
 
+from collections.abc import Iterator
+
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QComboBox, QSpinBox, QToolButton, QWidget
+from PySide6.QtWidgets import QApplication, QComboBox, QSpinBox, QToolButton, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.views.parameters import ParametersDriver
@@ -186,6 +188,28 @@ def test_keys_change_a_number(parameters: ParametersDriver) -> None:
     QTest.keyClicks(editor, "5")
     parameters.close_editor("serial_timeout")
     assert parameters.model.value_of("serial_timeout") == 15, "Escape keeps the value"
+
+
+@pytest.fixture
+def double_click(qapp: QApplication) -> Iterator[int]:
+    """The longest time between two clicks, in milliseconds: short here."""
+    before = qapp.doubleClickInterval()
+    qapp.setDoubleClickInterval(10)
+    yield 10
+    qapp.setDoubleClickInterval(before)
+
+
+def test_number_typed_after_a_click_keeps_its_first_digit(
+    parameters: ParametersDriver, double_click: int
+) -> None:
+    parameters.go_to("serial_timeout")
+    parameters.click_cell("serial_timeout")
+    QTest.keyClicks(parameters.view, "0")
+    QTest.qWait(3 * double_click)  # what is clicked again could be edited now
+    editor = parameters.editor("serial_timeout")
+    QTest.keyClicks(editor, ".8 s")
+    QTest.keyClick(editor, Qt.Key.Key_Return)
+    parameters.wait_for_value("serial_timeout", 8)
 
 
 def test_acceleration_may_be_typed_as_time_to_full_speed(parameters: ParametersDriver) -> None:

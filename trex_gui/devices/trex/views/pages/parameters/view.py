@@ -244,10 +244,7 @@ class ParameterView(QTableView):
         behavior, triggers = QAbstractItemView.SelectionBehavior, QAbstractItemView.EditTrigger
         self.setSelectionBehavior(behavior.SelectItems)
         self.setEditTriggers(
-            triggers.DoubleClicked
-            | triggers.EditKeyPressed
-            | triggers.AnyKeyPressed
-            | triggers.SelectedClicked
+            triggers.DoubleClicked | triggers.EditKeyPressed | triggers.AnyKeyPressed
         )
         self.setWordWrap(False)
         self.horizontalHeader().setStretchLastSection(True)
