@@ -115,7 +115,8 @@ class LearnDialog(ReusedDialog):
             self.tr("Stop the motors and &test"),
             on_click=lambda: self.test(learning.numbers),
         )
-        self._cancel = ui.button(self, "learnCancelButton", on_click=self.close)
+        # Not what Enter presses while it has the focus, which Next leaves when it is disabled.
+        self._cancel = ui.button(self, "learnCancelButton", default=False, on_click=self.close)
 
         left = self._again, self._learn_again
         right = self._back, self._next, self._use, self._test, self._cancel
