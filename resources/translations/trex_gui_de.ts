@@ -4526,7 +4526,7 @@ bisher {1}</translation></message>
     <message><source>Copy values from {0}</source>
         <translation>Werte aus {0} kopieren</translation></message>
     <message><source>Load settings from {0}</source>
-        <translation>Einstellungen aus {0} laden</translation></message>
+        <translation>Einstellungen laden: {0}</translation></message>
     <message><source>{0}: settings for a {1}.</source>
         <translation>{0}: Einstellungen für einen {1}.</translation></message>
     <message><source>Load {0}</source>

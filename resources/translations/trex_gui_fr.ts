@@ -4526,7 +4526,7 @@ avant {1}</translation></message>
     <message><source>Copy values from {0}</source>
         <translation>Copier des valeurs depuis {0}</translation></message>
     <message><source>Load settings from {0}</source>
-        <translation>Charger les réglages de {0}</translation></message>
+        <translation>Charger les réglages : {0}</translation></message>
     <message><source>{0}: settings for a {1}.</source>
         <translation>{0} : réglages pour un {1}.</translation></message>
     <message><source>Load {0}</source>
