@@ -1,9 +1,11 @@
 """The functions that create widgets."""
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QWidget
+import pytest
+from PySide6.QtCore import QCoreApplication, QPoint, Qt
+from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
+from trex_gui.ui.theme.theme import SCHEMES, theme
 from trex_gui.ui.widgets import builders
 
 
@@ -27,6 +29,24 @@ def test_created_widgets_carry_names_and_handlers(qtbot: QtBot) -> None:
     assert (push.objectName(), push.toolTip(), push.autoDefault()) == ("goButton", "Starts", False)
     assert (count.value(), count.accessibleName(), count.keyboardTracking()) == (4, "Count", False)
     assert (combo.itemData(0), combo.itemText(1), combo.accessibleName()) == (1, "two", "Which")
+
+
+@pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+def test_list_of_combo_box_has_the_background_of_lists(qtbot: QtBot, qapp: QApplication) -> None:
+    theme().install(qapp)
+    page = QWidget()
+    qtbot.addWidget(page)
+    combo = builders.combo_box(page, "whichCombo", "Which", items=["one", "two"])
+    page.show()
+    for scheme in SCHEMES[1:]:
+        theme().set_scheme(scheme)
+        QCoreApplication.processEvents()
+        combo.setCurrentIndex(1)
+        combo.showPopup()
+        beside_text = QPoint(2, 2)
+        shown = combo.view().grab().toImage().pixelColor(beside_text)
+        assert shown == theme().color("base"), scheme
+        combo.hidePopup()
 
 
 def test_layouts_hold_items_with_stretch_and_alignment(qtbot: QtBot) -> None:

@@ -97,7 +97,7 @@ class Rows(ui.GroupBox, Generic[SnapshotT]):
 
     def combo_box(
         self, name: str, accessible: str, tip: str, items: Iterable[tuple[str, object]]
-    ) -> ui.NoWheelComboBox:
+    ) -> ui.ComboBox:
         made = ui.combo_box(self, name, accessible, items=items, tip=tip)
         self.controls.append(made)
         return made

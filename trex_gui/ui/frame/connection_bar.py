@@ -63,7 +63,7 @@ class ConnectionBar(QWidget):
         self._on_link_changed()
 
     def _create_widgets(self) -> None:
-        self._combo = ui.named(QComboBox(self), "portCombo", accessible=self.tr("Port"))
+        self._combo = ui.named(ui.ComboBox(self), "portCombo", accessible=self.tr("Port"))
         self._combo.setMinimumContentsLength(20)
         self._combo.setSizeAdjustPolicy(
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon

@@ -12,6 +12,7 @@ from PySide6.QtGui import (
     QIcon,
     QKeySequence,
     QMouseEvent,
+    QPalette,
     QShortcut,
     QShowEvent,
     QWheelEvent,
@@ -58,12 +59,23 @@ class GroupBox(QGroupBox):
         use_theme_style(self)
 
 
-class NoWheelComboBox(QComboBox):
-    """The wheel changes it only while it has the focus; otherwise the page scrolls."""
+class ComboBox(QComboBox):
+    """Its list can be read in each theme.
+
+    The wheel changes it only while it has the focus; otherwise the page scrolls.
+    """
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+
+    def showPopup(self) -> None:  # noqa: N802 - of Qt
+        # Qt fills the list with the window colour of menus, which is for outlines in this theme.
+        palette = QPalette()  # of the view only this role
+        palette.setColor(QPalette.ColorRole.Window, self.palette().color(QPalette.ColorRole.Base))
+        self.view().setPalette(palette)
+        self.view().window().setBackgroundRole(QPalette.ColorRole.Base)
+        super().showPopup()
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         if self.hasFocus():
@@ -280,12 +292,12 @@ def combo_box(
     tip: str = "",
     on_activate: Handler | None = None,
     on_change: Handler | None = None,
-) -> NoWheelComboBox:
+) -> ComboBox:
     """Create a combo box; an item is a text, or a text and its data.
 
     `on_activate` follows the user, `on_change` every change of the current index.
     """
-    made = named(NoWheelComboBox(parent), name, accessible=accessible, tip=tip)
+    made = named(ComboBox(parent), name, accessible=accessible, tip=tip)
     for item in items:
         if isinstance(item, str):
             made.addItem(item)

@@ -41,7 +41,7 @@ from trex_gui.devices.trex.views.demo_panel import (
 from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.program import Program
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.builders import NoWheelComboBox
+from trex_gui.ui.widgets.builders import ComboBox
 from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.leds import Leds, is_lit
 from trex_gui.ui.widgets.sliders import StickSlider
@@ -293,7 +293,7 @@ def test_wheel_moves_a_focused_slider_only(slider: StickSlider, qtbot: QtBot) ->
 
 
 def test_wheel_changes_a_focused_combo_box_only(qtbot: QtBot) -> None:
-    combo = NoWheelComboBox()
+    combo = ComboBox()
     qtbot.addWidget(combo)
     combo.addItems(["a", "b", "c"])
     combo.setCurrentIndex(1)

@@ -9,7 +9,7 @@ from trex_gui.devices.trex.model.gamepad import Gamepad
 from trex_gui.devices.trex.views.pages.motors.gamepad_dialog import GamepadDialog, PartBar
 from trex_gui.gamepad.pads import PadSource, SdlPads
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.builders import NoWheelComboBox
+from trex_gui.ui.widgets.builders import ComboBox
 from trex_gui.ui.widgets.labels import Note
 
 
@@ -40,7 +40,7 @@ class GamepadPanel(ui.GroupBox):
             on_activate=self._on_pad_activated,
         )
         self._pads.setSizeAdjustPolicy(
-            NoWheelComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+            ComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
         )
         self._pads.setMinimumContentsLength(12)
         self._set_up = ui.button(

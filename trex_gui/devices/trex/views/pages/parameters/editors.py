@@ -22,7 +22,7 @@ from trex_gui.devices.trex.protocol.flags import ALL_CHANNELS, CHANNELS, channel
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import ParameterKind, ParameterSpec
 from trex_gui.devices.trex.views.count_editor import UnitSpinBox
-from trex_gui.ui.widgets.builders import NoWheelComboBox, check_box, combo_box, row
+from trex_gui.ui.widgets.builders import ComboBox, check_box, combo_box, row
 
 _BARE = re.compile(r"[-+]?[\d.,]+")
 _FREQUENCY = re.compile(r"(\d+(?:[.,]\d*)?|[.,]\d+)\s*(k?)(?:hz)?", re.IGNORECASE)
@@ -139,7 +139,7 @@ class FrequencyEditor(UnitSpinBox):
         return _BOTH_WAYS
 
 
-class ChoiceEditor(NoWheelComboBox):
+class ChoiceEditor(ComboBox):
     """A drop-down of the values' meanings; an unknown value is kept until another is chosen."""
 
     valueChanged = Signal(int)  # the user has chosen a value, which may be the one that was shown
