@@ -115,7 +115,7 @@ class LearnDialog(ReusedDialog):
             self.tr("Stop the motors and &test"),
             on_click=lambda: self.test(learning.numbers),
         )
-        # Not what Enter presses while it has the focus, which Next leaves when it is disabled.
+        # The focus comes here while Next is disabled; Enter must not cancel then.
         self._cancel = ui.button(self, "learnCancelButton", default=False, on_click=self.close)
 
         left = self._again, self._learn_again
