@@ -87,6 +87,7 @@ def simulate(
     paced: bool = True,
     eeprom: Path | None = None,
     error_shutdown: str = "on",
+    timeout_needs_shutdown: str = "off",
     devices: Sequence[DeviceOption] = (),
     seed: int = 0,
     demo: bool = False,
@@ -105,6 +106,7 @@ def simulate(
             mode=mode,
             mix=mix,
             seed=seed + index,
+            timeout_needs_shutdown=timeout_needs_shutdown == "on",
         )
         for index, device in enumerate(devices or [DeviceOption()])
     ]
@@ -168,6 +170,13 @@ SIMULATOR = SimulatorPlugin(
             ("on", "off"),
             "on",
             "What the factory stores as uart_error_shutdown: that on is the default is doubtful.",
+        ),
+        _choice(
+            "--timeout-needs-shutdown",
+            ("on", "off"),
+            "off",
+            "Whether the serial timeout stops motors only while uart_error_shutdown is on. Nobody "
+            "knows which holds for a TReX.",
         ),
         click.Option(
             ["--device", "devices"],

@@ -58,6 +58,8 @@ class Board:
         mode: as read at power-up.
         serial: serial motor control, and the latched bits.
         sticks: channel motor control, with serial override and safe-start.
+        timeout_needs_shutdown: whether the serial timeout stops motors only with UART-Error
+            Shutdown set. CMD10 names no condition; the twin, a qik 2s12v10, has this one.
         boot_mode: selected by jumpers at power-up; `None` in normal operation.
         receiving: whether a packet is incomplete (it lights a LED).
     """
@@ -71,7 +73,9 @@ class Board:
         mode: str = "serial",
         mix: bool = False,
         seed: int = 0,
+        timeout_needs_shutdown: bool = False,
     ) -> None:
+        self.timeout_needs_shutdown = timeout_needs_shutdown
         self.eeprom = eeprom if eeprom is not None else Eeprom(model)
         self.model = self.eeprom.model
         self.firmware = firmware
@@ -206,7 +210,11 @@ class Board:
                 self.boot_mode = None
             return
         self._watch()
-        self.serial.check_timeout(self.now, self.memory.active[ParameterKey.SERIAL_TIMEOUT])
+        self.serial.check_timeout(
+            self.now,
+            self.memory.active[ParameterKey.SERIAL_TIMEOUT],
+            shut_down=self._shuts_down or not self.timeout_needs_shutdown,
+        )
         self._latch_faults()
         for index, (motor, physics) in enumerate(zip(self.motors, self.physics, strict=True)):
             if motor.update(self._motor_settings(index + 1), physics.reading):
@@ -233,7 +241,12 @@ class Board:
     def _watch(self) -> None:
         """Determine who controls the motors, and let the channels drive if they do."""
         timeout = self.memory.active[ParameterKey.SERIAL_TIMEOUT]
-        self.serial.hand_over(self.now, timeout, in_control=self.sticks.watch())
+        self.serial.hand_over(
+            self.now,
+            timeout,
+            in_control=self.sticks.watch(),
+            shut_down=self._shuts_down or not self.timeout_needs_shutdown,
+        )
         if self.serial.in_control:
             return
         if self.sticks.safe_start:
@@ -248,8 +261,11 @@ class Board:
         self.serial.last_byte = self.now
 
     def report_error(self, error: UartError) -> None:
-        shut_down = bool(self.memory.active[ParameterKey.UART_ERROR_SHUTDOWN])
-        self.serial.report(error, shut_down=shut_down)
+        self.serial.report(error, shut_down=self._shuts_down)
+
+    @property
+    def _shuts_down(self) -> bool:
+        return bool(self.memory.active[ParameterKey.UART_ERROR_SHUTDOWN])
 
     def set_parameter(self, number: int, value: int) -> ResultCode:
         return self.memory.set(number, value, self.mode)

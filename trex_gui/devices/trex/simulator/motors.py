@@ -184,16 +184,16 @@ class SerialControl:
         if self.in_control:
             command()
 
-    def hand_over(self, now: float, timeout: int, *, in_control: bool) -> None:
+    def hand_over(self, now: float, timeout: int, *, in_control: bool, shut_down: bool) -> None:
         """Set who controls the motors; serial control applies the latest commands of any age.
 
         Inferred: a motor without a command stops; so do all after the serial timeout (tenths of a
-        second, 0 for none).
+        second, 0 for none) if that is set to `shut_down`.
         """
         begins = in_control and not self.in_control
         self.in_control = in_control
         if begins:
-            self.check_timeout(now, timeout)
+            self.check_timeout(now, timeout, shut_down=shut_down)
             for command in self._commands:
                 command()
 
@@ -202,8 +202,8 @@ class SerialControl:
         for stop in self._stops:
             stop()
 
-    def check_timeout(self, now: float, timeout: int) -> None:
-        """Stop after `timeout` tenths of a second without a byte; 0 for never.
+    def check_timeout(self, now: float, timeout: int, *, shut_down: bool) -> None:
+        """Latch the error after `timeout` tenths of a second without a byte; 0 for never.
 
         Inferred: only in serial control, and the bit is latched once per timeout.
         """
@@ -211,7 +211,8 @@ class SerialControl:
             self.last_byte = math.inf
             self.uart_errors |= UartError.TIMEOUT
             self.status |= Status.UART_ERROR
-            self._shut_down()
+            if shut_down:
+                self._shut_down()
 
     def report(self, error: UartError, *, shut_down: bool) -> None:
         """Latch a UART error; stop the motors if the parameter requires it.
