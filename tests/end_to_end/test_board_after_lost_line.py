@@ -22,10 +22,10 @@ def lose(window: WindowDriver, board: SimulatedDevice) -> None:
 def test_pages_warn_of_motors_behind_a_lost_line(
     window: WindowDriver, start_simulator: StartSimulator
 ) -> None:
-    grave = "The connection was lost: motors may still turn."
+    grave = "Motor 1 may still be turning."
     for timeout, remedy in {
-        0.0: "Cut their power.",
-        0.9: "The board stops them 0.9 s after",
+        0.0: "Cut the power.",
+        0.9: "The board should stop 0.9 s after",
     }.items():
         board = start_simulator()
         window.connect(board.url)
@@ -40,11 +40,19 @@ def test_pages_warn_of_motors_behind_a_lost_line(
         assert page.has("statusLost")
         assert page.text("statusLost").startswith(f"{grave} {remedy}")
 
+        assert window.text("bannerText").startswith(f"{grave} {remedy}")
+        assert window.is_enabled("stopButton")
+
+        with window.qtbot.waitSignal(window.device.notifier.danger) as warning:
+            window.click("stopButton")
+        assert warning.args is not None
+        assert warning.args[0].endswith("Trying to reach the board to stop it …")
+        window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
+        assert window.text("bannerText").startswith(f"{grave} {remedy}"), "it was not reached"
         board.do("line plug")
-        window.program.device_manager.press_stop()
-        assert "If a motor still turns, cut its power." in window.text("bannerText")
-        window.click("bannerReconnect")
+        window.click("stopButton")
         window.wait(lambda: not window.device.may_move)
+        window.wait_for_text("bannerText", "It has confirmed the stop.")
         assert not page.has("statusLost")
         window.disconnect()
         assert not page.has("statusLost")

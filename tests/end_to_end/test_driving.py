@@ -810,7 +810,7 @@ def test_timeout_too_short_for_baud_rate_is_set_with_a_click(
     assert "0.1 s is short for 1200 baud" in window.text("timeoutLabel")
     assert "faster baud rate" in window.text("timeoutLabel")
     button = window.button("timeoutButton")
-    assert button.accessibleName() == "Set the serial timeout to 0.5 s"
+    assert button.accessibleName() == "Write a serial timeout of 0.5 s"
     with window.qtbot.waitSignal(device.applied, timeout=20_000):
         window.click("timeoutButton")
     assert device.serial_timeout_s == pytest.approx(0.5)

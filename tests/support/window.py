@@ -214,9 +214,10 @@ class WindowDriver(WidgetDriver):
     # --- Connect ------------------------------------------------------------------------
 
     def connect(self, url: str) -> None:
-        """Choose the port of a TReX and wait until the board is read."""
+        """Choose the port of a TReX, which its user arms as it is, and wait until it is read."""
         self.connect_port(self.program.ports.add_typed(url))
         self.wait(lambda: self.device.link is ConnectionState.CONNECTED)
+        self.motors.remember_arming_without_timeout()
 
     def connect_port(self, port: Port) -> None:
         """Choose an entry of the list of ports and press Connect; returns at once."""

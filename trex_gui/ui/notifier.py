@@ -1,5 +1,6 @@
 """Messages to the user, from models and pages to the banner of their window."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum, auto
 
@@ -40,7 +41,16 @@ class ConnectWith:
     settings: PortSettings
 
 
-Remedies = tuple[Remedy | CopyCommand | ConnectWith, ...]
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """A button that answers a question: its object name, its text, and what it does."""
+
+    name: str
+    text: str
+    then: Callable[[], object]
+
+
+Remedies = tuple[Remedy | CopyCommand | ConnectWith | Answer, ...]
 
 
 def remedies_of(error: BaseException, *, may_be_found: bool = False) -> Remedies:
@@ -62,6 +72,7 @@ class Notifier(QObject):
 
     info = Signal(str)  # what was done, in sentences for the user
     error = Signal(str)  # what was not done, and why
+    danger = Signal(str)  # what may hurt somebody now, and what to do about it
     remedies_offered = Signal(object)  # the `Remedies` for the message that came just before
     resolved = Signal(object)  # a `Remedy` is no longer needed, nor a message that offers it
     # The same behind the event that is being handled: for messages that come with a report whose
@@ -82,6 +93,7 @@ class Notifier(QObject):
         self.delayed_report.connect(self.report, Qt.ConnectionType.QueuedConnection)
         self.info.connect(self._log_news)
         self.error.connect(self._log_problem)
+        self.danger.connect(self._log_problem)
 
     def log_also(self, other: "Notifier") -> None:
         """Log the messages of another place in the program."""
@@ -92,6 +104,16 @@ class Notifier(QObject):
         """Emit an `error` with buttons."""
         self.error.emit(text)
         self.remedies_offered.emit(remedies)
+
+    def warn(self, text: str, remedies: Remedies) -> None:
+        """Emit a `danger` with buttons."""
+        self.danger.emit(text)
+        self.remedies_offered.emit(remedies)
+
+    def ask(self, text: str, *answers: Answer) -> None:
+        """Emit an `info` with a button for each answer."""
+        self.info.emit(text)
+        self.remedies_offered.emit(answers)
 
     @Slot(str)
     def _log_news(self, text: str) -> None:

@@ -25,7 +25,7 @@ class BenchTestDialog(WidgetDriver):
         simulator: SimulatedDevice | None = None,
     ) -> None:
         super().__init__(dialog, qtbot)
-        self.motors = device.motors
+        self.device, self.motors = device, device.motors
         self.bench = bench
         self.files = dialog.files
         self.plot = self.find(BenchPlot, "benchPlot")

@@ -7,8 +7,9 @@ from PySide6.QtWidgets import QApplication, QPushButton
 from pytestqt.qtbot import QtBot
 
 from tests.support.window import LEFT, WidgetDriver
+from trex_gui.ui.notifier import Answer
 from trex_gui.ui.runtime import runtime
-from trex_gui.ui.widgets.messages import InlinePrompt, PromptAnswer
+from trex_gui.ui.widgets.messages import InlinePrompt
 
 
 @pytest.fixture
@@ -29,8 +30,8 @@ def test_answer_runs_its_action_and_closes_the_question(
     done: list[str] = []
     question.ask(
         "How?",
-        PromptAnswer("one", "One", lambda: done.append("one")),
-        PromptAnswer("two", "Two", lambda: done.append("two")),
+        Answer("one", "One", lambda: done.append("one")),
+        Answer("two", "Two", lambda: done.append("two")),
     )
     driver.click("two")
     assert done == ["two"]
@@ -44,7 +45,7 @@ def test_cancel_runs_only_the_otherwise_action(
     done: list[str] = []
     question.ask(
         "Sure?",
-        PromptAnswer("yes", "Yes", lambda: done.append("yes")),
+        Answer("yes", "Yes", lambda: done.append("yes")),
         otherwise=lambda: done.append("otherwise"),
     )
     if key is None:
@@ -60,9 +61,9 @@ def test_new_question_cancels_the_previous_one(
 ) -> None:
     done: list[str] = []
     question.ask(
-        "A?", PromptAnswer("a", "A", lambda: done.append("a")), otherwise=lambda: done.append("no")
+        "A?", Answer("a", "A", lambda: done.append("a")), otherwise=lambda: done.append("no")
     )
-    question.ask("B?", PromptAnswer("b", "B", lambda: done.append("b")))
+    question.ask("B?", Answer("b", "B", lambda: done.append("b")))
     assert question.text == "B?"
     assert done == ["no"]
     assert "a" not in [button.objectName() for button in driver.find_all(QPushButton)]
@@ -71,7 +72,7 @@ def test_new_question_cancels_the_previous_one(
 
 
 def test_answer_may_ask_another_question(question: InlinePrompt, driver: WidgetDriver) -> None:
-    again = PromptAnswer("again", "Again", lambda: question.ask("Again?"))
+    again = Answer("again", "Again", lambda: question.ask("Again?"))
     question.ask("First?", again)
     driver.click("again")
     assert question.text == "Again?"
@@ -81,7 +82,7 @@ def test_answer_may_ask_another_question(question: InlinePrompt, driver: WidgetD
 def test_outdated_answer_is_not_run(question: InlinePrompt, driver: WidgetDriver) -> None:
     done: list[str] = []
     sense = [True]
-    yes = PromptAnswer("yes", "Yes", lambda: done.append("yes"))
+    yes = Answer("yes", "Yes", lambda: done.append("yes"))
     question.ask("Sure?", yes, still=lambda: sense[0])
     question.reconsider()
     assert question.isVisible()
@@ -96,7 +97,7 @@ def test_double_click_that_asks_does_not_answer_and_the_next_click_does(
 ) -> None:
     done: list[str] = []
     double_click = QApplication.doubleClickInterval() / 1000
-    question.ask("Sure?", PromptAnswer("yes", "Yes", lambda: done.append("yes")))
+    question.ask("Sure?", Answer("yes", "Yes", lambda: done.append("yes")))
     yes = driver.button("yes")
     QTest.mouseClick(yes, LEFT)
     runtime().sleep(0.75 * double_click)

@@ -47,7 +47,7 @@ from trex_gui.ui.frame.workspace import (
     fill_menu_bar,
 )
 from trex_gui.ui.help.pages import INDEX
-from trex_gui.ui.notifier import ConnectWith, Notifier, Remedy
+from trex_gui.ui.notifier import Answer, ConnectWith, Notifier, Remedy
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.recent_files import RecentFile, RecentFiles
 from trex_gui.ui.runtime import now
@@ -56,7 +56,7 @@ from trex_gui.ui.theme.theme import restore_choices
 from trex_gui.ui.units import restore_units
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.file_drop import FileDrop
-from trex_gui.ui.widgets.messages import Banner, InlinePrompt, MessageRoom, PromptAnswer
+from trex_gui.ui.widgets.messages import Banner, InlinePrompt, MessageRoom
 from trex_gui.ui.widgets.placement import keep_on_screen, restore_geometry, save_geometry
 
 if TYPE_CHECKING:
@@ -379,7 +379,7 @@ class MainWindow(QMainWindow):
             "connect": self._connection.would_connect and link is not ConnectionState.DISCONNECTING,
             "line": link is ConnectionState.DISCONNECTED and device.has_line_settings,
             "disconnect": is_open,
-            "stop": is_open,
+            "stop": is_open or bool(device.unconfirmed_stop),
             **self._workspace.enabled_actions(),
         }
         for key, is_possible in enabled_actions.items():
@@ -404,7 +404,7 @@ class MainWindow(QMainWindow):
                 "Settings are still being written. Disconnect anyway? Unwritten settings stay "
                 "pending."
             ),
-            PromptAnswer("disconnectYes", self.tr("Disconnect"), then),
+            Answer("disconnectYes", self.tr("Disconnect"), then),
             still=lambda: self._manager.current.is_busy,
         )
 
@@ -644,7 +644,7 @@ class UnconfirmedStopWarning(QObject):
         self._window.activateWindow()
         self._question.ask(
             text,
-            PromptAnswer("closeUnstopped", self.tr("Close the window"), self._window.close),
+            Answer("closeUnstopped", self.tr("Close the window"), self._window.close),
             still=lambda: self._manager.unconfirmed_stop == text,
             otherwise=self._on_over,
         )

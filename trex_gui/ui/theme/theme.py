@@ -296,6 +296,19 @@ def tint(button: QPushButton | QToolButton, name: str) -> None:
     follow_theme(button, "tint", apply)
 
 
+def fill(widget: QWidget, name: str) -> None:
+    """Fill a widget with the theme colour `name`, with its texts in `<name>_text`; empty: reset."""
+
+    def apply() -> None:
+        palette = QPalette()
+        if name:
+            palette.setColor(QPalette.ColorRole.Window, theme().color(name))
+            palette.setColor(QPalette.ColorRole.WindowText, theme().color(f"{name}_text"))
+        widget.setPalette(palette)
+
+    follow_theme(widget, "fill", apply)
+
+
 def _before_fusion(color: QColor) -> QColor:
     """Return the colour to give to Fusion so that it paints about `color`.
 

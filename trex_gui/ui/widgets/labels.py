@@ -25,7 +25,7 @@ class Note(QLabel):
 
     def __init__(self, lines: int, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._alarming = False
+        self._color = "window_text"
         self._hides = lines == 0
         if self._hides:
             self.hide()
@@ -37,18 +37,19 @@ class Note(QLabel):
             self, "room", lambda: self.setMinimumHeight(lines * self.fontMetrics().lineSpacing())
         )
 
-    def show_note(self, text: str, *, alarming: bool = False) -> None:
-        """Show a text; an alarming one is bold and in the warning colour."""
+    def show_note(self, text: str, *, alarming: bool = False, color: str = "warning") -> None:
+        """Show a text; an alarming one is bold and in this theme colour."""
         if self.text() != text:
             self.setText(text)
         if self._hides:
             self.setVisible(bool(text))
-        if alarming != self._alarming:
-            self._alarming = alarming
+        color = color if alarming else "window_text"
+        if color != self._color:
+            self._color = color
             font = self.font()
             font.setBold(alarming)
             self.setFont(font)
-            set_text_color(self, "warning" if alarming else "window_text")
+            set_text_color(self, color)
 
 
 class ElidedLabel(QLabel):

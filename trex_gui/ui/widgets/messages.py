@@ -1,16 +1,16 @@
 """Rows across a window: a message that stays until it is read, and a question."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import partial
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal, Slot
 from PySide6.QtGui import QGuiApplication, QKeyEvent, QMoveEvent, QResizeEvent
 from PySide6.QtWidgets import QFrame, QLabel, QPushButton, QWidget
 
-from trex_gui.ui.notifier import ConnectWith, CopyCommand, Notifier, Remedies, Remedy
+from trex_gui.ui.notifier import Answer, ConnectWith, CopyCommand, Notifier, Remedies, Remedy
 from trex_gui.ui.theme.icons import set_sign
 from trex_gui.ui.theme.style import use_theme_style
+from trex_gui.ui.theme.theme import fill
 from trex_gui.ui.widgets import builders as ui
 
 
@@ -92,6 +92,7 @@ class Banner(_MessageRow):
         if notifier is not None:
             notifier.info.connect(self.show_news)
             notifier.error.connect(self.show_problem)
+            notifier.danger.connect(self.show_danger)
             notifier.remedies_offered.connect(self.show_remedies)
             notifier.resolved.connect(self._on_resolved)
             notifier.cleared.connect(self._on_cleared)
@@ -101,6 +102,12 @@ class Banner(_MessageRow):
     def show_problem(self, text: str) -> None:
         self._show_sign("warning")
         self._show(text, is_problem=True)
+
+    @Slot(str)
+    def show_danger(self, text: str) -> None:
+        """Show a text in the colours of the stop button."""
+        set_sign(self._sign, "warning", "stop_text", 4)
+        self._show(text, is_problem=True, is_danger=True)
 
     @Slot(str)
     def show_news(self, text: str) -> None:
@@ -139,6 +146,8 @@ class Banner(_MessageRow):
                     name, text = "bannerConnectWith", self.tr("Connect with its settings")
                 case CopyCommand():
                     name, text = "bannerCopy", self.tr("Copy command")
+                case Answer():
+                    name, text = remedy.name, remedy.text
             button = self._add_button(name, text, self._help)
             button.clicked.connect(partial(self._on_chosen, button, remedy))
 
@@ -146,18 +155,25 @@ class Banner(_MessageRow):
     def _on_help_clicked(self) -> None:
         self.help_wanted.emit(self._help_topic(self.text))
 
-    def _on_chosen(self, button: QPushButton, remedy: Remedy | CopyCommand | ConnectWith) -> None:
+    def _on_chosen(
+        self, button: QPushButton, remedy: Remedy | CopyCommand | ConnectWith | Answer
+    ) -> None:
         if isinstance(remedy, CopyCommand):
             QGuiApplication.clipboard().setText(remedy.command)
             button.setText(self.tr("Copied"))
+        elif isinstance(remedy, Answer):
+            self.clear()
+            remedy.then()
         else:
             self.chosen.emit(remedy)
 
-    def _show(self, text: str, *, is_problem: bool = False) -> None:
+    def _show(self, text: str, *, is_problem: bool = False, is_danger: bool = False) -> None:
         self._remove_buttons()
         self._offered = ()
         if self._notifier is not None:
             self._notifier.shown, self._notifier.shows_problem = text, is_problem
+        fill(self, "stop" if is_danger else "")
+        ui.set_bold(self._text, is_danger)
         self._text.setText(text)
         self._help.setVisible(bool(text and self._help_topic(text)))
         # Screen readers need a name while there is no message.
@@ -211,15 +227,6 @@ class MessageRoom(QWidget):
         self._cover.raise_()
 
 
-@dataclass(frozen=True, slots=True)
-class PromptAnswer:
-    """One way to go on: the name of its button, the text on it, and what it does."""
-
-    name: str
-    text: str
-    then: Callable[[], object]
-
-
 def _always() -> bool:
     return True
 
@@ -248,7 +255,7 @@ class InlinePrompt(_MessageRow):
     def ask(
         self,
         text: str,
-        *answers: PromptAnswer,
+        *answers: Answer,
         still: Callable[[], bool] = _always,
         otherwise: Callable[[], object] = _nothing,
     ) -> None:
@@ -278,7 +285,7 @@ class InlinePrompt(_MessageRow):
         if self.text and not self._still():
             self.withdraw()
 
-    def _on_answered(self, answer: PromptAnswer) -> None:
+    def _on_answered(self, answer: Answer) -> None:
         if self._still():
             self._close()
             answer.then()

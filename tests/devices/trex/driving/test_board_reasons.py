@@ -103,7 +103,7 @@ def test_all_reasons_are_given_with_those_that_stop_the_motors_first() -> None:
         "Channel 2 is 180 µs above neutral.",
         "Motor 1 has no drive: its driver shut down (too hot, a short circuit, or low voltage).",
         "Motor 2 has no drive: its driver shut down (too hot, a short circuit, or low voltage).",
-        "Serial timeout (0.5 s): the board received nothing and stopped the motors.",
+        "Serial timeout: the board received nothing for 0.5 s.",
         "Serial errors (parity error): the board stops the motors when bytes arrive corrupted.",
         "The RC channels control the motors, not serial commands.",
         "Motor 2 is slowed down: current over the limit.",

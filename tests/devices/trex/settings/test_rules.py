@@ -68,8 +68,21 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
                 "Serial Timeout is off while a computer drives the motors: if the cable or the "
                 "computer fails, the motors keep running at their last setpoint.",
                 ("serial_timeout",),
-                {"serial_timeout": 5},
-                "Set Serial Timeout to 0.5 s",
+                {"serial_timeout": 5, "uart_error_shutdown": 1},
+                "Set Serial Timeout to 0.5 s and UART-Error Shutdown to on",
+            ),
+        ),
+        (
+            trex(serial_timeout=5, uart_error_shutdown=0),
+            NOTHING_ELSE,
+            Expected(
+                "timeout_without_shutdown",
+                "Serial Timeout of 0.5 s may not stop the motors if the cable or the computer "
+                "fails: UART-Error Shutdown is off, and the twin of the TReX, a qik 2s12v10, needs "
+                "it for that.",
+                ("serial_timeout", "uart_error_shutdown"),
+                {"uart_error_shutdown": 1},
+                "Set UART-Error Shutdown to on",
             ),
         ),
         (

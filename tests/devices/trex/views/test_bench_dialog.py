@@ -171,9 +171,9 @@ def test_unconnected_dialog_disables_button_and_says_why(dialog: BenchTestDialog
 def test_stop_button_stops_on_press(dialog: BenchTestDialog) -> None:
     stop = dialog.button("benchStopButton")
     stop.setEnabled(True)
-    assert not dialog.motors.locked_for
-    QTest.mousePress(stop, LEFT)
-    assert dialog.motors.locked_for
+    dialog.device.driving.may_move = True
+    with dialog.qtbot.waitSignal(dialog.device.stop_wanted):
+        QTest.mousePress(stop, LEFT)
 
 
 def test_form_fields_define_the_plan(dialog: BenchTestDialog) -> None:

@@ -28,8 +28,8 @@ class DriveBlocker(Enum):
 
     LOST = (
         Effect.STOPS,
-        tr_noop("The connection was lost: motors may still turn."),
-        tr_noop("Cut their power."),
+        tr_noop("Motors may still be turning: the connection was lost."),
+        tr_noop("Cut the power."),
     )
     SILENT = (
         Effect.STOPS,
@@ -77,7 +77,7 @@ class DriveBlocker(Enum):
     TIMEOUT = (
         Effect.STOPS,
         tr_noop(
-            "Serial timeout ({0}): the board received nothing and stopped the motors.",
+            "Serial timeout: the board received nothing for {0}.",
         ),
         tr_noop("Check the cable, or set a longer Serial Timeout in Parameters."),
     )
@@ -87,7 +87,8 @@ class DriveBlocker(Enum):
             "Serial errors ({0}): the board stops the motors when bytes arrive corrupted.",
         ),
         tr_noop(
-            "Check cable and ground; UART-Error Shutdown can be turned off in Parameters.",
+            "Check cable and ground. Without UART-Error Shutdown the Serial Timeout may not stop "
+            "the motors either.",
         ),
     )
     STOPPING = (

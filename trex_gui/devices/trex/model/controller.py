@@ -13,6 +13,7 @@ from trex_gui.core.translation import Number, tr
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.trex.model.demo import DemoBoard
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.loss_while_driven import LossWhileDriven
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
@@ -53,10 +54,13 @@ class TrexController(DeviceController[ConnectionSettings]):
         self._store = Preferences()
         self.settings = self._read_settings()
         self.demo_board = DemoBoard(self.simulator, self)
+        self._last: Port | None = None  # the port that was connected, or tried, last
+        LossWhileDriven(device, self)
         self._automatic_stop = AutomaticStop(device, self.stop_reported.emit, self)
 
         self.simulator.ended.connect(self._on_simulator_ended)
         self.demo_board.factory_reset.connect(self._on_demo_factory_reset)
+        device.stop_wanted.connect(self._on_stop_wanted)
         device.link_changed.connect(self._note_settings)
         device.quality_changed.connect(self.changed)
         device.motors.arming_changed.connect(self.changed)
@@ -79,6 +83,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         self.changed.emit()
 
     def connect_to(self, port: Port) -> None:
+        self._last = port
         self.device.motors.adapter = "" if port.adapter is None else port.adapter.key
         super().connect_to(port)
 
@@ -189,11 +194,18 @@ class TrexController(DeviceController[ConnectionSettings]):
         return not is_at_rest
 
     def press_stop(self) -> None:
-        """Stop; without a board there is nothing to lock, and nothing to say but what may turn."""
-        if self.link is not ConnectionState.DISCONNECTED:
-            self.device.motors.press_stop()
-        elif text := self.unconfirmed_stop:
-            self.device.notifier.report(text, (Remedy.RECONNECT,))
+        self.device.press_stop()
+
+    @Slot()
+    def _on_stop_wanted(self) -> None:
+        """Connect again to stop what may still turn: that is the first thing then sent."""
+        device = self.device
+        if not self.may_move or self._last is None:
+            device.notifier.warn(device.driving.lost_board, ())
+            return
+        text = self.tr("Trying to reach the board to stop it …")
+        device.notifier.danger.emit(f"{device.loss_text} {text}")
+        self.connect_to(self.ports.now(self._last) or self._last)
 
     def stop_because(self, reason: str) -> str:
         return self._automatic_stop.stop(reason)

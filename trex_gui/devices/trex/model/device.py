@@ -12,6 +12,13 @@ from trex_gui.core.translation import Number
 from trex_gui.devices.trex.client.reading import DeviceState, may_be_same_board
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.driving.timeout_stop import (
+    TimeoutStop,
+    remedy_for_silence,
+    timeout_stop,
+    turning_text,
+    with_shutdown,
+)
 from trex_gui.devices.trex.model.connection import Connection, remedies_for
 from trex_gui.devices.trex.model.connection_quality import ConnectionQuality
 from trex_gui.devices.trex.model.drive_controller import DriveController, why_the_board_stopped
@@ -77,6 +84,7 @@ class Device(QObject):
     quality_changed = Signal()
     applied = Signal(object)  # the `WriteResult` of everything that Apply tried
     sampled = Signal(object)  # a `Batch`, after the models have taken it
+    stop_wanted = Signal()  # Stop was pressed while motors may turn behind a closed line
 
     def __init__(self, notifier: Notifier | None = None, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -228,6 +236,26 @@ class Device(QObject):
         return who_controls(self.state.mode, by_serial, joint=self.is_joint)
 
     @property
+    def timeout_stop(self) -> TimeoutStop:
+        """What is expected of the board's serial timeout, also after it was lost."""
+        keys = (_TIMEOUT, ParameterKey.UART_ERROR_SHUTDOWN)
+        record = self.memory.record
+        trial = None if record is None else record.trial
+        return timeout_stop({key: self.parameters.stored_of(key) or 0 for key in keys}, trial)
+
+    @property
+    def silence_remedy(self) -> str:
+        """What the user should do when a driven board is lost."""
+        wire = self.parameters.stored_of(_TIMEOUT)
+        text = self.parameters.spec_of(_TIMEOUT).text(wire) if wire else ""
+        return remedy_for_silence(self.timeout_stop, text)
+
+    @property
+    def loss_text(self) -> str:
+        """Warning about motors that may be turning without a connection."""
+        return f"{turning_text(self.driving.driven)} {self.silence_remedy}"
+
+    @property
     def serial_timeout_s(self) -> float | None:
         """Seconds of silence after which the board stops its motors; 0: never; `None`: unknown."""
         if self.state is None or _TIMEOUT not in self.state.parameters or not self.is_connected:
@@ -250,6 +278,18 @@ class Device(QObject):
         """Stop the motors if they were driven, and close the line; does not wait."""
         self.connection.close()
 
+    def press_stop(self) -> None:
+        """Stop for the user; without a connection there is nothing to lock."""
+        if self.link is not ConnectionState.DISCONNECTED:
+            self.motors.press_stop()
+        elif self.may_stop_matter:
+            self.stop_wanted.emit()
+
+    @property
+    def may_stop_matter(self) -> bool:
+        """Whether a motor may turn that this program has driven, connected or not."""
+        return self.may_move or bool(self.driving.lost_board)
+
     def shut_down(self) -> bool:
         """Close the line at the end of the program; see `SessionThread.shut_down`."""
         return self.connection.shut_down()
@@ -257,29 +297,32 @@ class Device(QObject):
     def set_serial_timeout(self, seconds: float) -> None:
         """Write how long the board waits for a byte before it stops its motors, 0 to disable that.
 
-        Only this parameter is written, after a snapshot, and verified; `applied` reports it.
+        UART-Error Shutdown is switched on with it: the timeout may need it. Nothing else is
+        written, after a snapshot, and verified; `applied` reports it.
 
         Raises:
             BadRequest: the board cannot wait so long.
         """
-        self._set(_TIMEOUT, lambda spec: round(seconds / spec.scale))
+        self._set(_TIMEOUT, lambda spec: with_shutdown(spec.check(round(seconds / spec.scale))))
 
     def set_device_number(self, number: int) -> None:
         """Write another device number (0-127), unless another board on this line has it.
 
         As `set_serial_timeout`.
         """
-        self._set(ParameterKey.DEVICE_NUMBER, lambda _spec: number)
+        key = ParameterKey.DEVICE_NUMBER
+        self._set(key, lambda spec: {key: spec.check(number)})
 
-    def _set(self, key: str, wire_of: Callable[[ParameterSpec], int]) -> None:
+    def _set(self, key: str, wires_of: Callable[[ParameterSpec], Mapping[str, int]]) -> None:
         if self.state is None or not self.connection.is_open:
             self._on_request_failed(self.tr("No board is connected."))
             return
-        spec = self.state.specs[key]
-        wire = spec.check(wire_of(spec))
+        spec, stored = self.state.specs[key], self.state.parameters
+        wires = wires_of(spec)
         if key in REACH:
-            self._expect_after({**self.state.parameters, key: wire})
-        self.write(self.tr("{0} set").format(spec.name), ((key, wire),))
+            self._expect_after({**stored, **wires})
+        changed = {name: wire for name, wire in wires.items() if stored.get(name) != wire}
+        self.write(self.tr("{0} set").format(spec.name), tuple((changed or wires).items()))
 
     def write(
         self,
@@ -379,7 +422,10 @@ class Device(QObject):
     def _on_connection_failed(self, error: StudioError) -> None:
         text = error_text(error)
         self.request_failed.emit(text)
-        self.notifier.report(text, remedies_for(error))
+        if self.may_move:
+            self.notifier.warn(f"{self.loss_text} {text}", remedies_for(error))
+        else:
+            self.notifier.report(text, remedies_for(error))
 
     @Slot(str)
     def _on_request_failed(self, reason: str) -> None:
@@ -484,6 +530,9 @@ class Device(QObject):
     def _on_not_responding(self) -> None:
         self._give_up_apply(self.tr("Nothing was written: the board does not respond."))
         self._forget_quality()
+        if self.may_move:
+            text = self.tr("The board does not respond; the stop is being repeated.")
+            self.notifier.danger.emit(f"{self.loss_text} {text}")
 
     def _give_up_apply(self, reason: str) -> None:
         """Write nothing, if the snapshot is still being saved."""

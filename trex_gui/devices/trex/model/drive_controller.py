@@ -17,6 +17,8 @@ from trex_gui.devices.trex.driving.requests import (
     MotorsStopped,
     SetpointRequest,
     Stop,
+    is_idle,
+    setpoints_in,
 )
 from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.motors import Motors
@@ -45,6 +47,8 @@ class DriveController(QObject):
         may_move: whether motors were driven and no stop was confirmed since, connected or not. A
             board that was not read since the line was opened or quiet may be another one: what it
             confirms does not count.
+        driven: the motors (3 is the auxiliary) that were given a speed since the last confirmed
+            stop, as far as this program knows.
         reaches_several: whether commands have no number, and several boards are on the line.
 
     Signals:
@@ -65,6 +69,7 @@ class DriveController(QObject):
     ) -> None:
         super().__init__(parent)
         self.may_move = False
+        self.driven: set[int] = set()
         self._notifier = notifier
         self._motors = motors
         self._telemetry = telemetry
@@ -134,6 +139,7 @@ class DriveController(QObject):
     def _on_drive_requested(self, request: SetpointRequest) -> None:
         if self._connection.submit(request):
             self.may_move = True
+            self.driven.update(each.motor for each in setpoints_in(request) if not is_idle(each))
 
     @Slot()
     def _on_arming_changed(self) -> None:
@@ -213,6 +219,8 @@ class DriveController(QObject):
     def _on_confirmed(self) -> None:
         # A setpoint that was sent meanwhile moves a motor again.
         self.may_move = self._motors.armed or (self.may_move and not self._is_identified)
+        if not self.may_move:
+            self.driven.clear()
         self.confirmed.emit()
         self._report_lost()
 
@@ -362,12 +370,12 @@ def _port_of(board: Connected) -> str:
 def why_the_board_stopped(latched: LatchedStatus, *, errors_stop: bool) -> str:
     """Return why the motors are at rest after these bits; empty if they are not.
 
-    A serial timeout always stops them, other serial errors if UART-Error Shutdown (0x08) is set
+    Other serial errors than a timeout stop them only if UART-Error Shutdown (0x08) is set
     (`errors_stop`). The next motor command would start them again: only the user may give it.
     """
     if latched.uart & UartError.TIMEOUT:
         return tr(
-            "The board received nothing within its Serial Timeout and stopped its motors.",
+            "The board received nothing within its Serial Timeout, so the motors were stopped.",
         )
     if latched.uart and errors_stop:
         names = ", ".join(map(tr, bit_names(latched.uart)))

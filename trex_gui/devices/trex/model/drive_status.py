@@ -1,7 +1,7 @@
 """Whether the motors follow the setpoints, why not, and what to do about it."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import reduce
 from math import ceil
 from operator import or_
@@ -16,14 +16,13 @@ from trex_gui.devices.trex.driving.board_reasons import (
     board_inputs,
     board_reasons,
 )
+from trex_gui.devices.trex.driving.timeout_stop import turning_text
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.calibration import NEARLY_NEUTRAL
 from trex_gui.devices.trex.protocol.flags import MOTOR_FAULTS, Status, UartError
-from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.ui.devices.connection import ConnectionState
 
 _CLOSED = ConnectionState.DISCONNECTED
-_TIMEOUT = ParameterKey.SERIAL_TIMEOUT
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -33,8 +32,9 @@ class DriveInputs:
     Attributes:
         board: what the board reports; `None` while that is unknown.
         may_move: whether motors were driven and no stop was confirmed since.
+        driven: those motors, as far as they are known.
         lost_board: a warning about a board that may still be driven, with another one at the line.
-        timeout: the board's serial timeout as text; empty if it is off or unknown.
+        silence_remedy: what to do if the board is lost while it is driven.
         reaches_several: whether a command would reach several boards.
         locked_for: seconds.
     """
@@ -42,8 +42,9 @@ class DriveInputs:
     board: BoardInputs | None = None
     link: ConnectionState = ConnectionState.CONNECTED
     may_move: bool = False
+    driven: frozenset[int] = frozenset()
     lost_board: str = ""
-    timeout: str = ""
+    silence_remedy: str = ""
     reaches_several: bool = False
     locked_for: float = 0.0
     is_available: bool = True
@@ -60,12 +61,7 @@ class DriveStatus:
     remedy: str = ""
 
 
-_LOST_WITH_TIMEOUT = tr_noop(
-    "The board stops them {0} after the last byte it received; if not, cut their power.",
-)
-_SILENT_WHILE_DRIVEN = tr_noop("The board does not respond: motors may still turn.")
-_CHECK_WHILE_DRIVEN = tr_noop("Check its power and the cable; the stop is being repeated.")
-_STOPS_BY_TIMEOUT = tr_noop("The board stops them {0} after the last byte it received.")
+_SILENT_WHILE_DRIVEN = tr_noop("The board does not respond; the stop is being repeated.")
 _DOUBTFUL = tr_noop("{0} Doubtful: the line is noisy and has no CRC.")
 
 _LINK_BLOCKERS = {
@@ -119,33 +115,28 @@ def _status(reason: Reason) -> DriveStatus:
 
 
 def _lost(now: DriveInputs) -> DriveStatus:
-    lost = _status(Reason(DriveBlocker.LOST))
     if not now.may_move:
-        return replace(lost, text=now.lost_board, remedy="")
-    if now.timeout:
-        return replace(lost, remedy=tr(_LOST_WITH_TIMEOUT).format(now.timeout))
-    return lost
+        return DriveStatus(DriveBlocker.LOST, now.lost_board)
+    return DriveStatus(DriveBlocker.LOST, turning_text(now.driven), now.silence_remedy)
 
 
 def _silent(now: DriveInputs) -> DriveStatus:
-    silent = _status(Reason(DriveBlocker.SILENT))
     if not now.may_move:
-        return silent
-    remedy = tr(_CHECK_WHILE_DRIVEN)
-    if now.timeout:
-        remedy = f"{tr(_STOPS_BY_TIMEOUT).format(now.timeout)} {remedy}"
-    return replace(silent, text=tr(_SILENT_WHILE_DRIVEN), remedy=remedy)
+        return _status(Reason(DriveBlocker.SILENT))
+    remedy = f"{now.silence_remedy} {tr(_SILENT_WHILE_DRIVEN)}"
+    return DriveStatus(DriveBlocker.SILENT, turning_text(now.driven), remedy)
 
 
 def drive_inputs(device: Device, *, is_held: bool = False) -> DriveInputs:
     """Return what decides now; `is_held`: whether safe-start may hold the motors."""
-    motors, timeout = device.motors, device.parameters.stored_of(_TIMEOUT)
+    motors = device.motors
     return DriveInputs(
         board=_board_inputs(device, is_held=is_held),
         link=device.link,
         may_move=device.may_move,
+        driven=frozenset(device.driving.driven),
         lost_board=device.driving.lost_board,
-        timeout=device.parameters.spec_of(_TIMEOUT).text(timeout) if timeout else "",
+        silence_remedy=device.silence_remedy,
         reaches_several=device.driving.reaches_several,
         locked_for=motors.locked_for,
         is_available=motors.is_available,

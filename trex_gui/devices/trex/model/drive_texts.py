@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from trex_gui.core.translation import Number, tr
 from trex_gui.core.transport.serial_port import latency_of
+from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -90,13 +91,15 @@ def timeout_warning(device: Device) -> TimeoutWarning | None:
     timeout, settings = device.serial_timeout_s, device.settings
     if timeout is None or settings is None:
         return None
-    return timeout_warning_on(settings, timeout, is_guarded=device.connection.is_guarded)
+    return timeout_warning_on(
+        settings, timeout, device.timeout_stop, is_guarded=device.connection.is_guarded
+    )
 
 
 def timeout_warning_on(
-    settings: ConnectionSettings, timeout: float, *, is_guarded: bool
+    settings: ConnectionSettings, timeout: float, stop: TimeoutStop, *, is_guarded: bool
 ) -> TimeoutWarning | None:
-    """Return what is wrong with a timeout in seconds (0: off) on this line."""
+    """Return what is wrong with a timeout in seconds (0: off) on this line, with that effect."""
     latency = latency_of(settings.url) + settings.timeouts.extra
 
     def can_keep(seconds: float) -> bool:
@@ -110,6 +113,18 @@ def timeout_warning_on(
             "Serial timeout is off, and the guardian process could not be started: motors keep "
             "turning if the cable, this computer or this program fails."
         )
+    elif stop is TimeoutStop.FAILED:
+        text = tr(
+            "Serial timeout is on, but it did not stop the motors of this board when it was tried: "
+            "they keep turning if the cable or this computer fails."
+        )
+        return TimeoutWarning(text, None)
+    elif stop is TimeoutStop.DOUBTFUL:
+        text = tr(
+            "UART-Error Shutdown is off: motors may keep turning if the cable or this computer "
+            "fails, although the serial timeout is on."
+        )
+        better = max(better, timeout)
     elif timeout >= better or can_keep(timeout):
         if is_guarded:
             return None

@@ -160,6 +160,14 @@ class Motors(QObject):
         self._limit_to(speed)
 
     @property
+    def arms_without_timeout(self) -> bool:
+        """Whether the user arms this board although no serial timeout would stop it."""
+        return self._store.flag(f"motors/without_timeout/{self.board}", default=False)
+
+    def remember_arming_without_timeout(self) -> None:
+        self._store.set(f"motors/without_timeout/{self.board}", True)
+
+    @property
     def _ceiling_key(self) -> str:
         return f"motors/ceilings/{self.board}"
 

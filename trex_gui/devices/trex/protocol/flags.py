@@ -88,7 +88,7 @@ UART_MEANING: dict[UartError, tuple[str, str]] = {
     UartError.TIMEOUT: (
         tr_noop("Serial timeout"),
         tr_noop(
-            "No byte arrived within the Serial Timeout, so the board stopped its motors.",
+            "No byte arrived within the Serial Timeout. The board should have stopped its motors.",
         ),
     ),
     UartError.FORMAT: (

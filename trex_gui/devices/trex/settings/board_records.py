@@ -2,8 +2,9 @@
 
 A record is a settings file. Its parameters are those that were applied last, none if nothing ever
 was; its calibrations are those of both input sources, although a board shows one set only. Comments
-at its head say when the parameters were applied, since when each set is known, and at which adapter
-the board was. Two boards may share a record; another adapter is the only sign of that there is.
+at its head say when the parameters were applied, since when each set is known, whether the serial
+timeout stopped the motors when that was tried, and at which adapter the board was. Two boards may
+share a record; another adapter is the only sign of that there is.
 """
 
 import re
@@ -14,6 +15,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 from trex_gui.core.files import SettingsError, data_folder, load
+from trex_gui.devices.trex.driving.timeout_stop import TimeoutTrial
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.device_table import HIGHEST_WIRE
 from trex_gui.devices.trex.protocol.flags import InputSource
@@ -32,6 +34,10 @@ _HEAD = re.compile(
     r"^# (parameters|rc calibrations|analog calibrations): (applied|read) (\S+)$", re.MULTILINE
 )
 _ADAPTER = re.compile(r"^# adapter: (\S+)$", re.MULTILINE)
+_TRIAL = re.compile(
+    r"^# serial timeout: (stopped the motors|failed), uart_error_shutdown (on|off), tried (\S+)$",
+    re.MULTILINE,
+)
 _PARAMETERS = "parameters"
 _NEVER = datetime.min.replace(tzinfo=UTC)
 
@@ -52,6 +58,7 @@ class BoardRecord:
     applied: datetime | None = None  # when parameters were written last; `None`: never
     known: Mapping[InputSource, Known] = field(default_factory=dict)  # the calibrations
     adapter: str = ""  # the key of the last one that the board was at; empty if not known
+    trial: TimeoutTrial | None = None  # of the serial timeout; `None`: never tried
 
     @property
     def time(self) -> datetime | None:
@@ -122,6 +129,7 @@ class BoardRecord:
             now,
             {**self.known, source: Known(now, True)},
             self.adapter,
+            self.trial,
         )
         return record.before_writing(uncertain)
 
@@ -145,6 +153,7 @@ class BoardRecord:
             self,
             settings=replace(new, calibrations=calibrations, notes={**old.notes, **new.notes}),
             known={**earlier.known, **self.known},
+            trial=self.trial or earlier.trial,
         )
 
     def with_hidden(self, stored: Settings, source: InputSource) -> tuple[Settings, list[str]]:
@@ -224,6 +233,13 @@ def _text(record: BoardRecord) -> str:
     if record.applied is not None:
         lines.append(_line(_PARAMETERS, Known(record.applied, True)))
     lines += [_line(_name(source), known) for source, known in record.known.items()]
+    if (trial := record.trial) is not None:
+        result = "stopped the motors" if trial.stopped else "failed"
+        shutdown = "on" if trial.shutdown else "off"
+        lines.append(
+            f"serial timeout: {result}, uart_error_shutdown {shutdown}, "
+            f"tried {trial.time.isoformat()}"
+        )
     if record.adapter:
         lines.append(f"adapter: {record.adapter}")
     return write_settings(record.settings, title_lines=lines)
@@ -237,10 +253,8 @@ def _record(settings: Settings, text: str) -> BoardRecord:
     """Read the head; values without a line in it, or with a damaged one, are not known."""
     found: dict[str, Known] = {}
     for name, verb, stamp in _HEAD.findall(text):
-        with suppress(ValueError, OverflowError):
-            time = datetime.fromisoformat(stamp).astimezone(UTC)
-            if 1970 < time.year < 9999:  # others cannot be shown in every time zone
-                found[name] = Known(time, verb == "applied")
+        if (time := _time(stamp)) is not None:
+            found[name] = Known(time, verb == "applied")
     known = {source: found[_name(source)] for source in InputSource if _name(source) in found}
     given = {key: c for key, c in settings.calibrations.items() if key.source in known}
     applied, adapter = found.get(_PARAMETERS), _ADAPTER.search(text)
@@ -250,7 +264,24 @@ def _record(settings: Settings, text: str) -> BoardRecord:
         None if applied is None else applied.time,
         known,
         "" if adapter is None else adapter[1],
+        _trial(text),
     )
+
+
+def _trial(text: str) -> TimeoutTrial | None:
+    found = _TRIAL.search(text)
+    time = None if found is None else _time(found[3])
+    if found is None or time is None:
+        return None
+    return TimeoutTrial(found[1] != "failed", found[2] == "on", time)
+
+
+def _time(stamp: str) -> datetime | None:
+    with suppress(ValueError, OverflowError):
+        time = datetime.fromisoformat(stamp).astimezone(UTC)
+        if 1970 < time.year < 9999:  # others cannot be shown in every time zone
+            return time
+    return None
 
 
 def utc_now() -> datetime:

@@ -149,7 +149,14 @@ def _warning(settings: Settings) -> str:
     where = f"{spec.name} (parameter {hexadecimal(spec.number)})"
     if wire == 0:
         return f"{goes_on}: these settings switch {where} off. Set it to have them stopped."
+    shutdown = settings.specs[ParameterKey.UART_ERROR_SHUTDOWN]
+    if not settings.parameters.get(shutdown.key):
+        return (
+            f"{goes_on}, perhaps also with {where} at {spec.text(wire)}: that may need "
+            f"{shutdown.name} (parameter {hexadecimal(shutdown.number)})."
+        )
     return (
-        f"With these settings motors stop when the board has heard nothing for {spec.text(wire)}: "
-        f"{where}. Without it they would keep running when a program ends or crashes."
+        f"With these settings motors should stop when the board has heard nothing for "
+        f"{spec.text(wire)}: {where}. Without it they would keep running when a program ends or "
+        f"crashes."
     )

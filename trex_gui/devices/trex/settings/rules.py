@@ -9,6 +9,7 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from trex_gui.core.translation import Number, tr, tr_noop
+from trex_gui.devices.trex.driving.timeout_stop import with_shutdown
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import InputSource, channels_in
@@ -138,8 +139,21 @@ class _Case:
 def _no_timeout(case: _Case) -> Iterator[_Match]:
     key = ParameterKey.SERIAL_TIMEOUT
     if case.context.drives_from_computer and case.wires.get(key) == 0:
-        change = {str(key): case.settings.specs[key].wire(_TIMEOUT)}
+        change = with_shutdown(case.settings.specs[key].wire(_TIMEOUT))
+        change = {name: wire for name, wire in change.items() if case.wires.get(name) != wire}
         yield _Match((key,), {"name": case.name(key)}, change)
+
+
+def _timeout_without_shutdown(case: _Case) -> Iterator[_Match]:
+    keys = (ParameterKey.SERIAL_TIMEOUT, ParameterKey.UART_ERROR_SHUTDOWN)
+    timeout, shutdown = keys
+    if case.wires.get(timeout) and case.wires.get(shutdown) == 0:
+        fields = {
+            "timeout": case.name(timeout),
+            "seconds": case.text(timeout),
+            "shutdown": case.name(shutdown),
+        }
+        yield _Match(keys, fields, {shutdown: 1})
 
 
 def _limit_in_joint_mode(case: _Case) -> Iterator[_Match]:
@@ -301,6 +315,7 @@ def _line_match(fields: Mapping[str, object], proposed: LineSettings | None) -> 
 
 RULES: Mapping[str, Callable[[_Case], Iterator[_Match]]] = {
     "no_serial_timeout": _no_timeout,
+    "timeout_without_shutdown": _timeout_without_shutdown,
     "limit_in_joint_mode": _limit_in_joint_mode,
     "limit_without_gain": _limit_without_gain,
     "limit_without_ramp": _limit_without_ramp,
@@ -320,6 +335,12 @@ _MESSAGES: Mapping[str, str] = {
         tr_noop(
             "{name} is off while a computer drives the motors: if the cable or the "
             "computer fails, the motors keep running at their last setpoint."
+        )
+    ),
+    "timeout_without_shutdown": (
+        tr_noop(
+            "{timeout} of {seconds} may not stop the motors if the cable or the computer fails: "
+            "{shutdown} is off, and the twin of the TReX, a qik 2s12v10, needs it for that."
         )
     ),
     "limit_in_joint_mode": (

@@ -7,14 +7,12 @@ from PySide6.QtGui import QCursor
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from trex_gui.core.translation import Number
-from trex_gui.devices.trex.driving.blockers import DriveBlocker
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import (
-    drive_inputs,
-    drive_status,
     recent_fault_text,
 )
 from trex_gui.devices.trex.model.drive_texts import TimeoutWarning, timeout_warning
+from trex_gui.devices.trex.views.arm_dialog import arm
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import set_text_color, tint
@@ -35,7 +33,7 @@ class TimeoutNotice(QWidget):
         self._button = ui.button(
             self,
             "timeoutButton",
-            accessible=self.tr("Set the serial timeout"),
+            accessible=self.tr("Write the serial timeout"),
             on_click=self._on_clicked,
         )
         self._button.setFlat(True)
@@ -65,12 +63,12 @@ class TimeoutNotice(QWidget):
         if warning.seconds is None:
             return
         seconds = f"{Number(warning.seconds):g}"
-        self._button.setText(self.tr("Set &{0} s").format(seconds))
-        self._button.setAccessibleName(self.tr("Set the serial timeout to {0} s").format(seconds))
+        self._button.setText(self.tr("Write &{0} s").format(seconds))
+        self._button.setAccessibleName(self.tr("Write a serial timeout of {0} s").format(seconds))
         self._button.setToolTip(
             self.tr(
-                "Writes only this setting now: the board stops its motors {0} s after the last "
-                "byte. Other changes stay pending."
+                "Writes Serial Timeout and UART-Error Shutdown now: the board should stop its "
+                "motors {0} s after the last byte. Other changes stay pending."
             ).format(seconds)
         )
 
@@ -84,7 +82,7 @@ class StopButton(RedButton):
     """The same text, colour and effect everywhere; Esc does the same."""
 
     def __init__(self, device: Device, name: str, parent: QWidget | None = None) -> None:
-        super().__init__(name, device.motors.press_stop, parent)
+        super().__init__(name, device.press_stop, parent)
         self.describe(
             self.tr("Stop motors"),
             self.tr("Stop both motors and the auxiliary now (Esc, anywhere)"),
@@ -96,7 +94,8 @@ class StopButton(RedButton):
     @Slot()
     def _on_link_changed(self) -> None:
         inactive = {ConnectionState.DISCONNECTED, ConnectionState.DISCONNECTING}
-        self.setEnabled(self._device.link not in inactive)
+        device = self._device
+        self.setEnabled(device.link not in inactive or device.may_stop_matter)
 
 
 class RunButton(QPushButton):
@@ -111,7 +110,7 @@ class RunButton(QPushButton):
         ui.set_bold(self)
         tint(self, "run")
         set_icon(self, "run", "run_text")
-        self.clicked.connect(motors.arm)
+        self.clicked.connect(lambda: arm(device, self.window()))
         for signal in (motors.arming_changed, motors.availability_changed, motors.lockout_changed):
             signal.connect(self._on_changed)
         self._on_changed()
@@ -185,10 +184,18 @@ class ActionBar(QWidget):
             or lost_board
         )
         self._state.show_note(
-            " ".join(filter(None, (fault, self._state_text()))), alarming=alarming
+            " ".join(filter(None, (fault, self._state_text()))),
+            alarming=alarming,
+            color="danger" if self._is_out_of_reach else "warning",
         )
         self._unapplied.setVisible(pending)
         self._apply.setEnabled(pending and self._device.can_apply)
+
+    @property
+    def _is_out_of_reach(self) -> bool:
+        """Whether motors may be turning, and no stop can be sent to them."""
+        lost = {ConnectionState.DISCONNECTED, ConnectionState.NOT_RESPONDING}
+        return self._device.may_stop_matter and self._device.link in lost
 
     @property
     def _is_beyond_reach(self) -> bool:
@@ -204,11 +211,10 @@ class ActionBar(QWidget):
                 return self.tr("Armed. Drive them on the Motors page.")
             return self.tr("Armed. Setpoint: {0}").format(motors.text)
         if self._device.may_move:
+            if self._is_out_of_reach:
+                return self._device.loss_text
             if link in {ConnectionState.CONNECTED, ConnectionState.DISCONNECTING}:
                 return self.tr("Stopping …")
-            status = drive_status(drive_inputs(self._device))  # the Motors page says the same
-            if status.blocker in {DriveBlocker.LOST, DriveBlocker.SILENT}:
-                return f"{status.text} {status.remedy}"
             return self.tr("Unknown: motors may still turn. The stop is being repeated.")
         if self._device.driving.lost_board:
             return self.tr("The board driven before may still turn its motors. Cut their power.")

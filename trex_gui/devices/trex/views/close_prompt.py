@@ -10,7 +10,7 @@ from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.views.review.review_dialog import ReviewDialog
 from trex_gui.devices.trex.views.settings_files import SettingsFiles
 from trex_gui.ui.frame.main_window import MainWindow
-from trex_gui.ui.widgets.messages import PromptAnswer
+from trex_gui.ui.notifier import Answer
 
 
 class ClosePrompt(QObject):
@@ -61,17 +61,17 @@ class ClosePrompt(QObject):
                     "Settings are still being written. Close anyway? Unwritten settings are "
                     "offered when the board is connected again."
                 ),
-                PromptAnswer("closeYes", self.tr("Close anyway"), keep),
+                Answer("closeYes", self.tr("Close anyway"), keep),
                 still=lambda: device.applying,
             )
         else:
-            apply = PromptAnswer("applyFirst", self.tr("Review and apply…"), self._review.review)
+            apply = Answer("applyFirst", self.tr("Review and apply…"), self._review.review)
             question.ask(
                 self.tr("There are unapplied changes."),
                 *([apply] if device.can_apply else []),
-                PromptAnswer("saveAndClose", self.tr("Save as a settings file…"), save_and_leave),
-                PromptAnswer("keepAndClose", self.tr("Keep and close"), keep),
-                PromptAnswer("closeYes", self.tr("Discard and close"), discard),
+                Answer("saveAndClose", self.tr("Save as a settings file…"), save_and_leave),
+                Answer("keepAndClose", self.tr("Keep and close"), keep),
+                Answer("closeYes", self.tr("Discard and close"), discard),
                 still=lambda: draft.pending > 0 and not device.applying,
             )
         return False

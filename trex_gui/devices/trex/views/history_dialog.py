@@ -24,12 +24,12 @@ from trex_gui.devices.trex.settings.history import KEPT, SettingsHistory, Snapsh
 from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.devices.trex.views.snapshot_pane import SnapshotPane
 from trex_gui.ui.files import in_background
-from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.notifier import Answer, Notifier
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.behaviour import ReusedDialog
-from trex_gui.ui.widgets.messages import Banner, InlinePrompt, PromptAnswer
+from trex_gui.ui.widgets.messages import Banner, InlinePrompt
 from trex_gui.ui.widgets.placement import restore_geometry, save_geometry
 
 _MOST_KEPT = 999_999
@@ -213,7 +213,7 @@ class HistoryDialog(ReusedDialog):
         text = self.tr("Permanently delete %n snapshot(s), the newest of {0}?", "", len(chosen))
         self._question.ask(
             text.format(self._table.time_text(chosen[0])),
-            PromptAnswer("historyQuestionYes", self.tr("Delete"), lambda: self._remove(chosen)),
+            Answer("historyQuestionYes", self.tr("Delete"), lambda: self._remove(chosen)),
         )
 
     def _remove(self, snapshots: tuple[Snapshot, ...]) -> None:
@@ -413,7 +413,7 @@ class _BoundField(QWidget):
             self.tr("Permanently remove the oldest %n of {0} snapshots?", "", removed).format(
                 self._total
             ),
-            PromptAnswer(
+            Answer(
                 "historyQuestionYes",
                 self.tr("Remove {0}").format(removed),
                 lambda: self._keep(wanted),

@@ -2,7 +2,8 @@
 
 from collections.abc import Callable, Sequence
 
-from trex_gui.ui.widgets.messages import InlinePrompt, PromptAnswer
+from trex_gui.ui.notifier import Answer
+from trex_gui.ui.widgets.messages import InlinePrompt
 
 
 class LimitsPrompt(InlinePrompt):
@@ -18,5 +19,5 @@ class LimitsPrompt(InlinePrompt):
             "{0}: beyond a limit that is inferred. The board decides: it may reject the value, or "
             "store another one."
         )
-        answer = PromptAnswer("writeAnyway", self.tr("Write an&yway"), write)
+        answer = Answer("writeAnyway", self.tr("Write an&yway"), write)
         self.ask(text.format(", ".join(named)), answer, still=lambda: doubts() == named)

@@ -23,6 +23,7 @@ from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.comparison import ComparisonRow
 from trex_gui.devices.trex.views.action_bar import ActionBar
+from trex_gui.devices.trex.views.arm_dialog import arm
 from trex_gui.devices.trex.views.boards import BoardPanel
 from trex_gui.devices.trex.views.close_prompt import ClosePrompt
 from trex_gui.devices.trex.views.demo_panel import DemoPanel
@@ -53,10 +54,10 @@ from trex_gui.ui.frame.workspace import (
     Workspace,
 )
 from trex_gui.ui.log import LogPage
+from trex_gui.ui.notifier import Answer
 from trex_gui.ui.translations import error_sentence, local_time
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
-from trex_gui.ui.widgets.messages import PromptAnswer
 
 if TYPE_CHECKING:
     from trex_gui.devices.trex.views.apply_to_boards_dialog import ApplyToBoardsDialog
@@ -293,6 +294,9 @@ class TrexWorkspace(Workspace):
         dialog.apply_requested.connect(self._review.review)
         return dialog
 
+    def _arm(self) -> None:
+        arm(self._device, self._frame)
+
     def _set_up(self) -> None:
         self._setup.open_setup()
 
@@ -379,7 +383,7 @@ class TrexWorkspace(Workspace):
                 Entry("discard", tr("&Discard all edits"), device.draft.discard_edits, "", "clear"),
             ),
             Menu.DEVICE: (
-                Entry("run", tr("&Run motor"), device.motors.arm, "Ctrl+R", "run"),
+                Entry("run", tr("&Run motor"), self._arm, "Ctrl+R", "run"),
                 SEPARATOR,
                 Entry(
                     "reload",
@@ -533,7 +537,7 @@ class TrexWorkspace(Workspace):
             return
         self._question.ask(
             self.tr("Read the settings from the board and discard the edits made here?"),
-            PromptAnswer("reloadYes", self.tr("Discard and reload"), self._forget_and_reload),
+            Answer("reloadYes", self.tr("Discard and reload"), self._forget_and_reload),
             still=lambda: self._device.draft.pending > 0 and self._device.is_writable,
         )
 
@@ -560,8 +564,8 @@ class TrexWorkspace(Workspace):
         saved = local_time(offer.saved.saved)
         self._question.ask(
             text.format(offer.saved.settings.product.name, saved),
-            PromptAnswer("restoreEdits", self.tr("Restore edits"), backup.restore),
-            PromptAnswer("discardEdits", self.tr("Discard edits"), backup.discard_offer),
+            Answer("restoreEdits", self.tr("Restore edits"), backup.restore),
+            Answer("discardEdits", self.tr("Discard edits"), backup.discard_offer),
             still=lambda: backup.offer is offer,
         )
 
@@ -585,8 +589,8 @@ class TrexWorkspace(Workspace):
             keep = self.tr("Keep the values of the board")
             self._question.ask(
                 text.format(record.settings.product.name, local_time(record.applied)),
-                PromptAnswer("showDiffering", self.tr("Show…"), self._show_differing),
-                PromptAnswer("keepDiffering", keep, memory.accept),
+                Answer("showDiffering", self.tr("Show…"), self._show_differing),
+                Answer("keepDiffering", keep, memory.accept),
                 still=lambda: memory.differing == differing,
             )
 

@@ -30,14 +30,16 @@ RC = BoardInputs(mode=Mode.RC, by_serial=False)
     [
         (DriveInputs(link=ConnectionState.DISCONNECTED), [DriveBlocker.NO_BOARD], "No board"),
         (
-            DriveInputs(link=ConnectionState.DISCONNECTED, may_move=True),
+            DriveInputs(link=ConnectionState.DISCONNECTED, may_move=True, driven=frozenset({1})),
             [DriveBlocker.LOST],
-            "Cut their power.",
+            "Motor 1 may still be turning.",
         ),
         (
-            DriveInputs(link=ConnectionState.DISCONNECTED, may_move=True, timeout="0.5 s"),
+            DriveInputs(
+                link=ConnectionState.DISCONNECTED, may_move=True, silence_remedy="Cut the power."
+            ),
             [DriveBlocker.LOST],
-            "stops them 0.5 s after the last byte",
+            "Cut the power.",
         ),
         (
             DriveInputs(link=ConnectionState.DISCONNECTED, lost_board="It got no stop."),
@@ -45,9 +47,11 @@ RC = BoardInputs(mode=Mode.RC, by_serial=False)
             "It got no stop.",
         ),
         (
-            DriveInputs(link=ConnectionState.NOT_RESPONDING, may_move=True, timeout="0.5 s"),
+            DriveInputs(
+                link=ConnectionState.NOT_RESPONDING, may_move=True, silence_remedy="Cut the power."
+            ),
             [DriveBlocker.SILENT],
-            "stops them 0.5 s after the last byte",
+            "Cut the power.",
         ),
         (DriveInputs(link=ConnectionState.CONNECTING), [DriveBlocker.OPENING], "is connecting"),
         (DriveInputs(link=ConnectionState.DISCONNECTING), [DriveBlocker.CLOSING], "closed"),
@@ -210,9 +214,9 @@ def test_fault_names_the_motor_that_has_it(
 def test_situation_includes_the_serial_timeout_of_the_board(
     device: Device, quick_simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
-    assert drive_inputs(device).timeout == ""
+    assert drive_inputs(device).silence_remedy == "Cut the power."
     quick_simulator.do("eeprom serial_timeout 5")
     quick_simulator.do("power cycle")
     device.connect_to(ConnectionSettings(quick_simulator.url))
-    qtbot.waitUntil(lambda: drive_inputs(device).timeout == "0.5 s")
+    qtbot.waitUntil(lambda: "should stop 0.5 s after" in drive_inputs(device).silence_remedy)
     assert reported(device).timeout == "0.5 s"

@@ -187,7 +187,8 @@ def test_header_names_board_and_warns_of_running_motors(language: Language) -> N
     assert "keep running" in head()
     assert "unless Serial Timeout is set on the board" in head()
     assert "switch Serial Timeout (parameter 0x07) off" in head(serial_timeout=0)
-    assert "heard nothing for 1.5 s" in head(serial_timeout=15)
+    assert "may need UART-Error Shutdown" in head(serial_timeout=15, uart_error_shutdown=0)
+    assert "heard nothing for 1.5 s" in head(serial_timeout=15, uart_error_shutdown=1)
 
 
 @every_language

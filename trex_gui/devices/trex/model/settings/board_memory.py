@@ -7,6 +7,7 @@ from functools import partial
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.errors import StudioError
+from trex_gui.devices.trex.driving.timeout_stop import TimeoutTrial
 from trex_gui.devices.trex.model.settings.board_files import BoardFiles
 from trex_gui.devices.trex.model.settings.notes import Notes
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
@@ -178,6 +179,10 @@ class BoardMemory(QObject):
         stored, source = self._stored, self._source
         if stored is not None:
             self._change(lambda record: record.accepting(stored, source, utc_now()))
+
+    def record_trial(self, trial: TimeoutTrial) -> None:
+        """Save what the user saw of the serial timeout of this board."""
+        self._change(lambda record: replace(record, trial=trial))
 
     # --- The record ---------------------------------------------------------------------
 

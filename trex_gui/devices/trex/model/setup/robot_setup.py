@@ -6,6 +6,7 @@ from enum import Enum, auto
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.devices.trex.client.reading import DeviceState, may_be_same_board
+from trex_gui.devices.trex.driving.timeout_stop import with_shutdown
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.setup.presets import LIMITS, Preset
@@ -164,7 +165,7 @@ class RobotSetup(QObject):
                 ramps = {key: wire for key, wire in values.items() if key not in LIMITS}
                 return ramps | ({} if limit is None else dict.fromkeys(LIMITS, limit))
             case SetupStep.TIMEOUT:
-                return {ParameterKey.SERIAL_TIMEOUT: self.timeout}
+                return with_shutdown(self.timeout)
         return {}
 
     def _directions(self) -> Mapping[str, int]:

@@ -9,6 +9,7 @@ from typing import TypeVar
 from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtWidgets import QAbstractButton, QButtonGroup, QLabel, QRadioButton, QWidget
 
+from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_texts import timeout_warning_on
 from trex_gui.devices.trex.model.learning.learning import Learning
@@ -511,7 +512,8 @@ class TimeoutPage(QWidget):
             Muted(
                 self.tr(
                     "Have the computer send something at least twice in that time; a status query "
-                    "will do. 0.5 s is a good value for most robots."
+                    "will do. 0.5 s is a good value for most robots. UART-Error Shutdown is "
+                    "switched on with it, as the timeout may need it."
                 ),
                 self,
             ),
@@ -527,7 +529,8 @@ class TimeoutPage(QWidget):
         seconds, settings = self._setup.timeout / 10, self._device.settings
         with QSignalBlocker(self._seconds):
             self._seconds.setValue(seconds)
-        warning = settings and timeout_warning_on(settings, seconds, is_guarded=True)
+        stop = TimeoutStop.EXPECTED if seconds else TimeoutStop.OFF
+        warning = settings and timeout_warning_on(settings, seconds, stop, is_guarded=True)
         self._short.show_note(warning.text if warning else "", alarming=True)
         parameters, key = self._device.parameters, ParameterKey.SERIAL_TIMEOUT
         wire = parameters.stored_of(key)

@@ -1,0 +1,91 @@
+"""Arming a real board whose motors nothing stops when the cable falls out."""
+
+from collections.abc import Iterator
+
+import pytest
+from PySide6.QtWidgets import QApplication, QWidget
+from pytestqt.qtbot import QtBot
+
+from tests.support.keyboard import check_keyboard
+from tests.support.simulator import SimulatedDevice
+from tests.support.window import WidgetDriver
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.views.action_bar import RunButton
+from trex_gui.devices.trex.views.arm_dialog import ArmDialog
+from trex_gui.ui.theme.theme import theme
+
+
+class Arming(WidgetDriver):
+    """A window with nothing but *Run motor*, and its dialog."""
+
+    def __init__(self, device: Device, simulator: SimulatedDevice, qtbot: QtBot) -> None:
+        super().__init__(QWidget(), qtbot)
+        self.device, self.simulator = device, simulator
+        RunButton(device, "runButton", self.root)
+        qtbot.addWidget(self.root)
+        self.root.show()
+
+    def connect(self, *, name: str = "") -> None:
+        self.device.connect_to(ConnectionSettings(self.simulator.url, name=name))
+        self.wait(lambda: self.device.motors.can_arm)
+
+    def press_run(self) -> WidgetDriver:
+        """Return the dialog that opens."""
+        self.click("runButton")
+        return WidgetDriver(self.find_only(ArmDialog), self.qtbot)
+
+    def stored(self) -> tuple[int, int]:
+        parameters = self.simulator.show()["parameters"]
+        return parameters["serial_timeout"], parameters["uart_error_shutdown"]
+
+
+@pytest.fixture
+def arming(quick_simulator: SimulatedDevice, qtbot: QtBot, qapp: QApplication) -> Iterator[Arming]:
+    theme().install(qapp)
+    device = Device()
+    yield Arming(device, quick_simulator, qtbot)
+    device.disconnect_line()
+    qtbot.waitUntil(device.shut_down)
+
+
+@pytest.mark.parametrize("set_up", ["eeprom serial_timeout 0", "eeprom uart_error_shutdown 0"])
+def test_both_settings_are_written_before_the_motors_are_armed(arming: Arming, set_up: str) -> None:
+    arming.simulator.do("eeprom serial_timeout 5")
+    arming.simulator.do(set_up)
+    arming.simulator.do("power cycle")
+    arming.connect()
+    dialog = arming.press_run()
+    check_keyboard(dialog.root)
+    assert dialog.button("writeAndArmButton").isDefault()
+    dialog.click("writeAndArmButton")
+    assert not arming.device.motors.armed, "nothing is written yet"
+    arming.wait(lambda: arming.device.motors.armed)
+    assert arming.stored() == (5, 1)
+
+
+def test_arming_without_is_remembered_for_the_board(arming: Arming) -> None:
+    arming.connect()
+    arming.press_run().click("armWithoutButton")
+    assert arming.device.motors.armed
+    assert arming.stored() == (0, 1)
+    arming.device.motors.stop()
+    arming.wait(lambda: arming.device.motors.can_arm)
+    arming.click("runButton")
+    assert arming.device.motors.armed
+
+
+def test_failed_write_arms_nothing(arming: Arming) -> None:
+    arming.connect()
+    dialog = arming.press_run()
+    arming.simulator.do("eeprom motor1_acceleration 9")  # another program's
+    dialog.click("writeAndArmButton")
+    dialog.wait(lambda: dialog.text("armNote") not in {"", "Writing …"})
+    assert not arming.device.motors.armed
+    assert dialog.is_enabled("writeAndArmButton")
+
+
+def test_simulated_board_of_the_program_is_armed_at_once(arming: Arming) -> None:
+    arming.connect(name="Demo")
+    arming.click("runButton")
+    assert arming.device.motors.armed

@@ -1,0 +1,96 @@
+"""Whether the board stops its motors by itself when it hears nothing any more.
+
+The command document says that the serial timeout (0x07) stops the motors. The guide of the twin,
+the qik 2s12v10 (5.a), adds that it does so only with shutdown on serial errors set. Which of both
+holds for the TReX is unknown, so UART-Error Shutdown (0x08) counts as needed until the user has
+pulled the cable of a driven board.
+"""
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
+from datetime import datetime
+from enum import Enum, auto
+
+from trex_gui.core.translation import tr, tr_noop
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
+
+_TIMEOUT, _SHUTDOWN = ParameterKey.SERIAL_TIMEOUT, ParameterKey.UART_ERROR_SHUTDOWN
+
+
+class TimeoutStop(Enum):
+    """Expected effect of a silent line on the motors."""
+
+    OFF = auto()
+    """The serial timeout is off: they keep turning."""
+    DOUBTFUL = auto()
+    """UART-Error Shutdown is off: they may keep turning."""
+    EXPECTED = auto()
+    """Both are set: they should stop."""
+    TRIED = auto()
+    """They stopped when the cable was pulled."""
+    FAILED = auto()
+    """They did not stop when the cable was pulled."""
+
+    @property
+    def is_reliable(self) -> bool:
+        return self in {TimeoutStop.EXPECTED, TimeoutStop.TRIED}
+
+
+@dataclass(frozen=True, slots=True)
+class TimeoutTrial:
+    """Result of pulling the cable of a driven board, as its user saw it.
+
+    Attributes:
+        stopped: whether the motors stopped by themselves.
+        shutdown: whether UART-Error Shutdown was set.
+        time: in UTC.
+    """
+
+    stopped: bool
+    shutdown: bool
+    time: datetime
+
+    def applies(self, *, shutdown: bool) -> bool:
+        """Return whether it tells what happens with this UART-Error Shutdown."""
+        return shutdown in {self.shutdown, self.stopped}
+
+
+def timeout_stop(parameters: Mapping[str, int], trial: TimeoutTrial | None = None) -> TimeoutStop:
+    """Return what is expected of a board that stores these wire values."""
+    if not parameters.get(_TIMEOUT):
+        return TimeoutStop.OFF
+    shutdown = bool(parameters.get(_SHUTDOWN))
+    if trial is not None and trial.applies(shutdown=shutdown):
+        return TimeoutStop.TRIED if trial.stopped else TimeoutStop.FAILED
+    return TimeoutStop.EXPECTED if shutdown else TimeoutStop.DOUBTFUL
+
+
+def with_shutdown(timeout: int) -> dict[str, int]:
+    """Return the parameters to propose for a serial timeout in tenths of a second, 0 for off."""
+    return {_TIMEOUT: timeout, **({_SHUTDOWN: 1} if timeout else {})}
+
+
+def turning_text(motors: Collection[int]) -> str:
+    """Warn that motors (1, 2; 3 is the auxiliary) may be turning beyond reach; empty: unknown."""
+    match [*motors]:
+        case [3]:
+            return tr("The auxiliary motor may still be turning.")
+        case [motor]:
+            return tr("Motor {0} may still be turning.").format(motor)
+    return tr("Motors may still be turning.")
+
+
+_AFTER_SILENCE = {
+    TimeoutStop.EXPECTED: tr_noop(
+        "The board should stop {0} after the last byte; if not, cut the power."
+    ),
+    TimeoutStop.TRIED: tr_noop(
+        "The board stops {0} after the last byte, as it did when this was tried; if not, cut the "
+        "power."
+    ),
+}
+
+
+def remedy_for_silence(stop: TimeoutStop, timeout: str) -> str:
+    """Return what to do when a driven board was lost; `timeout` is the serial timeout as text."""
+    return tr(_AFTER_SILENCE.get(stop, tr_noop("Cut the power."))).format(timeout)
