@@ -148,8 +148,15 @@ def test_motor_stops_after_given_seconds(
     assert braked(quick_simulator)
 
 
-def test_motor_command_warns_if_serial_timeout_is_off(trexcmd: RunCommand) -> None:
-    assert "Serial Timeout is off" in trexcmd("motor", "1", "5", "--seconds", "0.01").stderr
+def test_motor_command_warns_of_a_timeout_that_may_not_stop(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
+    run = ("motor", "1", "5", "--seconds", "0.01")
+    assert "Serial Timeout is off" in trexcmd(*run).stderr
+    quick_simulator.do("eeprom serial_timeout 5")
+    quick_simulator.do("eeprom uart_error_shutdown 0")
+    quick_simulator.do("power cycle")
+    assert "UART-Error Shutdown is off, so the motor may keep" in trexcmd(*run).stderr
 
 
 def test_motor_command_feeds_short_serial_timeout(
@@ -258,8 +265,7 @@ def test_unplugging_ends_the_run_with_a_message(
     simulator.do("line unplug")
     _, errors = command.communicate()
     assert command.returncode == 1
-    assert "is gone" in errors
-    assert "cut its power" in errors
+    assert "Motor 1 may still be turning. Cut the power. The line" in errors
 
 
 @pytest.mark.parametrize(

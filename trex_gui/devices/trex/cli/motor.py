@@ -36,6 +36,11 @@ from trex_gui.devices.trex.driving.requests import (
     Stop,
     packets,
 )
+from trex_gui.devices.trex.driving.timeout_stop import (
+    remedy_for_silence,
+    timeout_stop,
+    turning_text,
+)
 from trex_gui.devices.trex.protocol.commands import GetSerialControl
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP, who_controls
@@ -269,11 +274,16 @@ class _Run:
             return
         if joint and any(isinstance(one, SetMotor) and one.motor == 2 for one in self._orders):
             say("Warning: in joint mode both drivers work as motor 1; motor 2 is ignored.")
-        if not state.serial_timeout:
+        if not timeout_stop(state.parameters).is_reliable:
             program = "" if self._is_guarded else ", and also if this program is killed"
+            verb, cause = ("keeps", "Serial Timeout is off")
+            command = 'trexcmd set serial_timeout "0.5 s"'
+            if state.serial_timeout:
+                verb, cause = ("may keep", "UART-Error Shutdown is off")
+                command = "trexcmd set uart_error_shutdown on"
             say(
-                "Warning: Serial Timeout is off, so the motor keeps running if the cable or this "
-                f'computer fails{program}. `trexcmd set serial_timeout "0.5 s"` switches it on.'
+                f"Warning: {cause}, so the motor {verb} running if the cable or this computer "
+                f"fails{program}. `{command}` switches it on."
             )
 
     def _take_status(self, latched: LatchedStatus) -> None:
@@ -300,12 +310,12 @@ class _Run:
         """Report how it ended; CommandFailed if not as intended."""
         error = self._line_error or self._stop_error
         if error is not None:
-            timeout = 0.0 if self._state is None else self._state.serial_timeout
-            text = str(error)
-            if self._is_running and timeout:
-                text += f" The board stops its motors {timeout:g} s after the last byte."
-            elif self._is_running and isinstance(error, PortUnavailable):
-                text += " If a motor still turns, cut its power."
+            text, state = str(error), self._state
+            if self._is_running and isinstance(error, PortUnavailable) and state is not None:
+                motors = {one.motor for one in self._orders if not isinstance(one, SendPacket)}
+                timeout = f"{state.serial_timeout:g} s"
+                remedy = remedy_for_silence(timeout_stop(state.parameters), timeout)
+                text = f"{turning_text(motors)} {remedy} {text}"
             raise CommandFailed(text) from error
         if self._is_running:
             say("Stopped.")
