@@ -87,7 +87,6 @@ class Banner(_MessageRow):
         self._dismiss = ui.tool_button(
             self, "bannerDismiss", self.tr("Dismiss"), on_click=self.clear
         )
-        self._dismiss.setAutoRaise(True)
         self._layout.addWidget(self._dismiss)
         if notifier is not None:
             notifier.info.connect(self.show_news)
@@ -174,6 +173,7 @@ class Banner(_MessageRow):
             self._notifier.shown, self._notifier.shows_problem = text, is_problem
         fill(self, "stop" if is_danger else "")
         ui.set_bold(self._text, is_danger)
+        self._dismiss.setAutoRaise(not is_danger)  # its flat text is hardly legible on red
         self._text.setText(text)
         self._help.setVisible(bool(text and self._help_topic(text)))
         # Screen readers need a name while there is no message.

@@ -9,6 +9,7 @@ import pytest
 from tests.devices.trex.settings.samples import factory
 from trex_gui.core.files import SettingsError
 from trex_gui.core.transport.adapters import Adapter
+from trex_gui.devices.trex.driving.timeout_stop import TimeoutTrial
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.settings.board_records import BoardRecord, BoardRecords, Known
@@ -51,6 +52,19 @@ def test_lost_settings_differ_until_they_are_applied_again_or_accepted() -> None
     assert differing(record, board) == lost, "writing another value accepts nothing"
     assert not differing(record.accepting(board, RC, LATER), board)
     assert not differing(record.after_reset(), stored())
+
+
+@pytest.mark.parametrize("stopped", [True, False])
+@pytest.mark.parametrize("shutdown", [True, False])
+def test_trial_of_the_timeout_is_in_the_file_and_survives_writing(
+    tmp_path: Path, *, stopped: bool, shutdown: bool
+) -> None:
+    trial = TimeoutTrial(stopped, shutdown, NOW)
+    records = BoardRecords(tmp_path)
+    records.save(BOARD, replace(EMPTY, trial=trial).after_writing(stored(), RC, (), LATER))
+    loaded = records.load(BOARD)
+    assert loaded is not None
+    assert loaded.trial == trial
 
 
 def test_uncertain_values_are_expected_neither_old_nor_new() -> None:

@@ -1,0 +1,79 @@
+"""A board that was lost while it was driven, and is back."""
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.program import new_controller
+from tests.support.virtual_devices import VirtualSimulator
+from tests.support.virtual_time import VirtualQtBot
+from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.notifier import Answer, Remedies
+
+OUTAGE_S = 4.0
+
+
+class LostBoard:
+    """A board that goes away for some seconds while motor 1 is driven."""
+
+    def __init__(self, device: Device, board: VirtualSimulator, qtbot: QtBot) -> None:
+        self.device, self.board, self.qtbot = device, board, qtbot
+        self.controller = new_controller(device)
+        self.news: list[str] = []
+        self.answers: dict[str, Answer] = {}
+        device.notifier.info.connect(self.news.append)
+        device.notifier.remedies_offered.connect(self._on_offered)
+
+    def _on_offered(self, remedies: Remedies) -> None:
+        self.answers = {each.name: each for each in remedies if isinstance(each, Answer)}
+
+    def lose(self, *, name: str = "", seconds: float = OUTAGE_S) -> None:
+        motors, qtbot = self.device.motors, self.qtbot
+        assert isinstance(qtbot, VirtualQtBot)
+        settings = ConnectionSettings(self.board.url, name=name)
+        self.device.connect_to(settings)
+        qtbot.waitUntil(lambda: motors.is_available)
+        motors.arm()
+        motors.set_speed(1, 30)
+        qtbot.waitUntil(lambda: self.board.show()["motors"][0]["direction"] == "forward")
+        self.board.do("line unplug")
+        qtbot.waitUntil(lambda: self.device.link is ConnectionState.DISCONNECTED)
+        qtbot.runtime.advance(seconds)
+        self.board.do("line plug")
+        self.device.connect_to(settings)
+        qtbot.waitUntil(lambda: bool(self.news))
+
+
+@pytest.fixture
+def lost(device: Device, quick_simulator: VirtualSimulator, qtbot: QtBot) -> LostBoard:
+    quick_simulator.do("eeprom serial_timeout 5")
+    quick_simulator.do("power cycle")
+    return LostBoard(device, quick_simulator, qtbot)
+
+
+@pytest.mark.parametrize(
+    ("answer", "known"),
+    [("timeoutWorked", TimeoutStop.TRIED), ("timeoutFailed", TimeoutStop.FAILED)],
+)
+def test_answer_about_the_timeout_is_remembered_for_the_board(
+    lost: LostBoard, answer: str, known: TimeoutStop
+) -> None:
+    lost.lose()
+    assert lost.news[-1].startswith("The board is back. It has confirmed the stop. For 4 s")
+    assert lost.device.timeout_stop is TimeoutStop.EXPECTED
+    lost.answers[answer].then()
+    assert lost.device.timeout_stop is known
+
+    lost.news.clear()
+    lost.lose()
+    assert lost.news == ["The board is back. It has confirmed the stop."]
+
+
+@pytest.mark.parametrize(("name", "seconds"), [("Demo", OUTAGE_S), ("", 1.0)])
+def test_nothing_is_asked_after_an_outage_that_shows_nothing(
+    lost: LostBoard, name: str, seconds: float
+) -> None:
+    lost.lose(name=name, seconds=seconds)
+    assert lost.news == ["The board is back. It has confirmed the stop."]
