@@ -151,7 +151,7 @@ class Rows(ui.GroupBox, Generic[SnapshotT]):
     def add_headings(self, slider: str, *ticks: str, over_value: bool = False) -> None:
         row_number = self._next()
         for column, text in ((_SLIDER, slider), *enumerate(ticks, start=_TICK)):
-            heading = QLabel(text, self)
+            heading = ui.label(self, text=text)
             heading.setAlignment(Qt.AlignmentFlag.AlignHCenter)
             columns = 2 if over_value and column == _SLIDER else 1
             self._grid.addWidget(heading, row_number, column, 1, columns)
@@ -165,6 +165,7 @@ class Rows(ui.GroupBox, Generic[SnapshotT]):
         """
         row_number = self._next()
         made = ui.label(self, text=name, buddy=slider)
+        made.setTextFormat(Qt.TextFormat.AutoText)  # `name` is ours: a number is bold
         if isinstance(slider, StickSlider):
             slider.value_label = value
         value.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)

@@ -10,6 +10,7 @@ from typing import Generic, TypeVar
 from PySide6.QtGui import QUndoCommand
 
 from trex_gui.core.translation import tr
+from trex_gui.ui.widgets.builders import no_mnemonic
 
 KeyT = TypeVar("KeyT")
 ValueT = TypeVar("ValueT")
@@ -42,7 +43,7 @@ class Edit(QUndoCommand, Generic[KeyT, ValueT]):
         *,
         run: object = None,
     ) -> None:
-        super().__init__(text)
+        super().__init__(no_mnemonic(text))
         self._put = put
         self.key = key
         self._before = before

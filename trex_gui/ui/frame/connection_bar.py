@@ -262,7 +262,7 @@ class ConnectionBar(QWidget):
                     combo.setCurrentIndex(combo.count() - 1)
             combo.insertSeparator(combo.count())
             combo.addItem(self.tr("Other port or address…"), _OTHER)
-            combo.setToolTip(combo.currentText())  # may be elided
+            combo.setToolTip(ui.plain(combo.currentText()))  # may be elided
         self._show_button()
 
     def _port_to_show(self) -> Port | None:
@@ -320,4 +320,4 @@ class ConnectionBar(QWidget):
         self._progress.setVisible(done < total)
         self._progress.setRange(0, total)
         self._progress.setValue(done)
-        self._progress.setToolTip(what)
+        self._progress.setToolTip(ui.plain(what))

@@ -363,4 +363,4 @@ class FindDialog(ReusedDialog):
 
 
 def _text(text: str, parent: QWidget, name: str = "") -> QLabel:
-    return ui.label(parent, name, text, wrap=True, expand=True, plain=True)
+    return ui.label(parent, name, text, wrap=True, expand=True)

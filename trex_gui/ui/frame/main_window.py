@@ -328,8 +328,8 @@ class MainWindow(QMainWindow):
         menu, files = self._recent_menu, self.recent.entries
         menu.clear()
         for number, file in enumerate(files, start=1):
-            action = menu.addAction(f"&{number} {file.title.replace('&', '&&')}")
-            action.setToolTip(str(file.path))
+            action = menu.addAction(f"&{number} {ui.no_mnemonic(file.title)}")
+            action.setToolTip(ui.plain(str(file.path)))
             action.triggered.connect(partial(self._on_recent_chosen, file))
         menu.addSeparator()
         clear = menu.addAction(self.tr("&Clear list"))

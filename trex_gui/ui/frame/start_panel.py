@@ -61,7 +61,9 @@ class StartPanel(QWidget):
         choices: list[QAbstractButton] = []
         for number, way in enumerate(texts.ways, start=1):
             pictures.addWidget(self._picture(way, number, hardware))
-            text = ui.label(steps, f"{texts.prefix}startSteps{number}", way.steps, wrap=True)
+            text = ui.label(
+                steps, f"{texts.prefix}startSteps{number}", way.steps, wrap=True, rich=True
+            )
             text.setAlignment(Qt.AlignmentFlag.AlignTop)
             steps.addWidget(text)
             if way.name:
@@ -171,7 +173,7 @@ class StartPanel(QWidget):
             button.setVisible(port is not None)
             if port is not None:
                 button.setText(self.tr("Connect to {0}").format(self._elided(port.label)))
-                button.setToolTip(port.label)
+                button.setToolTip(ui.plain(port.label))
 
     @Slot()
     def _on_recent_changed(self) -> None:
@@ -181,13 +183,13 @@ class StartPanel(QWidget):
             button.setVisible(file is not None)
             if file is not None:
                 button.setText(self._elided(file.title))
-                button.setToolTip(str(file.path))
+                button.setToolTip(ui.plain(str(file.path)))
 
     def _elided(self, text: str) -> str:
         """Return a text for a button, with an end that it has room for."""
         metrics = self.fontMetrics()
         room = metrics.averageCharWidth() * _WIDEST_BUTTON
-        return metrics.elidedText(text, Qt.TextElideMode.ElideRight, room).replace("&", "&&")
+        return ui.no_mnemonic(metrics.elidedText(text, Qt.TextElideMode.ElideRight, room))
 
     def _on_port_clicked(self, at: int) -> None:
         """Connect to this kind of device, unless another one was found on the port."""

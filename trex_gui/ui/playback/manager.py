@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from PySide6.QtCore import QObject, Qt, Signal, Slot
-from PySide6.QtWidgets import QFileDialog, QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QFileDialog, QSizePolicy, QWidget
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.recording.kept import kept_folder
@@ -44,10 +44,10 @@ class RecordIndicator(QWidget):
         builders.named(self, f"{prefix}recordIndicator", accessible=self.tr("Recording"))
         self._recorder = recorder
 
-        dot = QLabel(self)
+        dot = builders.label(self)
         set_sign(dot, "record", "led_red")
         self._text = builders.label(self, f"{prefix}recordText", bold=True)
-        self._file = builders.label(self, f"{prefix}recordFile", plain=True)
+        self._file = builders.label(self, f"{prefix}recordFile")
         # A long name is cut rather than making the window wide; its tool tip has all of it.
         self._file.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         stop = builders.button(
@@ -87,7 +87,7 @@ class RecordIndicator(QWidget):
         width = max(0, self._file.width())
         elided = self.fontMetrics().elidedText(name, Qt.TextElideMode.ElideMiddle, width)
         self._file.setText(elided)
-        self._file.setToolTip(str(recorder.path or ""))
+        self._file.setToolTip(builders.plain(str(recorder.path or "")))
         self.setAccessibleDescription(f"{text}, {name}")
 
 

@@ -60,7 +60,7 @@ class RecordingWindow(QMainWindow):
 
         self.notifier = Notifier(self)
         self.banner = Banner(self, self.notifier)
-        self._heading = builders.label(self, "recordingHeading", wrap=True, plain=True)
+        self._heading = builders.label(self, "recordingHeading", wrap=True)
         self._show_all = builders.button(
             self,
             "showAllButton",

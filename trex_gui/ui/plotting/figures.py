@@ -32,7 +32,7 @@ from trex_gui.ui.plotting.traces import TraceInfo, Traces
 from trex_gui.ui.theme.theme import follow_theme, theme
 from trex_gui.ui.widgets.bar import MINUS, WARNING_SIGN, LimitState, limit_state
 from trex_gui.ui.widgets.behaviour import clear_corner, paint_placeholder
-from trex_gui.ui.widgets.builders import flat_table, set_row_height
+from trex_gui.ui.widgets.builders import flat_table, plain, set_row_height
 
 Index = QModelIndex | QPersistentModelIndex
 
@@ -134,7 +134,7 @@ class TraceTable(QAbstractTableModel):
             case Qt.ItemDataRole.DisplayRole:
                 return self._heads[column][0]
             case Qt.ItemDataRole.ToolTipRole:
-                return self._heads[column][1]
+                return plain(self._heads[column][1])
             case Qt.ItemDataRole.TextAlignmentRole if column is not TraceColumn.CURVE:
                 return _RIGHT
         return None
@@ -339,7 +339,7 @@ class EventList(QListWidget):
             dot = swatch(theme().color(EVENT_COLORS[event.kind]), QSize(8, 8))
             text = f"{self._plot.text_of_time(event.time)}  {event.text}"
             item = QListWidgetItem(QIcon(dot), text, self)
-            item.setToolTip(event.text)
+            item.setToolTip(plain(event.text))
             item.setSizeHint(QSize(1, self.fontMetrics().height() + 4))  # a long text is elided
 
     def set_placeholder(self, text: str) -> None:

@@ -15,6 +15,7 @@ from trex_gui.ui.plotting.traces import TraceInfo, Traces
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.accessible import Spoken
 from trex_gui.ui.widgets.bar import MINUS, NO_VALUE
+from trex_gui.ui.widgets.builders import plain
 
 EVENT_COLORS: dict[EventKind, str] = {
     EventKind.APPLY: "dirty",
@@ -109,7 +110,7 @@ class EventMarks(QWidget, Spoken):
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
             near = self._near(event.pos().x())
-            QToolTip.showText(event.globalPos(), "\n".join(one.text for one in near), self)
+            QToolTip.showText(event.globalPos(), plain("\n".join(one.text for one in near)), self)
             return True
         return super().event(event)
 
@@ -182,6 +183,7 @@ class Readout(QLabel):
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName("cursorReadout")
+        self.setTextFormat(Qt.TextFormat.PlainText)
         self.setAutoFillBackground(True)
         self.setBackgroundRole(QPalette.ColorRole.ToolTipBase)
         self.setForegroundRole(QPalette.ColorRole.ToolTipText)

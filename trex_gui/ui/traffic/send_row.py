@@ -83,7 +83,7 @@ class SendRow(QWidget):
         else:
             self._sign.show_sign("")
         self._meaning.show_note("\n".join(filter(None, (preview.text, preview.blocker))))
-        self._meaning.setToolTip(preview.details)
+        self._meaning.setToolTip(ui.plain(preview.details))
         self._button.setEnabled(bool(preview.text) and not preview.blocker)
 
     @Slot()

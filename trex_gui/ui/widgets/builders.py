@@ -6,7 +6,7 @@ from itertools import pairwise
 from math import inf
 from typing import TypeVar
 
-from PySide6.QtCore import QEvent, QObject, Qt, SignalInstance
+from PySide6.QtCore import QEvent, QObject, SignalInstance
 from PySide6.QtGui import (
     QAction,
     QIcon,
@@ -15,6 +15,7 @@ from PySide6.QtGui import (
     QPalette,
     QShortcut,
     QShowEvent,
+    Qt,
     QWheelEvent,
 )
 from PySide6.QtWidgets import (
@@ -101,7 +102,7 @@ class RedButton(QPushButton):
     def describe(self, text: str, tip: str) -> None:
         self.setText(text)
         self.setAccessibleName(text)
-        self.setToolTip(tip)
+        self.setToolTip(plain(tip))
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
@@ -149,13 +150,26 @@ Margins = int | tuple[int, int, int, int] | None
 WidgetT = TypeVar("WidgetT", bound=QWidget)
 
 
+def plain(text: str) -> str:
+    """Return a text that Qt shows as it is written, also where it guesses the format.
+
+    Tool tips and message boxes do. They would open the files that markup from outside names.
+    """
+    return Qt.convertFromPlainText(text) if Qt.mightBeRichText(text) else text
+
+
+def no_mnemonic(text: str) -> str:
+    """Return a text for a menu or button, which shows each `&` of it."""
+    return text.replace("&", "&&")
+
+
 def named(widget: WidgetT, name: str, *, accessible: str = "", tip: str = "") -> WidgetT:
     """Give a widget its object name, accessible name and tool tip; return it."""
     widget.setObjectName(name)
     if accessible:
         widget.setAccessibleName(accessible)
     if tip:
-        widget.setToolTip(tip)
+        widget.setToolTip(plain(tip))
     return widget
 
 
@@ -238,21 +252,21 @@ def label(
     tip: str = "",
     wrap: bool = False,
     expand: bool = False,
-    plain: bool = False,
+    rich: bool = False,
     selectable: bool = False,
     bold: bool = False,
     buddy: QWidget | None = None,
 ) -> QLabel:
     """Create a label.
 
-    `wrap` breaks long text into lines, `expand` takes the width that is left, `plain` shows
-    markup as it is written.
+    `wrap` breaks long text into lines, `expand` takes the width that is left. A `rich` text is
+    markup: what is not ours in it has to be escaped.
     """
-    made = QLabel(text, parent)
+    made = QLabel(parent)
     made.setObjectName(name)
-    made.setToolTip(tip)
-    if plain:
-        made.setTextFormat(Qt.TextFormat.PlainText)
+    made.setToolTip(plain(tip))
+    made.setTextFormat(Qt.TextFormat.RichText if rich else Qt.TextFormat.PlainText)
+    made.setText(text)
     if selectable:
         made.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
     if expand:

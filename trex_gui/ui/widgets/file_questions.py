@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.ui.preferences import Preferences
+from trex_gui.ui.widgets.builders import plain
 
 _FOLDER = "settings/folder"
 _DEFAULT_FOLDER = "files/default_folder"
@@ -26,7 +27,7 @@ def before_closing(window: QWidget, name: str) -> SaveAnswer:
     answer = QMessageBox.question(
         window,
         tr("Unsaved changes"),
-        tr("{0} has changes that are not saved. Save them?").format(name),
+        plain(tr("{0} has changes that are not saved. Save them?").format(name)),
         button.Save | button.Discard | button.Cancel,
         button.Save,
     )
@@ -71,7 +72,9 @@ def may_replace(window: QWidget, name: str, why: str) -> bool:
 
 def _may(window: QWidget, title: str, text: str) -> bool:
     button = QMessageBox.StandardButton
-    answer = QMessageBox.question(window, title, text, button.Yes | button.Cancel, button.Cancel)
+    answer = QMessageBox.question(
+        window, title, plain(text), button.Yes | button.Cancel, button.Cancel
+    )
     return answer == button.Yes
 
 

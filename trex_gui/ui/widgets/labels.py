@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 from trex_gui.ui.theme.icons import set_sign
 from trex_gui.ui.theme.theme import follow_theme, set_text_color, theme
 from trex_gui.ui.widgets.accessible import Spoken
+from trex_gui.ui.widgets.builders import plain
 
 _SIGN_ROOM = 2  # pixels beyond the height of a line
 
@@ -66,7 +67,7 @@ class ElidedLabel(QLabel):
     def show_text(self, text: str) -> None:
         if text != self.text():
             self.setText(text)
-            self.setToolTip(text)
+            self.setToolTip(plain(text))
 
     def minimumSizeHint(self) -> QSize:
         if self.wordWrap():
@@ -120,6 +121,7 @@ class LinkLabel(QLabel):
 
     def __init__(self, name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self.setTextFormat(Qt.TextFormat.RichText)
         self.setObjectName(name)
         self.setWordWrap(True)
         self.setTextInteractionFlags(
@@ -145,6 +147,7 @@ class LiveLabel(QLabel, Spoken):
 
     def __init__(self, name: str, accessible: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self.setTextFormat(Qt.TextFormat.PlainText)
         self.setObjectName(name)
         self.setAccessibleName(accessible)
 
@@ -156,9 +159,10 @@ class Muted(QLabel):
     """Wrapped text of secondary importance."""
 
     def __init__(self, text: str = "", parent: QWidget | None = None) -> None:
-        super().__init__(text, parent)
+        super().__init__(parent)
         self.setWordWrap(True)
         self.setTextFormat(Qt.TextFormat.PlainText)
+        self.setText(text)
         set_text_color(self, "muted")
 
 

@@ -4,12 +4,12 @@ import re
 
 from PySide6.QtCore import QPointF, QSize, Qt, Slot
 from PySide6.QtGui import QHideEvent, QPainter, QPaintEvent, QPen, QShowEvent
-from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.accessible import Spoken
-from trex_gui.ui.widgets.builders import row
+from trex_gui.ui.widgets.builders import label, plain, row
 
 _FRAME_MS = 40
 _FAST = 8.0  # flashes a second of a fast flash
@@ -78,7 +78,7 @@ class Leds(QWidget):
         self._timer = new_timer(self, _FRAME_MS, self._on_frame)
         self.lamps = (Lamp("led_red", self), Lamp("led_green", self))
         self._names = (self.tr("Red"), self.tr("Green"))
-        self._words = (QLabel(self), QLabel(self))
+        self._words = (label(self), label(self))
 
         (red, green), (red_words, green_words) = self.lamps, self._words
         row(red, (red_words, 1), green, (green_words, 1), into=self, margins=0)
@@ -96,7 +96,7 @@ class Leds(QWidget):
             spoken = self.tr("{0} LED: {1}").format(name, meaning or words[index])
             self.lamps[index].setAccessibleName(spoken)
             for widget in (self.lamps[index], self._words[index]):
-                widget.setToolTip(spoken)
+                widget.setToolTip(plain(spoken))
         self._on_frame()
         self._run()
 

@@ -5,7 +5,7 @@ from functools import partial
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal, Slot
 from PySide6.QtGui import QGuiApplication, QKeyEvent, QMoveEvent, QResizeEvent
-from PySide6.QtWidgets import QFrame, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QFrame, QPushButton, QWidget
 
 from trex_gui.ui.notifier import Answer, ConnectWith, CopyCommand, Notifier, Remedies, Remedy
 from trex_gui.ui.theme.icons import set_sign
@@ -23,10 +23,8 @@ class _MessageRow(QFrame):
         self.setFrameShape(QFrame.Shape.StyledPanel)
         use_theme_style(self)
         self.setAutoFillBackground(True)
-        self._sign = QLabel(self)
-        self._text = ui.label(
-            self, f"{name}Text", wrap=True, expand=True, plain=True, selectable=selectable
-        )
+        self._sign = ui.label(self)
+        self._text = ui.label(self, f"{name}Text", wrap=True, expand=True, selectable=selectable)
         self._layout = ui.row(
             (self._sign, 0, Qt.AlignmentFlag.AlignTop),
             (self._text, 1),

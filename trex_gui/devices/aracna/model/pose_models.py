@@ -22,6 +22,7 @@ from trex_gui.devices.aracna.model.library import ItemKey, ItemKind, Library
 from trex_gui.devices.aracna.poses.gaits import GAITS, Gait
 from trex_gui.devices.aracna.poses.project import LONGEST_MS, SHORTEST_MS, SequenceStep
 from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.widgets.builders import plain
 
 _Index = QModelIndex | QPersistentModelIndex
 _NO_PARENT = QModelIndex()
@@ -66,7 +67,7 @@ class NameModel(QAbstractListModel):
             return key.name
         if role == _Role.DisplayRole:
             return self.tr("{0} (built in)").format(key.name) if key.built_in else key.name
-        return self._tool_tip(key) if role == _Role.ToolTipRole else None
+        return plain(self._tool_tip(key)) if role == _Role.ToolTipRole else None
 
     def _tool_tip(self, key: ItemKey) -> str:
         if self._kind is ItemKind.POSE:
@@ -205,7 +206,7 @@ class StepTable(QAbstractTableModel):
             font.setBold(is_running)
             return font
         if role == _Role.ToolTipRole and column is StepColumn.NOTE:
-            return note
+            return plain(note)
         if role not in (_Role.DisplayRole, _Role.EditRole):
             return None
         match column:

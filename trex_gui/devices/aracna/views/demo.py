@@ -19,7 +19,7 @@ from trex_gui.ui.devices.demo_panel import (
 )
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.accessible import Spoken, SpokenRange
-from trex_gui.ui.widgets.builders import button, label, named, row
+from trex_gui.ui.widgets.builders import button, label, named, plain, row
 from trex_gui.ui.widgets.labels import LiveLabel
 from trex_gui.ui.widgets.leds import Lamp
 
@@ -141,7 +141,7 @@ def _add_servo_row(motor: int, robot: DemoRobot, rows: RobotRows) -> None:
 
     def show_load(per_cent: float) -> None:
         text = tr("It loses {0} % of its speed; at the right end it stops").format(round(per_cent))
-        load.setToolTip(text)
+        load.setToolTip(plain(text))
         load.setAccessibleDescription(text)
 
     load = rows.slider(
@@ -177,7 +177,7 @@ def _add_servo_row(motor: int, robot: DemoRobot, rows: RobotRows) -> None:
         accessible=tr("{0}: blocked").format(joint),
     )
     name = rows.add_row(f"<b>{motor}</b>", gauge, where, (load, dead, blocked))
-    name.setToolTip(joint)
+    name.setToolTip(plain(joint))
     name.setBuddy(load)
 
     def update(snapshot: RobotSnapshot) -> None:
@@ -186,7 +186,7 @@ def _add_servo_row(motor: int, robot: DemoRobot, rows: RobotRows) -> None:
         where.setText(str(servo.position))
         text = servo_text(servo, snapshot.servo_power)
         for widget in (gauge, where):
-            widget.setToolTip(text)
+            widget.setToolTip(plain(text))
 
     rows.on_snapshot(update)
 

@@ -121,7 +121,7 @@ class JointValues(QWidget):
         grid = ui.grid(self, margins=0, spacing=(12, 2), stretch=[(len(self._parts) + 1, 1)])
         headings = (self.tr("Curve"), *(heading for heading, _, _ in self._parts.values()))
         for column, text in enumerate(headings):
-            label = QLabel(text, self)
+            label = ui.label(self, text=text)
             label.setAlignment(_LEFT if column == 0 else _RIGHT)
             grid.addWidget(label, 0, column)
         for motor in range(motors):

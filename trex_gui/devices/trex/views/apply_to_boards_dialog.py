@@ -84,7 +84,7 @@ class ApplyToBoardsDialog(ReusedDialog):
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)
         header.setStretchLastSection(True)
         self._table.setWordWrap(True)
-        self._heading = ui.label(self, "boardChangesTitle", bold=True, plain=True)
+        self._heading = ui.label(self, "boardChangesTitle", bold=True)
         self._changes = ComparisonView(self)
         self._findings = FindingsList("boards", self._changes, self, is_wide=True)
         self._findings_area = ScrollBox(self._findings, self)

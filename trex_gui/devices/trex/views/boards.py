@@ -157,7 +157,7 @@ class BoardPanel(QWidget):
             font = self._list.font()
             font.setBold(is_selected)
             item.setFont(font)
-            item.setToolTip(self._tip(board))
+            item.setToolTip(ui.plain(self._tip(board)))
             if is_selected and not self._boards.is_selecting:
                 self._list.setCurrentItem(item)
 
@@ -219,7 +219,7 @@ class NumberDialog(ReusedDialog):
             ),
             wrap=True,
         )
-        self._now = ui.label(self, "numberNow", plain=True)
+        self._now = ui.label(self, "numberNow")
         self._number = ui.spin_box(
             self, "newNumberField", self.tr("New device number"), 0, NUMBERS - 1
         )

@@ -17,7 +17,7 @@ from trex_gui.devices.trex.settings.writer import write_settings
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.builders import button, column, combo_box, flat_table, label, row
+from trex_gui.ui.widgets.builders import button, column, combo_box, flat_table, label, plain, row
 from trex_gui.ui.widgets.placement import keep_on_screen, resize_with_font
 
 _SIGNS = {
@@ -77,7 +77,7 @@ class ConversionView(QWidget):
             result = f"{results[each.fate]} {each.reason}".rstrip()
             for section, cell in enumerate((each.name, each.before, each.after or "–", result)):
                 item = QTableWidgetItem(cell)
-                item.setToolTip(cell)
+                item.setToolTip(plain(cell))
                 if section == 0:
                     item.setIcon(icon(*_SIGNS[each.fate]))
                 self._table.setItem(number, section, item)

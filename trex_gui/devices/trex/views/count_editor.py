@@ -22,6 +22,7 @@ from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.units import units
+from trex_gui.ui.widgets.builders import plain
 
 _NUMBER = re.compile(r"\s*([0-9]{1,6}(?:[.,][0-9]{0,6})?)\s*(\S*)\s*")
 _UNITS = {
@@ -61,7 +62,7 @@ class UnitSpinBox(QSpinBox):
         return self._problem.toolTip() if self._problem.isVisible() else ""
 
     def _mark(self, problem: str) -> None:
-        self._problem.setToolTip(problem)
+        self._problem.setToolTip(plain(problem))
         self._problem.setVisible(bool(problem))
         self.update()
 
@@ -148,13 +149,13 @@ class CountEditor(UnitSpinBox):
         # Whether the value is being changed by a key, the wheel or a button, not typed
         self.stepping = False
         self.setRange(0, HIGHEST_CODED)
-        self.setToolTip(self._expected())
+        self.setToolTip(plain(self._expected()))
 
     def set_source(self, source: InputSource) -> None:
         """Change to the units of another input source; the count stays."""
         if source is not self._source:
             self._source = source
-            self.setToolTip(self._expected())
+            self.setToolTip(plain(self._expected()))
             with QSignalBlocker(self):
                 self.lineEdit().setText(self.textFromValue(self.value()))
 

@@ -81,7 +81,7 @@ class ValuesPanel(QWidget):
         self._cells: dict[str, QLabel] = {}
         self._names: dict[str, str] = {}
 
-        self._control = builders.label(self, "controlAtPosition", wrap=True, plain=True)
+        self._control = builders.label(self, "controlAtPosition", wrap=True)
         self._grid = builders.grid(self, margins=0, spacing=(-1, 2), stretch=[(3, 1)])
         self._grid.addWidget(self._control, 0, 0, 1, 4)
         self._grid.setRowMinimumHeight(0, 2 * self.fontMetrics().lineSpacing())
@@ -102,12 +102,12 @@ class ValuesPanel(QWidget):
 
     def _add_headings(self, row: int, *texts: str) -> None:
         for column, text in enumerate(texts):
-            label = QLabel(text, self)
+            label = builders.label(self, text=text)
             label.setAlignment(Qt.AlignmentFlag.AlignRight)
             self._grid.addWidget(label, row, column)
 
     def _add_row(self, row: int, title: str, key: str, *parts: str) -> None:
-        self._grid.addWidget(QLabel(title, self), row, 0)
+        self._grid.addWidget(builders.label(self, text=title), row, 0)
         width = self.fontMetrics().horizontalAdvance("1500.0 ")
         for column, part in enumerate(parts, 1):
             if not part:

@@ -50,8 +50,8 @@ class SnapshotPane(QWidget):
         self._shown: tuple[str, _Present] | None = None
         self._against_board = False
 
-        self._title = ui.label(self, "snapshotTitle", wrap=True, plain=True, bold=True)
-        self._details = ui.label(self, "snapshotDetails", wrap=True, plain=True)
+        self._title = ui.label(self, "snapshotTitle", wrap=True, bold=True)
+        self._details = ui.label(self, "snapshotDetails", wrap=True)
         self.choice = _PresentChoice(device, table, notifier, self)
         self._rows = ComparisonView(self)
         self._note = ui.named(Note(2, self), "restoreNote")
@@ -360,7 +360,7 @@ class _PresentChoice(QWidget):
         if present.key and self._box.findData(present.key) < 0:  # an older one
             self._box.addItem(present.title, present.key)
         self._box.setCurrentIndex(self._box.findData(present.key) if present.key else -1)
-        self._box.setToolTip(self._box.currentText())
+        self._box.setToolTip(ui.plain(self._box.currentText()))
 
     def _fill(self, blocker: str, others: list[Snapshot]) -> None:
         box = self._box
@@ -371,7 +371,7 @@ class _PresentChoice(QWidget):
         if blocker and isinstance(model, QStandardItemModel):
             item = model.item(0)
             item.setEnabled(False)
-            item.setToolTip(blocker)
+            item.setToolTip(ui.plain(blocker))
         if self._file is not None:
             box.addItem(self._file.title, self._file.key)
         box.addItem(self.tr("a settings file…"), "")

@@ -104,7 +104,7 @@ class MotionBox(ui.GroupBox):
         editable, row = self.table.editable, self._steps.row
         pose = self._pose_for_step()
         self._add.setEnabled(editable and bool(pose) and is_usable_in_step(pose))
-        self._add.setToolTip(self._add_tool_tip(pose))
+        self._add.setToolTip(ui.plain(self._add_tool_tip(pose)))
         self._remove.setEnabled(editable and row >= 0)
         self._up.setEnabled(editable and row > 0)
         self._down.setEnabled(editable and 0 <= row < self.table.rowCount() - 1)

@@ -80,4 +80,4 @@ class PosesPage(QWidget):
         library = self._library
         name = self.tr("{0}, changed").format(library.name) if library.modified else library.name
         self._name.show_text(name)
-        self._name.setToolTip(str(library.path or self.tr("Not saved yet")))
+        self._name.setToolTip(ui.plain(str(library.path or self.tr("Not saved yet"))))

@@ -176,7 +176,7 @@ class PlayBar(QWidget):
         is_playable = self._preview.play is not None
         tip = self.tr("Play the current sequence or gait.") if is_playable else self._preview.text
         self._play.setEnabled(is_playable and not blocker)
-        self._play.setToolTip(blocker or tip)
+        self._play.setToolTip(ui.plain(blocker or tip))
         is_shown = step is not None and step.part == "steps"
         is_shown &= self._played == self._motions.current
         self._motions.table.show_running(step.index if step is not None and is_shown else None)

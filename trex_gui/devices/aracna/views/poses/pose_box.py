@@ -113,7 +113,7 @@ class PoseBox(ui.GroupBox):
             if not limits.allow(value):
                 text = self.tr("Motor {0}: {1:.0f}°, limits {2} to {3}, sent as {4}")
             angle, sent = degrees(value), limits.crop(value)
-            box.setToolTip(text.format(motor, angle, limits.low, limits.high, sent))
+            box.setToolTip(ui.plain(text.format(motor, angle, limits.low, limits.high, sent)))
 
     @Slot()
     def _update_buttons(self) -> None:
@@ -129,7 +129,7 @@ class PoseBox(ui.GroupBox):
         blocker = self._robot.move_blocker
         self._go_to.setEnabled(is_chosen and not blocker)
         tip = self.tr("Move every motor to this pose, within its limits.")
-        self._go_to.setToolTip(blocker or tip)
+        self._go_to.setToolTip(ui.plain(blocker or tip))
 
     # --- Edits --------------------------------------------------------------------------
 

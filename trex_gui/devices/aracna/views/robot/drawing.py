@@ -18,6 +18,7 @@ from trex_gui.devices.aracna.model.texts import position_text, spoken_joint
 from trex_gui.devices.aracna.protocol.joints import JOINTS, Side, degrees
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.accessible import Spoken
+from trex_gui.ui.widgets.builders import plain
 
 _OUTWARD = {
     Side.RIGHT_FRONT: 45.0,
@@ -140,7 +141,7 @@ class RobotDrawing(QWidget, Spoken):
         if motor >= 0:
             present = position_text(self._state.present[motor])
             tip = self.tr("{0}: {1}").format(spoken_joint(motor), present)
-        self.setToolTip(tip)
+        self.setToolTip(plain(tip))
         self.pointed.emit(motor)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:

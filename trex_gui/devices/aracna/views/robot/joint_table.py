@@ -139,7 +139,7 @@ class JointRow(QObject):
         text, alarming = difference_text(state, self._motor, is_observed=is_observed)
         missed = state.missed_goal(self._motor)
         self._state.setText(text)
-        self._state.setToolTip("" if missed is None else missed_text(missed))
+        self._state.setToolTip(ui.plain("" if missed is None else missed_text(missed)))
         ui.set_bold(self._state, alarming)
         palette = self.name.palette()
         color = theme().color("danger" if alarming else "window_text")

@@ -277,7 +277,7 @@ class Controls(QWidget):
         blocker = robot.move_blocker
         self._move.setEnabled(not blocker)
         tip = self.tr("Move every motor to its goal, within its limits (Ctrl+M)")
-        self._move.setToolTip(blocker or tip)
+        self._move.setToolTip(ui.plain(blocker or tip))
         is_idle = robot.state.play is None
         is_known = any(each is not None for each in robot.state.present)
         self._present.setEnabled(is_idle and is_known)

@@ -25,6 +25,7 @@ from trex_gui.devices.trex.settings.comparison import (
     wire_text,
 )
 from trex_gui.ui.theme.icons import icon
+from trex_gui.ui.widgets.builders import plain
 
 Index = QModelIndex | QPersistentModelIndex
 
@@ -168,7 +169,7 @@ class ComparisonTable(QAbstractTableModel):
         row = self._rows[index.row()]
         match role:
             case Qt.ItemDataRole.DisplayRole | Qt.ItemDataRole.ToolTipRole:
-                return self._cells(row)[index.column()]
+                return plain(self._cells(row)[index.column()])
             case Qt.ItemDataRole.CheckStateRole if self._is_tickable(index):
                 is_cleared = row.key in self._cleared
                 return Qt.CheckState.Unchecked if is_cleared else Qt.CheckState.Checked

@@ -36,6 +36,7 @@ from trex_gui.devices.trex.settings.history import (
 from trex_gui.ui.files import in_background, start_in_background
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.translations import Plural
+from trex_gui.ui.widgets.builders import plain
 from trex_gui.ui.workers.file_worker import ProgressCallback
 
 Index = QModelIndex | QPersistentModelIndex
@@ -317,7 +318,7 @@ class SnapshotTable(QAbstractTableModel):
             case Qt.ItemDataRole.DisplayRole:
                 return titles[section][0]
             case Qt.ItemDataRole.ToolTipRole:
-                return titles[section][1]
+                return plain(titles[section][1])
         return None
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
@@ -328,7 +329,7 @@ class SnapshotTable(QAbstractTableModel):
             case Qt.ItemDataRole.DisplayRole:
                 return self._cells(snapshot)[index.column()]
             case Qt.ItemDataRole.ToolTipRole:
-                return _tip(snapshot, self.problem_of(snapshot))
+                return plain(_tip(snapshot, self.problem_of(snapshot)))
             case Qt.ItemDataRole.DecorationRole if index.column() == SnapshotColumn.BOARD:
                 return icon("warning", "warning") if self.problem_of(snapshot) else None
         return None

@@ -152,7 +152,7 @@ class PlanForm(ui.GroupBox):
         tip = self.tr("1 to {0}, full speed")
         if ceiling < FULL_SCALE:
             tip = self.tr("1 to {0}, the speed ceiling of the Motors page")
-        self._speed.setToolTip(tip.format(ceiling))
+        self._speed.setToolTip(ui.plain(tip.format(ceiling)))
         self._abort.setRange(0.1, self._bench.highest_current)
         for combo, data in combos.items():
             combo.setCurrentIndex(combo.findData(data))
@@ -175,7 +175,7 @@ class PlanForm(ui.GroupBox):
             Shape.REVERSE: self.tr("Half of it in each direction."),
             Shape.SINE: self.tr("One full cycle, forward and back."),
         }
-        self._period.setToolTip(tips[shape])
+        self._period.setToolTip(ui.plain(tips[shape]))
 
 
 class TuningForm(ui.GroupBox):
@@ -241,7 +241,7 @@ class TuningForm(ui.GroupBox):
             editor = editor_for(spec, self._editors)
             editor.setObjectName(f"bench_{key}")
             editor.setAccessibleName(spec.name)
-            editor.setToolTip(f"{spec.description} ({editor.toolTip()})")
+            editor.setToolTip(ui.plain(f"{spec.description} ({editor.toolTip()})"))
             editor.setMinimumWidth(editor.fontMetrics().horizontalAdvance(_WIDEST) + 40)
             # The group names the motor; the long name of P would take half of the window.
             is_constant = key.endswith(MotorParameter.CURRENT_LIMIT_P)

@@ -25,7 +25,7 @@ from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.ui.files import in_background, save_picture
 from trex_gui.ui.widgets.bar import MINUS, NO_VALUE
 from trex_gui.ui.widgets.behaviour import name_headers
-from trex_gui.ui.widgets.builders import set_row_height
+from trex_gui.ui.widgets.builders import plain, set_row_height
 from trex_gui.ui.widgets.file_questions import last_folder, remember_folder
 
 
@@ -69,13 +69,13 @@ class FiguresTable(QTableWidget):
         )
         for index, (name, _, _, explanation) in enumerate(rows):
             header = QTableWidgetItem(name)
-            header.setToolTip(explanation)
+            header.setToolTip(plain(explanation))
             self.setVerticalHeaderItem(index, header)
             for column in range(3):
                 item = QTableWidgetItem(NO_VALUE)
                 item.setFlags(Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable)
                 item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-                item.setToolTip(explanation)
+                item.setToolTip(plain(explanation))
                 self.setItem(index, column, item)
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setTabKeyNavigation(False)

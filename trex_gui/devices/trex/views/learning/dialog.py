@@ -291,7 +291,7 @@ class LearnDialog(ReusedDialog):
         )
         self._use.setVisible(reviewing)
         self._use.setEnabled(learning.can_use_values)
-        self._use.setToolTip(self._review_texts()[1])
+        self._use.setToolTip(ui.plain(self._review_texts()[1]))
         self._use.setDefault(reviewing)
         self._test.setVisible(self._offers_test)
         ends = step in {LearningStep.TEST, LearningStep.FAILED, LearningStep.ENDED}
@@ -321,7 +321,7 @@ class LearnDialog(ReusedDialog):
         retry = self.tr("Try &again"), self.tr("Stop the motors again and begin again.")
         text, tip = texts.get(step, retry)
         self._again.setText(text)
-        self._again.setToolTip(tip)
+        self._again.setToolTip(ui.plain(tip))
         never = step in {LearningStep.STOPPING, LearningStep.ENDED}
         waits = step is LearningStep.NEUTRAL and not (learning.has_sampled or learning.sampling)
         self._again.setVisible(not never and not waits)

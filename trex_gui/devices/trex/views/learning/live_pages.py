@@ -34,9 +34,8 @@ _TEST_TEXT_WIDTH = 20
 
 def _channel_label(channel: int, parent: QWidget) -> QLabel:
     name = tr("Channel {0}").format(channel)
-    label = QLabel(f"<b>{name}</b><br><small>{tr(CHANNEL_ROLES[channel])}</small>", parent)
-    label.setTextFormat(Qt.TextFormat.RichText)
-    return label
+    text = f"<b>{name}</b><br><small>{tr(CHANNEL_ROLES[channel])}</small>"
+    return ui.label(parent, text=text, rich=True)
 
 
 def _text_label(parent: QWidget, name: str, characters: int) -> QLabel:
@@ -199,7 +198,7 @@ class EndSign(QWidget):
         super().__init__(parent)
         self.setObjectName(object_name)
         self._name = name
-        self._label = QLabel(name, self)
+        self._label = ui.label(self, text=name)
         self._sign = Sign(self)
         keep_room(self._label)
         ui.row(self._label, self._sign, into=self, margins=(0, 0, 4, 0), spacing=2)
@@ -217,7 +216,7 @@ class EndSign(QWidget):
         text = texts[state].format(self._name)
         if text != self.accessibleName():
             self.setAccessibleName(text)
-            self.setToolTip(text)
+            self.setToolTip(ui.plain(text))
 
 
 class TravelRow(ChannelRow):

@@ -17,7 +17,7 @@ from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.conversion_view import ConversionView
 from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsPanel
 from trex_gui.ui.translations import error_sentence
-from trex_gui.ui.widgets.builders import button, column, label, named, row
+from trex_gui.ui.widgets.builders import button, column, label, named, no_mnemonic, row
 from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.placement import keep_on_screen, resize_with_font
 
@@ -50,7 +50,7 @@ class LoadDialog(QDialog):
         self._name = document.name
         self._settings, self._read_findings = document.settings, document.findings
 
-        self._head = label(self, "loadHead", wrap=True, plain=True)
+        self._head = label(self, "loadHead", wrap=True)
         self._trouble = named(Note(0, self), "loadTrouble")
         self._findings = named(FindingsPanel(self, with_lines=False), "loadFindings")
         self._conversion = ConversionView(self)
@@ -269,7 +269,7 @@ class CompareDialog(QDialog):
     def _update_take(self) -> None:
         count = len(self._view.table.ticked)
         text = self.tr("&Copy %n value(s) to {0}", "", count)
-        self._take.setText(text.format(self._document.name))
+        self._take.setText(text.format(no_mnemonic(self._document.name)))
         self._take.setEnabled(count > 0)
 
     @Slot()

@@ -12,7 +12,7 @@ from trex_gui.devices.trex.settings.yaml_subset import LINE_END
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.builders import button, column, flat_table, label, row
+from trex_gui.ui.widgets.builders import button, column, flat_table, label, plain, row
 
 _LINE = Qt.ItemDataRole.UserRole
 _COLOURS = {"error": "danger", "warning": "warning", "info": "info"}
@@ -122,7 +122,7 @@ class FindingsPanel(QWidget):
             for section, text in enumerate((kind, str(line or ""), key, sentence)):
                 item = QTableWidgetItem(text)
                 item.setData(_LINE, line)
-                item.setToolTip(text)
+                item.setToolTip(plain(text))
                 if section == 0:
                     item.setIcon(icon(sign, _COLOURS[sign]))
                 self._table.setItem(number, section, item)

@@ -24,7 +24,7 @@ from trex_gui.ui.files import in_background
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets import file_questions
-from trex_gui.ui.widgets.builders import Handler, action
+from trex_gui.ui.widgets.builders import Handler, action, plain
 
 
 class ChangeMenu(QMenu):
@@ -88,7 +88,7 @@ class ChangeMenu(QMenu):
             if shown is not None:
                 reason = why_not_symmetric(shown, calibrations.source, larger=larger)
             equal.setEnabled(not reason)
-            equal.setToolTip(reason)
+            equal.setToolTip(plain(reason))
 
     def _copy_to(self, channels: Sequence[int], _checked: bool = False) -> None:
         calibrations = self._device.calibrations

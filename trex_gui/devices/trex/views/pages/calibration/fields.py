@@ -15,7 +15,7 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.views.count_editor import CountEditor
 from trex_gui.ui.units import units
 from trex_gui.ui.widgets.bar import NO_VALUE
-from trex_gui.ui.widgets.builders import check_box, grid, label, named, row, set_bold
+from trex_gui.ui.widgets.builders import check_box, grid, label, named, plain, row, set_bold
 from trex_gui.ui.widgets.labels import Muted
 
 
@@ -199,7 +199,7 @@ class ChannelOptions(QWidget):
             with QSignalBlocker(box):
                 box.setChecked(now)
             box.setEnabled(self._editable and self._parameters.can_edit(key))
-            box.setToolTip(self._blocker or self._tips[key])
+            box.setToolTip(plain(self._blocker or self._tips[key]))
             set_bold(box, now != self._bit(key, self._channel, stored=True))
 
     def _on_toggled(self, key: str, checked: bool) -> None:

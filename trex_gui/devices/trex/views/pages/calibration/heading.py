@@ -15,7 +15,7 @@ from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.style import use_theme_style
 from trex_gui.ui.theme.theme import follow_theme
 from trex_gui.ui.widgets.accessible import Spoken
-from trex_gui.ui.widgets.builders import button, column, label, named, row
+from trex_gui.ui.widgets.builders import button, column, label, named, plain, row
 from trex_gui.ui.widgets.labels import ElidedLabel, LegendKey, Note
 
 _KEY = ParameterKey.CHANNEL_INPUT_SOURCE
@@ -86,7 +86,7 @@ class ChannelList(QListWidget):
             name = "warning" if problem else "edited" if edited else ""
             item = self.item(row_number)
             item.setIcon(icon(name) if name else self._no_icon)
-            item.setToolTip(problem)
+            item.setToolTip(plain(problem))
 
     @Slot(int)
     def _on_row_changed(self, row_number: int) -> None:
@@ -146,7 +146,7 @@ class ChannelHeading(QWidget):
             self._learned.show_text(self.tr("not learned yet: will be after Apply"))
         else:
             self._learned.show_text(self.tr("not learned: defaults"))
-        self._learned.setToolTip(channel_text.learned_text(learned))
+        self._learned.setToolTip(plain(channel_text.learned_text(learned)))
         switches_at = "" if curve is None else channel_text.switching_text(channel, curve, source)
         self._function.show_note(
             channel_text.function_text(

@@ -36,7 +36,7 @@ from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.units import units
 from trex_gui.ui.widgets.bar import MINUS
 from trex_gui.ui.widgets.behaviour import only_when_visible
-from trex_gui.ui.widgets.builders import button, column, label, named, row
+from trex_gui.ui.widgets.builders import button, column, label, named, plain, row
 from trex_gui.ui.widgets.labels import ElidedLabel, Note
 
 if TYPE_CHECKING:
@@ -245,7 +245,7 @@ class CalibrationPage(PlotPage):
             ).format(read, shown)
         for learn in (self._learn, self._learn_all):
             learn.setEnabled(is_connected and not reason)
-            learn.setToolTip(reason)
+            learn.setToolTip(plain(reason))
         self._options.show_channel(self.channel, self.source, editable=is_connected, blocker=reason)
         self._findings.set_can_accept(is_connected and not reason)
 

@@ -272,7 +272,7 @@ class DriveControl(QWidget):
         else:
             tip = self.tr("From 0 to 127, full speed")
         for widget in (self.slider, self._entry):
-            widget.setToolTip(tip)
+            widget.setToolTip(ui.plain(tip))
         self._entry.set_limits(-ceiling if self._two_way else 0, ceiling)
 
     def set_channel_driven(self, driven: bool) -> None:

@@ -4,7 +4,7 @@ from functools import partial
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtGui import QHideEvent
-from PySide6.QtWidgets import QDialogButtonBox, QFormLayout, QLabel, QWidget
+from PySide6.QtWidgets import QDialogButtonBox, QFormLayout, QWidget
 
 from trex_gui.devices.trex.model.gamepad import Gamepad, axis_text, button_text
 from trex_gui.devices.trex.model.momentary_drive import mix
@@ -71,16 +71,16 @@ class PadView(QWidget):
         for number, name in enumerate(_axis_names(pad)):
             bar = ui.named(PartBar(self), f"gamepadAxisBar{number}", accessible=name)
             bar.setMinimumWidth(18 * bar.fontMetrics().averageCharWidth())
-            axes.addWidget(QLabel(name, self), number, 0)
+            axes.addWidget(ui.label(self, text=name), number, 0)
             axes.addWidget(bar, number, 1)
             self._bars.append(bar)
         buttons = ui.grid(spacing=(12, -1))
         buttons.setAlignment(Qt.AlignmentFlag.AlignLeft)
         for number, name in enumerate(_button_names(pad)):
             lamp = ui.named(Lamp("led_green", self), f"gamepadLamp{number}", accessible=name)
-            label = QLabel(str(number + 1), self)
+            label = ui.label(self, text=str(number + 1))
             for widget in (lamp, label):
-                widget.setToolTip(name)
+                widget.setToolTip(ui.plain(name))
             cell = ui.row(lamp, (label, 1), spacing=4)
             buttons.addLayout(cell, number // _LAMPS_A_ROW, number % _LAMPS_A_ROW)
             self._lamps.append(lamp)

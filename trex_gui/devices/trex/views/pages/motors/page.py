@@ -201,7 +201,7 @@ class MotorsPage(QWidget):
             control.setEnabled(motors.armed and not self._is_unused(number))
             control.set_ceiling(motors.ceiling)
             control.current.set_connected(self._device.is_connected and not self._device.is_joint)
-            control.brake.setToolTip(brake)
+            control.brake.setToolTip(ui.plain(brake))
         self._on_text_due()
 
     def _is_unused(self, number: int) -> bool:

@@ -22,7 +22,7 @@ from trex_gui.devices.trex.protocol.flags import ALL_CHANNELS, CHANNELS, channel
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import ParameterKind, ParameterSpec
 from trex_gui.devices.trex.views.count_editor import UnitSpinBox
-from trex_gui.ui.widgets.builders import ComboBox, check_box, combo_box, row
+from trex_gui.ui.widgets.builders import ComboBox, check_box, combo_box, plain, row
 
 _BARE = re.compile(r"[-+]?[\d.,]+")
 _FREQUENCY = re.compile(r"(\d+(?:[.,]\d*)?|[.,]\d+)\s*(k?)(?:hz)?", re.IGNORECASE)
@@ -43,7 +43,7 @@ class NumberEditor(UnitSpinBox):
         super().__init__(parent)
         self._spec = spec
         self.setRange(spec.minimum, spec.maximum)
-        self.setToolTip(spec.range_text())
+        self.setToolTip(plain(spec.range_text()))
 
     def textFromValue(self, val: int) -> str:
         return str(val) if self.own_first else value_text(self._spec, val)
@@ -109,7 +109,7 @@ class FrequencyEditor(UnitSpinBox):
         self._codes = codes
         self._hertz = [device_table().pwm.frequency(*frequency_wires(code)) for code in codes]
         self.setRange(0, frequency_code(FULL_SCALE, FULL_SCALE))
-        self.setToolTip(frequency_range(codes))
+        self.setToolTip(plain(frequency_range(codes)))
 
     def textFromValue(self, val: int) -> str:
         return frequency_text(val)

@@ -153,7 +153,6 @@ class ParameterHelp(LinkLabel):
     def __init__(self, model: ParameterModel, parent: QWidget | None = None) -> None:
         super().__init__("parameterHelp", parent)
         self._model = model
-        self.setTextFormat(Qt.TextFormat.RichText)
         self.setTextInteractionFlags(
             self.textInteractionFlags() | Qt.TextInteractionFlag.TextSelectableByMouse
         )

@@ -1,0 +1,147 @@
+"""Text that is not ours is shown as it is written, wherever Qt would read it as markup."""
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from PySide6.QtGui import QImage, QTextDocumentFragment
+from PySide6.QtWidgets import QLabel, QTableWidget
+from pytestqt.qtbot import QtBot
+
+from trex_gui.core.files import SettingsError
+from trex_gui.devices.trex.settings.reader import read_settings
+from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsPanel
+from trex_gui.ui.widgets.builders import plain
+
+_PROGRAM = Path(__file__).parents[1] / "trex_gui"
+_SETTERS = {"setToolTip": 0, "showText": 1, "setLabelText": 0, "setInformativeText": 0}
+_WORDS = {"QLabel", "QMessageBox", "ToolTipRole", *_SETTERS}  # in every file with such a text
+_BOXES = {"about", "critical", "information", "question", "warning"}  # of QMessageBox
+_ESCAPED = {"self.text.tool_tip"}  # markup of the program
+_OWN_VALUES = {"__version__", "acceleration_range(spec)", "f'25 {spec.unit}'", "seconds"}
+_WITHOUT_TEXT = {"Sign"}  # labels
+_BUILDERS = "ui/widgets/builders.py"
+
+
+def _is_ours(text: ast.expr, scope: ast.AST) -> bool:
+    """Tell whether a text is fixed, or made plain."""
+    match text:
+        case ast.Constant():
+            return True
+        case ast.Call(func=ast.Name(id="plain" | "tr") | ast.Attribute(attr="plain" | "tr")):
+            return True
+        case ast.Call(func=ast.Attribute(value=template, attr="format"), args=values):
+            given = {ast.unparse(value) for value in values}
+            return given <= _OWN_VALUES and _is_ours(template, scope)
+        case ast.IfExp(body=body, orelse=other):
+            return _is_ours(body, scope) and _is_ours(other, scope)
+        case ast.BoolOp(values=values):
+            return all(_is_ours(value, scope) for value in values)
+        case ast.Name(id=name):
+            assigned = list(_assigned(name, scope))
+            return bool(assigned) and all(_is_ours(value, scope) for value in assigned)
+    return ast.unparse(text) in _ESCAPED
+
+
+def _assigned(name: str, scope: ast.AST) -> Iterator[ast.expr]:
+    for node in ast.walk(scope):
+        match node:
+            case ast.Assign(targets=[ast.Name(id=target)], value=value) if target == name:
+                yield value
+
+
+def _shown(node: ast.AST) -> Iterator[ast.expr]:
+    """Yield the texts of a node that Qt would read as markup."""
+    match node:
+        case ast.Call(func=ast.Attribute(attr=setter), args=args) if setter in _SETTERS:
+            yield args[_SETTERS[setter]]
+        case ast.Call(
+            func=ast.Attribute(value=ast.Name(id="QMessageBox"), attr=box), args=[_, _, text, *_]
+        ) if box in _BOXES:
+            yield text
+        case ast.Dict(keys=keys, values=values):
+            yield from (v for k, v in zip(keys, values, strict=True) if k and _is_tip_role(k))
+        case ast.match_case(pattern=pattern, body=body) if _is_tip_role(pattern):
+            yield from _returned(body)
+        case ast.If(test=test, body=body) if _is_tip_role(test):
+            yield from _returned(body)
+        case ast.IfExp(test=test, body=text) if _is_tip_role(test):
+            yield text
+
+
+def _is_tip_role(node: ast.AST) -> bool:
+    return any(isinstance(n, ast.Attribute) and n.attr == "ToolTipRole" for n in ast.walk(node))
+
+
+def _returned(body: list[ast.stmt]) -> Iterator[ast.expr]:
+    for statement in body:
+        for node in ast.walk(statement):
+            if isinstance(node, ast.Return) and node.value is not None:
+                yield node.value
+
+
+def _guessed(tree: ast.Module) -> Iterator[ast.expr]:
+    """Yield the texts that Qt may take for markup although they are not ours."""
+    classes = [node for node in tree.body if isinstance(node, ast.ClassDef)]
+    functions = [node for node in tree.body if not isinstance(node, ast.ClassDef)]
+    for scope in (*functions, *(method for kind in classes for method in kind.body)):
+        for node in ast.walk(scope):
+            yield from (text for text in _shown(node) if not _is_ours(text, scope))
+
+
+def _unformatted(tree: ast.AST) -> Iterator[ast.expr | ast.ClassDef]:
+    """Yield labels that guess their format."""
+    for node in ast.walk(tree):
+        match node:
+            case ast.Call(func=ast.Name(id="QLabel")):
+                yield node
+            case ast.ClassDef(name=name, bases=[ast.Name(id="QLabel"), *_]):
+                if "setTextFormat(" not in ast.unparse(node) and name not in _WITHOUT_TEXT:
+                    yield node
+
+
+def _parsed() -> Iterator[tuple[str, ast.Module]]:
+    for path in sorted(_PROGRAM.rglob("*.py")):
+        source = path.read_text(encoding="utf-8")
+        if any(word in source for word in _WORDS):
+            yield path.relative_to(_PROGRAM).as_posix(), ast.parse(source)
+
+
+def test_no_text_is_taken_for_markup() -> None:
+    assert [
+        f"{name}:{node.lineno}: {ast.unparse(node)[:60]}"
+        for name, tree in _parsed()
+        for node in (*_guessed(tree), *_unformatted(tree))
+        if name != _BUILDERS
+    ] == []
+
+
+@given(st.text(st.sampled_from("<>/&;bimg \n\xa0'=\"")))
+def test_plain_text_is_shown_as_it_is_written(text: str) -> None:
+    shown = plain(text)
+    if shown != text:
+        shown = QTextDocumentFragment.fromHtml(shown).toPlainText()
+        text = text.replace("\xa0", " ").strip("\n")
+    assert shown == text
+
+
+def test_tool_tip_of_a_finding_opens_no_file(
+    qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    QImage(500, 500, QImage.Format.Format_RGB32).save("x.png")
+    with pytest.raises(SettingsError) as refused:
+        read_settings("product: TReX\nserial_timeout: <img src='x.png'>\n")
+    panel = FindingsPanel()
+    qtbot.addWidget(panel)
+    panel.show_findings(refused.value.findings)
+    table = panel.findChild(QTableWidget)
+    assert table is not None
+    tips = [item.toolTip() for row in range(table.rowCount()) if (item := table.item(row, 3))]
+
+    shown = QLabel(next(tip for tip in tips if "x.png" in tip))  # as a tool tip is
+    qtbot.addWidget(shown)
+    assert shown.sizeHint().height() < 500
