@@ -15,6 +15,7 @@ from trex_gui.devices.trex.settings.writer import write_settings
 
 UART_RANGE = "a baud rate, error detection and stop bits (low four bits 0 to 10)"
 EITHER_PRODUCT = "'product: TReX' or 'product: TReX Jr'"
+FOREIGN = "line 1: these are not settings of a TReX, which begin with 'product: TReX'"
 
 
 def only_finding(text: str | bytes) -> str:
@@ -266,12 +267,23 @@ def test_repeated_product_is_reported() -> None:
         ),
         ("", "line 1: there are no settings here; the first is 'product: TReX'"),
         ("# nothing\n", "line 1: there are no settings here; the first is 'product: TReX'"),
-        ("TReX\n", "line 1: this is not a setting; settings are plain 'key: value' lines"),
-        ("- TReX\n", "line 1: this is not a setting; settings are plain 'key: value' lines"),
+        *((text, FOREIGN) for text in ("TReX\n", "- TReX\n", "[board]\nx = 1\n")),
+        ("# QGroundControl\n1\t1\tACRO_BAL_PITCH\t1.0\t9\n1\t1\tX\t3\t9\n", FOREIGN),
+        ("INPUT_MODE\tSERIAL\nINPUT_MINIMUM\t0\n", FOREIGN),
     ],
 )
 def test_file_must_begin_with_known_product(text: str, sentence: str) -> None:
     assert only_finding(text) == sentence
+
+
+def test_tabs_that_yaml_allows_are_read() -> None:
+    text = (
+        "product:\tTReX\t# tab\n\t\n \t# tab\nserial_timeout\t: 15\t\n"
+        "rc_channel_1:\t{minimum: 1,\tneutral: 2, maximum:\t3, deadband: 4}\n"
+    )
+    settings, _ = read_settings(text)
+    assert settings.parameters == {"serial_timeout": 15}
+    assert settings.calibrations == {CalibrationKey.RC_CHANNEL_1: Calibration(1, 2, 3, 4)}
 
 
 def test_parameter_of_newer_firmware_is_reported() -> None:
@@ -354,7 +366,10 @@ BOMB = "product: TReX\na: &a [1, 1]\nb: &b [*a, *a, *a]\nc: [*b, *b, *b]\n"
         (b"product: TReX\n# 30 \xb5s\n", 2, "not UTF-8"),
         ("product: TReX\n# \ud800\n", 2, "not UTF-8"),
         ("product: TReX\n\n\x1b[2J", 3, "U+001B has no place"),
-        ("product: TReX\n\tserial_timeout: 5\n", 2, "damaged here"),
+        ("product: TReX\n\tserial_timeout: 5\n", 2, "a tab indents this line"),
+        ("product:TReX\nmotor_mode: 1\n", 1, "a space belongs after the colon"),
+        ("product:\xa0TReX\nmotor_mode: 1\n", 1, "is not an ordinary one"),
+        ("product: TReX\nx: ]\ny:1\n", 2, "damaged here"),
         ("product: TReX\nserial_timeout 5\nmotor_mode: 1\n", 3, "damaged here"),
         ("product: TReX\nrc_channel_1: {minimum: 1, neu", 2, "is incomplete"),
         ('product: TReX\na: "\\UFFFFFFFF"\n', 2, "cannot be read"),

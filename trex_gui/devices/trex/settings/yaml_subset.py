@@ -22,6 +22,11 @@ MOST_NODES = 2000  # scalars and collections; a complete settings file has about
 _DEEPEST = 2
 
 LINE_END = re.compile(r"\r\n|[\n\r\x85\u2028\u2029]")
+_TAB = re.compile(r"((?:^|(?<=\r))[ \t]*\t[ \t]*(?![ \t#\r\n]|\Z))|\t", re.MULTILINE)
+"""A tab; the group is the indentation of a setting."""
+
+_UNSPACED = re.compile(r"^ *\w+:(?![ \t\r\n]|\Z)", re.MULTILINE)
+_PRODUCT = re.compile(r"^\W*product\b", re.MULTILINE)
 _PLAIN_YAML = tr_noop("settings are plain 'key: value' lines")
 
 
@@ -45,7 +50,8 @@ def compose(text: str, name: str) -> MappingNode:
     yaml = YAML(typ="safe", pure=True)
     yaml.Composer = _Composer
     try:
-        node = yaml.compose(text)
+        # ruamel.yaml takes no tabs, not even those that YAML allows: anywhere but in indentation.
+        node = yaml.compose(_TAB.sub(lambda tab: tab[1] or " ", text))
     except ReaderError as error:
         line = len(LINE_END.findall(text, 0, error.position)) + 1
         message = tr("the character U+{0:04X} has no place in a text file").format(error.character)
@@ -59,16 +65,30 @@ def compose(text: str, name: str) -> MappingNode:
         message = tr("the text is incomplete or damaged here ({0}); {1}").format(
             problem, tr(_PLAIN_YAML)
         )
-        raise SettingsError.of(name, message, line) from None
+        if "'\\t'" in problem:
+            message = tr("a tab indents this line; indent it with spaces")
+        raise _damaged(text, name, message, line) from None
     if node is None:
         raise SettingsError.of(
             name, tr("there are no settings here; the first is 'product: TReX'"), 1
         )
     if not isinstance(node, MappingNode):
-        raise SettingsError.of(
-            name, tr("this is not a setting; {0}").format(tr(_PLAIN_YAML)), line_of(node)
-        )
+        message = tr("this is not a setting; {0}").format(tr(_PLAIN_YAML))
+        raise _damaged(text, name, message, line_of(node))
     return node
+
+
+def _damaged(text: str, name: str, message: str, line: int) -> SettingsError:
+    """Return the error in a text that is not YAML, with its cause where that is known."""
+    if not _PRODUCT.search(text):
+        line, message = 1, tr("these are not settings of a TReX, which begin with 'product: TReX'")
+    elif found := _UNSPACED.search(text):  # YAML reads it as a word, and complains of a later line
+        first = len(LINE_END.findall(text, 0, found.start())) + 1
+        if first <= line:
+            line, message = first, tr("a space belongs after the colon")
+            if text[found.end()].isspace():
+                message = tr("the space after the colon is not an ordinary one; type it again")
+    return SettingsError.of(name, message, line)
 
 
 class _UnsupportedError(Exception):
