@@ -15,6 +15,7 @@ from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from operator import itemgetter
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from types import NoneType
 from typing import Any, Generic, cast
 
@@ -267,8 +268,9 @@ class Recording(Generic[HeaderT, RecordT]):
         log = path.with_name(f"{path.name}-wal")  # committed, but not yet synchronised
         if size < page_size * pages and not log.exists():
             self.problems.append(tr("The end of the file is missing."))
-        self._database = self._connect()
+        self._open = contextlib.ExitStack()
         try:
+            self._database = self._connect()
             with _reported(path, _DAMAGED):
                 self.header = self._read_header()
                 self.kinds = tuple(fmt.kinds(self.header))
@@ -276,15 +278,29 @@ class Recording(Generic[HeaderT, RecordT]):
                 self.count = self._last_record()
                 self._valid_types = defaultdict[tuple[str, ...], set[tuple[type, ...]]](set)
         except BaseException:
-            self._database.close()
+            self.close()
             raise
 
+    def _ways(self) -> Iterator[str]:
+        """Yield the address of each way to open it, best first."""
+        path = self.path.resolve()
+        yield f"{path.as_uri()}?mode=ro"
+        # In a read-only folder SQLite cannot read the log of a recording that was not ended.
+        log = path.with_name(f"{path.name}-wal")
+        if log.exists():
+            with contextlib.suppress(OSError):
+                copy = Path(self._open.enter_context(TemporaryDirectory()))
+                for part in (path, log):
+                    shutil.copyfile(part, copy / part.name)
+                yield f"{(copy / path.name).as_uri()}?mode=ro"
+            self.problems.append(tr("Its log cannot be read: the last samples are missing."))
+        yield f"{path.as_uri()}?immutable=1"
+
     def _connect(self) -> sqlite3.Connection:
-        uri = self.path.resolve().as_uri()
-        for mode in ("mode=ro", "immutable=1"):  # in a read-only folder a log cannot be read
+        for address in self._ways():
             try:
                 database = sqlite3.connect(
-                    f"{uri}?{mode}",
+                    address,
                     uri=True,
                     timeout=0,
                     isolation_level=None,
@@ -308,6 +324,7 @@ class Recording(Generic[HeaderT, RecordT]):
                     raise self._error(message) from error
                 reason = reason_of(error)
             else:
+                self._open.callback(database.close)
                 return database
         raise self._error(tr(_NOT_READ).format(reason))
 
@@ -385,7 +402,7 @@ class Recording(Generic[HeaderT, RecordT]):
         return Recording(self.path, self.format)
 
     def close(self) -> None:
-        self._database.close()
+        self._open.close()
 
     def read(self, first: int, last: int) -> list[RecordT]:
         """Return records by number, in order; damaged ones are left out and reported."""

@@ -1,6 +1,7 @@
 """The recording as a database: read as written; a crash or damage loses little."""
 
 import contextlib
+import errno
 import shutil
 import sqlite3
 from pathlib import Path
@@ -353,21 +354,44 @@ def test_disk_that_fails_while_reading_is_reported(folder: Path) -> None:
         recording.read(1, CHUNK)
 
 
-def test_read_only_folder_is_readable(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The first mode needs to write beside the file where a log was left; the second does not."""
+@pytest.fixture
+def on_read_only_medium(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list[Record]:
+    """Half of the records of `a.trexrec` are in its log, beside which SQLite cannot write."""
     what = list(an_hour(1))
+    half = len(what) // 2
     writer = RecordingWriter[Header, Record](tmp_path / "a.trexrec", FORMAT, HEADER)
-    writer.write(what)
+    writer.write(what[:half])
     writer.sync()
+    writer.write(what[half:])
+    writer.commit()
+    files_after_crash(tmp_path, "a")
+    writer.close()
     connect = sqlite3.connect
 
     def fail(location: str, **options: Any) -> sqlite3.Connection:
-        if "mode=ro" in location:
+        if f"{tmp_path.as_uri()}/" in location and "mode=ro" in location:
             raise sqlite3.OperationalError("unable to open database file")
         database: sqlite3.Connection = connect(location, **options)
         return database
 
     monkeypatch.setattr(sqlite3, "connect", fail)
-    assert read_file(tmp_path / "a.trexrec") == (HEADER, what, NOT_ENDED)
-    monkeypatch.undo()
-    writer.close()
+    return what
+
+
+def test_crashed_recording_on_read_only_medium_is_complete(
+    tmp_path: Path, on_read_only_medium: list[Record]
+) -> None:
+    path = tmp_path / "crashed_a" / "a.trexrec"
+    assert read_file(path) == (HEADER, on_read_only_medium, NOT_ENDED)
+
+
+def test_log_that_cannot_be_copied_is_reported(
+    tmp_path: Path, on_read_only_medium: list[Record], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(source: Path, target: Path) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(shutil, "copyfile", fail)
+    _, found, problems = read_file(tmp_path / "crashed_a" / "a.trexrec")
+    assert found == on_read_only_medium[: len(on_read_only_medium) // 2]
+    assert problems == ["Its log cannot be read: the last samples are missing.", *NOT_ENDED]
