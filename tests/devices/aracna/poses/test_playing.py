@@ -19,6 +19,7 @@ from trex_gui.devices.aracna.poses.playing import (
     estimated_seconds,
     late_motors,
     limited_motors,
+    mismatch,
     steps_of,
 )
 from trex_gui.devices.aracna.poses.project import Pose, Sequence, SequenceStep
@@ -144,3 +145,17 @@ def test_estimate_exceeds_step_times_only_with_late_motors(
             if late.needed > steps[late.step].seconds + 1e-9
         ]
     )
+
+
+@pytest.mark.parametrize(
+    ("positions", "said"),
+    [
+        (8, ""),
+        (18, "are for 18 motors, the robot has 8: the last positions are left out"),
+        (2, "are for 2 motors, the robot has 8: its last motors go to 512"),
+    ],
+)
+def test_poses_for_other_motor_count_are_reported(positions: int, said: str) -> None:
+    text = mismatch([STAND, Pose("other", (512,) * positions)], 8)
+    assert said in text
+    assert bool(said) is bool(text)

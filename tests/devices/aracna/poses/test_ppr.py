@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Iterable
+from pathlib import Path
 
 import pytest
 from hypothesis import given
@@ -9,7 +10,7 @@ from hypothesis import strategies as st
 
 from trex_gui.core.files import Finding, Severity
 from trex_gui.core.resource_files import resource
-from trex_gui.devices.aracna.poses.ppr import read_ppr, write_ppr
+from trex_gui.devices.aracna.poses.ppr import read_file, read_ppr, write_ppr
 from trex_gui.devices.aracna.poses.project import Pose, Project, Sequence, SequenceStep
 
 HEAD = "Aracna:8:1024:1024:1024:1024:1024:1024:1024:1024\n"
@@ -43,6 +44,15 @@ def test_carriage_return_line_ends_are_kept() -> None:
     project, _ = read_ppr(text)
     assert [pose.name for pose in project.poses] == ["a b", "zero"]
     assert write_ppr(project) == text
+
+
+@pytest.mark.parametrize("first", ["Pose=a: 1, 2, 3, 4, 5, 6, 7, 8\n", "Aracna:8\n"])
+def test_byte_order_mark_is_no_part_of_the_first_line(tmp_path: Path, first: str) -> None:
+    path = tmp_path / "marked.ppr"
+    path.write_text(f"{first}Pose=b: 1, 2, 3, 4, 5, 6, 7, 8\n", encoding="utf-8-sig")
+    project = read_file(path).project
+    assert project.name == ("Aracna" if "Aracna" in first else "")
+    assert [pose.name for pose in project.poses] == (["b"] if project.name else ["a", "b"])
 
 
 @pytest.mark.parametrize("line", ["Pose=:1, 2, 3, 4, 5, 6, 7, 8", "Pose= :1, 2", "Seq=: a|500"])

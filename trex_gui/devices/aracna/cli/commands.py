@@ -21,7 +21,7 @@ from trex_gui.core.plugin import Lazy
 from trex_gui.core.texts import counted
 from trex_gui.devices.aracna.cli.session import CommandSession, MotionSession, port_settings
 from trex_gui.devices.aracna.poses.gaits import BUILT_IN_POSES
-from trex_gui.devices.aracna.poses.playing import blend_in, cropped, steps_of
+from trex_gui.devices.aracna.poses.playing import blend_in, cropped, mismatch, steps_of
 from trex_gui.devices.aracna.poses.ppr import read_file
 from trex_gui.devices.aracna.poses.project import Pose, Project, Sequence
 from trex_gui.devices.aracna.protocol.joints import Limits, factory_limits
@@ -261,6 +261,8 @@ def _limits(motors: int, *, lifted: bool) -> tuple[Limits, ...]:
 
 def _report_crops(pose: Pose, limits: tuple[Limits, ...]) -> tuple[int, ...]:
     goals = cropped(pose, limits)
+    if problem := mismatch([pose], len(limits)):
+        say(f"{pose.name}: {problem}")
     for motor, (position, goal) in enumerate(zip(pose.first(len(limits)), goals, strict=True)):
         if position != goal:
             say(f"{pose.name}: motor {motor} is sent to {goal}, its limit, not to {position}.")

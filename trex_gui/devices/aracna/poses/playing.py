@@ -11,7 +11,7 @@ from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.poses.gaits import SLOW_SECONDS, STAND, Gait
 from trex_gui.devices.aracna.poses.project import Pose, Sequence
-from trex_gui.devices.aracna.protocol.joints import Limits, crop, travel_seconds
+from trex_gui.devices.aracna.protocol.joints import CENTRE, Limits, crop, travel_seconds
 from trex_gui.devices.aracna.session.messages import Step
 
 Present = Many[int | None]  # position of each motor; `None` where unknown
@@ -39,7 +39,7 @@ def steps_of(
         raise BadRequest(tr("a time scale is more than 0, not {0}").format(time_scale))
     return tuple(
         Step(cropped(pose, limits), seconds * time_scale, pose.name)
-        for pose, seconds in _stages(played, poses)
+        for pose, seconds in stages_of(played, poses)
     )
 
 
@@ -49,10 +49,21 @@ def limited_motors(
     """Return step and motor of each position that `steps_of` crops; raises as it does."""
     return tuple(
         (number, motor)
-        for number, (pose, _) in enumerate(_stages(played, poses))
+        for number, (pose, _) in enumerate(stages_of(played, poses))
         for motor, (position, limit) in enumerate(zip(pose.first(len(limits)), limits, strict=True))
         if not limit.allow(position)
     )
+
+
+def mismatch(poses: Iterable[Pose], motors: int) -> str:
+    """Return a sentence if poses are not for so many motors."""
+    counts = {len(pose.positions) for pose in poses} - {motors}
+    if not counts:
+        return ""
+    text = tr("The poses are for {0} motors, the robot has {1}: the last positions are left out.")
+    if max(counts) < motors:
+        text = tr("The poses are for {0} motors, the robot has {1}: its last motors go to {2}.")
+    return text.format(max(counts), motors, CENTRE)
 
 
 def cropped(pose: Pose, limits: Many[Limits]) -> tuple[int, ...]:
@@ -67,7 +78,7 @@ def blend_in(
 
     A cyclic gait starts in its last pose, a sequence in its first. Raises as `steps_of` does.
     """
-    stages = _stages(played, poses)
+    stages = stages_of(played, poses)
     start = played.start if isinstance(played, Gait) else stages[0][0]
     if start is None:
         return ()
@@ -118,7 +129,7 @@ def _late_in(number: int, step: Step, before: Present) -> list[LateMotor]:
     return late
 
 
-def _stages(played: Sequence | Gait, poses: Iterable[Pose]) -> list[tuple[Pose, float]]:
+def stages_of(played: Sequence | Gait, poses: Iterable[Pose]) -> list[tuple[Pose, float]]:
     if isinstance(played, Gait):
         return [(stage.pose, stage.seconds) for stage in played.stages]
     known = {pose.name: pose for pose in poses}

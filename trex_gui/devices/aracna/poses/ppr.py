@@ -15,6 +15,7 @@ Lines that cannot be read are kept as they are, and written back.
 """
 
 import re
+from codecs import BOM_UTF8
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -54,11 +55,12 @@ def read_file(path: Path) -> PoseFile:
     """Read a pose file; SettingsError if it cannot be read, is too large, or not text."""
     data = load(path, tr("poses"))
     found: list[Finding] = []
+    content = data.removeprefix(BOM_UTF8)
     try:
-        text = data.decode("utf-8")
+        text = content.decode("utf-8")
     except UnicodeDecodeError as error:
         line = data.count(b"\n", 0, error.start) + 1
-        text = data.decode("latin-1")
+        text = content.decode("latin-1")
         message = tr(
             "this is not UTF-8 text; it is read as Western European, and Save writes UTF-8"
         )

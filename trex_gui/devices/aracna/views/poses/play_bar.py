@@ -20,6 +20,8 @@ from trex_gui.devices.aracna.poses.playing import (
     estimated_seconds,
     late_motors,
     limited_motors,
+    mismatch,
+    stages_of,
     steps_of,
 )
 from trex_gui.devices.aracna.poses.project import Pose, Sequence
@@ -235,7 +237,9 @@ def preview(
         sentences.append(tr("Positions outside the limits are cropped."))
     if late:
         sentences.append(tr("Some motors are too slow."))
-    return Preview(play, " ".join(sentences), bool(late), _notes(late, limited))
+    if other := mismatch((pose for pose, _ in stages_of(played, poses)), len(limits)):
+        sentences.insert(0, other)
+    return Preview(play, " ".join(sentences), bool(late or other), _notes(late, limited))
 
 
 def _notes(late: Many[LateMotor], limited: Many[tuple[int, int]]) -> dict[int, str]:

@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QSpinBox, QWidget
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.aracna.model.library import ItemKind, Library
 from trex_gui.devices.aracna.model.robot import Robot
+from trex_gui.devices.aracna.poses.playing import mismatch
 from trex_gui.devices.aracna.poses.project import Pose
 from trex_gui.devices.aracna.protocol.joints import HIGHEST, MOTORS, degrees
 from trex_gui.devices.aracna.views.poses.name_list import NameList, small_button
@@ -128,7 +129,9 @@ class PoseBox(ui.GroupBox):
         self._take.setEnabled(is_known and is_chosen)
         blocker = self._robot.move_blocker
         self._go_to.setEnabled(is_chosen and not blocker)
-        tip = self.tr("Move every motor to this pose, within its limits.")
+        poses = [] if self._pose is None else [self._pose]
+        tip = mismatch(poses, self._robot.state.motors)
+        tip = tip or self.tr("Move every motor to this pose, within its limits.")
         self._go_to.setToolTip(ui.plain(blocker or tip))
 
     # --- Edits --------------------------------------------------------------------------
