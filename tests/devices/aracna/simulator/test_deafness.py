@@ -6,7 +6,7 @@ import pytest
 
 from tests.support.aracna import BOOT, AracnaStage
 from trex_gui.devices.aracna.simulator.firmware import State
-from trex_gui.devices.aracna.simulator.line import HOLDS
+from trex_gui.devices.aracna.simulator.line import HOLDS, OWN
 
 VERSION = b".q1,8\r\n"
 SPEEDS = b".v100,100,100,100,100,100,100,100\n"
@@ -97,6 +97,23 @@ def test_command_is_heard_while_the_last_two_bytes_of_a_reply_leave(
     stage.line.advance(0.01)
     assert stage.line.receive() == b".l0\r\n.l1\r\n"
     assert stage.line.station.bytes_missed == 0
+
+
+@pytest.mark.parametrize(
+    ("glued", "replies"),
+    [
+        (b".q\n.l1\n.q\n", b".q1,8\r\n.l0\r\n"),
+        (b".l1\n.l0\n.l1\n", b".l1\r\n.l0\r\n.l0\r\n"),
+        (b".l\n.l1\n.q\n.l0\n", b".l0\r\n.l1\r\n.q1,8\r\n"),
+    ],
+)
+def test_command_is_truncated_while_the_one_before_is_parsed(
+    stage: AracnaStage, glued: bytes, replies: bytes
+) -> None:
+    stage.transport.reconfigure(OWN)
+    stage.line.send(glued)
+    stage.line.advance(0.02)
+    assert stage.line.receive() == replies
 
 
 @named(BUSY)

@@ -6,6 +6,7 @@ import pytest
 
 from tests.support.aracna import BOOT, AracnaStage
 from trex_gui.core.transport.settings import Parity, SerialFormat
+from trex_gui.devices.aracna.simulator.firmware import PARSING
 from trex_gui.devices.aracna.simulator.line import AracnaLine
 
 VERSION = b".q1,8\r\n"
@@ -38,7 +39,7 @@ def test_unpaced_bytes_take_no_time_but_servos_and_boot_do() -> None:
     begun = stage.now
     stage.line.send(b".q\n")
     assert stage.line.read(7, 1) == VERSION
-    assert stage.now == begun
+    assert stage.now == pytest.approx(begun + PARSING)
     stage.line.send(b".v100,100,100,100,100,100,100,100\n.c740,512,512,512,512,512,512,512\n")
     assert stage.line.read(35, 1).startswith(b".v100,")
     stage.do("reset")

@@ -14,6 +14,7 @@ from trex_gui.devices.aracna.simulator.servos import Register, Servo
 BUFFER = 59  # characters of a line, newline included; the sixtieth byte ends the string
 BLINKING = 1.0  # seconds of blinking after `.h`, in which nothing is read
 _BLINKS = 10  # toggles of the LED in that time; an even number leaves it off
+PARSING = 0.000038  # seconds from the end of a line to its reply, observed
 SPEED_PAUSE = 0.025  # seconds between writing the speeds and reading them back
 WRITING = 0.0005
 """Seconds of a packet that writes; inferred, as `READING`, from the round trips: 42 to 55 ms for
@@ -127,6 +128,7 @@ class Firmware:
         """Execute a line by its second character; the first is ignored."""
         self.state = State.ANSWERING
         self.counters["commands"] += 1
+        yield Pause(PARSING)
         match line[1:2]:
             case b"q":
                 motors = f",{len(self.servos)}" if self.reports_motors else ""

@@ -37,8 +37,8 @@ class RobotStation:
         held: bytes received while the program was busy.
         keeps_last: which byte is kept when more than three arrive: the last, as in the chip's
             data sheet (a new byte replaces the one in the shift register), or the third.
-            The document leaves it open; only with the last one does a `.v` sent in reaction to
-            `.h` restart the firmware over and over, as was observed.
+            Observed: only with the last one does a `.v` sent in reaction to `.h` restart the
+            firmware over and over.
         bytes_missed: bytes that were not kept.
     """
 
