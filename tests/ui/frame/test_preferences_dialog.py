@@ -12,6 +12,7 @@ from trex_gui.ui.devices.auto_connect import connects_automatically
 from trex_gui.ui.frame.preferences_dialog import PreferencesDialog
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.theme.theme import restore_choices, theme
+from trex_gui.ui.translations import AS_THE_SYSTEM, chosen_language
 from trex_gui.ui.units import restore_units, units
 from trex_gui.ui.widgets.file_questions import default_folder, last_folder, remember_folder
 
@@ -71,16 +72,19 @@ def test_reset_restores_every_default(dialog: WidgetDriver) -> None:
     dialog.click("defaultFolderBox")
     dialog.click("automaticBox")
     dialog.select("unitsBox", True)
+    dialog.select("languageBox", "de")
     start_again()
     assert units().own_first
     assert not connects_automatically()
     assert default_folder() is not None
+    assert chosen_language() == "de"
     dialog.click("preferencesReset")
     assert (theme().choice, theme().font_size) == ("system", 100)
     assert connects_automatically()
     assert not units().own_first
     assert dialog.combo("unitsBox").currentData() is False
     assert default_folder() is None
+    assert chosen_language() == dialog.combo("languageBox").currentData() == AS_THE_SYSTEM
     assert dialog.button("automaticBox").isChecked()
     start_again()
     assert (theme().choice, theme().font_size) == ("system", 100)

@@ -197,4 +197,5 @@ class PreferencesDialog(ReusedDialog):
         choose_units(own_first=False)
         file_questions.set_default_folder(None)
         set_automatic(True)
+        self._on_language_chosen(self._language.findData(AS_THE_SYSTEM))
         self._show_choices()
