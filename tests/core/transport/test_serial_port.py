@@ -6,6 +6,7 @@ import os
 import pickle
 import select
 import signal
+import socket
 import subprocess
 import sys
 import threading
@@ -134,6 +135,48 @@ def test_rfc2217_port_applies_parity(start_simulator: Start, opened: Open) -> No
     client = TrexClient(opened(url, line), ConnectionSettings(url, line))
     with pytest.raises(NoReply):
         client.request(GetMode())  # the board has no parity
+
+
+@pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")
+@pytest.mark.parametrize("damaged", [pytest.param("at once", marks=pytest.mark.slow), "later"])
+def test_garbage_of_an_rfc2217_server_is_a_port_failure(
+    start_simulator: Start, opened: Open, damaged: str
+) -> None:
+    """Pyserial's thread fails on the end of a suboption that did not begin."""
+    target = start_simulator("--rfc2217", "127.0.0.1:0").url.rpartition(":")[2]
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        url = f"rfc2217://127.0.0.1:{server.getsockname()[1]}"
+        garbage = threading.Event()
+        relay = threading.Thread(target=relay_one, args=(server, int(target), garbage))
+        relay.start()
+        if damaged == "at once":
+            garbage.set()
+            message = refusal(url)
+        else:
+            transport = opened(url)
+            garbage.set()
+            with pytest.raises(PortUnavailable) as error:
+                transport.read(1, LONG_TIMEOUT)
+            message = str(error.value)
+            transport.close()
+        relay.join()
+    assert "cannot be reached: the server sends what is not RFC 2217" in message
+
+
+def relay_one(server: socket.socket, target: int, garbage: threading.Event) -> None:
+    """Pass on a connection to a port of this computer; send garbage when that is wanted."""
+    client, _ = server.accept()
+    with client, socket.create_connection(("127.0.0.1", target)) as device:
+        ends = {client: device, device: client}
+        while True:
+            if garbage.is_set():
+                client.sendall(b"\xff\xf0")
+                client.settimeout(LONG_TIMEOUT)
+                while client.recv(100):
+                    pass
+                return
+            for end in select.select(list(ends), [], [], 0.02)[0]:
+                ends[end].sendall(end.recv(4096))
 
 
 def test_network_port_has_greater_latency_than_local_port(

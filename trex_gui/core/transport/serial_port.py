@@ -126,6 +126,7 @@ class _LentSocket:
 
 class _Rfc2217Port(rfc2217.Serial):
     guardian: GuardianProcess | None = None
+    fault: serial.SerialException | None = None  # ended pyserial's thread
     _socket: Any
 
     def _is_lent(self) -> bool:
@@ -134,7 +135,17 @@ class _Rfc2217Port(rfc2217.Serial):
 
     def _telnet_read_loop(self) -> None:
         self._socket = _LentSocket(self._socket, self._is_lent)
-        super()._telnet_read_loop()  # type: ignore[misc] # not in the stubs
+        try:
+            super()._telnet_read_loop()  # type: ignore[misc] # not in the stubs
+        except Exception as error:  # noqa: BLE001 - any, for bytes that it does not expect
+            log.info("%s: %r", self.port, error)
+            self.fault = serial.SerialException(tr("the server sends what is not RFC 2217"))
+
+    def open(self) -> None:
+        try:
+            super().open()
+        except PORT_ERRORS as error:
+            raise self.fault or error from None
 
 
 class SerialTransport:
@@ -251,6 +262,8 @@ class SerialTransport:
 
     def _gone(self, error: Exception) -> PortUnavailable:
         log.info("the line %s is gone: %s", self._url, error)
+        if isinstance(self._port, _Rfc2217Port) and (fault := self._port.fault):
+            return PortUnavailable(tr(PortFault.UNREACHABLE.value).format(self._name, fault))
         return PortUnavailable(tr(PortFault.GONE.value).format(self._name), is_missing=True)
 
 
