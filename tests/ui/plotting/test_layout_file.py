@@ -20,6 +20,9 @@ def test_written_layout_is_read_back() -> None:
     ("text", "message"),
     [
         ("version 1", "a.toml: this is not a plot layout: Expected '='"),
+        ("x = " + 3000 * "[", "a.toml: this is not a plot layout: it is nested too deeply"),
+        (f"version.{3000 * 'a.'}a = 1", "a.toml: has the version {'a': {'a':"),
+        (f"version = {5000 * '9'}", "a.toml: this is not a plot layout: Exceeds the limit"),
         ("\0", "a.toml: line 1: this is a binary file"),
         ("", "a.toml: has no version; this program reads layouts of version 1"),
         ("version = 2", "a.toml: has the version 2; this program reads"),

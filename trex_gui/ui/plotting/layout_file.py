@@ -3,6 +3,7 @@
 import tomllib
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
+from reprlib import repr as shortened  # a table may be nested, too
 from typing import Any
 
 from trex_gui.core.files import Finding, SettingsError, decode
@@ -69,13 +70,14 @@ def read_layout(data: bytes, name: str, known: Collection[str]) -> PlotLayout:
     """
     try:
         found: dict[str, Any] = tomllib.loads(decode(data, name))
-    except tomllib.TOMLDecodeError as error:
-        raise SettingsError.of(name, tr("this is not a plot layout: {0}").format(error)) from error
+    except (ValueError, RecursionError) as error:
+        why = tr("it is nested too deeply") if isinstance(error, RecursionError) else error
+        raise SettingsError.of(name, tr("this is not a plot layout: {0}").format(why)) from error
     if (version := found.pop("version", None)) != VERSION or isinstance(version, bool):
         message = tr("has no version; this program reads layouts of version {0}").format(VERSION)
         if version is not None:
             message = tr("has the version {0}; this program reads layouts of version {1}").format(
-                repr(version), VERSION
+                shortened(version), VERSION
             )
         raise SettingsError.of(name, message)
     problems: list[Finding] = []
@@ -96,7 +98,7 @@ def read_layout(data: bytes, name: str, known: Collection[str]) -> PlotLayout:
                 problems.append(Finding(None, curve, message))
             elif not isinstance(color, str) or color not in COLORS:
                 message = tr("has the colour {0}, which is none of {1}").format(
-                    repr(color), ", ".join(COLORS)
+                    shortened(color), ", ".join(COLORS)
                 )
                 problems.append(Finding(None, curve, message))
         return ""
@@ -118,5 +120,5 @@ def _number(value: Any, lowest: float, highest: float) -> str:
     ):
         return ""
     return tr("is {0}, not a number from {1} to {2}").format(
-        repr(value), f"{lowest:g}", f"{highest:g}"
+        shortened(value), f"{lowest:g}", f"{highest:g}"
     )
