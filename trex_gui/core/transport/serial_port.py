@@ -141,12 +141,6 @@ class _Rfc2217Port(rfc2217.Serial):
             log.info("%s: %r", self.port, error)
             self.fault = serial.SerialException(tr("the server sends what is not RFC 2217"))
 
-    def open(self) -> None:
-        try:
-            super().open()
-        except PORT_ERRORS as error:
-            raise self.fault or error from None
-
 
 class SerialTransport:
     def __init__(self, settings: PortSettings, clock: Callable[[], float] = time.monotonic) -> None:
@@ -356,6 +350,8 @@ def _open_when_free(port: serial.Serial, url: str, clock: Callable[[], float]) -
         except PORT_ERRORS as error:
             is_late = clock() >= deadline
             if is_late or _errno(error) not in _BUSY or is_locked_elsewhere(url):
+                if fault := getattr(port, "fault", None):
+                    raise fault from error
                 raise
             time.sleep(_SLICE)
         else:

@@ -61,9 +61,8 @@ class StartPanel(QWidget):
         choices: list[QAbstractButton] = []
         for number, way in enumerate(texts.ways, start=1):
             pictures.addWidget(self._picture(way, number, hardware))
-            text = ui.label(
-                steps, f"{texts.prefix}startSteps{number}", way.steps, wrap=True, rich=True
-            )
+            name = f"{texts.prefix}startSteps{number}"
+            text = ui.label(steps, name, way.steps, wrap=True, rich=True)
             text.setAlignment(Qt.AlignmentFlag.AlignTop)
             steps.addWidget(text)
             if way.name:

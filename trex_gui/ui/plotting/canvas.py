@@ -8,12 +8,13 @@ from typing import Any, TypeVar
 
 import pyqtgraph as pg
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal, Slot
-from PySide6.QtGui import QBrush, QFont, QFontMetrics, QPainterPath, QPen
+from PySide6.QtGui import QBrush, QFont, QFontMetrics, QPainter, QPainterPath, QPen
 from PySide6.QtWidgets import QGraphicsItem, QGraphicsPathItem, QWidget
 
 from trex_gui.ui.plotting.axes import Labels
 from trex_gui.ui.plotting.history import Floats
 from trex_gui.ui.theme.theme import scaled_font, theme
+from trex_gui.ui.widgets.behaviour import strokes
 from trex_gui.ui.widgets.builders import column
 
 _LABEL_MARGIN = 60  # pixels that a label may extend beyond the end of its axis
@@ -52,6 +53,12 @@ class Curve(_Shape):
 
     def clear(self) -> None:
         self.item.setData([], [])
+
+
+class _ThinCurve(pg.PlotCurveItem):  # type: ignore[misc] # pyqtgraph has no types
+    def paint(self, painter: QPainter, *rest: Any) -> None:
+        for _ in strokes(painter):
+            super().paint(painter, *rest)
 
 
 class Line(_Shape):
@@ -176,9 +183,14 @@ class PlotCanvas(QWidget):
         self, color: str, width: float = 1, style: Qt.PenStyle = Qt.PenStyle.SolidLine
     ) -> Curve:
         """Add a line through points; with a width of 1 it is not smoothed and costs least."""
-        item = pg.PlotCurveItem(antialias=width > 1, skipFiniteCheck=True)
+        kind = pg.PlotCurveItem if width > 1 else _ThinCurve
+        item = kind(antialias=width > 1, skipFiniteCheck=True)
         item.setSegmentedLineMode("off")  # which would break dashes
-        return self._add(Curve(item, color, self._pen(width, style)))
+        ratio = self.devicePixelRatioF()
+        pen = _pen(width * ratio if width > 1 else 1, style)
+        if width <= 1 and style is not Qt.PenStyle.SolidLine:
+            pen.setDashPattern([part * ratio for part in pen.dashPattern()])
+        return self._add(Curve(item, color, pen))
 
     def add_line(
         self, color: str, style: Qt.PenStyle = Qt.PenStyle.SolidLine, *, vertical: bool = False
@@ -187,7 +199,7 @@ class PlotCanvas(QWidget):
         item = pg.InfiniteLine(angle=90 if vertical else 0)
         item.setAcceptedMouseButtons(Qt.MouseButton.NoButton)
         item.hide()
-        return self._add(Line(item, color, self._pen(1, style)))
+        return self._add(Line(item, color, _pen(self.devicePixelRatioF(), style)))
 
     def add_band(self, color: str) -> Band:
         """Add a filled range below everything else; it is hidden until it has one."""
@@ -201,12 +213,6 @@ class PlotCanvas(QWidget):
 
     def add_overlay(self, item: QGraphicsItem) -> None:
         self._plot.scene().addItem(item)
-
-    def _pen(self, width: float, style: Qt.PenStyle) -> QPen:
-        # A pen that keeps its width when the axes change counts in the pixels of the screen.
-        pen = QPen(Qt.GlobalColor.black, width * self.devicePixelRatioF(), style)
-        pen.setCosmetic(True)
-        return pen
 
     def _add(self, shape: ShapeT) -> ShapeT:
         self._box.addItem(shape.item, ignoreBounds=True)
@@ -308,3 +314,10 @@ class PlotCanvas(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange and hasattr(self, "_grid"):
             self._show_fonts()
+
+
+def _pen(pixels: float, style: Qt.PenStyle) -> QPen:
+    # A pen that keeps its width when the axes change counts in the pixels of the screen.
+    pen = QPen(Qt.GlobalColor.black, pixels, style)
+    pen.setCosmetic(True)
+    return pen

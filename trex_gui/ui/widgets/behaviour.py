@@ -1,6 +1,6 @@
 """Behaviour that widgets share: focus, headers, held controls, typed values."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import wraps
 from typing import TypeVar
 
@@ -11,7 +11,7 @@ from PySide6.QtCore import (
     Signal,
     Slot,
 )
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter
+from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QTransform
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QAbstractSpinBox,
@@ -93,6 +93,20 @@ def paint_placeholder(view: QAbstractItemView, text: str, *, short: str = "") ->
         if short and not box.contains(painter.boundingRect(box, how, text)):
             text = short if text else ""
         painter.drawText(box, how, text)
+
+
+def strokes(painter: QPainter) -> Iterator[None]:
+    """Shift the painter for each of the thin lines that make a line one logical pixel wide.
+
+    A pen of two pixels takes a hundred times as long along a noisy line.
+    """
+    base = painter.worldTransform()
+    ratio = painter.deviceTransform().m22() / base.m22()
+    for pixel in range(max(1, round(ratio))):
+        for x, y in {(pixel, 0), (0, pixel)}:
+            painter.setWorldTransform(base * QTransform.fromTranslate(x / ratio, y / ratio))
+            yield
+    painter.setWorldTransform(base)
 
 
 def clear_corner(view: QAbstractItemView) -> None:

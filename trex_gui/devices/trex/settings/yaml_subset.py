@@ -85,9 +85,7 @@ def _damaged(text: str, name: str, message: str, line: int) -> SettingsError:
     elif found := _UNSPACED.search(text):  # YAML reads it as a word, and complains of a later line
         first = len(LINE_END.findall(text, 0, found.start())) + 1
         if first <= line:
-            line, message = first, tr("a space belongs after the colon")
-            if text[found.end()].isspace():
-                message = tr("the space after the colon is not an ordinary one; type it again")
+            line, message = first, tr("type an ordinary space after the colon")
     return SettingsError.of(name, message, line)
 
 

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.accessible import Spoken
+from trex_gui.ui.widgets.behaviour import strokes
 
 STRIP_SECONDS = 10.0
 _MAX_GAP = 0.5  # seconds without a sample that interrupt the line
@@ -93,8 +94,9 @@ class InputStrip(QWidget, Spoken):
                 pen = QPen(color("pointer"), 1)
                 pen.setCosmetic(True)
                 painter.setPen(pen)
-                for line in self.lines:
-                    painter.drawPolyline(line)
+                for _ in strokes(painter):
+                    for line in self.lines:
+                        painter.drawPolyline(line)
                 painter.resetTransform()
                 painter.setClipping(False)
             painter.setPen(QPen(color("plot_frame"), 1))

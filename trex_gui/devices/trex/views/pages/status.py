@@ -67,8 +67,7 @@ class MotorsBox(ui.GroupBox):
     def show_statuses(self, statuses: tuple[DriveStatus, ...], board: BoardInputs | None) -> None:
         for row in range(len(self._rows), len(statuses)):
             sign = Sign(self)
-            name = f"motorsReason{row + 1}"
-            text = ui.label(self, name, wrap=True, rich=True, selectable=True)
+            text = ui.label(self, f"motorsReason{row + 1}", wrap=True, rich=True, selectable=True)
             self._reasons.addWidget(sign, row, 0, Qt.AlignmentFlag.AlignTop)
             self._reasons.addWidget(text, row, 1)
             self._rows.append((sign, text))
