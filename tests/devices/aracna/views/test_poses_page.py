@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QTextDocumentFragment
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
@@ -53,6 +54,12 @@ def test_delete_removes_pose_and_undo_restores_it(driver: StagedPageDriver, qtbo
     assert driver.pose_names()[0] == "flat"
     driver.click("aracnaRedo")
     assert "flat" not in driver.pose_names()
+
+
+def test_tip_of_undo_shows_the_name_of_a_pose_as_it_is(driver: StagedPageDriver) -> None:
+    driver.library.add_pose(EIGHT, "a<img src='x.png'>")
+    tip = driver.button("aracnaUndo").toolTip()
+    assert QTextDocumentFragment.fromHtml(tip).toPlainText() == "Undo Add pose a<img src='x.png'>"
 
 
 def test_alt_arrow_keys_move_selected_pose(driver: StagedPageDriver, qtbot: QtBot) -> None:

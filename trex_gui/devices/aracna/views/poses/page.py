@@ -73,6 +73,8 @@ class PosesPage(QWidget):
         set_icon(action, icon)
         button = small_button(self, name, action.text())
         button.setDefaultAction(action)
+        # Qt would show the text, with the name of a pose in it, as a tool tip that may be markup.
+        action.changed.connect(lambda: action.setToolTip(ui.plain(action.text())))
         return button
 
     @Slot()
