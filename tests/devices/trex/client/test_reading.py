@@ -14,6 +14,7 @@ from trex_gui.devices.trex.protocol.commands import Command, GetMode, GetParamet
 from trex_gui.devices.trex.protocol.errors import is_unsteady
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection
+from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.simulator.firmware import Board
 
 _GET_TIMEOUT = GetParameter(0x07)
@@ -43,6 +44,16 @@ def test_parameters_unknown_to_old_firmware_are_not_read() -> None:
     state = read_everything(stage.client(settings).request)
     assert "uart_response_delay" not in state.parameters
     assert stage.board.serial.errors == 0
+
+
+@pytest.mark.parametrize("reply", [b"", b"\xff"])
+def test_unknown_parameter_is_left_out_whatever_its_reply(stage: Stage, reply: bytes) -> None:
+    """A board that lacks a parameter of its firmware; the qik 2s12v10 replies FF."""
+    board = stage.board
+    board.unknown_reply, board.memory.parameters = reply, parameters_of("trex", "1.1")
+    state = read_everything(stage.client().request)
+    assert set(state.unread) == {"uart_response_delay"}
+    assert state.parameters == board.memory.stored()
 
 
 def test_learned_channels_are_reported(stage: Stage) -> None:

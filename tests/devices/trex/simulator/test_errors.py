@@ -7,6 +7,7 @@ import pytest
 from tests.devices.trex.simulator.ports import a_board
 from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.simulator.command import simulate
 from trex_gui.devices.trex.simulator.control import control
 from trex_gui.devices.trex.simulator.line import TrexLine
 from trex_gui.devices.trex.simulator.uart import remainder
@@ -110,6 +111,17 @@ def test_error_sets_its_bit_and_board_still_replies(
     assert question(line, "84") == b"\x01"
     assert question(line, "85") == bytes([error])
     assert question(line, "85") == question(line, "84") == b"\x00"
+
+
+def test_board_may_behave_like_the_twin() -> None:
+    """Guide of the qik 2s12v10, 5.d."""
+    simulation = simulate(unknown_parameter="byte", rejected_write="error", paced=False)
+    line = simulation.line
+    assert isinstance(line, TrexLine)
+    assert send(line, "C0 20 9F 60 85") == b"\xff\x40"
+    assert line.boards[0].motors[0].speed == 127, "errors stop the motors"
+    assert send(line, "AF 60 00 55 2A 85") == b"\x01\x40"
+    assert send(line, "AF 07 00 55 2A 85") == b"\x00\x00"
 
 
 def test_causes_cover_every_uart_error_bit() -> None:

@@ -88,6 +88,8 @@ def simulate(
     eeprom: Path | None = None,
     error_shutdown: str = "on",
     timeout_needs_shutdown: str = "off",
+    unknown_parameter: str = "silent",
+    rejected_write: str = "quiet",
     devices: Sequence[DeviceOption] = (),
     seed: int = 0,
     demo: bool = False,
@@ -110,6 +112,9 @@ def simulate(
         )
         for index, device in enumerate(devices or [DeviceOption()])
     ]
+    for board in boards:
+        board.unknown_reply = b"" if unknown_parameter == "silent" else b"\xff"
+        board.rejection_is_error = rejected_write == "error"
     line = TrexLine(boards, echo=echo, paced=paced, seed=seed)
     if demo:
         for board in boards:
@@ -177,6 +182,19 @@ SIMULATOR = SimulatorPlugin(
             "off",
             "Whether the serial timeout stops motors only while uart_error_shutdown is on. Nobody "
             "knows which holds for a TReX.",
+        ),
+        _choice(
+            "--unknown-parameter",
+            ("silent", "byte"),
+            "silent",
+            "What reading an unknown parameter returns beside the format error: nothing "
+            "(inferred), or FF (twin).",
+        ),
+        _choice(
+            "--rejected-write",
+            ("quiet", "error"),
+            "quiet",
+            "Whether a rejected write is a format error, too: no (inferred), or yes (twin).",
         ),
         click.Option(
             ["--device", "devices"],

@@ -62,6 +62,8 @@ class Board:
             Shutdown set. CMD10 names no condition; the twin, a qik 2s12v10, has this one.
         boot_mode: selected by jumpers at power-up; `None` in normal operation.
         receiving: whether a packet is incomplete (it lights a LED).
+        unknown_reply: sent when an unknown parameter is read, beside the format error.
+        rejection_is_error: whether a rejected write is a format error, too.
     """
 
     def __init__(
@@ -88,6 +90,8 @@ class Board:
         self.now = self.powered_at = 0.0
         self.powered = False
         self.boots = 0
+        self.unknown_reply = b""
+        self.rejection_is_error = False
         self.channels = Channels(InputSource.RC, seed)
         self.machine = Machine(self.model.key, self.model.current_unit, seed)
         self.physics = self.machine.motors
@@ -268,14 +272,19 @@ class Board:
         return bool(self.memory.active[ParameterKey.UART_ERROR_SHUTDOWN])
 
     def set_parameter(self, number: int, value: int) -> ResultCode:
-        return self.memory.set(number, value, self.mode)
+        return self._checked(self.memory.set(number, value, self.mode))
 
     def calibration(self, channel: int) -> Calibration:
         """Return the calibration of a channel (1-5) for the current mode."""
         return self.eeprom.calibration(self.mode.source, channel)
 
     def set_calibration(self, channel: int, calibration: Calibration) -> ResultCode:
-        return self.memory.set_calibration(channel, calibration, self.mode)
+        return self._checked(self.memory.set_calibration(channel, calibration, self.mode))
+
+    def _checked(self, result: ResultCode) -> ResultCode:
+        if result is not ResultCode.OK and self.rejection_is_error:
+            self.report_error(UartError.FORMAT)
+        return result
 
     # Environment
 

@@ -174,10 +174,11 @@ class SerialPort:
     def _execute(self, handler: "_Handler", command: int, data: bytes) -> None:
         try:
             reply = handler(self.board, command, data)
-        except _IllogicalData:
+        except _IllogicalData as error:
             self._reject()
-            return
-        self.board.counters["packets"] += 1
+            reply = error.reply
+        else:
+            self.board.counters["packets"] += 1
         if not reply:
             return
         memory = self.board.memory
@@ -203,7 +204,11 @@ class SerialPort:
 
 
 class _IllogicalData(Exception):  # noqa: N818 - the documentation's word
-    """A data byte has an invalid value."""
+    """A data byte has an invalid value; the board may reply nevertheless."""
+
+    def __init__(self, reply: bytes = b"") -> None:
+        super().__init__(reply)
+        self.reply = reply
 
 
 _Handler = Callable[[Board, int, bytes], bytes]
@@ -243,7 +248,8 @@ def _get_calibration(board: Board, command: int, _data: bytes) -> bytes:
 def _get_parameter(board: Board, _command: int, data: bytes) -> bytes:
     value = board.memory.get(data[0])
     if value is None:
-        raise _IllogicalData  # inferred: a number that is no parameter is illogical data
+        # Inferred and twin: a number that is no parameter is illogical data.
+        raise _IllogicalData(board.unknown_reply)
     return bytes([value])
 
 
