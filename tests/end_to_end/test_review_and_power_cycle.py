@@ -161,7 +161,7 @@ def test_board_decides_about_values_beyond_inferred_limits(
         page.find(QAction, "tryParameter").trigger()
         dialog = WidgetDriver(page.find(QDialog, "wireDialog"), window.qtbot)
         check_keyboard(dialog.root)
-        assert "This limit is inferred" in dialog.text("wireNote")
+        assert "(inferred). No document confirms this limit" in dialog.text("wireNote")
         dialog.find(QSpinBox, "wireField").setValue(wire)
         dialog.click("tryWireButton")
 

@@ -102,7 +102,7 @@ def test_review_offers_findings_and_writes_what_is_accepted(
     review.click("writeButton")
     review.wait_for_text("reviewHead", "written and verified")
     parameters = quick_simulator.show()["parameters"]
-    assert parameters["motor1_current_limit_p"] == 5
+    assert parameters["motor1_current_limit_p"] == 4
     assert parameters["motor2_current_limit_p"] == 0
     assert parameters["motor2_acceleration"] == 10
     review.wait(lambda: shows(gain2, ignored))

@@ -371,7 +371,7 @@ def test_proposed_calibration_has_no_problems(channel: int) -> None:
 
 def test_switching_point_is_reported_as_inferred() -> None:
     (text,) = check(THROTTLE, 5).remarks
-    assert "Active above 1495 µs (inferred" in text
+    assert "Active above 1495 µs, halfway between neutral and maximum (inferred)" in text
     assert text.endswith("At rest it is off.")
 
 

@@ -274,10 +274,10 @@ def test_restore_defaults_names_inferred_defaults(
 ) -> None:
     quick_simulator.do("eeprom device_number 9")
     quick_simulator.do("power cycle")
-    assert "Inferred" not in trexcmd("restore-defaults", stdin="n\n").stderr
+    assert "confirms" not in trexcmd("restore-defaults", stdin="n\n").stderr
     quick_simulator.do("eeprom motor1_acceleration 9")
     said = trexcmd("restore-defaults", stdin="n\n").stderr
-    assert "Inferred, no source confirms the default of: Motor 1 Acceleration.\n" in said
+    assert "No source confirms the default of: Motor 1 Acceleration (inferred).\n" in said
 
 
 def test_restore_defaults_without_changes_still_prompts(
@@ -427,7 +427,9 @@ def test_force_lets_the_board_decide_and_remembers_what_it_stored(
 ) -> None:
     refused = trexcmd("set", "ignored_channels", "63")
     assert refused.exit_code == 2
-    assert "this limit is inferred: --force lets the board decide" in refused.stderr
+    assert (
+        "no document confirms the limit (inferred): --force lets the board decide" in refused.stderr
+    )
     rejected = trexcmd("set", "ignored_channels", "63", "--force")
     assert rejected.exit_code == 1
     assert "Ignored Channels: the board rejects this value" in rejected.stderr

@@ -246,7 +246,7 @@ ignored_channels: 2"""
 REPAIRED = """# My rover, do not lose this
 product: TReX
 motor1_current_limit: 20  # about 6 A
-motor1_current_limit_p: 5
+motor1_current_limit_p: 4
 
 serial_timeout: 15  # was off
   # between
@@ -268,7 +268,7 @@ def test_fix_repairs_the_file_and_lists_each_repair(trexcmd: RunCommand, tmp_pat
     assert product == "line 2: product: trex becomes TReX"
     assert timeout == "line 6: serial_timeout: 1.5 s becomes 15 (1.5 s)"
     assert brake == "line 8: motor1_brake_duration: 300 becomes 127 (1270 ms)"
-    assert gain.startswith("Set Motor 1 Current Limit Proportionality Constant P to 5: Motor 1")
+    assert gain.startswith("Set Motor 1 Current Limit Proportionality Constant P to 4: Motor 1")
     assert required.startswith("Set Required Channels to channel 1: Both required and ignored")
 
     assert trexcmd("check-settings", str(path), "--fix").exit_code == 0

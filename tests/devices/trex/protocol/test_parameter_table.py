@@ -10,6 +10,7 @@ from tests.support.matrix import examples
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.parameters import (
+    Grade,
     ParameterKind,
     ParameterSet,
     ParameterSpec,
@@ -46,8 +47,8 @@ FACTS: dict[int, tuple[str, int, int, int, int]] = {
     0x12: ("motor2_brake_duration", 0, 127, 0, 0),
     0x13: ("motor1_current_limit", 0, 127, 0, 0),
     0x14: ("motor2_current_limit", 0, 127, 0, 0),
-    0x15: ("motor1_current_limit_p", 0, 127, 5, 5),
-    0x16: ("motor2_current_limit_p", 0, 127, 5, 5),
+    0x15: ("motor1_current_limit_p", 0, 127, 4, 4),
+    0x16: ("motor2_current_limit_p", 0, 127, 4, 4),
     0x17: ("uart_response_delay", 0, 1, 0, 0),
     0x7B: ("motor_mode", 0, 1, 0, 0),
     0x7C: ("channel_input_source", 0, 1, 0, 0),
@@ -157,13 +158,31 @@ def test_unknown_model_is_rejected_with_known_ones() -> None:
 
 
 def test_only_trex_jr_default_prescaler_is_confirmed() -> None:
-    assert parameter("motor1_pwm_prescaler", "trexjr").default_confirmed
-    assert not parameter("motor1_pwm_prescaler", "trex").default_confirmed
+    assert parameter("motor1_pwm_prescaler", "trexjr").grade("default") is Grade.SOURCED
+    assert parameter("motor1_pwm_prescaler", "trex").grade("default") is Grade.INFERRED
 
 
-def test_inferred_limits_are_unconfirmed() -> None:
-    assert parameter("serial_timeout").limits_confirmed
-    assert not parameter("required_channels").limits_confirmed
+def test_weakest_evidence_of_several_fields_counts() -> None:
+    assert parameter("serial_timeout").grade("min", "max") is Grade.SOURCED
+    assert parameter("motor_mode").grade("min", "max") is Grade.INFERRED
+
+
+@every_model
+def test_facts_of_the_twin_have_its_grade(model: str) -> None:
+    """Guide of the qik 2s12v10, pages 20 to 22."""
+    found = parameters_of(model, "1.3")
+    graded = {
+        (spec.key.removeprefix("motor1_"), field)
+        for spec in found
+        for field, grade in spec.grades.items()
+        if grade is Grade.TWIN and not spec.key.startswith("motor2_")
+    }
+    assert graded == {
+        ("serial_timeout", "default"),
+        ("brake_duration", "default"),
+        *(("current_limit", field) for field in ("min", "max", "default", "zero")),
+        *(("current_limit_p", field) for field in ("min", "max", "default")),
+    }
 
 
 # What is allowed.

@@ -72,10 +72,10 @@ def test_open_value_of_a_file_is_read_with_a_warning_and_kept() -> None:
     settings = Settings(TREX, "1.2", {"motor1_pwm_prescaler": 5, "motor1_pwm_maximum": 63})
     text = write_settings(settings)
     assert "motor1_pwm_prescaler: 5" in text
-    assert "# beyond a limit that is inferred: the board decides" in text
+    assert "# beyond a limit (inferred): the board decides" in text
     read, findings = read_settings(text)
     assert read == settings
     warning = next(found for found in findings if found.key == "motor1_pwm_prescaler")
     assert warning.severity is Severity.WARNING
-    assert "not 5; this limit is inferred, so the board decides" in warning.message
+    assert " (inferred), not 5; the board decides" in warning.message
     assert lint(settings) == ()

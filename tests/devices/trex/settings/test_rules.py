@@ -103,11 +103,10 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
             Expected(
                 "limit_without_gain",
                 "Motor 2 Current Limit is 3 A, but its proportionality constant P, how strongly "
-                "the limiter reacts, is 0. Inferred: the behaviour of the board is not documented, "
-                "and the limit may have no effect.",
+                "the limiter reacts, is 0. The limit may have no effect then (inferred).",
                 ("motor2_current_limit", "motor2_current_limit_p"),
-                {"motor2_current_limit_p": 5},
-                "Set Motor 2 Current Limit Proportionality Constant P to 5",
+                {"motor2_current_limit_p": 4},
+                "Set Motor 2 Current Limit Proportionality Constant P to 4",
             ),
         ),
         (
@@ -116,8 +115,8 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
             Expected(
                 "limit_without_ramp",
                 "Motor 1 Current Limit is 3 A and Motor 1 Acceleration is 0, which means at once. "
-                "Inferred: as soon as the current falls below the limit, the motor jumps back to "
-                "its full target speed, so it may run in jerks.",
+                "As soon as the current falls below the limit, the motor jumps back to its full "
+                "target speed, so it may run in jerks (inferred).",
                 ("motor1_current_limit", "motor1_acceleration"),
                 {"motor1_acceleration": 10},
                 "Set Motor 1 Acceleration to 1.3 s to full speed",

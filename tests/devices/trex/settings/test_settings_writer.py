@@ -48,8 +48,8 @@ motor1_brake_duration: 0        # no braking
 motor2_brake_duration: 0        # no braking
 motor1_current_limit: 0         # off
 motor2_current_limit: 0         # off
-motor1_current_limit_p: 5
-motor2_current_limit_p: 5
+motor1_current_limit_p: 4
+motor2_current_limit_p: 4
 motor_mode: 0                   # independent
 """
 

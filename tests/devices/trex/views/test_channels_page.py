@@ -79,7 +79,7 @@ def test_texts_say_what_each_channel_does_in_the_mode_of_the_board(
     assert two.endswith("with the mix jumper on it drives forward and back; it is reversed.")
     assert three == "Channel 3 drives the auxiliary motor, which turns one way only."
     assert four == "Channel 4 is ignored: it is held off, whatever its input is."
-    assert five.endswith("control the motors while the input is above about 3.75 V.")
+    assert five.endswith("control the motors while the input is above about 3.75 V (inferred).")
 
 
 def test_override_switch_changes_the_texts_at_once(

@@ -367,7 +367,9 @@ def test_review_warns_about_implausible_values(learning: LearningDialog) -> None
     assert "would reject these values: minimum 4000 is above neutral" in learning.problem(1)
     assert not learning.can_click("learnUseButton")
 
-    assert "Active above 1495 µs (inferred" in learning.text("learnReasons5")
+    assert "Active above 1495 µs, halfway between neutral and maximum (inferred)" in learning.text(
+        "learnReasons5"
+    )
     assert learning.problem(5) == ""
     learning.button("learnReversed5").click()
     assert "It is inactive in all its positions" in learning.problem(5)

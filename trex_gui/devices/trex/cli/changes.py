@@ -56,7 +56,12 @@ def require_consent(
     """
     known = AcceptedValues().of(state.signature)
     findings = [
-        Finding(None, key, f"{problem}; this limit is inferred: --force lets the board decide")
+        Finding(
+            None,
+            key,
+            f"{problem}; no document confirms the limit{state.specs[key].limits_mark}: --force "
+            "lets the board decide",
+        )
         for key, wire in open_values(state.specs, wanted).items()
         if wire not in known.get(key, ()) and wire != state.parameters.get(key)
         if (problem := state.specs[key].problem(wire)) is not None

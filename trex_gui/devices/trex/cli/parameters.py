@@ -31,6 +31,7 @@ from trex_gui.devices.trex.protocol.parameters import (
     ParameterKey,
     ParameterSet,
     ParameterSpec,
+    unconfirmed_defaults,
 )
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.settings.document import factory_settings, settings_of
@@ -107,8 +108,8 @@ def restore_defaults(yes: bool, **options: Any) -> None:
     """Reset every parameter to its factory default.
 
     Shows what will change and asks. The board does it when it is switched off and on. Channel
-    calibrations do not change. Saves a snapshot of what the board stores first. Does nothing if
-    another board on the line has the device number that this one would get.
+    calibrations do not change (inferred). Saves a snapshot of what the board stores first. Does
+    nothing if another board on the line has the device number that this one would get.
     """
     link = link_settings(options)
     with open_line(link) as client:
@@ -131,7 +132,7 @@ def restore_defaults(yes: bool, **options: Any) -> None:
     say(
         "The board accepted the reset. Switch it off and on: then every parameter has its "
         f"default, the board runs at {line} and its device number is {number}. The channel "
-        "calibrations do not change."
+        "calibrations do not change (inferred)."
     )
     say_how_to_reach(link, dict(factory.parameters), signature.firmware)
 
@@ -143,5 +144,5 @@ def _announce(result: Comparison, specs: ParameterSet) -> None:
     say(f"What will change, {result.changed} of {len(specs.readable)} parameters:")
     say_changes(result)
     changing = [specs[row.key] for row in result.rows if row.changed]
-    if unsure := [spec.name for spec in changing if not spec.default_confirmed]:
-        say(f"Inferred, no source confirms the default of: {', '.join(unsure)}.")
+    if unsure := unconfirmed_defaults(changing):
+        say(f"No source confirms the default of: {unsure}.")

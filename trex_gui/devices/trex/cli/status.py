@@ -64,7 +64,9 @@ _ERROR_TITLES = {False: "Errors", True: "Latched before, perhaps by a search for
 def status(as_json: bool, **options: Any) -> None:
     """Show the state of the board, its measurements and its parameters.
 
-    Errors are those since they were last read, which clears them in the board.
+    Errors are those since they were last read, which clears them in the board. The board may
+    measure currents wrong by 20 % (twin). The vendor's document gives channel 3 six bits, 0 to 63;
+    the program reads seven (inferred).
 
     With --json, measurements are numbers with the unit in the key, as in stream and in
     recordings: motor_1_current_A, motor_2_current_A; for each channel raw (counts), pulse_us or
@@ -75,9 +77,9 @@ def status(as_json: bool, **options: Any) -> None:
 
     motors has each reason why they do not follow serial commands, with its effect: stops (or may
     stop) the motors, blocks serial commands, limits the speed, or note. leds has the pattern that
-    this state shows on the board; that safe-start holds the motors is inferred where a channel
-    commands a speed and no current flows, and a motor without load looks the same. Errors that
-    are over are not among the reasons.
+    this state shows on the board; where a channel commands a speed and no current flows, safe-start
+    may hold the motors (inferred), and a motor without load looks the same. Errors that are over
+    are not among the reasons.
     """
     with open_line(link_settings(options)) as client:
         identify(client)

@@ -88,7 +88,8 @@ def stream(
 
     The header has the units. The other columns of a row hold the newest values; error bits are in
     the first row after they were read, which clears them in the board. With --interval, rows
-    between two that are written are left out, but none of their error bits.
+    between two that are written are left out, but none of their error bits. The board may measure
+    currents wrong by 20 % (twin).
     """
     if as_json and file is not None:
         raise click.UsageError(

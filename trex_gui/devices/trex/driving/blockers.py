@@ -47,8 +47,8 @@ class DriveBlocker(Enum):
         Effect.STOPS,
         tr_noop("Channel {0} is {1} above neutral."),
         tr_noop(
-            "Safe-start holds the motors until it is within about {2}: release the stick, or "
-            "calibrate the channel (in serial mode).",
+            "Safe-start holds the motors until it is within about {2} (inferred): release the "
+            "stick, or calibrate the channel (in serial mode).",
         ),
     )
     CHANNEL_BELOW = (
@@ -63,7 +63,7 @@ class DriveBlocker(Enum):
     )
     SAFE_START = (
         Effect.STOPS,
-        tr_noop("Safe-start may be holding the motors."),
+        tr_noop("Safe-start may be holding the motors (inferred)."),
         tr_noop("Release all sticks."),
     )
     FAULT = (

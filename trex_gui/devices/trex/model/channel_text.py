@@ -103,11 +103,11 @@ def _task(channel: int, *, joint: bool, mixed: bool | None) -> str:
 
 
 def switching_text(channel: int, curve: ChannelCurve, source: InputSource) -> str:
-    """Return where a switch is on, `below about 1250 µs`; empty for other channels."""
+    """Return where a switch is on, `below about 1250 µs (inferred)`; empty for other channels."""
     threshold = curve.threshold(channel)
     if threshold is None:
         return ""
-    side = tr("above about {0}") if curve.reversed_ else tr("below about {0}")
+    side = tr("above about {0} (inferred)") if curve.reversed_ else tr("below about {0} (inferred)")
     return side.format(source.text(threshold))
 
 

@@ -6,9 +6,9 @@ The wire value (0-127) is the truth; text in physical units is derived here and 
 import difflib
 import math
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
-from enum import StrEnum
+from enum import IntEnum, StrEnum
 from functools import cache
 from typing import Any
 
@@ -110,6 +110,22 @@ _ROUNDING = 0.01  # part of a step by which a number may be outside the limits
 _PREFIXES = {"m": 1e-3, "k": 1e3, "": 1.0}
 
 
+class Grade(IntEnum):
+    """Evidence for a fact, the best first. `resources/trex_parameters.toml` explains each grade."""
+
+    SOURCED = 0
+    TWIN = 1
+    INFERRED = 2
+
+    @property
+    def mark(self) -> str:
+        """The grade behind a fact in a sentence, ` (twin)`; empty if the fact is sourced."""
+        return f" {tr(_MARKS[self])}" if self in _MARKS else ""
+
+
+_MARKS = {Grade.TWIN: tr_noop("(twin)"), Grade.INFERRED: tr_noop("(inferred)")}
+
+
 class ParameterKind(StrEnum):
     """How a parameter is coded, and so which editor fits it."""
 
@@ -138,8 +154,8 @@ class ParameterSpec:
     """One entry of the parameter table as it holds for one model; no layer repeats it.
 
     `minimum`, `maximum` and `default` are wire values; physical value = wire * `scale` in
-    `unit`. `short_name` does not name the motor. `inferred` names the fields that no source
-    confirms; `doubt` is a sentence with what speaks against an inferred default.
+    `unit`. `short_name` does not name the motor. `grades` has the evidence for fields of the
+    table; `doubt` is a sentence with what speaks against an inferred default.
     """
 
     number: int
@@ -161,7 +177,7 @@ class ParameterSpec:
     valid: frozenset[int] = frozenset()
     needs_power_cycle: bool = False
     since: str = "1.0"
-    inferred: frozenset[str] = frozenset()
+    grades: Mapping[str, Grade] = field(default_factory=dict)
     doubt: str = ""
     section: str = ""  # of the user's guide, such as `4.c`; empty: not known
 
@@ -170,19 +186,19 @@ class ParameterSpec:
         """Whether 0x9F reads it; the factory reset can only be written."""
         return self.kind is not ParameterKind.RESET
 
-    @property
-    def limits_confirmed(self) -> bool:
-        return not {"min", "max"} & self.inferred
+    def grade(self, *fields: str) -> Grade:
+        """Return the weakest evidence for these fields of the table."""
+        return max(self.grades.get(name, Grade.SOURCED) for name in fields)
 
     @property
-    def default_confirmed(self) -> bool:
-        return "default" not in self.inferred
+    def limits_mark(self) -> str:
+        return self.grade("min", "max").mark
 
     def is_open(self, wire: int) -> bool:
-        """Whether only an inferred limit is against this wire value: the board decides."""
-        if self.kind not in _WITH_LIMITS or not 0 <= wire <= HIGHEST_WIRE:
+        """Whether only a limit without a source is against this wire value: the board decides."""
+        if self.kind not in _WITH_LIMITS or not 0 <= wire <= HIGHEST_WIRE or wire in self.valid:
             return False
-        return ("min" if wire < self.minimum else "max") in self.inferred and wire not in self.valid
+        return self.grade("min" if wire < self.minimum else "max") > Grade.SOURCED
 
     @property
     def has_open_values(self) -> bool:
@@ -436,6 +452,12 @@ def parameters_of(model_key: str, firmware: str) -> ParameterSet:
     return ParameterSet(model, firmware, specs)
 
 
+def unconfirmed_defaults(specs: Iterable[ParameterSpec]) -> str:
+    """Return the parameters whose default no source confirms, with the grade; may be empty."""
+    graded = ((spec.name, spec.grade("default").mark) for spec in specs)
+    return ", ".join(name + mark for name, mark in graded if mark)
+
+
 @cache
 def parameter_number(key: str) -> int:
     """Return the number of a parameter, which is the same for every model."""
@@ -450,11 +472,10 @@ def parameter_number(key: str) -> int:
 def _read_spec(row: Mapping[str, Any], model: Model) -> ParameterSpec:
     scale = row["scale"]
     source = row["source"]
-    default_source = source.get(f"default_{model.key}", source.get("default", "inferred"))
-    inferred = {name for name, origin in source.items() if origin == "inferred"}
-    inferred.discard("default")
-    if default_source == "inferred":
-        inferred.add("default")
+    names = {grade.name.lower(): grade for grade in Grade}
+    grades = {name: names[origin] for name, origin in source.items() if origin in names}
+    default = source.get(f"default_{model.key}", source.get("default", "inferred"))
+    grades["default"] = names[default]
     kind = ParameterKind(row["kind"])
     valid = frozenset(range(row["min"], row["max"] + 1))
     if kind is ParameterKind.UART:
@@ -479,7 +500,7 @@ def _read_spec(row: Mapping[str, Any], model: Model) -> ParameterSpec:
         valid=valid,
         needs_power_cycle=row["needs_reset"],
         since=row["since"],
-        inferred=frozenset(inferred),
+        grades=grades,
         doubt=tr(row.get("doubt", "")),
         section=source.get(f"guide_{model.key}", ""),
     )

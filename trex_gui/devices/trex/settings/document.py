@@ -93,7 +93,7 @@ def settings_of(state: DeviceState) -> Settings:
 def factory_settings(product: Model, firmware: str | None) -> Settings:
     """Return the default parameters; a reset does not change the calibrations.
 
-    Some defaults are inferred: see `ParameterSpec.default_confirmed`.
+    Some defaults are not sourced: see `unconfirmed_defaults`.
     """
     specs = specs_for(product, firmware).readable
     return Settings(product, firmware, {spec.key: spec.default for spec in specs})

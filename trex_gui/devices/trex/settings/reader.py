@@ -43,7 +43,7 @@ _MESSAGES: Mapping[str, str] = {
     "firmware_unknown": tr_noop("versions {oldest} to {newest} are known, {given} is not"),
     "not_a_setting": tr_noop("is a command to the board, not a setting"),
     "value_invalid": tr_noop("{allowed}, not {given}{hint}"),
-    "value_open": tr_noop("{allowed}, not {given}; this limit is inferred, so the board decides"),
+    "value_open": tr_noop("{allowed}{grade}, not {given}; the board decides"),
     "needs_firmware": tr_noop(
         "a {product} has it from firmware {since} on, these are for {firmware}"
     ),
@@ -219,7 +219,8 @@ class _Reader:
         elif wire is not None and spec.problem(wire, forced=True) is None:
             self.parameters[key] = wire
             if spec.is_open(wire):
-                self.warn(entry.line, key, "value_open", allowed=_range(spec), given=wire)
+                fields = {"allowed": _range(spec), "grade": spec.limits_mark, "given": wire}
+                self.warn(entry.line, key, "value_open", **fields)
         else:
             given, hint = _shown(entry.value), _hint(spec, entry.value)
             fields = {"allowed": _range(spec), "given": given, "hint": hint}

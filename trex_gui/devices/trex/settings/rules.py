@@ -352,15 +352,14 @@ _MESSAGES: Mapping[str, str] = {
     "limit_without_gain": (
         tr_noop(
             "{limit} is {value}, but its proportionality constant P, how strongly the"
-            " limiter reacts, is 0. Inferred: the behaviour of the board is not "
-            "documented, and the limit may have no effect."
+            " limiter reacts, is 0. The limit may have no effect then (inferred)."
         )
     ),
     "limit_without_ramp": (
         tr_noop(
-            "{limit} is {value} and {ramp} is 0, which means at once. Inferred: as "
-            "soon as the current falls below the limit, the motor jumps back to its "
-            "full target speed, so it may run in jerks."
+            "{limit} is {value} and {ramp} is 0, which means at once. As soon as the "
+            "current falls below the limit, the motor jumps back to its full target "
+            "speed, so it may run in jerks (inferred)."
         )
     ),
     "pwm_above_rating": (

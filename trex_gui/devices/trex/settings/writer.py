@@ -92,7 +92,7 @@ def parameter_text(spec: ParameterSpec, wire: int, settings: Settings) -> str:
 def plain_text(spec: ParameterSpec, wire: int) -> str:
     """Return a value in its own unit; empty if that would repeat the value."""
     if spec.is_open(wire):
-        return tr("beyond a limit that is inferred: the board decides")
+        return tr("beyond a limit{0}: the board decides").format(spec.limits_mark)
     text = spec.text(wire)
     return "" if text == str(wire) else text
 

@@ -207,9 +207,9 @@ class HandShakePage(QWidget):
             self.tr(
                 "Search with Find first: it finds a board at any of its settings. If that fails, "
                 "these steps from Pololu's support forum restore the serial settings of the "
-                "factory. One user saw the LEDs alternate for three seconds only, and nothing was "
-                "restored: then begin again. Compare the other settings with your last snapshot "
-                "afterwards (Ctrl+H)."
+                "factory (inferred). One user saw the LEDs alternate for three seconds only, and "
+                "nothing was restored: then begin again. Compare the other settings with your last "
+                "snapshot afterwards (Ctrl+H)."
             ),
             self,
         )

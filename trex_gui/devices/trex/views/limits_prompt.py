@@ -16,8 +16,8 @@ class LimitsPrompt(InlinePrompt):
             write()
             return
         text = self.tr(
-            "{0}: beyond a limit that is inferred. The board decides: it may reject the value, or "
-            "store another one."
+            "{0}: beyond a limit that no document confirms (inferred). The board decides: it may "
+            "reject the value, or store another one."
         )
         answer = Answer("writeAnyway", self.tr("Write an&yway"), write)
         self.ask(text.format(", ".join(named)), answer, still=lambda: doubts() == named)

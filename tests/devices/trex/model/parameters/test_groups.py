@@ -238,8 +238,8 @@ def test_accepted_finding_changes_both_motors_in_one_step(qtbot: QtBot) -> None:
     draft.parameters.edit("motor2_current_limit_p", 9, alone=True)
     steps = draft.undo.count()
     linter.accept(hint)
-    assert draft.parameters.value_of("motor1_current_limit_p") == 5
-    assert draft.parameters.value_of("motor2_current_limit_p") == 5
+    assert draft.parameters.value_of("motor1_current_limit_p") == 4
+    assert draft.parameters.value_of("motor2_current_limit_p") == 4
     assert draft.undo.count() == steps + 1
     draft.undo.undo()
     assert draft.parameters.value_of("motor2_current_limit_p") == 9
@@ -338,19 +338,31 @@ def test_values_are_shown_in_physical_units(model: ParameterModel) -> None:
 def test_side_panel_explains_wire_value_default_and_source(model: ParameterModel) -> None:
     about = model.text.about
     for key, reports in (
-        ("device_number", "The default is confirmed by the vendor; the range is inferred."),
-        ("serial_timeout", "The range is confirmed by the vendor; the default is inferred."),
+        ("device_number", "Range: 0 to 127 (inferred). Default: 7. "),
+        ("device_number", "(inferred): no document confirms it."),
+        ("serial_timeout", "(wire value 0 to 127). Default: 0 (off) (twin). "),
+        ("serial_timeout", "(twin): documented for Pololu's qik 2s12v10"),
+        ("motor1_current_limit_p", "Range: 0 to 127 (twin). Default: 4 (twin). "),
         ("uart_error_shutdown", "The default of on is doubtful: public programs"),
         ("motor1_current_limit", "The board rejects any value"),
-        ("uart_settings", "The meaning of the wire values is inferred"),
+        ("uart_settings", "No source says what the wire values mean (inferred)."),
         ("uart_settings", "Wire value: 5. "),
         ("uart_settings", "Default: 5 (19200 baud"),
         ("motor1_acceleration", "0.1 to 12.7 s to full speed, or no ramp (wire value 0 to 127)"),
         ("motor_mode", "Takes effect when the board is switched off and on."),
-        ("motor1_pwm_maximum", "Wire value: prescaler 1, maximum 63. Range: 76 Hz to 10000 Hz. "),
+        ("motor1_pwm_maximum", "Range: 76 Hz to 10000 Hz (inferred). "),
     ):
         assert reports in " ".join(about(key)), key
     assert "off and on" not in " ".join(about("serial_timeout"))
+
+
+def test_side_panel_shows_the_grade_of_each_range_and_default(model: ParameterModel) -> None:
+    for key in FACTORY:
+        specs = [model.spec_of(each) for each in model.text.together(key)]
+        for word, fields in ("Range: ", ("min", "max")), ("Default: ", ("default",)):
+            (sentence,) = (text for text in model.text.about(key) if text.startswith(word))
+            assert sentence.endswith(f"{max(spec.grade(*fields) for spec in specs).mark}."), key
+            assert sentence.count("inferred") + sentence.count("twin") <= 1
 
 
 def test_tool_tips_name_the_value_and_the_problem(model: ParameterModel) -> None:

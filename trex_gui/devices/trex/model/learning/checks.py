@@ -103,11 +103,11 @@ class Check:
             return ""
         if self.curve.reversed_:
             text = tr(
-                "Active above {0} (inferred: it switches halfway between neutral and maximum).",
+                "Active above {0}, halfway between neutral and maximum (inferred).",
             )
         else:
             text = tr(
-                "Active below {0} (inferred: it switches halfway between neutral and minimum).",
+                "Active below {0}, halfway between neutral and minimum (inferred).",
             )
         if self.curve.is_switched(self.channel, self.neutral.value):
             rest = tr("At rest it is active.")

@@ -13,6 +13,7 @@ from trex_gui.devices.trex.model.parameters.draft import Draft
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.device_table import Model, device_table
 from trex_gui.devices.trex.protocol.parameters import (
+    Grade,
     ParameterKind,
     ParameterSpec,
     motor_name,
@@ -24,6 +25,7 @@ from trex_gui.devices.trex.settings.accepted import Accepted
 from trex_gui.ui.units import units
 
 _MAXIMA = FULL_SCALE + 1
+_GRADED = ("min", "max"), ("default",), ("scale", "bits")
 _IN_WORDS = {ParameterKind.CHOICE, ParameterKind.CHANNELS, ParameterKind.UART}
 _HIGHEST_PWM = 20_000.0  # Hz; of the drivers of boards without a rated one; inferred
 
@@ -59,15 +61,11 @@ class ParameterText(QObject):
         self._draft = draft
         self._problems = problems
         self._accepted = accepted
-        self._sources = {
-            (True, True): self.tr("The vendor's documents or staff confirm range and default."),
-            (True, False): self.tr(
-                "The range is confirmed by the vendor; the default is inferred."
+        self._evidence = {
+            Grade.TWIN: self.tr(
+                "(twin): documented for Pololu's qik 2s12v10, which has the same motor drivers."
             ),
-            (False, True): self.tr(
-                "The default is confirmed by the vendor; the range is inferred."
-            ),
-            (False, False): self.tr("Range and default are inferred."),
+            Grade.INFERRED: self.tr("(inferred): no document confirms it."),
         }
 
     def set_board(self, board: Model) -> None:
@@ -131,18 +129,30 @@ class ParameterText(QObject):
     # --- Sentences ----------------------------------------------------------------------
 
     def about(self, key: str) -> tuple[str, ...]:
-        """Return wire value, range, default and where they come from, a sentence each."""
+        """Return wire value, range and default with their grades, a sentence each."""
         keys = self.together(key)
+        limits, default, meaning = (
+            max(self._specs[each].grade(*fields) for each in keys) for fields in _GRADED
+        )
         wires = [wire for each in keys if (wire := self._draft.value(each)) is not None]
         sentences = (
             self.tr("Wire value: {0}.").format(self._wire_text(key, wires)) if wires else "",
-            self.tr("Range: {0}.").format(self._range(key)),
+            self.tr("No source says what the wire values mean{0}.").format(meaning.mark)
+            if meaning
+            else "",
+            self.tr("Range: {0}{1}.").format(self._range(key), limits.mark),
             self._also_accepted(keys),
-            self.tr("Default: {0}.").format(self.with_wire(key, self._defaults(key))),
+            self.tr("Default: {0}{1}.").format(
+                self.with_wire(key, self._defaults(key)), default.mark
+            ),
             self.tr("Takes effect when the board is switched off and on.")
             if self._specs[key].needs_power_cycle
             else "",
-            self._origin([self._specs[each] for each in keys]),
+            *(self._specs[each].doubt for each in keys),
+            *(self._evidence.get(grade, "") for grade in sorted({limits, default, meaning})),
+            self.tr("The board rejects any value that it does not support.")
+            if max(limits, default)
+            else self.tr("The vendor's documents or staff confirm range and default."),
         )
         return tuple(filter(None, sentences))
 
@@ -175,21 +185,6 @@ class ParameterText(QObject):
 
     def _defaults(self, key: str) -> list[int]:
         return [self._specs[each].default for each in self.together(key)]
-
-    def _origin(self, specs: Sequence[ParameterSpec]) -> str:
-        """Return where limits and default come from, and what that means."""
-        has_limits = all(spec.limits_confirmed for spec in specs)
-        has_default = all(spec.default_confirmed for spec in specs)
-        text = self._sources[has_limits, has_default]
-        text = " ".join((text, *filter(None, (spec.doubt for spec in specs))))
-        if any({"scale", "bits"} & spec.inferred for spec in specs):
-            text += " " + self.tr("The meaning of the wire values is inferred, too.")
-        if not (has_limits and has_default):
-            text += " " + self.tr(
-                "The vendor's parameter document was not available. The board rejects any value "
-                "that it does not support."
-            )
-        return text
 
     def notes(self, key: str) -> tuple[str, ...]:
         """Return what is special about the present value, a sentence each."""

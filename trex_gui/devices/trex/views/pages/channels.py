@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QLabel, QWidget
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.channel_text import function_text, input_text, switching_text
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT
+from trex_gui.devices.trex.protocol.descriptions import CHANNEL_3_BITS, MODE_TEXT
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.views.bars import ChannelBar, OutputBar
 from trex_gui.devices.trex.views.input_strip import STRIP_SECONDS, InputStrip
@@ -65,7 +65,8 @@ class ChannelsPage(QWidget):
                 self.tr(
                     "What the board makes of the input. Those of channels 1 and 2 are the speeds "
                     "for motors 1 and 2, after mixing and flip."
-                ),
+                )
+                + f" {tr(CHANNEL_3_BITS)}",
             ),
         )
         for column, (text, tip) in enumerate(headings):

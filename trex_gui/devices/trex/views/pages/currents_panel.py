@@ -7,8 +7,10 @@ from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QCloseEvent, QKeySequence, QShortcut, QShowEvent
 from PySide6.QtWidgets import QMainWindow, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.telemetry import board_traces
+from trex_gui.devices.trex.protocol.descriptions import CURRENT_ACCURACY
 from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.plotting.panel import TracePanel
@@ -59,6 +61,7 @@ class CurrentsPanel(TracePanel):
             empty = self.tr("No current has been read yet.")
             step = state.signature.model.current_unit * 1000
             note = self.tr("One count of this board is {0:.0f} mA.").format(step)
+            note = f"{note} {tr(CURRENT_ACCURACY)}"
         if name := self._device.board_name:  # the curves remain when it is disconnected
             self.export.heading = self.tr("Motor currents, {0}").format(name)
         # The result of an export remains until the note changes.

@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QWidget
 from trex_gui.devices.trex.model.boards import BoardList
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.draft import diff_against_draft
-from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.protocol.parameters import ParameterKey, unconfirmed_defaults
 from trex_gui.devices.trex.settings.comparison import Comparison
 from trex_gui.devices.trex.settings.document import factory_settings, serial_defaults
 from trex_gui.devices.trex.views.action_bar import StopButton
@@ -167,6 +167,6 @@ class DefaultsDialog(ReusedDialog):
         self._reset.setEnabled(can_write)
         self._sure.setEnabled(can_write)
         specs = [self._device.parameters.spec_of(row.key) for row in ticked]
-        unsure = ", ".join(spec.name for spec in specs if not spec.default_confirmed)
+        unsure = unconfirmed_defaults(specs)
         self._inferred.setText(self.tr("No source confirms the default of: {0}.").format(unsure))
         self._inferred.setVisible(bool(unsure))

@@ -9,6 +9,7 @@ from typing import TypeVar
 from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtWidgets import QAbstractButton, QButtonGroup, QLabel, QRadioButton, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_texts import timeout_warning_on
@@ -17,6 +18,7 @@ from trex_gui.devices.trex.model.parameters.text import value_text
 from trex_gui.devices.trex.model.setup.presets import LIMITS, Preset
 from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup, SetupStep
 from trex_gui.devices.trex.model.setup.wiring import Driver
+from trex_gui.devices.trex.protocol.descriptions import CURRENT_ACCURACY
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
@@ -445,6 +447,7 @@ class LimitsPage(QWidget):
             "Set the current that your motors can draw continuously; the values above are only "
             "examples. Speeds that are set at once, without a ramp, bypass the limit for a moment."
         )
+        text = f"{text} {tr(CURRENT_ACCURACY)}"
         if preset is not None and preset.product != self._device.parameters.model_key:
             name = device_table().model(preset.product).name
             other = self.tr(

@@ -4,7 +4,9 @@ from PySide6.QtCore import QEvent, QRect, QSignalBlocker, QSize, Qt, Signal, Slo
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPen, QWheelEvent
 from PySide6.QtWidgets import QSpinBox, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
+from trex_gui.devices.trex.protocol.descriptions import CURRENT_ACCURACY
 from trex_gui.devices.trex.views.bars import CurrentBar, OutputBar
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
@@ -232,9 +234,10 @@ class DriveControl(QWidget):
         for button in (self._zero, self.brake):
             button.setMinimumWidth(button.fontMetrics().horizontalAdvance(button.text()) + 20)
         self.current = ui.named(CurrentBar(self), f"{name}Current")
-        self.current.setToolTip(
-            self.tr("Current of this motor; the red line is its limit, ⚠ means 80 % of it or more")
+        tip = self.tr(
+            "Current of this motor; the red line is its limit, ⚠ means 80 % of it or more."
         )
+        self.current.setToolTip(f"{tip} {tr(CURRENT_ACCURACY)}")
         policy = self.brake.sizePolicy()
         policy.setRetainSizeWhenHidden(not two_way)  # so that all sliders have the same length
         self.brake.setSizePolicy(policy)

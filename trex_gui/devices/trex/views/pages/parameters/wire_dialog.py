@@ -24,14 +24,13 @@ class WireDialog(QDialog):
         self.setWindowTitle(spec.name)
         self._model, self._key = model, key
         text = self.tr(
-            "{0} is {1}. This limit is inferred: no document confirms it. You can try any wire "
-            "value from 0 to {2}. The board decides: it may reject the value, or store another "
+            "{0} is {1}{2}. No document confirms this limit. You can try any wire value from "
+            "0 to {3}. The board decides: it may reject the value, or store another "
             "one, and the program shows which. A value that the board stores is remembered for "
             "its firmware."
         )
-        note = label(
-            self, "wireNote", text.format(spec.name, spec.range_text(), HIGHEST_WIRE), wrap=True
-        )
+        text = text.format(spec.name, spec.range_text(), spec.limits_mark, HIGHEST_WIRE)
+        note = label(self, "wireNote", text, wrap=True)
         self._value = spin_box(self, "wireField", self.tr("Wire value"), 0, HIGHEST_WIRE)
         self._value.setValue(model.value_of(key) or 0)
         self._trouble = named(Note(0, self), "wireTrouble")

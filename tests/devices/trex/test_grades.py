@@ -1,0 +1,65 @@
+"""Sentences that rest on inferred or twin facts show that, all in the same way."""
+
+import re
+from collections.abc import Iterator
+from functools import cache
+
+import click
+import pytest
+
+from tests.support.scripts import load_script
+from trex_gui.devices.trex.plugin import TREX
+from trex_gui.ui.help.pages import pages
+
+FACTS = {
+    "halfway between neutral and": "(inferred)",
+    r"(above|below) about \{0\}": "(inferred)",
+    "may be holding the motors|safe-start may hold": "(inferred)",
+    r"until it is within about \{2\}": "(inferred)",
+    "limit may have no effect|limiter does nothing": "(inferred)",
+    "jumps back to (its )?full": "(inferred)",
+    "PWM of motor .* runs at": "(inferred)",
+    "motors may not run in RC mode": "(inferred)",
+    "braked while its channel is within": "(inferred)",
+    "make the motor pulse": "(inferred)",
+    "restores? the serial settings (of|only)": "(inferred)",
+    "calibrations do not change|keeps its calibrations": "(inferred)",
+    "channel 3 six bits": "(inferred)",
+    "[Bb]eyond a limit that no document confirms": "(inferred)",
+    "off by default": "(twin)",
+    "[Cc]urrents wrong by 20 %": "(twin)",
+    "0 switches it off.*limit|0 switches it off .*twin": "(twin)",
+}
+"""What such a sentence says, and the grade of the fact."""
+
+_EXPLAINED = re.compile(
+    r"inferred limits?|limits that are inferred|twin, inferred|\(inferred\)|\(twin\)", re.IGNORECASE
+)
+
+
+@cache
+def sentences() -> tuple[str, ...]:
+    """Return the sentences of the window, the help and `trexcmd --help`."""
+    return tuple(sentence for text in _texts() for sentence in re.split(r"(?<=[.!?])\s+|\|", text))
+
+
+def _texts() -> Iterator[str]:
+    yield from (text.source for text in load_script("translations").program_texts())
+    for page in pages():
+        yield from re.sub(r"\]\(\S+\)", "]", page.text).splitlines()
+    for info in TREX.commands.values():
+        command: click.Command = info.command.load()
+        yield from (" ".join(part.split()) for part in (command.help or "").split("\n\n"))
+        yield from (option.help or "" for option in command.params if hasattr(option, "help"))
+
+
+@pytest.mark.parametrize(("fact", "grade"), FACTS.items())
+def test_sentence_shows_the_grade_of_its_fact(fact: str, grade: str) -> None:
+    found = [sentence for sentence in sentences() if re.search(fact, sentence)]
+    assert found, "the sentence is worded in another way now"
+    assert [sentence for sentence in found if grade not in sentence] == []
+
+
+def test_grades_are_shown_in_one_way_only() -> None:
+    rest = (_EXPLAINED.sub("", sentence) for sentence in sentences())
+    assert [sentence for sentence in rest if re.search("(?i)inferred|twin", sentence)] == []
