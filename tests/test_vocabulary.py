@@ -49,7 +49,7 @@ REPLACED = {
 }
 """Words that no identifier holds, and what to say instead."""
 
-EXCEPTIONS = {"ODD": "a parity"}
+EXCEPTIONS = {"ODD": "a parity", "TWIN": "a grade of evidence"}
 """Identifiers that hold one all the same, and why."""
 
 FILES = sorted(PROGRAM.rglob("*.py"))

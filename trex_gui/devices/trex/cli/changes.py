@@ -1,9 +1,11 @@
 """What every command does before and after it changes what a board stores."""
 
-from collections.abc import Callable, Mapping, Sequence
+import contextlib
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from trex_gui.core.cli import Interruption, ProgressLine, say
+from trex_gui.core.errors import StudioError
 from trex_gui.core.files import Finding, SettingsError
 from trex_gui.core.texts import counted
 from trex_gui.devices.trex.cli.common import as_options, identify
@@ -17,12 +19,17 @@ from trex_gui.devices.trex.client.reading import (
 from trex_gui.devices.trex.client.writing import WriteResult, write_all
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
+from trex_gui.devices.trex.protocol.errors import ErrorCode, OtherBoard, Rejected, ResultCode
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.session.reconnecting import after_power_cycle
 from trex_gui.devices.trex.settings.accepted import AcceptedValues
 from trex_gui.devices.trex.settings.board_records import BoardRecord, BoardRecords, utc_now
-from trex_gui.devices.trex.settings.comparison import Comparison, compare, settings_after
+from trex_gui.devices.trex.settings.comparison import (
+    Comparison,
+    compare,
+    settings_after,
+    values_to_write,
+)
 from trex_gui.devices.trex.settings.document import Settings, open_values, settings_of
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity, put_aside
 from trex_gui.devices.trex.settings.history import SettingsHistory
@@ -54,17 +61,12 @@ def require_consent(
 
     Values that boards with this model and firmware have stored before need no consent.
     """
-    known = AcceptedValues().of(state.signature)
+    known, specs = AcceptedValues().of(state.signature), state.specs
     findings = [
-        Finding(
-            None,
-            key,
-            f"{problem}; no document confirms the limit{state.specs[key].limits_mark}: --force "
-            "lets the board decide",
-        )
-        for key, wire in open_values(state.specs, wanted).items()
+        Finding(None, key, f"{problem}{specs[key].limits_mark}: --force lets the board decide")
+        for key, wire in open_values(specs, wanted).items()
         if wire not in known.get(key, ()) and wire != state.parameters.get(key)
-        if (problem := state.specs[key].problem(wire)) is not None
+        if (problem := specs[key].problem(wire)) is not None
     ]
     if findings and not force:
         raise SettingsError(file, findings)
@@ -148,13 +150,11 @@ def write_kept(
 
     Nothing is written after a BadRequest: another board on the line has the device number.
     """
-    before, link = settings_of(state), client.settings
+    before = settings_of(state)
     number = dict(parameters).get(ParameterKey.DEVICE_NUMBER)
     if number is not None and number != before.parameters.get(ParameterKey.DEVICE_NUMBER):
         require_free_number(client, number)
-    record = remembered(before).after_reading(before, state.source, utc_now())
-    whole, remarks = record.with_hidden(before, state.source)
-    _keep(whole, link, command, remarks)
+    record = _keep(client, state, command)
     record = record.before_writing({key for key, _ in (*parameters, *calibrations)})
     _remember(before, record)
     results = write_all(
@@ -175,6 +175,33 @@ def write_kept(
         record = record.after_reset()
     _remember(after, record, instead_of=before)
     return results
+
+
+@contextlib.contextmanager
+def restored_afterwards(client: TrexClient, state: DeviceState, command: str) -> Iterator[None]:
+    """Save a snapshot, and restore the board in the end, whatever happens.
+
+    Meanwhile the record of the board expects what was stored before: if this program dies, or the
+    line is gone, the next connection shows what differs.
+    """
+    before, record = settings_of(state), _keep(client, state, command)
+    _remember(before, record.after_writing(before, state.source, (), utc_now()))
+    try:
+        yield
+    finally:
+        try:
+            found = read_everything(client.request, has_crc=client.has_crc)
+            rows = [row for row in compare(settings_of(found), before).rows if row.changed]
+            if found.signature != state.signature or len(rows) > 3:  # one, and stray writes
+                raise OtherBoard(ErrorCode.TOO_MANY_DIFFER, len(rows))
+            wanted = values_to_write(rows)
+            for result in write_all(client.request, state.specs, *wanted, has_crc=client.has_crc):
+                if result.error is not None:
+                    raise result.error
+            _remember(before, record)
+        except StudioError as error:
+            say(f"The board may store other settings than before. {error}")
+            say("`trexcmd diff --last` shows them; the snapshot has what was stored.")
 
 
 def board_settings(state: DeviceState) -> Settings:
@@ -243,13 +270,18 @@ def say_how_to_reach(used: ConnectionSettings, stored: dict[str, int], firmware:
         say(f"After it is switched off and on, reach it with {options}")
 
 
-def _keep(
-    settings: Settings, link: ConnectionSettings, reason: str, remarks: Sequence[str]
-) -> None:
-    """Save a snapshot where the window keeps its own; nothing must be written if that fails."""
+def _keep(client: TrexClient, state: DeviceState, reason: str) -> BoardRecord:
+    """Save a snapshot where the window keeps its own, and return the record of the board.
+
+    Nothing must be written if that fails.
+    """
+    before, link = settings_of(state), client.settings
+    record = remembered(before).after_reading(before, state.source, utc_now())
+    settings, remarks = record.with_hidden(before, state.source)
     history = SettingsHistory()
     adapter = link.name or link.url
     snapshot = history.take(settings, adapter=adapter, reason=reason, remarks=remarks)
     say(f"Snapshot of the previous settings: {snapshot.path}.")
     if problem := history.bound().problem:
         say(f"Warning: {problem} Set it again with `trexcmd history keep 500`.")
+    return record

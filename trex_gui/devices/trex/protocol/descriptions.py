@@ -21,10 +21,6 @@ from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameters_
 
 CURRENT_ACCURACY = tr_noop("The board may measure currents wrong by 20 % (twin).")
 
-CHANNEL_3_BITS = tr_noop(
-    "The vendor's document gives channel 3 six bits, 0 to 63; the program reads seven (inferred)."
-)
-
 _FIELD_TEXTS = {
     "minimum": tr_noop("minimum"),
     "neutral": tr_noop("neutral"),

@@ -187,8 +187,7 @@ SIMULATOR = SimulatorPlugin(
             "--unknown-parameter",
             ("silent", "byte"),
             "silent",
-            "What reading an unknown parameter returns beside the format error: nothing "
-            "(inferred), or FF (twin).",
+            "What reading an unknown parameter returns: nothing (inferred), or FF (twin).",
         ),
         _choice(
             "--rejected-write",

@@ -176,7 +176,7 @@ class SerialPort:
             reply = handler(self.board, command, data)
         except _IllogicalData as error:
             self._reject()
-            reply = error.reply
+            reply = error.args[0] if error.args else b""
         else:
             self.board.counters["packets"] += 1
         if not reply:
@@ -205,10 +205,6 @@ class SerialPort:
 
 class _IllogicalData(Exception):  # noqa: N818 - the documentation's word
     """A data byte has an invalid value; the board may reply nevertheless."""
-
-    def __init__(self, reply: bytes = b"") -> None:
-        super().__init__(reply)
-        self.reply = reply
 
 
 _Handler = Callable[[Board, int, bytes], bytes]

@@ -7,13 +7,11 @@ from PySide6.QtCore import QSignalBlocker, Qt, Slot
 from PySide6.QtWidgets import QDoubleSpinBox, QFormLayout, QLabel, QSpinBox, QWidget
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.translation import tr
 from trex_gui.devices.trex.bench.run import LONGEST, SHORTEST, Profile, Shape
 from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.parameters.text import value_text
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
-from trex_gui.devices.trex.protocol.descriptions import CURRENT_ACCURACY
 from trex_gui.devices.trex.protocol.parameters import MotorParameter
 from trex_gui.devices.trex.views.pages.parameters.editors import Editor, editor_for
 from trex_gui.ui.theme.theme import theme
@@ -84,8 +82,7 @@ class PlanForm(ui.GroupBox):
             tip=self.tr(
                 "One reading above it stops and disarms all motors. A motor draws most when it "
                 "starts."
-            )
-            + f" {tr(CURRENT_ACCURACY)}",
+            ),
         )
         self._at_limit = ui.check_box(
             self,

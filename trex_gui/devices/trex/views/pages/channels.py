@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QLabel, QWidget
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.channel_text import function_text, input_text, switching_text
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.protocol.descriptions import CHANNEL_3_BITS, MODE_TEXT
+from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.views.bars import ChannelBar, OutputBar
 from trex_gui.devices.trex.views.input_strip import STRIP_SECONDS, InputStrip
@@ -64,9 +64,9 @@ class ChannelsPage(QWidget):
                 self.tr("Remapped (−127 to 127)"),
                 self.tr(
                     "What the board makes of the input. Those of channels 1 and 2 are the speeds "
-                    "for motors 1 and 2, after mixing and flip."
-                )
-                + f" {tr(CHANNEL_3_BITS)}",
+                    "for motors 1 and 2, after mixing and flip. The vendor's document gives "
+                    "channel 3 six bits, 0 to 63; the program reads seven (inferred)."
+                ),
             ),
         )
         for column, (text, tip) in enumerate(headings):

@@ -1,0 +1,190 @@
+"""survey: facts of a board's firmware, for the tables of this program."""
+
+import json
+from collections.abc import Iterable, Sequence
+from contextlib import suppress
+from itertools import groupby
+from pathlib import Path
+from typing import Any
+
+import click
+
+from trex_gui import __version__
+from trex_gui.core.cli import Interruption, ProgressLine
+from trex_gui.core.errors import BadReply, NoReply
+from trex_gui.core.file_name import FileName
+from trex_gui.core.files import save
+from trex_gui.devices.trex.cli.changes import read_board, require_serial_mode, restored_afterwards
+from trex_gui.devices.trex.cli.common import link_options, link_settings, open_line
+from trex_gui.devices.trex.client.client import TrexClient
+from trex_gui.devices.trex.client.reading import ATTEMPTS, agreed, query
+from trex_gui.devices.trex.client.writing import write_parameter
+from trex_gui.devices.trex.protocol import commands as c
+from trex_gui.devices.trex.protocol.device_table import HIGHEST_WIRE
+from trex_gui.devices.trex.protocol.errors import Rejected, TrexBadReplyError
+from trex_gui.devices.trex.protocol.flags import UartError
+from trex_gui.devices.trex.protocol.framing import Malformed
+from trex_gui.devices.trex.protocol.parameters import Grade, ParameterSpec
+from trex_gui.devices.trex.session.reconnecting import REACH
+from trex_gui.devices.trex.settings.document import settings_of
+
+_ALL = range(HIGHEST_WIRE + 1)
+_SAMPLES = {0, 1, 2, 4, 8, 16, 32, 64, 127}  # tried of each range, to see bits that are not stored
+_SILENT = "no reply"
+
+
+@click.command()
+@link_options
+@click.argument("file", type=FileName(dir_okay=False))
+@click.option("--limits", is_flag=True, help="Also try each range without a source; asks first.")
+@click.option("--as-new", is_flag=True, help="Say that the board stores what it came with.")
+def survey(file: str, *, limits: bool, as_new: bool, **options: Any) -> None:
+    """Write what the firmware of a board knows to FILE, for the makers of this program.
+
+    Reads all 128 parameter numbers, the calibrations and every other query, which clears the error
+    bits. A number that the board does not know is a serial error to it, which may stop motors that
+    the channels drive. FILE names no person, computer, port or adapter, and has no notes.
+
+    With --limits, each range that no document confirms is tried: values are written and read back,
+    and the setting is restored. Motors are never driven; device number and serial settings are
+    left alone. Saves a snapshot first, and restores everything in the end, also after Ctrl-C.
+    """
+    with open_line(link_settings(options)) as client:
+        state = read_board(client)
+        if limits:
+            require_serial_mode(state, "Trying values")
+            question = "Write values to the settings whose range has no source, and restore them?"
+            click.confirm(question, abort=True, err=True)
+        found = _Survey(client)
+        with ProgressLine("Reading") as line:
+            for number in _ALL:
+                line(number, len(_ALL), f"parameter {number:02X}")
+                found.read(number)
+        if limits:
+            specs = [
+                spec
+                for spec, stored in settings_of(state).parameter_items()
+                if spec.number in found.stored and spec.key not in REACH
+                if spec.grade("min", "max") > Grade.SOURCED
+                if not spec.problem(stored, forced=True)
+            ]
+            with (
+                Interruption(precious=True) as interrupted,
+                restored_afterwards(client, state, "trexcmd survey"),
+                ProgressLine("Trying") as line,
+            ):
+                for done, spec in enumerate(specs):
+                    line(done, len(specs), spec.name)
+                    found.find_range(spec, state.parameters[spec.key], interrupted)
+        text = found.text(state.signature, as_new=as_new)
+        click.echo(text, nl=False)  # not lost, should the file fail
+        save(Path(file), text)
+
+
+class _AnyByte(c.GetParameter):
+    """Reads a number that may be no parameter: its reply may be any byte."""
+
+    def parse(self, reply: bytes) -> int:
+        return reply[0]
+
+
+class _Survey:
+    """Facts of a board, found out one by one: rows by the name of their table."""
+
+    def __init__(self, client: TrexClient) -> None:
+        self._client, self._request, self._has_crc = client, client.request, client.has_crc
+        self._unknown: dict[str, list[int]] = {}  # numbers by the reply to reading them
+        self.stored: dict[int, int] = {}  # values of the parameters that the board knows
+        self._tables: dict[str, dict[str, Any]] = {"errors": {}, "ranges": {}, "altered": {}}
+
+    def read(self, number: int) -> None:
+        command, reply = _AnyByte(number), _SILENT
+        try:
+            value = agreed(self._request, command, has_crc=self._has_crc)
+        except NoReply:
+            query(self._request, c.GetMode())  # otherwise the board is gone
+        else:
+            if value <= HIGHEST_WIRE and "FORMAT" not in self._errors_of(command):
+                self.stored[number] = value
+                return
+            reply = f"{value:02X}"
+        if not self._unknown:
+            self._tables["errors"]["unknown_number"] = self._errors_of(command)
+        self._unknown.setdefault(reply, []).append(number)
+
+    def find_range(self, spec: ParameterSpec, stored: int, interrupted: Interruption) -> None:
+        """Try values until the ends of the range are known, and restore what was stored."""
+        tried: dict[int, int | None] = {stored: stored}
+        values = [wire for wire in _ALL if wire in spec.valid or spec.is_open(wire)]
+
+        def takes(wire: int) -> bool:
+            if interrupted:
+                raise click.Abort
+            if wire not in tried:
+                tried[wire] = self._store(spec, wire)
+            return tried[wire] == wire
+
+        for end in (values[0], values[-1]):
+            good, bad = stored, end
+            while not takes(bad) and abs(bad - good) > 1:
+                middle = (good + bad) // 2
+                good, bad = (middle, bad) if takes(middle) else (good, middle)
+        taken = list(filter(takes, sorted({*tried, *_SAMPLES} & {*values})))
+        whole: Sequence[int] = range(taken[0], taken[-1] + 1)
+        if not all(map(takes, tried.keys() & whole)):  # it has gaps
+            whole = values
+        altered = [f"{w} as {s}" for w, s in sorted(tried.items()) if s not in {None, w}]
+        number = f"0x{spec.number:02X}"
+        self._tables["ranges"][number] = _spans(filter(takes, whole), "d")
+        self._tables["altered"] |= {number: ", ".join(altered)} if altered else {}
+        self._store(spec, stored)
+
+    def _store(self, spec: ParameterSpec, wire: int) -> int | None:
+        """Write a value and return the stored one, `None` if the board rejects it."""
+        try:
+            return write_parameter(self._request, spec, wire, has_crc=self._has_crc)
+        except Rejected:
+            if "rejected_write" not in (errors := self._tables["errors"]):
+                errors["rejected_write"] = self._errors_of(c.SetParameter(spec.number, wire))
+            return None
+        except TrexBadReplyError:
+            return agreed(self._request, c.GetParameter(spec.number), has_crc=self._has_crc)
+
+    def _errors_of(self, command: c.Command[Any]) -> list[str]:
+        """Return the errors that a command causes each time. Noise causes others."""
+        always = ~UartError(0)
+        for _ in range(ATTEMPTS):
+            query(self._request, c.GetUartErrors())
+            with suppress(NoReply, BadReply):
+                self._request(command)
+            always &= query(self._request, c.GetUartErrors())
+        return [str(bit.name) for bit in always]
+
+    def _reply(self, command: c.Command[Any]) -> str:
+        packet = self._client.settings.framing.encode(command)
+        raw = self._client.send_packet(Malformed(packet, "")).raw  # which checks no reply
+        return raw[len(packet) * self._client.echo :].hex(" ").upper() or _SILENT
+
+    def text(self, board: c.Signature, *, as_new: bool) -> str:
+        """Return the survey as TOML: values in decimal, numbers of parameters in hexadecimal."""
+        head = {"model": board.model.key, "firmware": board.firmware, "stores_defaults": as_new}
+        unknown = {f'"{reply}"': _spans(of, "02X") for reply, of in self._unknown.items()}
+        queries = {
+            f"0x{opcode:02X}": self._reply(cls.from_packet(opcode, b"\x1f"))
+            for opcode, cls in c.COMMANDS.items()
+            if opcode < 0x9F
+        }
+        stored = {f"0x{number:02X}": value for number, value in self.stored.items()}
+        tables: dict[str, dict[str, Any]] = {"board": head, "unknown": unknown}
+        tables |= {"queries": queries, "stored": stored, **self._tables}
+        lines = [f"# What `trexcmd survey` of TReX Studio {__version__} found out about a board."]
+        for name, rows in tables.items():
+            lines += ["", f"[{name}]", *(f"{key} = {json.dumps(row)}" for key, row in rows.items())]
+        return "\n".join(lines) + "\n"
+
+
+def _spans(numbers: Iterable[int], form: str) -> str:
+    """Return numbers in ascending order as text, such as `18-7A 7F`."""
+    pairs = groupby(enumerate(numbers), key=lambda pair: pair[1] - pair[0])
+    spans = [[number for _, number in group] for _, group in pairs]
+    return " ".join("-".join(format(n, form) for n in sorted({s[0], s[-1]})) for s in spans)
