@@ -25,6 +25,7 @@ FACTS = {
     "restores? the serial settings (of|only)": "(inferred)",
     "calibrations do not change|keeps its calibrations": "(inferred)",
     "channel 3 six bits": "(inferred)",
+    "counts as none: the channel gives 0|size of the value and not its sign": "(inferred)",
     "[Bb]eyond a limit that no document confirms": "(inferred)",
     "off by default": "(twin)",
     "[Cc]urrents wrong by 20 %": "(twin)",
