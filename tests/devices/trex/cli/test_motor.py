@@ -156,7 +156,7 @@ def test_motor_command_warns_of_a_timeout_that_may_not_stop(
     quick_simulator.do("eeprom serial_timeout 5")
     quick_simulator.do("eeprom uart_error_shutdown 0")
     quick_simulator.do("power cycle")
-    assert "UART-Error Shutdown is off, so the motor may keep" in trexcmd(*run).stderr
+    assert "UART-Error Shutdown is off (twin), so the motor may keep" in trexcmd(*run).stderr
 
 
 def test_motor_command_feeds_short_serial_timeout(

@@ -78,8 +78,7 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
             Expected(
                 "timeout_without_shutdown",
                 "Serial Timeout of 0.5 s may not stop the motors if the cable or the computer "
-                "fails: UART-Error Shutdown is off, and the twin of the TReX, a qik 2s12v10, needs "
-                "it for that.",
+                "fails: UART-Error Shutdown is off (twin).",
                 ("serial_timeout", "uart_error_shutdown"),
                 {"uart_error_shutdown": 1},
                 "Set UART-Error Shutdown to on",

@@ -279,7 +279,7 @@ class _Run:
             verb, cause = ("keeps", "Serial Timeout is off")
             command = 'trexcmd set serial_timeout "0.5 s"'
             if state.serial_timeout:
-                verb, cause = ("may keep", "UART-Error Shutdown is off")
+                verb, cause = ("may keep", "UART-Error Shutdown is off (twin)")
                 command = "trexcmd set uart_error_shutdown on"
             say(
                 f"Warning: {cause}, so the motor {verb} running if the cable or this computer "

@@ -88,7 +88,7 @@ class DriveBlocker(Enum):
         ),
         tr_noop(
             "Check cable and ground. Without UART-Error Shutdown the Serial Timeout may not stop "
-            "the motors either.",
+            "the motors either (twin).",
         ),
     )
     STOPPING = (

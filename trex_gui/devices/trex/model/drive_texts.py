@@ -122,7 +122,7 @@ def timeout_warning_on(
     elif stop is TimeoutStop.DOUBTFUL:
         text = tr(
             "UART-Error Shutdown is off: motors may keep turning if the cable or this computer "
-            "fails, although the serial timeout is on."
+            "fails, although the serial timeout is on (twin)."
         )
         better = max(better, timeout)
     elif timeout >= better or can_keep(timeout):

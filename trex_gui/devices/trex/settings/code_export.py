@@ -153,7 +153,7 @@ def _warning(settings: Settings) -> str:
     if not settings.parameters.get(shutdown.key):
         return (
             f"{goes_on}, perhaps also with {where} at {spec.text(wire)}: that may need "
-            f"{shutdown.name} (parameter {hexadecimal(shutdown.number)})."
+            f"{shutdown.name} (parameter {hexadecimal(shutdown.number)}; twin)."
         )
     return (
         f"With these settings motors should stop when the board has heard nothing for "

@@ -340,7 +340,7 @@ _MESSAGES: Mapping[str, str] = {
     "timeout_without_shutdown": (
         tr_noop(
             "{timeout} of {seconds} may not stop the motors if the cable or the computer fails: "
-            "{shutdown} is off, and the twin of the TReX, a qik 2s12v10, needs it for that."
+            "{shutdown} is off (twin)."
         )
     ),
     "limit_in_joint_mode": (

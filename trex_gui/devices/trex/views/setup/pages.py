@@ -516,7 +516,7 @@ class TimeoutPage(QWidget):
                 self.tr(
                     "Have the computer send something at least twice in that time; a status query "
                     "will do. 0.5 s is a good value for most robots. UART-Error Shutdown is "
-                    "switched on with it, as the timeout may need it."
+                    "switched on with it, as the timeout may need it (twin)."
                 ),
                 self,
             ),
