@@ -54,11 +54,12 @@ class End(Protocol):
 class ParserEnd:
     """The parser in this process. Bytes take no time, all else does, in virtual time.
 
-    The line carries nothing; it only keeps the errors that `line error` orders.
+    The line carries nothing; it only keeps the errors that `line error` orders. The timeout of this
+    board needs UART-Error Shutdown, unlike that of the other end: the documents hold for both.
     """
 
     def __init__(self, model: str, firmware: str) -> None:
-        self._board = Board(model, firmware)
+        self._board = Board(model, firmware, timeout_needs_shutdown=True)
         self._line = TrexLine([self._board])
         self._port = SerialPort(self._board)
         self._resumes_at = math.inf

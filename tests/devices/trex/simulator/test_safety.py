@@ -29,9 +29,14 @@ def rc() -> Board:
     return board
 
 
+either_firmware = pytest.mark.parametrize("needs_shutdown", [False, True])
+"""Whether the serial timeout needs UART-Error Shutdown, which is on in these tests, is unknown."""
+
+
 class TestSafety:
-    def test_motors_stop_at_serial_timeout(self) -> None:
-        board = Board()
+    @either_firmware
+    def test_motors_stop_at_serial_timeout(self, *, needs_shutdown: bool) -> None:
+        board = Board(timeout_needs_shutdown=needs_shutdown)
         write(board, "serial_timeout", 5)
         board.note_byte()
         board.serial.drive(1, FORWARD, 100)
@@ -55,8 +60,11 @@ class TestSafety:
         board.advance(0.2)
         assert board.serial.take_uart_errors()
 
-    def test_bytes_defer_timeout_and_next_command_restarts_motor(self) -> None:
-        board = Board()
+    @either_firmware
+    def test_bytes_defer_timeout_and_next_command_restarts_motor(
+        self, *, needs_shutdown: bool
+    ) -> None:
+        board = Board(timeout_needs_shutdown=needs_shutdown)
         write(board, "serial_timeout", 1)
         board.serial.drive(1, FORWARD, 100)
         for _ in range(50):
@@ -69,10 +77,13 @@ class TestSafety:
         board.serial.drive(1, REVERSE, 5)
         assert (board.motors[0].direction, board.motors[0].speed) == (REVERSE, 5)
 
-    def test_old_setpoint_is_not_resumed_after_serial_timeout(self) -> None:
+    @either_firmware
+    def test_old_setpoint_is_not_resumed_after_serial_timeout(
+        self, *, needs_shutdown: bool
+    ) -> None:
         eeprom = Eeprom()
         eeprom.write("serial_timeout", 5)
-        board = Board(mode="rc", eeprom=eeprom)
+        board = Board(mode="rc", eeprom=eeprom, timeout_needs_shutdown=needs_shutdown)
         board.advance(SETTLED)
         board.note_byte()
         board.serial.drive(1, FORWARD, 77)

@@ -237,7 +237,7 @@ class DriveControl(QWidget):
         tip = self.tr(
             "Current of this motor; the red line is its limit, ⚠ means 80 % of it or more."
         )
-        self.current.setToolTip(f"{tip} {tr(CURRENT_ACCURACY)}")
+        self.current.setToolTip(ui.plain(f"{tip} {tr(CURRENT_ACCURACY)}"))
         policy = self.brake.sizePolicy()
         policy.setRetainSizeWhenHidden(not two_way)  # so that all sliders have the same length
         self.brake.setSizePolicy(policy)
