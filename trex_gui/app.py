@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trex_gui import __version__, composition
+from trex_gui.core.decimals import decimal
 from trex_gui.core.transport.settings import url_problem
 
 if TYPE_CHECKING:
@@ -27,7 +28,7 @@ _FIRST_PAINT_MS = 100
 
 def _seconds(text: str) -> float:
     try:
-        seconds = float(text)
+        seconds = decimal(text)
     except ValueError:
         seconds = math.nan
     if not 0 <= seconds <= 60:

@@ -50,9 +50,12 @@ def test_parameters_and_numbers_follow_the_language() -> None:
 
 
 @pytest.mark.usefixtures("german")
-@pytest.mark.parametrize("wire", [0, 1, 15, 127])
-def test_every_shown_value_can_be_typed_back(wire: int) -> None:
-    assert timeout().wire(timeout().text(wire)) == wire
+@pytest.mark.parametrize("model", ["trex", "trexjr"])
+def test_every_shown_value_can_be_typed_back(model: str) -> None:
+    for spec in parameters_of(model, "1.2").readable:
+        assert {wire: spec.wire(spec.text(wire)) for wire in spec.valid} == {
+            wire: wire for wire in spec.valid
+        }
 
 
 @pytest.mark.usefixtures("german")

@@ -2,7 +2,6 @@
 
 import contextlib
 import json
-import math
 import signal
 import sys
 import time
@@ -14,7 +13,8 @@ from typing import TYPE_CHECKING, Any, Self, TypeVar
 
 import click
 
-from trex_gui.core.errors import StudioError
+from trex_gui.core.decimals import decimal
+from trex_gui.core.errors import BadRequest, StudioError
 from trex_gui.core.file_name import FileName
 from trex_gui.core.host import host
 from trex_gui.core.plugin import Lazy
@@ -133,14 +133,16 @@ def hexadecimal(text: str) -> int:
 
 
 class FiniteRange(click.FloatRange):
-    """A range of numbers, which "nan" and "inf" are not."""
+    """A range of numbers, written as `decimal` reads them; "nan" and "inf" are none."""
 
     def convert(
         self, value: Any, param: click.Parameter | None, ctx: click.Context | None
     ) -> float:
-        number: float = super().convert(value, param, ctx)
-        if not math.isfinite(number):
-            self.fail(f"{value} is not a number.", param, ctx)
+        try:
+            given = decimal(value) if isinstance(value, str) else value
+        except BadRequest as error:
+            self.fail(f"{error}.", param, ctx)
+        number: float = super().convert(given, param, ctx)
         return number
 
 

@@ -1,7 +1,8 @@
 """The functions that create widgets."""
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QPoint, Qt
+from PySide6.QtCore import QCoreApplication, QLocale, QPoint, Qt
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
@@ -29,6 +30,22 @@ def test_created_widgets_carry_names_and_handlers(qtbot: QtBot) -> None:
     assert (push.objectName(), push.toolTip(), push.autoDefault()) == ("goButton", "Starts", False)
     assert (count.value(), count.accessibleName(), count.keyboardTracking()) == (4, "Count", False)
     assert (combo.itemData(0), combo.itemText(1), combo.accessibleName()) == (1, "two", "Which")
+
+
+@pytest.mark.parametrize("language", ["en", "de"])
+def test_spin_box_reads_no_separator_as_that_of_thousands(qtbot: QtBot, language: str) -> None:
+    page = QWidget()
+    qtbot.addWidget(page)
+    before = QLocale()
+    QLocale.setDefault(QLocale(language))
+    box = builders.spin_box(page, "countBox", "Count", 0, 1023, suffix=" = 0.7 °/s")
+    QLocale.setDefault(before)
+    for typed, expected in (("1,5", 15), ("1.5", 15), ("1,000", 1000), ("250", 250)):
+        box.selectAll()
+        QTest.keyClicks(box, typed)
+        QTest.keyClick(box, Qt.Key.Key_Return)
+        assert box.value() == expected
+        assert box.text() == f"{expected} = 0.7 °/s", "what is read is what is shown"
 
 
 @pytest.mark.qt_log_ignore("This plugin does not support", extend=True)

@@ -6,7 +6,7 @@ from itertools import pairwise
 from math import inf
 from typing import TypeVar
 
-from PySide6.QtCore import QEvent, QObject, SignalInstance
+from PySide6.QtCore import QEvent, QLocale, QObject, SignalInstance
 from PySide6.QtGui import (
     QAction,
     QIcon,
@@ -322,6 +322,10 @@ def combo_box(
     return made
 
 
+UNGROUPED = QLocale(QLocale.Language.French)
+"""Locale of spin boxes for whole numbers: others take 1,5 or 1.5 for 15 where numbers are large."""
+
+
 def spin_box(
     parent: QWidget,
     name: str,
@@ -340,6 +344,7 @@ def spin_box(
     It shows `value`, or `lowest`; `value` is set before `on_change` is connected.
     """
     made = named(QSpinBox(parent), name, accessible=accessible, tip=tip)
+    made.setLocale(UNGROUPED)
     made.setRange(lowest, highest)
     made.setSingleStep(step)
     made.setSuffix(suffix)

@@ -141,7 +141,8 @@ def test_get_shows_wire_value_and_meaning(trexcmd: RunCommand) -> None:
 
 
 @pytest.mark.parametrize(
-    ("typed", "wire"), [("15", 15), ("1.5 s", 15), ("1500 ms", 15), ("off", 0)]
+    ("typed", "wire"),
+    [("15", 15), ("+15", 15), ("1.5 s", 15), ("1,5 s", 15), ("1500 ms", 15), ("off", 0)],
 )
 def test_set_accepts_wire_and_physical_values(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, typed: str, wire: int
@@ -162,6 +163,9 @@ def test_set_reports_when_a_power_cycle_is_needed(trexcmd: RunCommand) -> None:
     [
         ("set serial_timeout 999", "off to 12.7 s (wire value 0 to 127), not 999"),
         ("set serial_timeout soon", "off to 12.7 s, not soon"),
+        ("set serial_timeout '1,000 ms'", "1,000 may be 1 or 1000: write the one"),
+        ("set motor1_current_limit '1.500 mA'", "1.500 may be 1.5 or 1500: write the one"),
+        ("set serial_timeout 5.", "5. has no unit, and a wire value is whole"),
         ("set serial_timeot 2", "Did you mean serial_timeout?"),
         ("set factory_reset 127", "restore-defaults"),
         ("get nosuch", "No TReX has a parameter 'nosuch'."),
@@ -169,6 +173,7 @@ def test_set_reports_when_a_power_cycle_is_needed(trexcmd: RunCommand) -> None:
         ("calibration set 1 99999 99999 99999 20", "a calibration value is 0 to 16383"),
         ("calibration set 1 3000 2000 4000 20", "minimum 3000 is above neutral 2000"),
         ("calibration set 1 1ms 2V 2ms 20", "in µs or in V, not in both"),
+        ("calibration set 1 '1,000 µs' 1500us 2000us 20", "MINIMUM: 1,000 may be 1 or 1000"),
         ("calibration set 1 a 1 2 3", "counts (3750), or like 1500us"),
         ("calibration set 6 1 2 3 4", "1<=x<=5"),
         ("status --timeout nan", "nan is not a number"),
@@ -180,6 +185,7 @@ def test_set_reports_when_a_power_cycle_is_needed(trexcmd: RunCommand) -> None:
         ("list --port socket://host:99999", "socket://host:port"),
         ("aracna query --port rfc2217://:1", "rfc2217://host:port"),
         ("motor 1 20 --seconds inf", "inf is not a number"),
+        ("motor 1 20 --seconds 1.000", "1.000 may be 1 or 1000"),
         ("motor 1 128", "-127 to 127"),
         ("stream --seconds nan", "nan is not a number"),
         ("raw GG", "GG"),

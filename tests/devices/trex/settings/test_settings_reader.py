@@ -126,6 +126,11 @@ def test_unknown_firmware_gives_warning() -> None:
             "serial_timeout: 0 to 127 (off to 12.7 s), not 1.5 s; 1.5 s is written 15",
         ),
         (
+            "serial_timeout: 1,000 ms",
+            "serial_timeout: 0 to 127 (off to 12.7 s), not 1,000 ms; "
+            + "1,000 may be 1 or 1000: write the one that you mean",
+        ),
+        (
             "serial_timeout: '5'",
             "serial_timeout: 0 to 127 (off to 12.7 s), not 5 in quotes; write 5",
         ),

@@ -82,6 +82,7 @@ def test_each_count_that_is_shown_is_read_as_that_count(
         (True, "1.2", None),
         (True, "1,500", None),
         (True, "1500.", None),
+        *((own_first, "1,500 µs", None) for own_first in (False, True)),
     ],
 )
 def test_count_without_unit_is_in_the_unit_shown(

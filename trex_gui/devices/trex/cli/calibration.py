@@ -1,6 +1,5 @@
 """calibration get, calibration set."""
 
-import re
 from dataclasses import asdict, astuple, replace
 from typing import Any
 
@@ -19,23 +18,13 @@ from trex_gui.devices.trex.cli.common import (
 )
 from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_FIELDS,
-    HIGHEST_CODED,
     Calibration,
     CalibrationKey,
+    read_count,
 )
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, channels_in
 from trex_gui.devices.trex.settings.document import settings_of
 from trex_gui.devices.trex.settings.rules import Context
-
-_UNITS = {
-    "us": (InputSource.RC, 1.0),
-    "µs": (InputSource.RC, 1.0),
-    "μs": (InputSource.RC, 1.0),
-    "ms": (InputSource.RC, 1000.0),
-    "v": (InputSource.ANALOG, 1.0),
-    "mv": (InputSource.ANALOG, 0.001),
-}
-_VALUE = re.compile(r"(\d+(?:\.\d+)?)\s*([a-zµμ]*)", re.IGNORECASE)
 
 
 @click.group()
@@ -90,11 +79,11 @@ def set_command(channel: int, **options: Any) -> None:
     """
     given = {name: _parse(name, options.pop(name)) for name in CALIBRATION_FIELDS}
     link = link_settings(options)
-    meant = {_UNITS[unit][0] for _, unit in given.values() if unit}
+    meant = {source for _, source in given.values() if source}
     if len(meant) > 1:
         raise click.UsageError("A calibration is in µs or in V, not in both.")
     try:  # before a snapshot is saved
-        wanted = Calibration(**{name: _counts(*value) for name, value in given.items()})
+        wanted = Calibration(**{name: count for name, (count, _) in given.items()})
         wanted.encode()
     except BadRequest as error:
         raise click.UsageError(f"{error}.") from error
@@ -119,21 +108,11 @@ def set_command(channel: int, **options: Any) -> None:
         click.echo(_text(channel, wanted, source))
 
 
-def _parse(name: str, text: str) -> tuple[float, str]:
-    found = _VALUE.fullmatch(text.strip())
-    unit = found[2].lower() if found else ""
-    if found is None or (unit and unit not in _UNITS) or (not unit and "." in found[1]):
-        raise click.UsageError(
-            f"{name.upper()} is counts (3750), or like 1500us or 2.5V, not {text!r}."
-        )
-    return float(found[1]), unit
-
-
-def _counts(number: float, unit: str) -> int:
-    if unit:
-        source, factor = _UNITS[unit]
-        number = source.counts(number * factor)
-    return int(min(number, HIGHEST_CODED + 1))
+def _parse(name: str, text: str) -> tuple[int, InputSource | None]:
+    try:
+        return read_count(text)
+    except BadRequest as error:
+        raise click.UsageError(f"{name.upper()}: {error}.") from error
 
 
 def _text(channel: int, row: Calibration, source: InputSource) -> str:

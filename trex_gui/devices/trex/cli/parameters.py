@@ -1,11 +1,13 @@
 """set and restore-defaults: change one parameter, or all."""
 
+import re
 from dataclasses import replace
 from typing import Any
 
 import click
 
 from trex_gui.core.cli import say
+from trex_gui.core.decimals import DECIMAL
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files import SettingsError
 from trex_gui.devices.trex.cli.changes import (
@@ -29,6 +31,7 @@ from trex_gui.devices.trex.cli.common import (
 from trex_gui.devices.trex.client.reading import require_free_number
 from trex_gui.devices.trex.protocol.parameters import (
     ParameterKey,
+    ParameterKind,
     ParameterSet,
     ParameterSpec,
     unconfirmed_defaults,
@@ -48,9 +51,10 @@ from trex_gui.devices.trex.settings.rules import Context
 def set_command(name: str, value: str, force: bool, **options: Any) -> None:
     """Store one parameter and read it back.
 
-    VALUE is a wire value as in settings files (15), or a value with its unit or in words
-    ("1.5 s", "off"). Saves a snapshot of what the board stores first. Writes nothing if the board
-    has this value already.
+    VALUE without a unit is a wire value, a whole number as in settings files: 15 is 1.5 s for
+    serial_timeout. Any other value has its unit or is a word ("1.5 s", "off"). The decimal
+    separator is a point or a comma; thousands have none. Saves a snapshot of what the board
+    stores first. Writes nothing if the board has this value already.
 
     With --force, limits that no source confirms do not count: the board may reject the value or
     store another one. What it stores is remembered as accepted by its firmware.
@@ -78,8 +82,12 @@ def set_command(name: str, value: str, force: bool, **options: Any) -> None:
 
 
 def _wire(spec: ParameterSpec, value: str) -> int:
-    is_wire = value.strip().isdecimal() and len(value) < 10
-    return spec.check(int(value), forced=True) if is_wire else spec.wire(value)
+    text = value.strip()
+    if re.fullmatch(r"[-+]?\d{1,9}", text):
+        return spec.check(int(text), forced=True)
+    if re.fullmatch(DECIMAL, text) and spec.kind is not ParameterKind.CHANNELS:
+        raise BadRequest(f"{text} has no unit, and a wire value is whole")
+    return spec.wire(text)
 
 
 def _check_value(name: str, value: str) -> None:

@@ -4,10 +4,12 @@ Ref: Pololu TReX User's Guide 4.b (regions); TReX 1.0 command documentation 0x87
 0xA0-0xA4. The arithmetic between the region limits is inferred: no source gives it.
 """
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 
+from trex_gui.core.decimals import quantity
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.flags import InputSource
@@ -104,6 +106,26 @@ class Calibration:
         """Read the eight bytes of the reply to 0x90-0x94: plain little-endian words."""
         values = [int.from_bytes(reply[i : i + 2], "little") for i in range(0, 8, 2)]
         return cls(*values)
+
+
+def read_count(text: str) -> tuple[int, InputSource | None]:
+    """Return the count in `text` (3750, 1500us, 2.5 V), and whose unit it has.
+
+    Counts are whole. Voltages have no thousands.
+
+    Raises:
+        AmbiguousNumber: the separator may be that of thousands.
+        BadRequest: it is not a count.
+    """
+    number = re.sub(r"(counts?|#)$", "", text.strip().casefold()).strip()
+    if number.isdecimal() and len(number) < 10:
+        return int(number), None
+    if re.search(r"[^\d.,]$", number):  # no broken count: 1.5 may be ms
+        if (seconds := quantity(number, "s")) is not None:
+            return InputSource.RC.counts(seconds * 1e6), InputSource.RC
+        if (volts := quantity(number, "V", thousands=False)) is not None:
+            return InputSource.ANALOG.counts(volts), InputSource.ANALOG
+    raise BadRequest(tr("it is counts (3750), or like 1500us or 2.5V, not {0}").format(text))
 
 
 def encode_14_bits(value: int) -> bytes:

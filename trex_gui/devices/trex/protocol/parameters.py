@@ -12,6 +12,7 @@ from enum import IntEnum, StrEnum
 from functools import cache
 from typing import Any
 
+from trex_gui.core.decimals import DECIMAL, decimal, quantity
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import cached_text, tr, tr_noop, with_decimal_point
 from trex_gui.devices.trex.protocol.device_table import (
@@ -103,11 +104,9 @@ def ramp_seconds(wire: int) -> str:
     )
 
 
-_TIME = re.compile(r"(\d+(?:[.,]\d*)?|[.,]\d+)\s*(m?)s(?:\s+to full speed)?", re.IGNORECASE)
+_TIME = re.compile(rf"({DECIMAL})\s*(m?)s(?:\s+to full speed)?", re.IGNORECASE)
 _TIME_TOLERANCE = 1.01  # by which a time may be beyond the shortest and the longest
-_NUMBER = re.compile(r"\s*([-+]?\d+(?:[.,]\d*)?|[-+]?[.,]\d+)\s*(.*?)\s*")
 _ROUNDING = 0.01  # part of a step by which a number may be outside the limits
-_PREFIXES = {"m": 1e-3, "k": 1e3, "": 1.0}
 
 
 class Grade(IntEnum):
@@ -289,7 +288,7 @@ class ParameterSpec:
         if self.kind is ParameterKind.CHANNELS:
             meant = self._wire_of_channels(wanted)
         elif self.kind is ParameterKind.ACCELERATION and (time := _TIME.fullmatch(wanted)):
-            number = float(time[1].replace(",", "."))
+            number = decimal(time[1])
             meant = self._wire_of_time(number / 1000 if time[2] else number)
         else:
             meant = self._wire_of_number(wanted)
@@ -349,30 +348,16 @@ class ParameterSpec:
                 value = float(int(text, 16))
             except (ValueError, OverflowError):
                 return None
+        elif (number := quantity(text, self.unit)) is not None:
+            value = number
         else:
-            found = _NUMBER.fullmatch(text)
-            factor = self._unit_factor(found[2]) if found else None
-            if found is None or factor is None:
-                return None
-            value = float(found[1].replace(",", ".")) * factor
+            return None
         if self.kind is ParameterKind.PWM_MAXIMUM:
             pwm = device_table().pwm
             return (value - pwm.offset) / pwm.scale
         if self.kind is ParameterKind.POLYNOMIAL and 0x80 <= value <= 0xFF:
             return value - 0x80
         return value / self.scale
-
-    def _unit_factor(self, given: str) -> float | None:
-        if not given or given.casefold() == self.unit.casefold():
-            return 1
-        if self.kind is ParameterKind.ACCELERATION:
-            return None
-        own = next((p for p in ("m", "k") if self.unit.startswith(p) and len(self.unit) > 1), "")
-        base = self.unit.removeprefix(own)
-        for prefix, factor in _PREFIXES.items():
-            if base and given.casefold() == (prefix + base).casefold():
-                return factor / _PREFIXES[own]
-        return None
 
     @staticmethod
     def _wire_of_channels(text: str) -> int | None:

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from ruamel.yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
+from trex_gui.core.decimals import AmbiguousNumber
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files import Finding, SettingsError, Severity, decode
 from trex_gui.core.translation import tr, tr_noop
@@ -228,7 +229,7 @@ class _Reader:
             meant = _meant(spec, entry.value)
             if meant is None and wire is not None and spec.kind in _QUANTITIES:
                 meant = min(max(wire, spec.minimum), spec.maximum)
-            if meant is not None:
+            if isinstance(meant, int):
                 text = spec.text(meant)
                 meaning = str(meant) if text == str(meant) else f"{meant} ({text})"
                 self.fix(key, entry, str(meant), meaning)
@@ -335,8 +336,8 @@ def _range(spec: ParameterSpec) -> str:
 def _hint(spec: ParameterSpec, node: Node) -> str:
     """Return how a physical value, such as `1.5 s`, is written in a settings file."""
     meant, text = _meant(spec, node), _words(node)
-    if meant is None:
-        return ""
+    if not isinstance(meant, int):
+        return f"; {meant}" if meant else ""
     is_quoted = _INTEGER.fullmatch(text) is not None and _integer(node) is None
     return (
         tr("; write {0}").format(text)
@@ -345,7 +346,7 @@ def _hint(spec: ParameterSpec, node: Node) -> str:
     )
 
 
-def _meant(spec: ParameterSpec, node: Node) -> int | None:
+def _meant(spec: ParameterSpec, node: Node) -> int | AmbiguousNumber | None:
     """Return the wire value of a physical one, such as `1.5 s`, or of a number in quotes."""
     text = _words(node)
     if len(text) > len("19200 baud, no error detection, 1 stop bit") or not text.strip():
@@ -358,6 +359,8 @@ def _meant(spec: ParameterSpec, node: Node) -> int | None:
         return None
     try:
         return spec.wire(text)
+    except AmbiguousNumber as error:
+        return error
     except BadRequest:
         return None
 

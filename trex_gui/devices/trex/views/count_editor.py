@@ -14,9 +14,10 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QLineEdit, QSpinBox, QStyledItemDelegate, QWidget
 
+from trex_gui.core.decimals import DECIMAL, AmbiguousNumber
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import with_decimal_point
-from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED
+from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED, read_count
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import theme
@@ -24,12 +25,8 @@ from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.units import units
 from trex_gui.ui.widgets.builders import plain
 
-_NUMBER = re.compile(r"\s*([0-9]{1,6}(?:[.,][0-9]{0,6})?)\s*(\S*)\s*")
-_UNITS = {
-    InputSource.RC: {"": 1.0, "µs": 1.0, "μs": 1.0, "us": 1.0, "ms": 1000.0, "s": 1e6},
-    InputSource.ANALOG: {"": 1.0, "v": 1.0, "mv": 0.001},
-}
-_COUNTS = {"count", "counts", "#"}
+BARE = re.compile(rf"\s*{DECIMAL}\s*")
+"""A number without a unit."""
 
 
 class UnitSpinBox(QSpinBox):
@@ -186,16 +183,14 @@ class CountEditor(UnitSpinBox):
         return f"{with_decimal_point(number)} {self._source.unit}"
 
     def parse(self, text: str) -> int:
-        found = _NUMBER.fullmatch(text)
-        unit = found[2].casefold() if found else ""
-        count = -1
-        if found and not unit and self.own_first:
-            count = int(found[1]) if found[1].isdecimal() else -1  # no broken count: 1.5 may be ms
-        elif found and unit in _COUNTS:
-            count = round(_float(found[1]))
-        elif found and unit in _UNITS[self._source]:
-            count = self._source.counts(_float(found[1]) * _UNITS[self._source][unit])
-        if not 0 <= count <= HIGHEST_CODED:
+        is_physical = not self.own_first and BARE.fullmatch(text)
+        try:
+            count, source = read_count(f"{text} {self._source.unit}" if is_physical else text)
+        except AmbiguousNumber:
+            raise
+        except BadRequest:
+            count, source = -1, None
+        if source not in {None, self._source} or not 0 <= count <= HIGHEST_CODED:
             message = self.tr("{0} is not a valid value. {1}")
             raise BadRequest(message.format(text.strip() or "“”", self._expected()))
         return count
@@ -205,7 +200,3 @@ class CountEditor(UnitSpinBox):
         if self._source is InputSource.RC:
             example = self.tr("Enter 0 to {0}, such as 1500 µs, 1.5 ms or 3750 counts.")
         return example.format(self._source.text(HIGHEST_CODED))
-
-
-def _float(text: str) -> float:
-    return float(text.replace(",", "."))

@@ -99,6 +99,7 @@ class SpeedBox(QSpinBox):
     def __init__(self, name: str, accessible: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         ui.named(self, name, accessible=accessible)
+        self.setLocale(ui.UNGROUPED)
         self.setRange(0, HIGHEST)
         self.setSingleStep(10)
         self.setKeyboardTracking(False)

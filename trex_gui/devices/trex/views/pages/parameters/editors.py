@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from PySide6.QtCore import Signal, Slot
 from PySide6.QtWidgets import QAbstractSpinBox, QWidget
 
+from trex_gui.core.decimals import quantity
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.model.parameters.text import (
     acceleration_range,
@@ -21,11 +22,9 @@ from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import ALL_CHANNELS, CHANNELS, channel_mask, channels_in
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import ParameterKind, ParameterSpec
-from trex_gui.devices.trex.views.count_editor import UnitSpinBox
+from trex_gui.devices.trex.views.count_editor import BARE, UnitSpinBox
 from trex_gui.ui.widgets.builders import ComboBox, check_box, combo_box, plain, row
 
-_BARE = re.compile(r"[-+]?[\d.,]+")
-_FREQUENCY = re.compile(r"(\d+(?:[.,]\d*)?|[.,]\d+)\s*(k?)(?:hz)?", re.IGNORECASE)
 _TOLERANCE = 1.01
 _BOTH_WAYS = (
     QAbstractSpinBox.StepEnabledFlag.StepUpEnabled
@@ -50,7 +49,7 @@ class NumberEditor(UnitSpinBox):
 
     def parse(self, text: str) -> int:
         number = text.strip()
-        if not self.own_first or not _BARE.fullmatch(number):
+        if not self.own_first or not BARE.fullmatch(number):
             return self._physical_wire(number)
         try:
             wire = int(number)
@@ -78,7 +77,7 @@ class AccelerationEditor(NumberEditor):
         )
 
     def _physical_wire(self, text: str) -> int:
-        return super()._physical_wire(f"{text} s" if _BARE.fullmatch(text) else text)
+        return super()._physical_wire(f"{text} s" if BARE.fullmatch(text) else text)
 
     def stepBy(self, steps: int) -> None:
         """Step through the times: up is a longer one, and no ramp is the shortest.
@@ -117,8 +116,7 @@ class FrequencyEditor(UnitSpinBox):
     def parse(self, text: str) -> int:
         if text.strip() == frequency_text(self.value()):
             return self.value()
-        found = _FREQUENCY.fullmatch(text.strip())
-        wanted = float(found[1].replace(",", ".")) * (1000 if found[2] else 1) if found else 0
+        wanted = quantity(re.sub("[kK]$", "kHz", text.strip()), "Hz") or 0
         if not self._hertz[0] / _TOLERANCE <= wanted <= self._hertz[-1] * _TOLERANCE:
             message = self.tr("The PWM frequency is {0}, not {1}.")
             raise BadRequest(message.format(frequency_range(self._codes), text.strip()))
