@@ -1,13 +1,15 @@
 """trexcmd: the commands of every device in one table, each loaded when it is called."""
 
+import errno
 from collections.abc import Mapping
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from trex_gui import __version__
 from trex_gui.composition import PLUGINS
+from trex_gui.core.command_io import TROUBLE, standard_streams
 from trex_gui.core.plugin import CommandInfo, Lazy
 
 if TYPE_CHECKING:
@@ -30,6 +32,25 @@ COMMANDS: Mapping[str, CommandInfo] = {
 
 class _Program(click.Group):
     """A group that imports a command only when it is needed."""
+
+    def main(self, *args: Any, **extra: Any) -> Any:
+        with standard_streams():
+            return super().main(*args, **extra)
+
+    def invoke(self, ctx: click.Context) -> Any:
+        try:
+            return super().invoke(ctx)
+        except OSError as error:
+            if error.errno == errno.EPIPE:  # click ends the program without a word
+                raise
+            where = f"{error.filename}: " if error.filename else ""
+            failure = click.ClickException(f"{where}{error.strerror or error}.")
+        except KeyboardInterrupt:
+            failure = click.ClickException("Interrupted.")
+        except click.ClickException as error:
+            failure = error
+        failure.exit_code = ctx.meta.get(TROUBLE, failure.exit_code)  # type: ignore[misc]
+        raise failure
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         del ctx
@@ -113,7 +134,7 @@ def main() -> None:
     """Inspect, set up and drive a Pololu TReX or TReX Jr motor controller.
 
     Data goes to standard output, messages go to standard error. Exit codes: 0 success, 1 failure
-    of the device or a file, 2 wrong usage.
+    of the device or a file, 2 wrong usage. Of diff and audit: 0 equal, 1 different, 2 failure.
     """
 
 

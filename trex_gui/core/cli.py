@@ -2,20 +2,22 @@
 
 import contextlib
 import json
+import re
+import shlex
 import signal
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 from types import FrameType
-from typing import TYPE_CHECKING, Any, Self, TypeVar
+from typing import Any, Self, TypeVar
 
 import click
 
+from trex_gui.core.command_io import FileName
 from trex_gui.core.decimals import decimal
 from trex_gui.core.errors import BadRequest, StudioError
-from trex_gui.core.file_name import FileName
 from trex_gui.core.host import host
 from trex_gui.core.plugin import Lazy
 from trex_gui.core.signals import ENDING, FROM_TERMINAL, SUSPENDING, handled_signals
@@ -40,6 +42,12 @@ def say(message: object) -> None:
     click.echo(str(message), err=True)
 
 
+def shell_words(*words: str) -> str:
+    """Return words for a command line; the shells of Windows know double quotes only."""
+    quoted = (f'"{word}"' if re.search(r"[^\w.:/\\-]", word) else word for word in words)
+    return " ".join(quoted) if sys.platform == "win32" else shlex.join(words)
+
+
 def print_json(value: object) -> None:
     click.echo(json.dumps(value, indent=2, ensure_ascii=False))
 
@@ -59,23 +67,21 @@ class ProgressLine:
     def __init__(self, what: str) -> None:
         self._what = what
         self._shown = 0
-        self._is_terminal = sys.stderr.isatty()
+        self._stream = getattr(sys.stderr, "below", sys.stderr)
 
     def __call__(self, done: int, total: int, step: str) -> None:
-        if not self._is_terminal:
+        if not self._stream.isatty():
             return
         width = 20
         filled = width * done // max(total, 1)
         text = f"{self._what} [{'#' * filled}{'.' * (width - filled)}] {done}/{total} {step}"
         text = text[:100]
-        sys.stderr.write("\r" + text.ljust(self._shown))
-        sys.stderr.flush()
+        click.echo("\r" + text.ljust(self._shown), file=self._stream, nl=False)
         self._shown = len(text)
 
     def clear(self) -> None:
         if self._shown:
-            sys.stderr.write("\r" + " " * self._shown + "\r")
-            sys.stderr.flush()
+            click.echo("\r" + " " * self._shown + "\r", file=self._stream, nl=False)
             self._shown = 0
 
     def __enter__(self) -> Self:
@@ -120,10 +126,6 @@ class Interruption:
         self._prompted = True
 
 
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-
 def hexadecimal(text: str) -> int:
     """Read a hexadecimal number; UsageError if it is none."""
     try:
@@ -155,9 +157,7 @@ def required_port(port: str | None) -> str:
     return port
 
 
-def _complete_port(
-    _ctx: click.Context, _param: click.Parameter, incomplete: str
-) -> "Sequence[str]":
+def _complete_port(_ctx: click.Context, _param: click.Parameter, incomplete: str) -> Sequence[str]:
     from serial.tools import list_ports  # noqa: PLC0415 - takes as long as the rest together
 
     ports = sorted(port.device for port in list_ports.comports())

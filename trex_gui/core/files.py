@@ -3,6 +3,7 @@
 The errors of text files are findings by line.
 """
 
+import codecs
 import contextlib
 import errno
 import os
@@ -170,7 +171,7 @@ def atomic_file(path: Path, *, overwrite: bool = True) -> Iterator[BinaryIO]:
         NotOrdinaryFileError: `path` is a folder, a pipe or a device.
         FileExistsError: with `overwrite` off, the name is taken, also by another program just now.
     """
-    target = path.resolve()
+    target = Path(os.path.realpath(path))
     if overwrite:
         with contextlib.suppress(FileNotFoundError):
             check_ordinary(target)
@@ -246,7 +247,9 @@ def decode(data: bytes, name: str) -> str:
     """Return the text without its byte order mark; SettingsError if it is binary or not UTF-8."""
     check_size(data, name)
     message, position = tr("this is a binary file; settings are text"), data.find(b"\0")
-    if position < 0:
+    if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        message = tr("this is UTF-16 text, as PowerShell writes it with >; save it as UTF-8")
+    elif position < 0:
         try:
             return data.decode("utf-8").removeprefix("\ufeff")
         except UnicodeDecodeError as error:
@@ -257,7 +260,7 @@ def decode(data: bytes, name: str) -> str:
 def save(path: Path, content: str | bytes) -> None:
     """Write a file, text as UTF-8; after a SettingsError the old one is there, complete."""
     with _sentences(path, tr("it cannot be written")):
-        target = path.resolve()
+        target = Path(os.path.realpath(path))
         if target.is_file() and not os.access(target, os.W_OK):
             raise SettingsError.of(path, tr("it cannot be written: permission denied"))
         if not target.parent.is_dir():

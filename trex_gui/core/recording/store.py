@@ -95,7 +95,7 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
                 with contextlib.closing(_connect(draft.name)) as database:
                     self._create(database, fmt, header)
                 # The log of an older recording would be taken for that of the new one.
-                for companion in _companions(path.resolve()):
+                for companion in _companions(Path(os.path.realpath(path))):
                     companion.unlink(missing_ok=True)
             self._database = _connect(path)
             try:
@@ -283,7 +283,7 @@ class Recording(Generic[HeaderT, RecordT]):
 
     def _ways(self) -> Iterator[str]:
         """Yield the address of each way to open it, best first."""
-        path = self.path.resolve()
+        path = Path(os.path.realpath(self.path))
         yield f"{path.as_uri()}?mode=ro"
         # In a read-only folder SQLite cannot read the log of a recording that was not ended.
         log = path.with_name(f"{path.name}-wal")

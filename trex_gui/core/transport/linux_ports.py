@@ -23,7 +23,7 @@ def holder_of(url: str) -> str | None:
     """
     path = Path(url)
     with contextlib.suppress(OSError):
-        others = (one for one in _having_open(path.resolve()) if one != os.getpid())
+        others = (one for one in _having_open(Path(os.path.realpath(path))) if one != os.getpid())
         number = _locking(path) or next(others, None)
         if number == os.getpid():
             return tr("another line of this program")
@@ -43,7 +43,7 @@ def other_user_of(url: str) -> str | None:
     path = Path(url)
     with contextlib.suppress(OSError):
         path.stat()
-        for number in _having_open(path.resolve()):
+        for number in _having_open(Path(os.path.realpath(path))):
             process = _PROCESSES / str(number)
             is_guardian = b"guardian" in (process / "cmdline").read_bytes()
             if number != os.getpid() and not is_guardian and not _has_terminals(process):
@@ -80,7 +80,7 @@ def is_left_to_guardian(url: str) -> bool:
     """
     path = Path(url)
     with contextlib.suppress(OSError):
-        numbers = set(_having_open(path.resolve()))
+        numbers = set(_having_open(Path(os.path.realpath(path))))
         commands = [(_PROCESSES / str(number) / "cmdline").read_bytes() for number in numbers]
         is_watched = any(b"guardian" in command for command in commands)
         return is_watched and _locking(path) not in numbers

@@ -285,7 +285,7 @@ PORT_ERRORS = _port_errors()
 
 def _options(url: str, line: SerialFormat) -> dict[str, Any]:
     """Return pyserial's settings for a line; pseudo-terminals reject any parity."""
-    is_pseudo = Path(url).resolve().is_relative_to("/dev/pts")
+    is_pseudo = Path(os.path.realpath(url)).is_relative_to("/dev/pts")
     parity = serial.PARITY_NONE if is_pseudo else line.parity.value
     return {"baudrate": line.baud, "parity": parity, "stopbits": line.stop_bits}
 

@@ -35,6 +35,13 @@ def test_empty_history_explains_when_snapshots_are_taken(trexcmd: RunCommand) ->
     assert json.loads(trexcmd("history", "--json").stdout) == []
 
 
+def test_escape_sequences_of_names_do_not_reach_the_terminal(trexcmd: RunCommand) -> None:
+    path = take(reason="trexcmd set-settings '\x1b]0;title\x07\x1b[2J'")
+    path.write_text(path.read_text().replace("FT232R", "FT\x1b[31m232R"))
+    for result in (trexcmd("history"), trexcmd("history", "show", "\x1b[2J")):
+        assert not {"\x1b", "\x07"} & set(result.stdout + result.stderr)
+
+
 def test_history_lists_newest_snapshot_first(trexcmd: RunCommand) -> None:
     take(0)
     take(1, reason="trexcmd restore-defaults", device_number=9)
@@ -94,8 +101,9 @@ def test_snapshot_number_in_empty_history_fails(trexcmd: RunCommand) -> None:
 def test_history_diff_compares_first_snapshot_with_second(trexcmd: RunCommand) -> None:
     take(0, serial_timeout=5)
     take(1, serial_timeout=7)
+    assert trexcmd("history", "diff", "2", "2").exit_code == 0
     result = trexcmd("history", "diff", "2", "1")
-    assert result.exit_code == 0, result.stderr
+    assert result.exit_code == 1, result.stderr
     assert "5 → 7" in result.stdout
 
 
@@ -105,7 +113,7 @@ def test_history_diff_compares_snapshot_with_board(
     quick_simulator.do("eeprom serial_timeout 7")
     take(0, serial_timeout=5)
     result = trexcmd("history", "diff", "1", "--json")
-    assert result.exit_code == 0, result.stderr
+    assert result.exit_code == 1, result.stderr
     rows = {row["key"]: row for row in json.loads(result.stdout)["differing"]}
     assert (rows["serial_timeout"]["before"], rows["serial_timeout"]["after"]) == (7, 5)
 

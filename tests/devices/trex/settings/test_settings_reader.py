@@ -127,8 +127,10 @@ def test_unknown_firmware_gives_warning() -> None:
         ),
         (
             "serial_timeout: 1,000 ms",
-            "serial_timeout: 0 to 127 (off to 12.7 s), not 1,000 ms; "
-            + "1,000 may be 1 or 1000: write the one that you mean",
+            (
+                "serial_timeout: 0 to 127 (off to 12.7 s), not 1,000 ms; "
+                "1,000 may be 1 or 1000: write the one that you mean"
+            ),
         ),
         (
             "serial_timeout: '5'",
@@ -367,7 +369,7 @@ BOMB = "product: TReX\na: &a [1, 1]\nb: &b [*a, *a, *a]\nc: [*b, *b, *b]\n"
         (b"product: TReX\nfirm\x00ware: 1\n", 2, "binary"),
         (b"\x7fELF\x02\x01\x01\x00", 1, "binary"),
         (b"\x00product: TReX\n", 1, "binary"),
-        ("product: TReX\n".encode("utf-16"), 1, "binary"),
+        ("product: TReX\n".encode("utf-16"), 1, "this is UTF-16 text"),
         (b"product: TReX\n# 30 \xb5s\n", 2, "not UTF-8"),
         ("product: TReX\n# \ud800\n", 2, "not UTF-8"),
         ("product: TReX\n\n\x1b[2J", 3, "U+001B has no place"),

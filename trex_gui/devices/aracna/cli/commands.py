@@ -16,7 +16,7 @@ from trex_gui.core.cli import (
     timeout_option,
     traffic_option,
 )
-from trex_gui.core.file_name import FileName
+from trex_gui.core.command_io import FileName
 from trex_gui.core.plugin import Lazy
 from trex_gui.core.texts import counted
 from trex_gui.devices.aracna.cli.session import CommandSession, MotionSession, port_settings

@@ -11,7 +11,7 @@ import click
 from trex_gui import __version__
 from trex_gui.core.cli import CommandFailed, json_option, print_json, refusals, say
 from trex_gui.core.code import Language
-from trex_gui.core.file_name import FileName
+from trex_gui.core.command_io import FileName
 from trex_gui.core.files import LARGEST_FILE, load, save
 from trex_gui.core.texts import counted
 from trex_gui.devices.trex.cli.changes import board_settings, read_board, remembered

@@ -259,7 +259,10 @@ class _Run:
         elif outcome.error is not None:
             self._finish(str(outcome.error))
         elif isinstance(outcome.value, bytes) and outcome.value:
-            click.echo(outcome.value.hex(" ").upper())
+            try:
+                click.echo(outcome.value.hex(" ").upper())
+            except (click.ClickException, OSError) as error:  # it must not end the session
+                self._finish(str(error))
 
     def _connected(self, state: DeviceState, occasion: ReadReason) -> None:
         if self._state is not None:

@@ -5,7 +5,7 @@ from pathlib import Path
 import click
 
 from trex_gui.core.cli import CommandFailed, refusals, say
-from trex_gui.core.file_name import FileName
+from trex_gui.core.command_io import FileName
 from trex_gui.core.texts import counted
 from trex_gui.core.transport.transcript import TranscriptRow
 from trex_gui.devices.trex.replay import RecordedTraffic

@@ -11,7 +11,7 @@ import click
 
 from trex_gui.core.cli import refusals, say
 from trex_gui.core.errors import StudioError
-from trex_gui.core.file_name import FileName
+from trex_gui.core.command_io import FileName
 from trex_gui.core.host import host
 from trex_gui.core.report import make_report, save_report
 from trex_gui.core.texts import counted

@@ -14,7 +14,7 @@ from click.core import ParameterSource
 
 from trex_gui.core.cli import CommandFailed, FiniteRange, Interruption, say
 from trex_gui.core.errors import BadReply, NoReply
-from trex_gui.core.file_name import FileName
+from trex_gui.core.command_io import FileName
 from trex_gui.core.texts import counted
 from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
 from trex_gui.devices.trex.client.client import TrexClient

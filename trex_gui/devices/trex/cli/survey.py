@@ -11,8 +11,8 @@ import click
 
 from trex_gui import __version__
 from trex_gui.core.cli import Interruption, ProgressLine
+from trex_gui.core.command_io import FileName
 from trex_gui.core.errors import BadReply, NoReply
-from trex_gui.core.file_name import FileName
 from trex_gui.core.files import save
 from trex_gui.devices.trex.cli.changes import read_board, require_serial_mode, restored_afterwards
 from trex_gui.devices.trex.cli.common import link_options, link_settings, open_line

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import click
 
-from trex_gui.core.file_name import FileName
+from trex_gui.core.command_io import FileName
 from trex_gui.core.simulator.plugin import Simulation, SimulatorPlugin
 from trex_gui.core.simulator.timeline import Timeline
 from trex_gui.devices.trex.protocol.device_table import device_table

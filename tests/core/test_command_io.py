@@ -1,0 +1,99 @@
+"""Standard streams of a command: encodings, control characters, closed and full ones."""
+
+import io
+import os
+import sys
+from collections.abc import Callable, Iterator
+
+import click
+import pytest
+
+from trex_gui.core.command_io import standard_streams
+
+Replace = Callable[[str, io.TextIOWrapper | None], None]
+
+
+class Stream(io.TextIOWrapper):
+    def __init__(self, encoding: str, *, is_terminal: bool = False, fails: bool = False) -> None:
+        self.bytes = io.BytesIO()
+        super().__init__(self.bytes, encoding=encoding)
+        self._is_terminal = is_terminal
+        self._fails = fails
+
+    def isatty(self) -> bool:
+        return self._is_terminal
+
+    def write(self, text: str) -> int:
+        if self._fails:
+            raise OSError(28, "No space left on device")
+        return super().write(text)
+
+
+@pytest.fixture
+def replace(monkeypatch: pytest.MonkeyPatch) -> Iterator[Replace]:
+    def replaced(name: str, stream: io.TextIOWrapper | None) -> None:
+        monkeypatch.setattr(sys, name, stream)
+
+    yield replaced
+    monkeypatch.undo()
+
+
+def written(stream: Stream, text: str, replace: Replace) -> bytes:
+    replace("stdout", stream)
+    with standard_streams():
+        click.echo(text)
+    return stream.bytes.getvalue()
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "cp1252", "cp437", "cp850", "cp932", "utf-16"])
+def test_output_that_is_no_terminal_is_utf_8(encoding: str, replace: Replace) -> None:
+    assert written(Stream(encoding), "5 → 7 µs …", replace) == "5 → 7 µs …\n".encode()
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "cp437", "cp932"])
+def test_terminal_gets_a_stand_in_for_what_it_cannot_show(encoding: str, replace: Replace) -> None:
+    shown = written(Stream(encoding, is_terminal=True), "5 → 7 ⇥", replace).decode(encoding)
+    assert shown == "5 -> 7 ?\n"
+
+
+@pytest.mark.parametrize("is_terminal", [False, True])
+def test_control_characters_are_shown_as_escapes(is_terminal: bool, replace: Replace) -> None:
+    stream = Stream("utf-8", is_terminal=is_terminal)
+    shown = written(stream, "a\x1b]0;b\x07\x9bc\rd\te\r\nf", replace)
+    assert shown == rb"a\u001b]0;b\u0007\u009bc\u000dd" + b"\te\r\nf\n"
+
+
+def test_name_that_is_not_utf_8_keeps_its_bytes(replace: Replace) -> None:
+    assert written(Stream("cp1252"), os.fsdecode(b"\xe9t"), replace) == b"\xe9t\n"
+
+
+def test_full_output_ends_the_command_with_a_sentence(replace: Replace) -> None:
+    with pytest.raises(click.ClickException, match="cannot be written: No space left") as caught:
+        written(Stream("utf-8", fails=True), "text", replace)
+    assert caught.value.exit_code == 1
+
+
+def test_full_stream_for_messages_does_not_end_the_command(replace: Replace) -> None:
+    replace("stderr", Stream("utf-8", fails=True))
+    with standard_streams():
+        click.echo("message", err=True)
+
+
+def test_closed_streams_matter_when_they_are_used(
+    replace: Replace, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    opened: list[str] = []
+
+    def opens(path: str, _flags: int) -> int:
+        opened.append(path)
+        return -1
+
+    monkeypatch.setattr(os, "open", opens)
+    for name in ("stdin", "stdout", "stderr"):
+        replace(name, None)
+    with standard_streams():
+        assert opened == [os.devnull] * 3, "no port gets the number of a stream"
+        click.echo("message", err=True)
+        assert sys.stdin.read() == ""
+        with pytest.raises(click.ClickException, match="it is closed"):
+            click.echo("data")

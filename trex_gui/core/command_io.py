@@ -1,0 +1,89 @@
+"""Input and output of a command: names of files, standard streams, what reaches a terminal."""
+
+import contextlib
+import errno
+import io
+import os
+import re
+import sys
+from collections.abc import Iterator
+from typing import Any
+
+import click
+
+TROUBLE = "exit code"  # of a failure: key in `click.Context.meta` where it is not 1
+
+_CONTROLS = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x84\x86-\x9f]|\r(?!\n)")
+
+_STAND_INS = str.maketrans({"→": "->", "−": "-", "…": "...", "“": '"', "”": '"'})
+
+
+class FileName(click.Path):
+    """A file. Without a name it is wrong usage: often an unset shell variable."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        if not str(value):
+            self.fail("the name of the file is empty.", param, ctx)
+        return super().convert(value, param, ctx)
+
+
+class _Output:
+    r"""A stream that shows control characters, of names and files, as escapes such as `\u001b`.
+
+    It is UTF-8 unless it is a terminal. Data that cannot be written ends the command; messages
+    that cannot be written are lost. `below` is the stream itself.
+    """
+
+    encoding = "utf-8"  # click replaces an ASCII stream
+
+    def __init__(self, below: Any, *, is_data: bool) -> None:
+        self._is_data = is_data
+        self.below = below or io.TextIOWrapper(io.BufferedReader(io.BytesIO()))  # a closed one
+        if self.isatty():
+            self.below.reconfigure(errors="replace")
+        else:
+            self.below.reconfigure(encoding="utf-8", errors="surrogateescape")
+        self._stand_ins = {} if self.below.encoding.lower() == "utf-8" else _STAND_INS
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.below, name)
+
+    def fileno(self) -> int:
+        raise OSError(errno.ENOTSUP, "click writes past a stream with a number on Windows")
+
+    def write(self, text: str) -> int:
+        shown = _CONTROLS.sub(lambda found: f"\\u{ord(found[0]):04x}", text)
+        if shown:  # click tries with nothing what a stream takes
+            self._use(self.below.write, shown.translate(self._stand_ins))
+        return len(text)
+
+    def flush(self) -> None:
+        self._use(self.below.flush)
+
+    def _use(self, function: Any, *arguments: str) -> None:
+        try:
+            function(*arguments)
+        except OSError as error:
+            if error.errno == errno.EPIPE:
+                raise
+            with contextlib.suppress(OSError):  # what is left in the buffer fails no more
+                os.dup2(os.open(os.devnull, os.O_WRONLY), self.below.fileno())
+            if self._is_data:
+                reason = error.strerror or "it is closed"
+                failure = f"Standard output cannot be written: {reason}."
+                raise click.ClickException(failure) from error
+
+
+@contextlib.contextmanager
+def standard_streams() -> Iterator[None]:
+    """Use the standard streams as `_Output` describes, also those that are closed."""
+    before = sys.stdin, sys.stdout, sys.stderr
+    for _ in range(before.count(None)):
+        os.open(os.devnull, os.O_RDWR)  # else a port gets the number, and messages
+    sys.stdin = sys.stdin or io.TextIOWrapper(io.BytesIO())
+    sys.stdout = _Output(sys.stdout, is_data=True)
+    sys.stderr = _Output(sys.stderr, is_data=False)
+    try:
+        yield
+    finally:
+        sys.stdin, sys.stdout, sys.stderr = before
