@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Self, TextIO
+from typing import TextIO
 
 from trex_gui import __version__
 from trex_gui.core.errors import StudioError
@@ -50,8 +50,8 @@ def line_of(row: Transaction, decoder: Decoder, epoch: float) -> str:
 class TranscriptWriter:
     """Writes the traffic of a line to a file as it happens.
 
-    The file is begun with the first line that is opened. A disk that fails later does not disturb
-    the line; `error` says why the file is not complete.
+    The file is opened with the first line, and holds what it held until bytes are sent. A disk that
+    fails later does not disturb the line; `error` says why the file is not complete.
     """
 
     def __init__(
@@ -64,29 +64,22 @@ class TranscriptWriter:
         self._assembler = TransactionAssembler(decoder, is_search=is_search)
         self._pending: Transaction | None = None
         self._file: TextIO | None = None
-
-    @classmethod
-    def into(cls, file: TextIO, decoder: Decoder, epoch: float) -> Self:
-        """Return a writer into an open file, which stays open."""
-        writer = cls(None, decoder, epoch)
-        writer._file = file
-        writer._write(head())
-        return writer
+        self.text = head()  # what is not in the file yet
+        self._is_begun = False
 
     def open(self) -> None:
-        """Begin the file unless it was begun; StudioError if it cannot be written."""
+        """Open the file unless it is open; StudioError if it cannot be written."""
         if self._file is not None or self._path is None:
             return
         try:
             self._file = self._path.open(
-                "w", encoding="utf-8", errors="backslashreplace", newline=""
+                "a", encoding="utf-8", errors="backslashreplace", newline=""
             )
         except OSError as error:
             reason = error.strerror or error
             raise StudioError(
                 tr("{0} cannot be written: {1}.").format(self._path, reason)
             ) from error
-        self._write(head())
 
     def note(self, event: TrafficEvent) -> None:
         for row in self._assembler.feed([event]):
@@ -98,7 +91,7 @@ class TranscriptWriter:
         if self._pending is not None:
             self._pending.is_over = True
             self._write_row(self._pending)
-        if self._file is not None and self._path is not None:
+        if self._file is not None:
             try:
                 self._file.close()
             except OSError as error:
@@ -106,15 +99,18 @@ class TranscriptWriter:
 
     def _write_row(self, row: Transaction) -> None:
         self._decoder.learn(row)
-        self._write(line_of(row, self._decoder, self._epoch) + "\n")
-
-    def _write(self, text: str) -> None:
-        if self._file is None or self.error is not None:
+        if self.error is not None:
+            return
+        self.text += line_of(row, self._decoder, self._epoch) + "\n"
+        if self._file is None or not (self._is_begun or row.sent or row.received):
             return
         try:
-            self._file.write(text)
+            if not self._is_begun and self._file.seekable():
+                self._file.truncate(0)
+            self._file.write(self.text)
         except OSError as error:
             self.error = error
+        self.text, self._is_begun = "", True
 
 
 @dataclass(frozen=True, slots=True)

@@ -155,4 +155,8 @@ def test_traffic_of_a_command_is_written_to_a_file(
     before = file.read_bytes()
     assert trexcmd("get", "--traffic", str(file)).exit_code == 2
     assert file.read_bytes() == before, "wrong usage overwrites nothing"
+    for command in ("status", "find"):
+        lost = trexcmd(command, "--port", "/dev/none", "--traffic", str(file))
+        assert lost.exit_code == 1
+    assert file.read_bytes() == before, "and so does a port that is not there"
     assert trexcmd("status", "--traffic", str(tmp_path / "no" / "file")).exit_code == 1

@@ -156,6 +156,19 @@ def test_mode_change_ends_the_stream(
     assert "mode has changed" in errors
 
 
+def test_old_csv_file_is_replaced_once_a_board_answers(
+    trexcmd: RunCommand, tmp_path: Path, quick_simulator: SimulatedDevice
+) -> None:
+    file = tmp_path / "data.csv"
+    file.write_text("old " * 1000)
+    quick_simulator.do("power off")
+    assert trexcmd("stream", "--csv", str(file), "--limit", "1").exit_code == 1
+    assert file.read_text() == "old " * 1000
+    quick_simulator.do("power on")
+    assert trexcmd("stream", "--csv", str(file), "--limit", "1").exit_code == 0
+    assert len(rows_of(file.read_text())) == 1
+
+
 def test_unwritable_csv_file_is_rejected(trexcmd: RunCommand, tmp_path: Path) -> None:
     result = trexcmd("stream", "--seconds", "1", "--csv", str(tmp_path / "missing" / "log.csv"))
     assert result.exit_code == 1

@@ -1,6 +1,5 @@
 """report: a zip for support, with what the board, the ports and the program are."""
 
-import io
 import json
 import time
 from collections.abc import Callable
@@ -10,8 +9,8 @@ from typing import Any
 import click
 
 from trex_gui.core.cli import refusals, say
-from trex_gui.core.errors import StudioError
 from trex_gui.core.command_io import FileName
+from trex_gui.core.errors import StudioError
 from trex_gui.core.host import host
 from trex_gui.core.report import make_report, save_report
 from trex_gui.core.texts import counted
@@ -53,8 +52,7 @@ def _parts(options: dict[str, Any]) -> dict[str, Callable[[], str]]:
     if not options["port"]:
         return {}
     settings, present = link_settings(options), host()
-    traffic = io.StringIO()
-    writer = TranscriptWriter.into(traffic, TrexDecoder(), time.time() - present.clock())
+    writer = TranscriptWriter(None, TrexDecoder(), time.time() - present.clock())
     try:
         transport = logged(writer, present.open_transport, present.clock)(settings)
         client = TrexClient(transport, settings)
@@ -70,9 +68,8 @@ def _parts(options: dict[str, Any]) -> dict[str, Callable[[], str]]:
     else:
         stored = write_settings(settings_of(state))
     writer.close()
-    text = traffic.getvalue()
     return {
         "status.txt": lambda: status + "\n",
         "settings.txt": lambda: stored,
-        "traffic.txt": lambda: text,
+        "traffic.txt": lambda: writer.text,
     }

@@ -13,8 +13,8 @@ import click
 from click.core import ParameterSource
 
 from trex_gui.core.cli import CommandFailed, FiniteRange, Interruption, say
-from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.core.command_io import FileName
+from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.core.texts import counted
 from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
 from trex_gui.devices.trex.client.client import TrexClient
@@ -98,35 +98,36 @@ def stream(
     if as_json and context.get_parameter_source("separator") is not ParameterSource.DEFAULT:
         raise click.UsageError("--json has no columns that --separator could separate.")
     settings = link_settings(options)
-    with open_line(settings) as client, _target(file) as target, Interruption() as interrupted:
+    with open_line(settings) as client, Interruption() as interrupted:
         unit = identify(client).model.current_unit
         mode = agreed(client.request, GetMode(), has_crc=client.has_crc)
         table = MeasurementTable(mode, unit)
-        rows = csv.DictWriter(target, list(table.row), lineterminator="\n", delimiter=separator)
-        if not as_json:
-            rows.writeheader()
-        count, flushed_at, reason = 0, 0.0, ""
-        try:
-            polled = _rows(client, table, seconds, interrupted, interval)
-            for row in itertools.islice(polled, limit):
-                if as_json:
-                    target.write(json.dumps(row) + "\n")
-                else:
-                    rows.writerow(row)
-                count += 1
-                if (now := client.transport.clock()) - flushed_at >= _FLUSH:
-                    flushed_at = now
-                    target.flush()
-        except (NoReply, BadReply) as error:
-            reason = f"The board has stopped responding: {error}"
-        except _ModeChanged:
-            reason = "The board's mode has changed, and with it the meaning of its inputs."
-        finally:
-            target.flush()
-            if count:
-                say(f"{counted(count, 'row')}.")
-        if reason:
-            raise CommandFailed(reason)
+        with _target(file) as target:  # which stays as it is until a board answers
+            rows = csv.DictWriter(target, list(table.row), lineterminator="\n", delimiter=separator)
+            if not as_json:
+                rows.writeheader()
+            count, flushed_at, reason = 0, 0.0, ""
+            try:
+                polled = _rows(client, table, seconds, interrupted, interval)
+                for row in itertools.islice(polled, limit):
+                    if as_json:
+                        target.write(json.dumps(row) + "\n")
+                    else:
+                        rows.writerow(row)
+                    count += 1
+                    if (now := client.transport.clock()) - flushed_at >= _FLUSH:
+                        flushed_at = now
+                        target.flush()
+            except (NoReply, BadReply) as error:
+                reason = f"The board has stopped responding: {error}"
+            except _ModeChanged:
+                reason = "The board's mode has changed, and with it the meaning of its inputs."
+            finally:
+                target.flush()
+                if count:
+                    say(f"{counted(count, 'row')}.")
+            if reason:
+                raise CommandFailed(reason)
 
 
 class _ModeChanged(Exception):  # noqa: N818 - no error, an event
