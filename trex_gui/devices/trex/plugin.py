@@ -34,6 +34,7 @@ TREX = DevicePlugin(
             "check:check_settings", "Check a settings file without a board."
         ),
         "diff": _command("files:diff", "Compare settings files, or a file with the board."),
+        "audit": _command("files:audit", "Check the board against a settings file."),
         "history": _command(
             "history:history", "List the snapshots of settings saved before each change."
         ),

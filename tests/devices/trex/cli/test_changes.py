@@ -401,7 +401,7 @@ def test_notes_of_a_file_are_kept_for_the_board(trexcmd: RunCommand, tmp_path: P
 
 def test_what_was_applied_last_is_compared_with_the_board(trexcmd: RunCommand) -> None:
     nothing = trexcmd("diff", "--last")
-    assert nothing.exit_code == 1
+    assert nothing.exit_code == 2
     assert "Nothing was applied to this board from this computer yet." in nothing.stderr
     assert trexcmd("diff").exit_code == trexcmd("diff", "--last", "x.txt").exit_code == 2
 
@@ -417,7 +417,7 @@ def test_what_was_applied_last_is_compared_with_the_board(trexcmd: RunCommand) -
     assert (same.exit_code, same.stdout) == (0, "")
     assert trexcmd("raw", "AF 07 00 55 2A").exit_code == 0  # by another program
     lost = trexcmd("diff", "--last")
-    assert lost.exit_code == 0
+    assert lost.exit_code == 1
     assert " ".join(lost.stdout.split()) == "serial_timeout 0 → 15 off → 1.5 s"
     assert "New: what was applied 20" in lost.stderr
 

@@ -1,6 +1,7 @@
 """get-settings, set-settings, check-settings, diff."""
 
 import json
+import signal
 from pathlib import Path
 
 import pytest
@@ -366,19 +367,20 @@ def test_set_settings_converts_a_file_of_the_other_model_when_told(
     assert stored(quick_simulator, "uart_response_delay") == 1
 
 
-@pytest.mark.parametrize("command", ["check-settings", "set-settings", "diff"])
+@pytest.mark.parametrize("command", ["check-settings", "set-settings", "diff", "audit"])
 def test_missing_file_is_rejected(trexcmd: RunCommand, command: str, tmp_path: Path) -> None:
     result = trexcmd(command, str(tmp_path / "none.txt"))
-    assert result.exit_code == 1
+    assert result.exit_code == (2 if command in {"diff", "audit"} else 1)
     assert "there is no such file" in result.stderr
 
 
 def test_diff_compares_two_files_without_a_board(trexcmd: RunCommand, saved: Path) -> None:
     other = changed(saved, serial_timeout=15)
     result = trexcmd("diff", str(saved), str(other), TREX_PORT="")
-    assert result.exit_code == 0
+    assert result.exit_code == 1
     assert "0 → 15" in result.stdout
     report = json.loads(trexcmd("diff", str(saved), str(other), "--json").stdout)
+    assert report["equal"] is False
     assert [(row["key"], row["before"], row["after"]) for row in report["differing"]] == [
         ("serial_timeout", 0, 15)
     ]
@@ -387,3 +389,48 @@ def test_diff_compares_two_files_without_a_board(trexcmd: RunCommand, saved: Pat
 def test_diff_of_equal_settings_is_empty(trexcmd: RunCommand, saved: Path) -> None:
     result = trexcmd("diff", str(saved))
     assert (result.exit_code, result.stdout) == (0, "")
+
+
+@pytest.mark.parametrize("trouble", ["power off", "interrupted"])
+@pytest.mark.parametrize("command", ["diff", "audit"])
+def test_comparison_that_is_cut_short_exits_with_2(
+    start: StartCommand, saved: Path, quick_simulator: SimulatedDevice, command: str, trouble: str
+) -> None:
+    if trouble == "power off":
+        quick_simulator.do(trouble)
+    run = start(command, str(saved))
+    if trouble == "interrupted":
+        sent = quick_simulator.show()["counters"]["line"]["sent"]
+        assert becomes(lambda: quick_simulator.show()["counters"]["line"]["sent"] > sent, True)
+        run.send_signal(signal.SIGINT)
+    assert run.wait() == 2
+
+
+def test_audit_checks_what_the_profile_gives(
+    trexcmd: RunCommand, tmp_path: Path, quick_simulator: SimulatedDevice
+) -> None:
+    profile = tmp_path / "profile.txt"
+    calibration = "rc_channel_1: {minimum: 2500, neutral: 3750, maximum: 5000, deadband: 75}\n"
+    profile.write_text(f"product: TReX\nserial_timeout: 0\nmotor_mode: 0\n{calibration}")
+    same = trexcmd("audit", str(profile))
+    assert (same.exit_code, same.stdout) == (0, "")
+    assert "2 parameters: 0 will change, 2 match; 1 calibration" in same.stderr
+
+    quick_simulator.do("eeprom serial_timeout 7")
+    other = trexcmd("audit", str(profile))
+    assert other.exit_code == 1
+    assert other.stdout.split() == ["serial_timeout", "7", "→", "0", "0.7", "s", "→", "off"]
+    report = json.loads(trexcmd("audit", str(profile), "--json").stdout)
+    assert [row["key"] for row in report["differing"]] == ["serial_timeout"]
+    assert report["equal"] is False
+    ignored = trexcmd("audit", str(profile), "--ignore", "Serial Timeout", "--json")
+    assert ignored.exit_code == 0
+    assert json.loads(ignored.stdout) == {"equal": True, "differing": [], "left_out": []}
+    assert trexcmd("audit", str(profile), "--ignore", "serial_timeot").exit_code == 2
+    assert stored(quick_simulator, "serial_timeout") == 7, "an audit writes nothing"
+
+
+def test_audit_of_another_model_is_different(trexcmd: RunCommand, tmp_path: Path) -> None:
+    profile = tmp_path / "profile.txt"
+    profile.write_text("product: TReX Jr\nserial_timeout: 0\n")
+    assert trexcmd("audit", str(profile)).exit_code == 1

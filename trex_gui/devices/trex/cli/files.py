@@ -11,16 +11,16 @@ import click
 from trex_gui import __version__
 from trex_gui.core.cli import CommandFailed, json_option, print_json, refusals, say
 from trex_gui.core.code import Language
-from trex_gui.core.command_io import FileName
+from trex_gui.core.command_io import TROUBLE, FileName
 from trex_gui.core.files import LARGEST_FILE, load, save
 from trex_gui.core.texts import counted
 from trex_gui.devices.trex.cli.changes import board_settings, read_board, remembered
-from trex_gui.devices.trex.cli.common import link_options, link_settings, open_line
+from trex_gui.devices.trex.cli.common import link_options, link_settings, open_line, specs_of
 from trex_gui.devices.trex.client.reading import DeviceState
-from trex_gui.devices.trex.protocol.calibration import CalibrationKey
+from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, CalibrationKey
 from trex_gui.devices.trex.settings.code_export import export_code
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
-from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.document import Settings, settings_of
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.repair import repair_values
 from trex_gui.devices.trex.settings.writer import write_settings
@@ -81,6 +81,37 @@ def print_comparison(result: Comparison) -> None:
         click.echo(text)
 
 
+class ComparisonCommand(click.Command):
+    """A command whose function returns whether all is equal: exit code 0, else 1.
+
+    It is 2 if that is not known, as with diff(1).
+    """
+
+    def invoke(self, ctx: click.Context) -> Any:
+        ctx.meta[TROUBLE] = 2
+        ctx.exit(0 if super().invoke(ctx) else 1)
+
+
+def _print_differences(
+    before: Settings, after: Settings, names: tuple[str, str], *, as_json: bool
+) -> bool:
+    """Report how settings differ; return whether they are equal."""
+    if before.product != after.product:
+        say(
+            f"Warning: these settings are for different models: {names[0]} "
+            f"({before.product.name}) and {names[1]} ({after.product.name})."
+        )
+    result = compare(before, after)
+    is_equal = before.product == after.product and not (result.differing or result.left_out)
+    say(f"{result.summary()}.")
+    if as_json:
+        rows = [asdict(row) for row in result.differing]
+        print_json({"equal": is_equal, "differing": rows, "left_out": list(result.left_out)})
+    else:
+        print_comparison(result)
+    return is_equal
+
+
 @click.command("get-settings")
 @link_options
 @click.argument("file", type=FILE)
@@ -103,17 +134,18 @@ def get_settings(file: str, **options: Any) -> None:
         say(f"{parameters} and {calibrations} of {state.signature} saved to {file}.")
 
 
-@click.command()
+@click.command(cls=ComparisonCommand)
 @link_options
 @click.argument("first", metavar="FILE", required=False, type=FILE)
 @click.argument("second", metavar="[FILE]", required=False, type=FILE)
 @click.option("--last", is_flag=True, help="Compare with what was applied last to the board.")
 @json_option
-def diff(first: str | None, second: str | None, last: bool, as_json: bool, **options: Any) -> None:
+def diff(first: str | None, second: str | None, last: bool, as_json: bool, **options: Any) -> bool:
     """Show how the second FILE differs from the first, or FILE from the board.
 
     Prints nothing if they are equal; old values are left of new ones. With --last the board is
-    compared with what this computer applied to it last, in the window or with trexcmd.
+    compared with what this computer applied to it last, in the window or with trexcmd. Exit
+    codes: 0 equal, 1 different, 2 wrong usage or not readable.
     """
     if first == second == "-":
         raise click.UsageError("Only one of the files can be standard input.")
@@ -138,18 +170,36 @@ def diff(first: str | None, second: str | None, last: bool, as_json: bool, **opt
             state = read_board(client)
         before, after = board_settings(state), visible(wanted, state)
         names = ("the board", name_of(first))
-    if before.product != after.product:
-        say(
-            f"Warning: these settings are for different models: {names[0]} "
-            f"({before.product.name}) and {names[1]} ({after.product.name})."
-        )
-    result = compare(before, after)
-    say(f"{result.summary()}.")
-    if as_json:
-        rows = [asdict(row) for row in result.differing]
-        print_json({"differing": rows, "left_out": list(result.left_out)})
-    else:
-        print_comparison(result)
+    return _print_differences(before, after, names, as_json=as_json)
+
+
+@click.command(cls=ComparisonCommand)
+@link_options
+@click.argument("profile", type=FILE)
+@click.option("--ignore", "ignored", multiple=True, metavar="KEY", help="Do not check KEY.")
+@json_option
+def audit(profile: str, ignored: tuple[str, ...], as_json: bool, **options: Any) -> bool:
+    """Check that the board stores what PROFILE gives; - is standard input.
+
+    Settings that PROFILE does not give are not checked, nor are notes. Prints what differs, the
+    board's value left. Exit codes: 0 equal, 1 different, 2 wrong usage or not readable.
+    """
+    left_out = {name if name in CALIBRATION_KEYS else specs_of(name)[0].key for name in ignored}
+    wanted = read_file(profile)
+    with open_line(link_settings(options)) as client:
+        state = read_board(client)
+    wanted = visible(wanted, state)
+    keys = {*wanted.parameters, *wanted.calibrations} - left_out
+    for key in keys & state.unread.keys():
+        raise CommandFailed(f"{key} could not be read: {state.unread[key]}")
+
+    def checked(side: Settings) -> Settings:
+        parameters = {key: wire for key, wire in side.parameters.items() if key in keys}
+        rows = {key: row for key, row in side.calibrations.items() if key in keys}
+        return replace(side, parameters=parameters, calibrations=rows, notes={})
+
+    names = "the board", name_of(profile)
+    return _print_differences(checked(settings_of(state)), checked(wanted), names, as_json=as_json)
 
 
 @click.command()

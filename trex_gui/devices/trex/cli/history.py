@@ -11,7 +11,8 @@ from trex_gui.core.cli import CommandFailed, json_option, print_json, refusals, 
 from trex_gui.core.files import load
 from trex_gui.core.texts import counted
 from trex_gui.devices.trex.cli.common import link_options
-from trex_gui.devices.trex.cli.files import FILE, read_file
+from trex_gui.devices.trex.cli.files import FILE, ComparisonCommand, read_file
+from trex_gui.devices.trex.cli.files import diff as diff_settings
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.devices.trex.settings.history import SettingsHistory, Snapshot
 
@@ -96,7 +97,7 @@ def show(which: str, as_json: bool) -> None:
     print_json(report)
 
 
-@history.command("diff")
+@history.command("diff", cls=ComparisonCommand)
 @click.argument("first", metavar="N|FILE", type=FILE, shell_complete=_complete_number)
 @click.argument(
     "second",
@@ -108,16 +109,14 @@ def show(which: str, as_json: bool) -> None:
 @link_options
 @json_option
 @click.pass_context
-def diff(ctx: click.Context, /, first: str, second: str | None, **options: Any) -> None:
+def diff(ctx: click.Context, /, first: str, second: str | None, **options: Any) -> bool:
     """Show how the second snapshot differs from the first, or a snapshot from the board.
 
-    Prints nothing if they are equal. The values of the board are left, those that set-settings
-    with this snapshot would restore are right.
+    Prints nothing if they are equal. Exit codes are those of `trexcmd diff`. The values of the
+    board are left, those that set-settings with this snapshot would restore are right.
     """
-    from trex_gui.devices.trex.cli import files  # noqa: PLC0415 - the way to a board takes its time
-
     other = None if second is None else str(_path_of(second))
-    ctx.invoke(files.diff, first=str(_path_of(first)), second=other, **options)
+    return bool(ctx.invoke(diff_settings, first=str(_path_of(first)), second=other, **options))
 
 
 @history.command("path")
