@@ -179,6 +179,16 @@ def relay_one(server: socket.socket, target: int, garbage: threading.Event) -> N
                 ends[end].sendall(end.recv(4096))
 
 
+def test_server_that_refuses_rfc_2217_is_named() -> None:
+    refusal = serial.SerialException(
+        "Remote does not accept parameter change (RFC2217): dict_values([...])"
+    )
+    said = str(why_not_open("rfc2217://host:1", LINE, refusal))
+    assert said == (
+        "The port rfc2217://host:1 cannot be reached: the server refuses the settings of the line."
+    )
+
+
 def test_network_port_has_greater_latency_than_local_port(
     start_simulator: Start, opened: Open, terminal: tuple[int, str]
 ) -> None:

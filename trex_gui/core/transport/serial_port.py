@@ -10,6 +10,7 @@ import logging
 import os
 import re
 import select
+import shlex
 import socket
 import sys
 import time
@@ -409,6 +410,8 @@ def _plain(error: Exception) -> str:
         with contextlib.suppress(ValueError):
             return os.strerror(number).lower()
     text = str(error).strip().rstrip(".")
+    if "does not accept parameter change" in text:  # pyserial prints its objects behind that
+        return tr("the server refuses the settings of the line")
     return text or type(error).__name__
 
 
@@ -420,7 +423,7 @@ def _permission_cure(url: str) -> tuple[str, str]:
         group = grp.getgrgid(Path(url).stat().st_gid).gr_name
     except (ImportError, KeyError, OSError):
         group = "dialout"
-    until_unplugged = f"sudo chmod a+rw {url}"
+    until_unplugged = shlex.join(("sudo", "chmod", "a+rw", url))
     if group == "root":
         text = tr("It belongs to root; this opens it until it is unplugged: {0}").format(
             until_unplugged

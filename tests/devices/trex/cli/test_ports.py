@@ -1,7 +1,9 @@
 """list and find: boards on ports, and boards at unknown line settings."""
 
 import json
+import shlex
 import signal
+import sys
 
 import pytest
 from click.testing import CliRunner
@@ -10,6 +12,8 @@ from tests.devices.trex.cli.conftest import becomes, outputs
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_command import RunCommand, StartCommand
 from trex_gui.cli import main
+from trex_gui.devices.trex.cli.common import as_options
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 
 
@@ -52,6 +56,15 @@ def test_options_printed_by_find_reach_the_board(
     assert (row["baud"], row["detection"]) == (line.baud, line.detection.name.lower())
     assert trexcmd("get", "device_number", *row["options"].split()).stdout == "7\t7\n"
     assert outputs(quick_simulator) == [0, 0, 0]
+
+
+@pytest.mark.parametrize("name", ["/dev/a b", "socket://host:1?a=1&b='2'"])
+def test_printed_options_are_quoted_for_a_shell(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    words = ["--port", name, "--baud", "19200"]
+    assert shlex.split(as_options(ConnectionSettings(name))) == words
+    monkeypatch.setattr(sys, "platform", "win32")
+    assert as_options(ConnectionSettings(name)) == f'--port "{name}" --baud 19200'
+    assert as_options(ConnectionSettings("COM3")) == "--port COM3 --baud 19200"
 
 
 @pytest.mark.realtime

@@ -21,7 +21,8 @@ from trex_gui.core.errors import BadRequest, PortUnavailable
 from trex_gui.core.simulator import sampling
 from trex_gui.core.simulator.sampling import _SAMPLE_AT, Receiver
 from trex_gui.core.transport.settings import SerialFormat
-from trex_gui.devices.trex.discovery import TREX_PROBER, FoundBoard, attempts
+from trex_gui.devices.trex.client.client import TrexClient
+from trex_gui.devices.trex.discovery import TREX_PROBER, FoundBoard, attempts, boards_by_number
 from trex_gui.devices.trex.probe import Attempt
 from trex_gui.devices.trex.protocol.commands import COMMANDS
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -540,3 +541,17 @@ def test_search_finds_board_on_noisy_line() -> None:
     wire = wire_of(a_board(settings=LineSettings(1200).to_wire()))
     wire.line.faults.noise = 0.02
     assert only(search(wire)).settings.line.baud == 1200
+
+
+class PolledWire(Wire):
+    """A wire on which another master asks board 7 for its signature whenever one listens."""
+
+    def read(self, size: int, seconds: float) -> bytes:
+        self.line.send(b"\x80\x07\x01")
+        return super().read(size, seconds)
+
+
+def test_replies_to_another_master_are_no_answers() -> None:
+    client = TrexClient(PolledWire(TrexLine([a_board()])), VIRTUAL)
+    found = boards_by_number(client, lambda _number: None, lambda: False)
+    assert {board.device_number for board in found} <= {7}

@@ -5,7 +5,7 @@ from typing import Any
 import click
 
 from trex_gui.core.cli import CommandFailed, Interruption, ProgressLine, json_option, print_json
-from trex_gui.devices.trex.cli.common import as_options, link_options, link_settings, open_line
+from trex_gui.devices.trex.cli.common import link_options, link_settings, open_line, row_of
 from trex_gui.devices.trex.discovery import NUMBERS, boards_by_number
 
 
@@ -28,19 +28,9 @@ def boards(as_json: bool, **options: Any) -> None:
             interrupted.__bool__,
         )
     if as_json:
-        print_json(
-            [
-                {
-                    "device_number": board.device_number,
-                    "product": board.signature.model.name,
-                    "firmware": board.signature.firmware,
-                    "options": as_options(board.settings),
-                }
-                for board in found
-            ]
-        )
+        print_json([{"device_number": board.device_number, **row_of(board)} for board in found])
     else:
         for board in found:
-            click.echo(f"{board.device_number}\t{board.signature}\t{as_options(board.settings)}")
+            click.echo(f"{board.device_number}\t{board.signature}\t{row_of(board)['options']}")
     if not found:
         raise CommandFailed(f"No board replies to a device number on {link.text()}.")

@@ -16,6 +16,7 @@ from trex_gui.core.cli import (
     port_option,
     refusals,
     required_port,
+    shell_words,
     timeout_option,
     traffic_option,
 )
@@ -146,18 +147,18 @@ def link_settings(options: Mapping[str, Any], url: str | None = None) -> Connect
 def as_options(settings: ConnectionSettings) -> str:
     """Return link settings as options of this program, to paste behind a command."""
     line = settings.line
-    words = [f"--port {settings.url}", f"--baud {line.baud}"]
+    words = ["--port", settings.url, "--baud", str(line.baud)]
     if line.has_crc:
         words.append("--crc")
         if settings.polynomial != DEFAULT_POLYNOMIAL:
-            words.append(f"--polynomial {settings.polynomial:02X}")
+            words += ["--polynomial", f"{settings.polynomial:02X}"]
     elif line.detection is not Detection.NONE:
-        words.append(f"--parity {line.detection.name.lower()}")
+        words += ["--parity", line.detection.name.lower()]
     if line.stop_bits == 2:
-        words.append("--stop-bits 2")
+        words += ["--stop-bits", "2"]
     if settings.device_number is not None:
-        words.append(f"--protocol expanded --device {settings.device_number}")
-    return " ".join(words)
+        words += ["--protocol", "expanded", "--device", str(settings.device_number)]
+    return shell_words(*words)
 
 
 # --- Measurements in JSON ---------------------------------------------------------------
@@ -282,7 +283,7 @@ def _line_choices(settings: ConnectionSettings) -> str:
     return "\n".join(["To set other line settings, then switch the board off and on:", *commands])
 
 
-def _row(found: FoundBoard) -> dict[str, Any]:
+def row_of(found: FoundBoard) -> dict[str, Any]:
     return {
         "product": found.signature.model.name,
         "firmware": found.signature.firmware,
@@ -292,7 +293,7 @@ def _row(found: FoundBoard) -> dict[str, Any]:
     }
 
 
-PORT_REPORTS = PortReports(_identify, _describe, _row)
+PORT_REPORTS = PortReports(_identify, _describe, row_of)
 
 
 def specs_of(name: str) -> list[ParameterSpec]:

@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from trex_gui.core.cli import CommandFailed, Interruption, ProgressLine, say
+from trex_gui.core.cli import CommandFailed, Interruption, ProgressLine, say, shell_words
 from trex_gui.core.files import Finding, SettingsError
 from trex_gui.core.texts import counted
 from trex_gui.devices.trex.cli.changes import (
@@ -100,6 +100,9 @@ def set_settings(
     serial settings last, and reads each value back. Ctrl-C ends it after the setting that is
     being written. Notes of the file are kept on this computer.
 
+    --dry-run ends as the writing would, with 0 whatever changes: `trexcmd audit FILE` ends with 1
+    if the board has other settings.
+
     With --convert, values that mean something else to this board are converted, what it does not
     have is left out, and both are listed.
 
@@ -108,7 +111,7 @@ def set_settings(
     """
     wanted = read_file(file, fix=fix)
     chosen = link_settings(options)
-    command = f"trexcmd set-settings {name_of(file)}"
+    command = shell_words("trexcmd", "set-settings", file)
     kept = () if devices is None else REACH
     review = partial(
         _review, file, dry_run=dry_run, fix=fix, convert=convert, force=force, kept=kept

@@ -130,6 +130,8 @@ def other_board(
 def board_at(client: TrexClient, number: int, *, attempts: int = 1) -> Signature | None:
     """Return which board on the line has a device number; `None` if none replies.
 
+    It also has to reply with that number: what another master asked for is no answer.
+
     The query has a client of its own: a number without a board is no fault of the line, and must
     not count as one. It changes nothing, and clears nothing that a board has latched.
 
@@ -142,11 +144,14 @@ def board_at(client: TrexClient, number: int, *, attempts: int = 1) -> Signature
     settings = replace(client.settings, device_number=number)
     other = TrexClient(client.transport, settings, echo=client.echo)
     try:
-        return query(other.request, GetSignature(), attempts=attempts)
+        signature = query(other.request, GetSignature(), attempts=attempts)
+        stored = GetParameter(parameter_number(ParameterKey.DEVICE_NUMBER))
+        has_number = agreed(other.request, stored, has_crc=client.has_crc) == number
     except NoReply as error:
         if isinstance(error, TrexError) and error.code is ErrorCode.INCOMPLETE_REPLY:
             raise TrexBadReplyError(error.code, *error.fields) from error
         return None
+    return signature if has_number else None
 
 
 def is_several(client: TrexClient, stored_number: int) -> bool:
