@@ -32,6 +32,11 @@ def test_times_are_relative_and_unknown_values_are_empty() -> None:
     ]
 
 
+def test_event_that_looks_like_a_formula_is_written_as_text() -> None:
+    rows = table([(100.0, -1, 0)], [(100.0, "=1+2"), (101.0, "@a")])[1:]
+    assert rows == [["0.0000", "-1", "0", "'=1+2"], ["1.0000", "", "", "'@a"]]
+
+
 def test_event_is_written_to_next_sample_row_or_its_own() -> None:
     events = [(100.1, "Stop"), (100.15, 'Apply: "P", more'), (101.0, "Disconnected")]
     rows = table([(100.0, 0, 0), (100.2, 0, 0), (100.3, 0, 0)], events)

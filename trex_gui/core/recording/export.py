@@ -53,6 +53,12 @@ def _rows(
         progress(min(1.0, (first + CHUNK) / recording.count))
 
 
+def csv_cell(value: Value) -> Value:
+    """Return a cell that no spreadsheet takes for a formula if it is text."""
+    is_formula = isinstance(value, str) and value.startswith(("=", "+", "-", "@"))
+    return f"'{value}" if is_formula else value
+
+
 def _write_csv(
     recording: Recording[Any, Any],
     file: BinaryIO,
@@ -85,7 +91,7 @@ def _write_csv(
             cells = held if kind.held else held.copy()
             for place, value in zip(columns[kind.name], values, strict=True):
                 if value is not None or not kind.partial:
-                    cells[place] = value
+                    cells[place] = csv_cell(value)
             lines.append((f"{time:.6f}", kind.name, *cells))
         writer.writerows(lines)
     text.flush()

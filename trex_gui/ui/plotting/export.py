@@ -19,6 +19,7 @@ from PySide6.QtWidgets import QMenu, QToolButton, QWidget
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import save
+from trex_gui.core.recording.export import csv_cell
 from trex_gui.core.translation import tr
 from trex_gui.ui.files import in_background, save_picture
 from trex_gui.ui.notifier import Notifier
@@ -191,9 +192,9 @@ def write_csv(
         while pending and pending[-1][0] <= time:
             texts.append(pending.pop()[1])
         numbers = (f"{value:.10g}" if math.isfinite(value) else "" for value in values)
-        writer.writerow([f"{time - origin:.4f}", *numbers, "; ".join(texts)])
+        writer.writerow([f"{time - origin:.4f}", *numbers, csv_cell("; ".join(texts))])
     for time, text in reversed(pending):
-        writer.writerow([f"{time - origin:.4f}", *([""] * len(heads)), text])
+        writer.writerow([f"{time - origin:.4f}", *([""] * len(heads)), csv_cell(text)])
     return len(columns[0])
 
 

@@ -87,6 +87,15 @@ def test_csv_names_setpoints_status_and_markers(tmp_path: Path) -> None:
     assert marker["speed"] == marker["uart_crc"] == ""
 
 
+@pytest.mark.parametrize("first", "=+-@")
+def test_text_that_looks_like_a_formula_is_written_as_text(tmp_path: Path, first: str) -> None:
+    note = Marker(T0 + 2, "user", f"{first}1+2")
+    written = export(tmp_path, [SetpointRecord(T0 + 1, 2, Drive.at(-70)), note])
+    _, setpoint, marker = rows_of(written)
+    assert marker["text"] == f"'{first}1+2"
+    assert setpoint["speed"] == "-70", "a number is one"
+
+
 def test_export_contains_only_the_span(tmp_path: Path) -> None:
     what = list(an_hour(60))
     begin, end = T0 + 20, T0 + 35.5
