@@ -10,10 +10,11 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QLocale
+from PySide6.QtCore import QCoreApplication, QLocale, Qt
 from PySide6.QtWidgets import QApplication, QDialogButtonBox, QPushButton, QVBoxLayout, QWidget
 from pytestqt.qtbot import QtBot
 
+from tests.support.catalogs import in_language
 from tests.support.keyboard import check_keyboard
 from tests.support.scripts import load_script
 from trex_gui.core.resource_files import resource
@@ -200,6 +201,14 @@ def test_language_is_one_translation_file(
         qapp.removeTranslator(translator)
     monkeypatch.undo()
     install_translations(qapp, ENGLISH)
+
+
+@pytest.mark.parametrize("code", ["ar_EG", "fa_IR", "he_IL", "es_ES"])
+def test_english_window_has_english_layout_and_numbers(qapp: QApplication, code: str) -> None:
+    with in_language(qapp, QLocale(code)):
+        assert qapp.layoutDirection() is Qt.LayoutDirection.LeftToRight
+        assert QLocale().toString(-61) == "-61"
+        assert QCoreApplication.translate("QPlatformTheme", "Cancel") == "Cancel"
 
 
 @pytest.mark.parametrize(("count", "text"), [(1, "1 setting"), (2, "2 settings")])

@@ -55,23 +55,25 @@ def chosen_locale() -> QLocale:
 def install_translations(app: QApplication, locale: QLocale) -> list[QTranslator]:
     """Use the plural forms of English and the language of `locale`, as far as they are there.
 
-    Numbers and dates follow. Texts that were made before stay as they are. Remove what is returned
-    before another language is installed.
+    Numbers, dates and the direction of the layout follow the language that is shown. Texts that
+    were made before stay as they are. Remove what is returned before another language is installed.
     """
     folder = str(resource("translations"))
-    wanted: list[tuple[QTranslator, QLocale, str, str]] = [
-        (_Catalog(app), ENGLISH, "trex_gui", folder)
-    ]
-    if locale.language() != ENGLISH.language():
+    english, catalog, of_qt = _Catalog(app), _Catalog(app), QTranslator(app)
+    english.load(ENGLISH, "trex_gui", "_", folder)
+    installed: list[QTranslator] = [english]
+    shown = ENGLISH
+    if locale.language() != ENGLISH.language() and catalog.load(locale, "trex_gui", "_", folder):
+        shown = QLocale(catalog.language())
         qt_folder = QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)
-        wanted.append((QTranslator(app), locale, "qtbase", qt_folder))  # the buttons of dialogs
-        wanted.append((_Catalog(app), locale, "trex_gui", folder))
-    installed = [one for one, language, name, at in wanted if one.load(language, name, "_", at)]
+        of_qt.load(shown, "qtbase", "_", qt_folder)  # the buttons of dialogs
+        installed += [of_qt, catalog]
     for translator in installed:
         app.installTranslator(translator)
-    is_translated = locale.language() == ENGLISH.language() or wanted[-1][0] in installed
-    formats = locale if is_translated else ENGLISH
+    is_shown = (locale.language(), locale.zeroDigit()) == (shown.language(), shown.zeroDigit())
+    formats = locale if is_shown else shown
     QLocale.setDefault(formats)
+    app.setLayoutDirection(shown.textDirection())
     use_translations(partial(QCoreApplication.translate, CONTEXT), formats.decimalPoint())
     return installed
 

@@ -8,7 +8,7 @@ from PySide6.QtGui import QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.ui.theme.theme import follow_theme, theme
-from trex_gui.ui.widgets.accessible import Spoken
+from trex_gui.ui.widgets.painted import Painted, Painter
 
 _GAP = 12  # characters between the boxes
 _LEAST_BOX = 11
@@ -27,7 +27,7 @@ class Wiring:
     adapter: str = ""  # name of what the board is wired to, if it is no adapter
 
 
-class WiringSketch(QWidget, Spoken):
+class WiringSketch(Painted):
     """The wires between an adapter and the board."""
 
     def __init__(self, wiring: Wiring, name: str, parent: QWidget | None = None) -> None:
@@ -57,7 +57,7 @@ class WiringSketch(QWidget, Spoken):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
-        painter = QPainter(self)
+        painter = Painter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         line = self.fontMetrics().height()
         box = QRectF(0.5, 1.5 * line, self._box_width(), 6 * line)

@@ -16,6 +16,7 @@ from trex_gui.ui.plotting.history import Floats
 from trex_gui.ui.theme.theme import scaled_font, theme
 from trex_gui.ui.widgets.behaviour import strokes
 from trex_gui.ui.widgets.builders import column
+from trex_gui.ui.widgets.painted import never_mirror
 
 _LABEL_MARGIN = 60  # pixels that a label may extend beyond the end of its axis
 _ZOOM = 0.8  # how much less is shown after one notch of the wheel
@@ -150,6 +151,8 @@ class PlotCanvas(QWidget):
         self._box.canvas = self
         self._box.disableAutoRange()
         self._plot = pg.PlotWidget(self, background=None, viewBox=self._box)
+        for part in (self, self._plot.plotItem):
+            never_mirror(part)
         self.viewport: QWidget = self._plot.viewport()
         for part in (self._plot, self.viewport):
             part.setAccessibleName(name)

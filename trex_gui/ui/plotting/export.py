@@ -33,6 +33,7 @@ from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.builders import action
+from trex_gui.ui.widgets.painted import Painter
 from trex_gui.ui.workers.file_worker import FileSaver, ProgressCallback
 
 _LIGHT = "export/light_background"
@@ -212,7 +213,7 @@ def with_heading(picture: QImage, heading: str) -> QImage:
     image = QImage((QSize(size.width(), size.height() + _HEADING_HEIGHT) * ratio), picture.format())
     image.setDevicePixelRatio(ratio)
     image.fill(theme().color("window"))
-    with QPainter(image) as painter:
+    with Painter(image) as painter:
         _paint_heading(painter, heading)
         painter.drawImage(QPoint(0, _HEADING_HEIGHT), picture)
     return image
@@ -236,7 +237,7 @@ def draw_picture(
         if not as_svg:
             image = QImage(SIZE * _SCALE, QImage.Format.Format_RGB32)
             image.setDevicePixelRatio(_SCALE)
-            with QPainter(image) as painter:
+            with Painter(image) as painter:
                 _paint(painter, plot, heading, _LINE_WIDTH * _SCALE)
             return image
         buffer = QBuffer()
@@ -245,7 +246,7 @@ def draw_picture(
         generator.setSize(SIZE)
         generator.setViewBox(QRectF(0, 0, SIZE.width(), SIZE.height()))
         generator.setTitle(heading)
-        with QPainter(generator) as painter:
+        with Painter(generator) as painter:
             _paint(painter, plot, heading, _LINE_WIDTH)
         return bytes(buffer.data().data())
 

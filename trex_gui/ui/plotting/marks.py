@@ -13,9 +13,9 @@ from trex_gui.ui.plotting.axes import clock_text, spread
 from trex_gui.ui.plotting.history import Statistics
 from trex_gui.ui.plotting.traces import TraceInfo, Traces
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.accessible import Spoken
 from trex_gui.ui.widgets.bar import MINUS, NO_VALUE
 from trex_gui.ui.widgets.builders import plain
+from trex_gui.ui.widgets.painted import Painted, Painter
 
 EVENT_COLORS: dict[EventKind, str] = {
     EventKind.APPLY: "dirty",
@@ -58,7 +58,7 @@ def charge_text(found: Statistics) -> str:
     return text.replace("-", MINUS)
 
 
-class EventMarks(QWidget, Spoken):
+class EventMarks(Painted):
     """The strip above the plot with a word for each event; the tool tip has all of it."""
 
     chosen = Signal(object)  # the `Event` that was clicked
@@ -94,7 +94,7 @@ class EventMarks(QWidget, Spoken):
         widths = [metrics.horizontalAdvance(word) + 4.0 for word in words]
         lefts = _left_ends([x for x, _ in self.marks], widths, self.width())
         hidden = len(words) - len(lefts)
-        with QPainter(self) as painter:
+        with Painter(self) as painter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             for row, left in enumerate(lefts, hidden):
                 x, marked = self.marks[row]
@@ -131,7 +131,7 @@ def _left_ends(centres: Sequence[float], widths: Sequence[float], room: float) -
     return []
 
 
-class CurveTags(QWidget, Spoken):
+class CurveTags(Painted):
     """The strip right of the plot with the tag of each curve at its newest value."""
 
     def __init__(self, parent: QWidget) -> None:
@@ -166,7 +166,7 @@ class CurveTags(QWidget, Spoken):
         if centres is None:
             return
         color = theme().color
-        with QPainter(self) as painter:
+        with Painter(self) as painter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             for (_, name), centre in zip(ends, centres, strict=True):
                 box = QRectF(1, centre - height / 2, self.width() - 2, height)

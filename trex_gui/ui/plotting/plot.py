@@ -24,10 +24,10 @@ from trex_gui.ui.plotting.marks import (
     Readout,
 )
 from trex_gui.ui.plotting.traces import TraceInfo, Traces
-from trex_gui.ui.widgets.accessible import Spoken
 from trex_gui.ui.widgets.bar import MINUS
 from trex_gui.ui.widgets.builders import column, named
 from trex_gui.ui.widgets.labels import Muted
+from trex_gui.ui.widgets.painted import Painted
 
 BINS = 500  # parts of the width that get two points each
 _PAN = 0.25
@@ -38,7 +38,7 @@ _NEAR_MARK = 6  # pixels
 FloatsT = TypeVar("FloatsT", float, Floats)
 
 
-class TracePlot(QWidget, Spoken):
+class TracePlot(Painted):
     """Curves on up to two axes, limits, events, a cursor and a mark.
 
     Curves of the source's first unit are on the left axis, all others on the right one, drawn in

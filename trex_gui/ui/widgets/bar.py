@@ -19,7 +19,8 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from trex_gui.ui.theme.theme import scaled_font, theme
-from trex_gui.ui.widgets.accessible import Spoken, SpokenRange
+from trex_gui.ui.widgets.accessible import SpokenRange
+from trex_gui.ui.widgets.painted import Painted, Painter
 
 NO_VALUE = "\N{EN DASH}"
 MINUS = "\N{MINUS SIGN}"
@@ -70,7 +71,7 @@ class Marks(NamedTuple):
     muted: QColor
 
 
-class Bar(QWidget, Spoken):
+class Bar(Painted):
     """A horizontal bar that is grey without a connection and hatched without a signal.
 
     What changes seldom is painted into a pixmap; a new value costs a copy of it, a rectangle,
@@ -230,7 +231,7 @@ class Bar(QWidget, Spoken):
         if key != self._static_key:
             self._static = self._draw_static(track)
             self._static_key = key
-        with QPainter(self) as painter:
+        with Painter(self) as painter:
             painter.drawPixmap(0, 0, self._static)
             if self.state is BarState.LIVE:
                 self._paint_live(painter, track)
@@ -243,7 +244,7 @@ class Bar(QWidget, Spoken):
         pixmap.fill(Qt.GlobalColor.transparent)
         color = theme().color
         live = self.state is BarState.LIVE
-        with QPainter(pixmap) as painter:
+        with Painter(pixmap) as painter:
             painter.fillRect(track, color("track" if live else "track_off"))
             if self.state is BarState.NO_SIGNAL:
                 self._paint_hatch(painter, track)

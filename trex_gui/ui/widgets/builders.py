@@ -21,6 +21,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractItemView,
+    QAbstractSpinBox,
     QApplication,
     QBoxLayout,
     QCheckBox,
@@ -36,6 +37,7 @@ from PySide6.QtWidgets import (
     QPushButton,
     QRadioButton,
     QSizePolicy,
+    QSlider,
     QSpinBox,
     QSplitter,
     QTableView,
@@ -50,6 +52,7 @@ from trex_gui.ui.theme.style import use_theme_style
 from trex_gui.ui.theme.theme import follow_theme, theme, tint
 from trex_gui.ui.units import units
 from trex_gui.ui.widgets.behaviour import clear_corner, name_headers
+from trex_gui.ui.widgets.painted import never_mirror
 
 
 class GroupBox(QGroupBox):
@@ -166,6 +169,8 @@ def no_mnemonic(text: str) -> str:
 def named(widget: WidgetT, name: str, *, accessible: str = "", tip: str = "") -> WidgetT:
     """Give a widget its object name, accessible name and tool tip; return it."""
     widget.setObjectName(name)
+    if isinstance(widget, QAbstractSpinBox | QSlider):
+        never_mirror(widget)
     if accessible:
         widget.setAccessibleName(accessible)
     if tip:

@@ -14,6 +14,7 @@ from trex_gui.ui.theme.icons import set_sign
 from trex_gui.ui.theme.theme import follow_theme, set_text_color, theme
 from trex_gui.ui.widgets.accessible import Spoken
 from trex_gui.ui.widgets.builders import plain
+from trex_gui.ui.widgets.painted import never_mirror
 
 _SIGN_ROOM = 2  # pixels beyond the height of a line
 
@@ -148,6 +149,7 @@ class LiveLabel(QLabel, Spoken):
     def __init__(self, name: str, accessible: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setTextFormat(Qt.TextFormat.PlainText)
+        never_mirror(self)
         self.setObjectName(name)
         self.setAccessibleName(accessible)
 

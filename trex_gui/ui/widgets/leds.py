@@ -8,8 +8,8 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.accessible import Spoken
 from trex_gui.ui.widgets.builders import label, plain, row
+from trex_gui.ui.widgets.painted import Painted
 
 _FRAME_MS = 40
 _FAST = 8.0  # flashes a second of a fast flash
@@ -33,7 +33,7 @@ def is_lit(pattern: str, seconds: float, *, second: bool = False) -> bool:
     return (phase < 0.5) is not (second and found[1] == "alternate")
 
 
-class Lamp(QWidget, Spoken):
+class Lamp(Painted):
     """One LED; `color` is a name of the theme."""
 
     def __init__(self, color: str, parent: QWidget | None = None) -> None:

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QLabel, QSlider, QStyle, QStyleOptionSlider, QWidg
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.accessible import Spoken, SpokenRange
 from trex_gui.ui.widgets.behaviour import PressMonitor
+from trex_gui.ui.widgets.painted import Painter, never_mirror
 
 
 class PaintedSlider(QSlider, Spoken):
@@ -24,6 +25,7 @@ class PaintedSlider(QSlider, Spoken):
 
     def __init__(self, lowest: int, highest: int, parent: QWidget | None = None) -> None:
         super().__init__(Qt.Orientation.Horizontal, parent)
+        never_mirror(self)
         self.setRange(lowest, highest)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         theme().changed.connect(self.update)
@@ -57,7 +59,7 @@ class PaintedSlider(QSlider, Spoken):
         slider, part = QStyle.ComplexControl.CC_Slider, QStyle.SubControl.SC_SliderHandle
         handle = self.style().subControlRect(slider, option, part, self)
         option.subControls = part
-        with QPainter(self) as painter:
+        with Painter(self) as painter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             self.paint_groove(painter, handle)
             self.style().drawComplexControl(slider, option, painter, self)

@@ -18,10 +18,11 @@ from trex_gui.ui.devices.demo_panel import (
     cable_rows,
 )
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.accessible import Spoken, SpokenRange
+from trex_gui.ui.widgets.accessible import SpokenRange
 from trex_gui.ui.widgets.builders import button, label, named, plain, row
 from trex_gui.ui.widgets.labels import LiveLabel
 from trex_gui.ui.widgets.leds import Lamp
+from trex_gui.ui.widgets.painted import Painted, Painter
 
 RobotRows = Rows[RobotSnapshot]
 
@@ -217,7 +218,7 @@ def _cable_rows(robot: DemoRobot, columns: Columns, parent: QWidget) -> RobotRow
     return cable_rows(robot, "aracnaDemo", columns, texts, cause=robot.lose, parent=parent)
 
 
-class ServoGauge(QWidget, Spoken):
+class ServoGauge(Painted):
     """A disc at the position, a line at the goal; the disc is hollow without torque."""
 
     spoken_role = QAccessible.Role.ProgressBar
@@ -255,7 +256,7 @@ class ServoGauge(QWidget, Spoken):
         position, goal, holds = self._shown
         enabled = self.isEnabled()
         middle = self.height() / 2
-        with QPainter(self) as painter:
+        with Painter(self) as painter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             painter.setPen(QPen(color("track_edge")))
             painter.setBrush(color("track" if enabled else "track_off"))

@@ -24,6 +24,7 @@ from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.units import units
 from trex_gui.ui.widgets.builders import plain
+from trex_gui.ui.widgets.painted import never_mirror
 
 BARE = re.compile(rf"\s*{DECIMAL}\s*")
 """A number without a unit."""
@@ -42,6 +43,7 @@ class UnitSpinBox(QSpinBox):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        never_mirror(self)
         self.own_first = units().own_first  # as the text says, which follows a change of units
         self.setKeyboardTracking(False)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)

@@ -9,15 +9,15 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.accessible import Spoken
 from trex_gui.ui.widgets.behaviour import strokes
+from trex_gui.ui.widgets.painted import Painted, Painter
 
 STRIP_SECONDS = 10.0
 _MAX_GAP = 0.5  # seconds without a sample that interrupt the line
 _MARGIN = 0.03  # of the height, above and below: lines at the ends of the axis remain visible
 
 
-class InputStrip(QWidget, Spoken):
+class InputStrip(Painted):
     """Draws raw counts upwards and time to the right, where the newest sample is.
 
     Qt keeps the points: a frame adds the new samples and costs a twentieth of a millisecond.
@@ -84,7 +84,7 @@ class InputStrip(QWidget, Spoken):
         del event
         color = theme().color
         box = QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5)
-        with QPainter(self) as painter:
+        with Painter(self) as painter:
             painter.fillRect(box, color("plot_background" if self.lines else "track_off"))
             if self.lines:
                 painter.setClipRect(box)

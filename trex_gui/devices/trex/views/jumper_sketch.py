@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from trex_gui.ui.theme.theme import follow_theme, theme
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.accessible import Spoken
+from trex_gui.ui.widgets.painted import Painted, Painter
 
 _PIN = 2.5  # radius of a pin, in pixels
 _BOARD_WIDTH = 25  # characters
@@ -35,7 +35,7 @@ class JumperPlaces:
     next_one: str = ""
 
 
-class JumperSketch(QWidget, Spoken):
+class JumperSketch(Painted):
     """The mode, mix and SO–G jumpers, schematically, of boards side by side."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -94,7 +94,7 @@ class JumperSketch(QWidget, Spoken):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
-        with QPainter(self) as painter:
+        with Painter(self) as painter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             line, boards = self.fontMetrics().height(), max(len(self._boards), 1)
             width = (self.width() - (boards - 1) * line) / boards

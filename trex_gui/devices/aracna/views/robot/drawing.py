@@ -17,8 +17,8 @@ from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.model.texts import position_text, spoken_joint
 from trex_gui.devices.aracna.protocol.joints import JOINTS, Side, degrees
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.accessible import Spoken
 from trex_gui.ui.widgets.builders import plain
+from trex_gui.ui.widgets.painted import Painted, Painter
 
 _OUTWARD = {
     Side.RIGHT_FRONT: 45.0,
@@ -73,7 +73,7 @@ def _along(start: Point, angle: float, length: float) -> Point:
     return start[0] + length * math.cos(turn), start[1] - length * math.sin(turn)
 
 
-class RobotDrawing(QWidget, Spoken):
+class RobotDrawing(Painted):
     """Shows which joint is which and how it turns; takes no focus."""
 
     pointed = Signal(int)  # the motor whose joint the mouse points at; -1 for none
@@ -177,7 +177,7 @@ class RobotDrawing(QWidget, Spoken):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
-        with QPainter(self) as painter:
+        with Painter(self) as painter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             solid = self._solid()
             self._paint_body(painter)

@@ -15,10 +15,10 @@ from trex_gui.devices.trex.bench.run import Profile, Run
 from trex_gui.ui.plotting.axes import count_labels, round_up, ticks, value_labels
 from trex_gui.ui.plotting.canvas import PlotCanvas
 from trex_gui.ui.plotting.history import Floats
-from trex_gui.ui.widgets.accessible import Spoken
 from trex_gui.ui.widgets.bar import MINUS, NO_VALUE
 from trex_gui.ui.widgets.builders import column, label, row
 from trex_gui.ui.widgets.labels import LegendKey
+from trex_gui.ui.widgets.painted import Painted
 
 _SPEED_REACH = 134.0
 _AFTER = 0.6
@@ -31,7 +31,7 @@ _MAX_SECONDS_LABELS = 8
 _MAX_CURRENT_LABELS = 4
 
 
-class BenchPlot(QWidget, Spoken):
+class BenchPlot(Painted):
     """A test, the one it is compared with, and the profile of the next one."""
 
     spoken_role = QAccessible.Role.Chart

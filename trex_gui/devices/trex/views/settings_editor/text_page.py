@@ -24,6 +24,7 @@ from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsP
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import fixed_font, follow_theme, theme
 from trex_gui.ui.widgets.builders import button, column, label, named, row, splitter
+from trex_gui.ui.widgets.painted import Painter
 
 _MARGIN = 6
 
@@ -285,4 +286,4 @@ class _Numbers(QWidget):
         self.setAccessibleName(self.tr("Line numbers"))
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        self._text.paint_numbers(QPainter(self), event.rect())
+        self._text.paint_numbers(Painter(self), event.rect())

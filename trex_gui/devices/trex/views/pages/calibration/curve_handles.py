@@ -158,6 +158,7 @@ class HandleLayer(QGraphicsObject):
         if not self._places:
             return
         painter.setFont(self._font)
+        painter.setLayoutDirection(Qt.LayoutDirection.LeftToRight)
         self._paint_threshold(painter)
         for handle in (*_EDGES, *_MAIN):
             self._paint_handle(painter, handle)

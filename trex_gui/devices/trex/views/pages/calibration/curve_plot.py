@@ -20,9 +20,9 @@ from trex_gui.ui.plotting.axes import Labels, count_labels
 from trex_gui.ui.plotting.canvas import PlotCanvas
 from trex_gui.ui.plotting.history import Floats
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.accessible import Spoken
 from trex_gui.ui.widgets.bar import MINUS
 from trex_gui.ui.widgets.builders import column
+from trex_gui.ui.widgets.painted import Painted
 
 TRACE_SECONDS = 10.0
 
@@ -37,7 +37,7 @@ _ROOM = {InputSource.RC: 125, InputSource.ANALOG: 0}
 """Counts beyond a handle that the axis shows, to drag it on."""
 
 
-class CurvePlot(QWidget, Spoken):
+class CurvePlot(Painted):
     """Shows the output of a channel for each input, with handles to drag its calibration.
 
     The stored curve remains visible, dashed, below the edited one.

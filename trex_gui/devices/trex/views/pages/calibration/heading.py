@@ -14,9 +14,9 @@ from trex_gui.devices.trex.settings.board_records import Known
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.style import use_theme_style
 from trex_gui.ui.theme.theme import follow_theme
-from trex_gui.ui.widgets.accessible import Spoken
 from trex_gui.ui.widgets.builders import button, column, label, named, plain, row
 from trex_gui.ui.widgets.labels import ElidedLabel, LegendKey, Note
+from trex_gui.ui.widgets.painted import Painted
 
 _KEY = ParameterKey.CHANNEL_INPUT_SOURCE
 _AROUND_TEXT = 30  # pixels of a row of the list: frame, margins and icon
@@ -228,7 +228,7 @@ class OtherSource(QWidget):
         self._cycle.setEnabled(self._device.is_connected)
 
 
-class CurveLegend(QWidget, Spoken):
+class CurveLegend(Painted):
     """One row: the live dot with its value, the curve, and the stored one while it differs."""
 
     spoken_role = QAccessible.Role.Grouping

@@ -18,8 +18,8 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from trex_gui.core.translation import Number
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.ui.theme.theme import scaled_font, theme
-from trex_gui.ui.widgets.accessible import Spoken
 from trex_gui.ui.widgets.behaviour import PressMonitor
+from trex_gui.ui.widgets.painted import Painted, Painter
 
 _STRAIGHT = 0.06
 """Share of the travel within which a direction counts as zero."""
@@ -31,7 +31,7 @@ _LARGEST_SHARE = 0.4
 """Share of its parent's width that it takes at most."""
 
 
-class DrivePad(QWidget, Spoken):
+class DrivePad(Painted):
     """Steers while a mouse button or a finger is down in it.
 
     The hold ends when the button or finger goes up, anywhere, and when `PressMonitor` reports a
@@ -199,7 +199,7 @@ class DrivePad(QWidget, Spoken):
         frame = field.adjusted(-border, -border, border, border)
         color = theme().color
         active = self.isEnabled()
-        with QPainter(self) as painter:
+        with Painter(self) as painter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             focus = self.hasFocus() and active
             painter.setPen(QPen(color("highlight" if focus else "track_edge"), 2 if focus else 1))

@@ -1,0 +1,104 @@
+"""In a right-to-left language left and right of robots, values and axes stay where they are."""
+
+from collections.abc import Callable, Iterator
+from functools import partial
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QImage
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QSlider, QWidget
+from pytestqt.qtbot import QtBot
+
+from tests.support.window import LEFT, WidgetDriver, WindowDriver
+from trex_gui.devices.aracna.views.robot.joint_widgets import JointSlider
+from trex_gui.devices.trex.views.bars import OutputBar
+from trex_gui.devices.trex.views.pages.motors.drive_control import SpeedSlider
+from trex_gui.devices.trex.views.pages.motors.drive_pad import DrivePad
+from trex_gui.ui.plotting.canvas import PlotCanvas
+from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.labels import LiveLabel
+from trex_gui.ui.widgets.painted import Painted
+from trex_gui.ui.widgets.sliders import StickSlider
+
+Direction = Qt.LayoutDirection
+
+
+@pytest.fixture
+def _right_to_left(qapp: QApplication) -> Iterator[None]:
+    qapp.setLayoutDirection(Direction.RightToLeft)
+    yield
+    qapp.setLayoutDirection(Direction.LeftToRight)
+
+
+@pytest.mark.usefixtures("_right_to_left")
+def test_window_mirrors_no_painted_widget_slider_or_number(window: WindowDriver) -> None:
+    assert window.root.layoutDirection() is Direction.RightToLeft
+    kinds = Painted, LiveLabel, QSlider, QAbstractSpinBox
+    widgets = [widget for widget in window.find_all(QWidget) if isinstance(widget, kinds)]
+    assert len(widgets) > 50
+    mirrored = [one for one in widgets if one.layoutDirection() is not Direction.LeftToRight]
+    assert not mirrored
+
+
+def picture(make: Callable[[QWidget], QWidget], direction: Direction) -> QImage:
+    QApplication.setLayoutDirection(direction)
+    parent = QWidget()
+    widget = make(parent)
+    widget.resize(300, 200)
+    return widget.grab().toImage()
+
+
+def plot(parent: QWidget) -> QWidget:
+    canvas = PlotCanvas("plot", parent)
+    canvas.set_margins(left="\N{MINUS SIGN}127", top=9, right=9, x_axis=True)
+    labels = [(-100.0, "−100"), (0.0, "0")]
+    canvas.set_axes((-100, 0), (-100, 0), labels, labels)
+    return canvas
+
+
+def output(parent: QWidget) -> QWidget:
+    bar = OutputBar(parent)
+    bar.set_connected(True)
+    bar.set_value(-61)
+    return bar
+
+
+def entry(parent: QWidget) -> QWidget:
+    return ui.spin_box(parent, "entry", "", -127, 127, value=-61)
+
+
+@pytest.mark.usefixtures("_right_to_left")
+@pytest.mark.parametrize(
+    "make",
+    [
+        *(DrivePad, partial(SpeedSlider, 0), JointSlider, output, plot),
+        *(partial(StickSlider, 0, 100, 20, "bar"), entry),
+    ],
+)
+def test_picture_is_the_same_in_both_directions(
+    make: Callable[[QWidget], QWidget],
+) -> None:
+    mirrored = picture(make, Direction.RightToLeft)
+    assert picture(make, Direction.LeftToRight) == mirrored
+
+
+@pytest.mark.usefixtures("_right_to_left")
+@pytest.mark.parametrize("x", [20, 230])
+def test_same_place_is_the_same_setpoint(qtbot: QtBot, x: int) -> None:
+    slider, pad = SpeedSlider(0), DrivePad()
+    turns = []
+    pad.steered.connect(lambda _forward, turn: turns.append(turn))
+    for widget in (slider, pad):
+        qtbot.addWidget(widget)
+        widget.resize(250, 250)
+        widget.show()
+        y = WidgetDriver(slider, qtbot).handle_of(slider).y()
+        QTest.mousePress(widget, LEFT, pos=QPoint(5, y))  # on the handle at 0
+        QTest.mouseMove(widget, QPoint(x, y))
+        QTest.mouseRelease(widget, LEFT, pos=QPoint(x, y))
+    before = slider.value()
+    assert (before > 63) is (x > 125)
+    QTest.keyClick(slider, Qt.Key.Key_Right)
+    assert slider.value() == before + 1
+    assert (turns[1] > 0) is (x > 125)
