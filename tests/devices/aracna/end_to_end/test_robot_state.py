@@ -92,7 +92,9 @@ def test_motion_is_shown_as_continuing_after_disconnect(connected_window: RobotW
     window.drag("aracnaSlider0", 100)
     window.click("aracnaMoveButton")
     window.wait(lambda: robot.remaining() > 1)
+    window.click("aracnaLiveBox")
     window.press_disconnect()
+    assert not window.button("aracnaLiveBox").isChecked(), "chosen anew for each robot"
     assert "The motion continues by itself for about" in window.text("aracnaMotionLabel")
     assert "by itself" in window.text("aracnaMotionLabel")
     window.wait(lambda: window.text("aracnaMotionLabel") == "No robot is connected.")

@@ -54,6 +54,7 @@ class Gamepad(QObject):
         self._unattended = ""
         self._timer = new_timer(self, STEP_MS, self._on_step)
         self._motors.arming_changed.connect(self._on_arming_changed)
+        self._motors.board_changed.connect(self.switch_off)
         self.destroyed.connect(source.close)
 
     @property
@@ -83,6 +84,7 @@ class Gamepad(QObject):
             self._look()
         self._refresh()
 
+    @Slot()
     def switch_off(self) -> None:
         """Read none any more; motors that one drives stop."""
         self.failure = ""

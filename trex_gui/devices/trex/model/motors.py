@@ -54,6 +54,7 @@ class Motors(QObject):
         arming_changed: `armed` or `stop_reason`.
         setpoints_changed: what `drive`, `auxiliary` and `text` return.
         options_changed: `board`, `ceiling`, `linked` or `release_brake`.
+        board_changed: another board, for which inputs that drive have to be switched on anew.
         lockout_changed: `locked_for` began, passed another second, or ended.
         requested: a `SetMotor`, a `SetAuxiliary`, or a `SetMotors` if both motors start at once.
         stop_requested: everything has to stop now; emitted before any other signal of a stop.
@@ -82,6 +83,7 @@ class Motors(QObject):
     setpoints_changed = Signal()
     holder_changed = Signal()
     options_changed = Signal()
+    board_changed = Signal()
     lockout_changed = Signal()
     requested = Signal(object)
     stop_requested = Signal()
@@ -131,9 +133,9 @@ class Motors(QObject):
     # --- Options ------------------------------------------------------------------------
 
     def take_board(self, board: str, *, is_renamed: bool = False) -> None:
-        """Use the ceiling that was chosen for a board, else `FIRST_CEILING`.
+        """Use the ceiling that was chosen for a board, else `FIRST_CEILING`, and unlink motors.
 
-        One that is only renamed keeps its ceiling, whatever was chosen for a board of that name.
+        One that is only renamed keeps both, whatever was chosen for a board of that name.
         """
         board = "-".join(filter(None, (board, self.adapter)))
         if board == self.board:
@@ -145,6 +147,8 @@ class Motors(QObject):
             return
         chosen = self._store.integer(self._ceiling_key, 0, 0, FULL_SCALE)
         self.is_first_drive = not chosen
+        self.linked = False
+        self.board_changed.emit()
         self._limit_to(chosen or FIRST_CEILING)
 
     def set_ceiling(self, speed: int) -> None:

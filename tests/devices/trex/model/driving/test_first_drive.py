@@ -3,17 +3,21 @@
 from itertools import pairwise
 
 import pytest
+from PySide6.QtWidgets import QCheckBox
 from pytestqt.qtbot import QtBot
 
+from tests.support.pads import PAD, HeldPads
 from tests.support.simulator import StartSimulator
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.devices.trex.driving.requests import SetMotor, SetpointRequest, setpoints_in
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.gamepad import Gamepad
 from trex_gui.devices.trex.model.momentary_drive import GROWTH, MomentaryDrive
 from trex_gui.devices.trex.model.motors import FIRST_CEILING, Motors
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.driving import Drive
+from trex_gui.devices.trex.views.pages.motors.options import Options
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import now
 
@@ -102,6 +106,28 @@ def test_ceiling_falls_back_when_another_board_takes_over(qtbot: QtBot) -> None:
     motors.take_board("one")
     motors.take_board("another")
     assert motors.ceiling == FULL_SCALE
+
+
+def test_inputs_that_drive_are_switched_off_for_another_board(qtbot: QtBot) -> None:
+    device = Device()
+    motors, gamepad = device.motors, Gamepad(device, HeldPads(PAD))
+    options = Options(motors)
+    qtbot.addWidget(options)
+    keys = options.findChild(QCheckBox, "driveWithKeys")
+    assert keys is not None
+
+    def states() -> tuple[bool, bool, bool]:
+        return keys.isChecked(), gamepad.on, motors.linked
+
+    motors.take_board("demo")
+    keys.setChecked(True)
+    gamepad.switch_on()
+    motors.set_linked(True)
+    motors.take_board("demo")
+    motors.take_board("demo, renumbered", is_renamed=True)
+    assert states() == (True, True, True)
+    motors.take_board("real")
+    assert states() == (False, False, False)
 
 
 def test_boards_alike_on_different_adapters_have_their_own_ceilings(qtbot: QtBot) -> None:

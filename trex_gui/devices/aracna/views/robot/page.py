@@ -215,6 +215,7 @@ class Controls(QWidget):
         table.released.connect(robot.end_drag)
         self._speed.valueChanged.connect(self._on_speed_changed)
         robot.changed.connect(self._on_changed)
+        robot.link_changed.connect(self._on_link_changed)
         robot.limits.changed.connect(self._on_changed)
         self._on_limits_toggled(shown=False)
         self._on_changed()
@@ -223,6 +224,12 @@ class Controls(QWidget):
     def move_now(self) -> None:
         take_typed()
         self._robot.move(self._robot.targets.goals)
+
+    @Slot()
+    def _on_link_changed(self) -> None:
+        """Let dragging move only the robot for which the user switched it on."""
+        if self._robot.link is ConnectionState.DISCONNECTED:
+            self._live.setChecked(False)
 
     @property
     def _is_live(self) -> bool:

@@ -152,7 +152,7 @@ class Options(ui.GroupBox):
             ),
         )
         (accelerate if motors.accelerate else at_once).setChecked(True)
-        keys = ui.check_box(
+        self._keys = ui.check_box(
             self,
             "driveWithKeys",
             self.tr("Drive with arrow &keys or WASD"),
@@ -205,7 +205,7 @@ class Options(ui.GroupBox):
         )
 
         # Without a spacing of its own a column would take that of its row.
-        left = ui.column(accelerate, at_once, keys, self._link, 1, spacing=_SPACING)
+        left = ui.column(accelerate, at_once, self._keys, self._link, 1, spacing=_SPACING)
         right = ui.grid(spacing=(2 * _SPACING, _SPACING), stretch=[(1, 1)])
         for column, widget in enumerate(self._brake.widgets):
             right.addWidget(widget, 0, column)
@@ -219,6 +219,7 @@ class Options(ui.GroupBox):
         accelerate.toggled.connect(partial(setattr, motors, "accelerate"))
         self._lock.chosen.connect(self._on_lock_chosen)
         motors.options_changed.connect(self._on_options_changed)
+        motors.board_changed.connect(self._on_board_changed)
         motors.setpoints_changed.connect(self._show_link)
         self._on_options_changed()
 
@@ -277,3 +278,7 @@ class Options(ui.GroupBox):
         self._brake.set_value(self._motors.release_brake)
         self._lock.show_setpoint(round(self._motors.lockout))
         self._show_link()
+
+    @Slot()
+    def _on_board_changed(self) -> None:
+        self._keys.setChecked(False)
