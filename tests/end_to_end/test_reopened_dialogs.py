@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QDialog, QPushButton
+from PySide6.QtWidgets import QCheckBox, QDialog, QLineEdit, QPushButton
 
 from tests.support.program import trex
 from tests.support.window import WindowDriver
@@ -77,6 +77,21 @@ def test_line_settings_are_used_once_they_are_accepted(window: WindowDriver) -> 
         QTest.keyClick(root, Qt.Key.Key_Return if accepted else Qt.Key.Key_Escape)
         window.wait(lambda: not window.has("lineSettingsDialog"))
         assert controller.settings.device_number == (7 if accepted else None)
+
+
+def test_other_devices_on_the_line_require_an_address(window: WindowDriver) -> None:
+    controller = trex(window.program).controller
+    window.trigger("line")
+    dialog = window.dialog("lineSettingsDialog")
+    field = dialog.find(QLineEdit, "reservedField")
+    QTest.keyClicks(field, "0, 300x")
+    assert field.text() == "0, 30"
+    assert dialog.find(QCheckBox, "addressedBox").isChecked()
+    assert not dialog.is_enabled("addressedBox")
+    QTest.keyClick(dialog.root, Qt.Key.Key_Return)
+    window.wait(lambda: not window.has("lineSettingsDialog"))
+    assert controller.settings.reserved == {0, 30}
+    assert controller.settings.device_number == 7
 
 
 def test_line_settings_follow_what_is_stored_meanwhile(window: WindowDriver) -> None:

@@ -44,8 +44,8 @@ def _ports(chosen: str | None) -> list[str]:
 def list_command(as_json: bool, **options: Any) -> None:
     """List the ports of this computer and the devices on them.
 
-    Never moves a motor. With --port, looks at that port only. A board with other line settings
-    is found by `trexcmd find`. An Aracna has only one setting.
+    Moves no motor of a TReX or Aracna. With --port, looks at that port only. A board with other
+    line settings is found by `trexcmd find`. For other devices on the line give --reserve.
     """
     rows: list[dict[str, Any]] = []
     unreachable = False
@@ -71,6 +71,8 @@ def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
         if answer.product is not None:
             return answer
         texts.append(answer.text)
+        if options["reserve"]:
+            break  # other devices get nothing
     return PortAnswer("; ".join(filter(None, texts)))
 
 
@@ -90,8 +92,8 @@ def find_command(port: str | None, full: bool, extra_timeout: float, as_json: bo
 
     Probes for a TReX at the likely baud rates, then for an Aracna, then for a TReX at every baud
     rate with every parity and with CRC-7, on one port or on all. Prints the options that reach
-    the board. Never moves a motor and changes nothing. A TReX that receives bytes at a wrong rate
-    latches UART errors, and stops its motors if it is set to do so.
+    the board. A TReX or Aracna moves no motor and changes nothing. Other devices on the line may:
+    use `boards --reserve`. A TReX at another rate latches UART errors, and may be set to stop.
     """
     probers = {plugin.key: plugin.prober.load() for plugin in PLUGINS}
     reports = {plugin.key: plugin.port_reports.load() for plugin in PLUGINS}

@@ -317,3 +317,10 @@ def test_library_is_imported_when_it_is_used_and_without_qt() -> None:
         assert getattr(public, name) is not None
     with pytest.raises(AttributeError):
         _ = public.nosuch
+
+
+def test_line_is_shared_with_other_devices_only_with_a_number() -> None:
+    Trex("COM3", device_number=7, reserved=[0, 1])
+    for number in (None, 1):
+        with pytest.raises(BadRequest):
+            Trex("COM3", device_number=number, reserved=[0, 1])

@@ -36,7 +36,7 @@ from trex_gui.core.discovery.prober import (
 from trex_gui.core.errors import BadRequest, PortUnavailable, StudioError
 from trex_gui.core.translation import tr
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
-from trex_gui.core.transport.settings import PortSettings, SerialFormat
+from trex_gui.core.transport.settings import SHARED, PortSettings, SerialFormat
 
 log = logging.getLogger(__name__)
 
@@ -104,14 +104,15 @@ def scan_port(
     opened = next((info.announces_at for info in probers.values() if info.announces_at), FLUSH_LINE)
     running: dict[str, Prober] = {}
     probed = list(probers)
+    is_shared = SHARED in packed
     try:
         wire = open_wire(settings.at(opened))
         try:
-            known = probers.get(first or "") if packed and not full else None
+            known = probers.get(first or "") if packed and (is_shared or not full) else None
             found = known.recall(wire, settings, packed) if known is not None else None
             if found is not None:
                 result.device, result.found = first or "", (found,)
-            if found is not None or only_recall:
+            if found is not None or only_recall or is_shared:
                 return result
             for key, info in probers.items():
                 running[key] = info.begin(settings, full=full, known=key == first)
@@ -127,7 +128,7 @@ def scan_port(
         finally:
             for key in [key for key, prober in running.items() if prober.found]:
                 result.device, result.found = key, running[key].found
-            _release(wire, settings.timeouts.extra, answered=bool(result.found))
+            _release(wire, settings.timeouts.extra, answered=is_shared or bool(result.found))
         if result.found:
             return result
         result.cancelled = result.error is None and cancelled()

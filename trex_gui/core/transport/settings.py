@@ -59,6 +59,9 @@ class SerialFormat:
         return tr("{0} baud, {1}, {2}").format(self.baud, detection, stop_bits)
 
 
+SHARED = " shared:"  # in packed settings: devices of other kinds share the line
+
+
 @dataclass(frozen=True, slots=True)
 class PortSettings:
     """Everything needed to open a port.

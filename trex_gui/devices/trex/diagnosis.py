@@ -69,7 +69,8 @@ def diagnose(
     """
     settings, wire = client.settings, client.transport
     plain = explain(settings, echo=client.echo, error=error)
-    if is_unsteady(error) or not isinstance(error, NoReply | BadReply):
+    probes = not settings.reserved and isinstance(error, NoReply | BadReply)
+    if is_unsteady(error) or not probes:
         return plain
     client.drain()
     prober = TrexProber(settings, plans=_plans(settings, quick=quick))

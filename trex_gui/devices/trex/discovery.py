@@ -45,7 +45,7 @@ def attempts(*, full: bool = False) -> Iterator[Attempt]:
     `full` adds every CRC-7 polynomial but the default, which takes some minutes; ten of them cannot
     be probed safely at two of the rates (`UNSAFE`).
     """
-    rates = sorted(baud_rates(), key=lambda baud: (baud not in _LIKELY, _rank(baud)))
+    rates = [*_LIKELY, *sorted({*baud_rates()} - {*_LIKELY}, reverse=True)]
     for stop_bits in (1, 2):
         for detection in (Detection.NONE, Detection.EVEN, Detection.ODD):
             for baud in rates:
@@ -63,10 +63,6 @@ def attempts(*, full: bool = False) -> Iterator[Attempt]:
         attempt = Attempt(LineSettings(baud, Detection.CRC7, stop_bits), tuple(polynomials))
         if not attempt.is_unsafe:
             yield attempt
-
-
-def _rank(baud: int) -> int:
-    return _LIKELY.index(baud) if baud in _LIKELY else -baud
 
 
 @dataclass(frozen=True, slots=True)
@@ -184,14 +180,15 @@ class TrexProber:
 
     def recall(self, wire: Transport, settings: ConnectionSettings) -> None:
         """Send one probe, for a board that was found at these settings."""
-        attempt = Attempt.at(settings)
+        self._settings, attempt = settings, Attempt.at(settings)
         if not attempt.is_unsafe:
             self._probe(wire, attempt, settings.device_number)
 
     def _probe(self, wire: Transport, attempt: Attempt, number: int | None = None) -> None:
         """Send one probe; `number` addresses one board of several that reply to it."""
         try:
-            flush(wire, self._settings.timeouts.extra)
+            if attempt.number is None:
+                flush(wire, self._settings.timeouts.extra)
             wire.reconfigure(attempt.line)
         except BadRequest:
             self._skipped.append(attempt.line)
@@ -212,11 +209,8 @@ class TrexProber:
         elif reply.kind is ReplyKind.BOOT_LOADER:
             # Noise may look like it once.
             self._is_loader = send_probe(wire, attempt, extra).kind is ReplyKind.BOOT_LOADER
-        elif reply.kind is not ReplyKind.NOTHING and not self._has_noted(attempt.line):
+        elif reply.kind is not ReplyKind.NOTHING and attempt.line not in dict(self._strange):
             self._strange.append((attempt.line, reply.data))
-
-    def _has_noted(self, line: LineSettings) -> bool:
-        return any(noted == line for noted, _ in self._strange)
 
     def _confirm(self, wire: Transport, attempt: Attempt, number: int | None) -> FoundBoard | None:
         """Read more from a board that responded; its line settings are known now."""

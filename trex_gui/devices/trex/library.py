@@ -4,7 +4,7 @@ The line belongs to a session in a thread of its own, as in the window: it polls
 and has a guardian process that stops the motors if the program is killed.
 """
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import count
 from operator import index
@@ -124,6 +124,7 @@ class Trex:
         stop_bits: int = 1,
         device_number: int | None = None,
         polynomial: int = DEFAULT_POLYNOMIAL,
+        reserved: Iterable[int] = (),
         timeout: float = 0.0,
     ) -> None:
         """Describe the line.
@@ -135,6 +136,7 @@ class Trex:
             stop_bits: 1 or 2.
             device_number: 0 to 127 for one board of several; `None` for the compact protocol.
             polynomial: of the CRC-7, 0x80 to 0xFF.
+            reserved: numbers of other devices on the line; needs a `device_number`.
             timeout: seconds added to the deadline of each reply.
         """
         if detection.upper() not in Detection.__members__:
@@ -142,8 +144,9 @@ class Trex:
         line = LineSettings(baud, Detection[detection.upper()], stop_bits)
         line.to_wire()
         self._clock = host().clock
+        others, timeouts = frozenset(reserved), Timeouts(extra=timeout)
         self._settings = ConnectionSettings(
-            url, line, device_number, polynomial, timeouts=Timeouts(extra=timeout)
+            url, line, device_number, polynomial, others, timeouts=timeouts
         )
         _ = self._settings.framing
         self._ids = count(1)

@@ -21,7 +21,7 @@ from trex_gui.core.errors import BadReply
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.protocol.commands import GetSignature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.framing import crc7
+from trex_gui.devices.trex.protocol.framing import Framing, crc7
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 
 QUIET = 0.13
@@ -50,22 +50,23 @@ class Attempt:
 
     line: LineSettings
     polynomials: tuple[int, ...] = ()
+    number: int | None = None  # the board's, where other devices share the line
 
     @classmethod
     def at(cls, settings: ConnectionSettings) -> "Attempt":
         crc = settings.line.detection is Detection.CRC7
-        return cls(settings.line, (settings.polynomial,) if crc else ())
+        number = settings.device_number if settings.reserved else None
+        return cls(settings.line, (settings.polynomial,) if crc else (), number)
 
     @property
     def data(self) -> bytes:
-        if not self.polynomials:
-            return _PROBE
-        return _PROBE + bytes([checksum(self.polynomials[0])])
+        polynomial = self.polynomials[0] if self.polynomials else None
+        return Framing(self.number, polynomial).encode(GetSignature())
 
     @property
     def is_unsafe(self) -> bool:
         """Whether a board at other settings may take the probe for a motor command."""
-        return bool(self.polynomials) and (self.line.baud, self.data[-1]) in UNSAFE
+        return len(self.data) == 2 and (self.line.baud, self.data[-1]) in UNSAFE
 
 
 class ReplyKind(Enum):

@@ -14,7 +14,7 @@ from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.plugin import DevicePlugin
 from trex_gui.core.timing import Timeouts, seconds_left
 from trex_gui.core.transport.serial_port import Transport
-from trex_gui.core.transport.settings import PortSettings
+from trex_gui.core.transport.settings import SHARED, PortSettings
 from trex_gui.core.transport.traffic import TrafficLog, logged
 from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.devices.simulator import Simulator
@@ -124,6 +124,7 @@ class DeviceScanner(QObject):
         self._timeouts = timeouts or Timeouts()
         self._simulators: dict[str, Simulator] = {}
         self._logs: list[TrafficLog] = []
+        self.line = ("", "")  # kind and packed settings of the next connection
         self._worker: ScanWorker | None = None
         self._ports: tuple[Port, ...] = ()
         # Of the ports that were scanned so far, in their order.
@@ -234,7 +235,9 @@ class DeviceScanner(QObject):
         }
         if not is_demo:
             settings = PortSettings(port.url, timeouts=self._timeouts)
-            return ScanJob(settings, probers, port.device, port.settings)
+            is_shared = SHARED in self.line[1] and not self._only_recall
+            reach = self.line if is_shared else (port.device, port.settings)
+            return ScanJob(settings, probers, *reach)
         simulator = self._simulators[port.device]
         settings = PortSettings(simulator.url, name=simulator.label, timeouts=self._timeouts)
         return ScanJob(settings, probers)
@@ -263,7 +266,9 @@ class DeviceScanner(QObject):
             )
         elif not search.cancelled and not self._only_recall:
             command = search.error.command if isinstance(search.error, PortUnavailable) else ""
-            self.findings += (ScanFinding(port, "\n\n".join(search.lines), command=command),)
+            text = self.tr("No reply on {0}. Other devices share the line: nothing else was tried.")
+            lines = search.lines or [text.format(_name(port))]
+            self.findings += (ScanFinding(port, "\n\n".join(lines), command=command),)
         self.changed.emit()
 
     def _sentence(self, found: FoundDevice) -> str:

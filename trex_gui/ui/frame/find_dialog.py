@@ -122,9 +122,10 @@ class FindDialog(ReusedDialog):
         intro = _text(
             self.tr(
                 "Probes each port for a supported device: each kind at its likely settings, then "
-                "at every baud rate, with every parity and with CRC. Probing never moves a motor "
-                "or changes a setting. A TReX that receives probes at another rate counts UART "
-                "errors, and stops its motors if it is set to do so."
+                "at every baud rate, with every parity and with CRC. A TReX or Aracna moves no "
+                "motor and changes no setting. Other devices on the line may: enter their numbers "
+                "in the line settings first. A TReX that receives probes at another rate counts "
+                "UART errors, and stops its motors if it is set to do so."
             ),
             self,
         )

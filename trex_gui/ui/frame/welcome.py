@@ -54,7 +54,7 @@ class Welcome(QWidget):
                     find,
                     self.tr(
                         "The board is wired, but you do not know its port or its serial settings. "
-                        "The search moves no motor."
+                        "The search moves no motor of a TReX."
                     ),
                 ),
                 (

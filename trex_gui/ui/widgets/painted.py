@@ -6,23 +6,18 @@ from PySide6.QtWidgets import QGraphicsWidget, QWidget
 
 from trex_gui.ui.widgets.accessible import Spoken
 
-_DIRECTION = Qt.LayoutDirection.LeftToRight
 
-
-def never_mirror(widget: QWidget | QGraphicsWidget) -> None:
+def never_mirror(target: QWidget | QGraphicsWidget | QPainter) -> None:
     """Keep the ends of a slider, and the sign before a number."""
-    widget.setLayoutDirection(_DIRECTION)
+    target.setLayoutDirection(Qt.LayoutDirection.LeftToRight)
 
 
 class Painter(QPainter):
-    """Painter whose text runs from left to right.
-
-    The direction of `QPainter` is that of the application, not of the widget.
-    """
+    """Painter that does not follow the direction of the application."""
 
     def __init__(self, device: QPaintDevice) -> None:
         super().__init__(device)
-        self.setLayoutDirection(_DIRECTION)
+        never_mirror(self)
 
 
 class Painted(QWidget, Spoken):

@@ -59,6 +59,25 @@ def test_boards_lists_each_number(run: RunCommand, line: VirtualSimulator) -> No
     assert "No board replies to a device number" in result.stderr
 
 
+@pytest.mark.parametrize("command", ["list", "list --device 5", "boards", "status"])
+def test_reserved_number_gets_no_packet(
+    run: RunCommand, line: VirtualSimulator, command: str
+) -> None:
+    sent = bytearray()
+    line.on_write = sent.extend
+    result = run(*command.split(), "--reserve", "0,3")
+    assert result.exit_code == 0
+    assert {byte for byte in sent if byte > 0x7F} == {0x80}
+    assert not {0, 3} & {packet[0] for packet in sent.split(b"\x80")[1:]}
+    options = "--protocol expanded --device 7 --reserve 0,3"
+    assert command != "boards" or options in result.stdout
+
+
+@pytest.mark.parametrize("numbers", ["7", "128", "x"])
+def test_reserved_number_is_checked(run: RunCommand, numbers: str) -> None:
+    assert run("status", "--reserve", numbers).exit_code == 2
+
+
 def test_command_without_a_number_names_the_list_of_boards(
     run: RunCommand, line: VirtualSimulator
 ) -> None:

@@ -2,6 +2,7 @@
 
 import sys
 from collections.abc import Iterator
+from functools import partial
 
 import pytest
 from PySide6.QtCore import QSettings
@@ -10,6 +11,7 @@ from pytestqt.qtbot import QtBot
 from tests.devices.trex.model.conftest import Connect, Until
 from tests.support.program import new_controller, new_ports
 from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.virtual_devices import VirtualSimulator
 from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.plugin import TREX
@@ -17,6 +19,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
+from trex_gui.ui.devices.scanner import DeviceScanner
 from trex_gui.ui.devices.simulator import Simulator, simulator_command
 
 # --- Line settings ----------------------------------------------------------------------
@@ -38,6 +41,34 @@ def test_line_settings_are_saved(
     assert new_controller(device, ports).settings == expected
 
 
+def scanner_is_idle(scanner: DeviceScanner) -> bool:
+    return not scanner.running
+
+
+def test_search_keeps_to_a_line_that_other_devices_share(
+    connector: TrexController,
+    quick_simulator: SimulatedDevice,
+    device: Device,
+    ports: Ports,
+    until: Until,
+) -> None:
+    assert isinstance(quick_simulator, VirtualSimulator)
+    shared = ConnectionSettings("", LineSettings(57600), 7, reserved=frozenset({0, 1}))
+    sent = bytearray()
+    quick_simulator.on_write = sent.extend
+    port = ports.add_typed(quick_simulator.url)
+    ports.lead_to(port, "trex", ConnectionSettings("").packed)
+    connector.set_settings(shared)
+    for controller in (connector, new_controller(device, ports)):
+        assert controller.settings == shared
+        scanner = controller._scanner
+        scanner.start([port], full=True)
+        until(partial(scanner_is_idle, scanner))
+        assert sent == bytes.fromhex("80 07 01")
+        assert "Other devices share the line" in scanner.findings[0].text
+        sent.clear()
+
+
 @pytest.mark.parametrize(
     ("key", "value", "left"),
     [
@@ -45,6 +76,7 @@ def test_line_settings_are_saved(
         ("line/settings", 15, 19200),
         ("line/device_number", 300, 57600),
         ("line/polynomial", "", 57600),
+        ("line/reserved", "0;1", 19200),
     ],
 )
 def test_invalid_saved_line_settings_fall_back_to_factory(

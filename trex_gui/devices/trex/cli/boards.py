@@ -15,8 +15,8 @@ from trex_gui.devices.trex.discovery import NUMBERS, boards_by_number
 def boards(as_json: bool, **options: Any) -> None:
     """List the boards that share the line, with the options that reach each.
 
-    Asks for every device number which board has it, at the line settings of the options. Moves
-    no motor and changes nothing. A board that is off, or has the number of another one, is not
+    Asks for every device number which board has it, at the line settings of the options. No TReX
+    moves a motor or changes anything. A board that is off, or has the number of another one, is not
     listed; `trexcmd find` also looks at other line settings.
     """
     link = link_settings(options)

@@ -30,7 +30,7 @@ from trex_gui.devices.trex.client.reading import agreed, is_several, read_signat
 from trex_gui.devices.trex.diagnosis import diagnose
 from trex_gui.devices.trex.discovery import FoundBoard
 from trex_gui.devices.trex.protocol.commands import GetParameter, GetSignature, Signature
-from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings, numbers_in
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.errors import (
     BoardElsewhere,
@@ -74,6 +74,7 @@ polynomial_option = click.option(
     show_default=True,
     help="CRC-7 polynomial, 80 to FF.",
 )
+_RESERVE = "Numbers of other devices on the line, such as 0,1; implies --protocol expanded."
 _LINK_OPTIONS = (
     port_option,
     click.option(
@@ -114,6 +115,7 @@ _LINK_OPTIONS = (
         show_default=True,
         help="expanded (Pololu) addresses one board of several.",
     ),
+    click.option("--reserve", metavar="NUMBERS", default="", help=_RESERVE),
     timeout_option,
     traffic_option(Lazy("trex_gui.devices.trex.session.traffic_decoder:TrexDecoder")),
 )
@@ -132,16 +134,17 @@ def link_settings(options: Mapping[str, Any], url: str | None = None) -> Connect
         raise click.UsageError("A TReX has either CRC or parity, not both.")
     detection = Detection["CRC7" if options["crc"] else options["parity"].upper()]
     line = LineSettings(options["baud"], detection, options["stop_bits"])
-    number = options["device"] if options["protocol"] == "expanded" else None
+    number = options["device"] if options["protocol"] == "expanded" or options["reserve"] else None
+    timeouts = Timeouts(extra=options["extra_timeout"])
     try:
         line.to_wire()
         polynomial = hexadecimal(options["polynomial"])
-        Framing(number, polynomial)
-    except BadRequest as error:
+        reserved = numbers_in(options["reserve"])
+        settings = ConnectionSettings(url, line, number, polynomial, reserved, timeouts=timeouts)
+        Framing(settings.framing.device_number, polynomial)
+    except ValueError as error:
         raise click.UsageError(str(error)) from error
-    return ConnectionSettings(
-        url, line, number, polynomial, timeouts=Timeouts(extra=options["extra_timeout"])
-    )
+    return settings
 
 
 def as_options(settings: ConnectionSettings) -> str:
@@ -158,6 +161,8 @@ def as_options(settings: ConnectionSettings) -> str:
         words += ["--stop-bits", "2"]
     if settings.device_number is not None:
         words += ["--protocol", "expanded", "--device", str(settings.device_number)]
+    if settings.reserved:
+        words += ["--reserve", settings.reserved_text]
     return shell_words(*words)
 
 

@@ -45,7 +45,6 @@ Inferred: no source gives more than the response delay.
 """
 
 _LONGEST_REPLY = 16  # bytes: the ten of five raw channels, a CRC and the echo of the request
-_NULL = Framing().encode(Null())
 _ECHO_PROBES = 2  # a corrupted byte must not hide an echo
 
 
@@ -219,8 +218,8 @@ class TrexClient:
                 before()
             self.drain()
             self.transport.discard()
-            self.transport.write(_NULL)
-            if self._read_echo(_NULL) == _NULL:
+            self.transport.write(self._null)
+            if self._read_echo(self._null) == self._null:
                 self.echo = True
                 break
         return self.echo
@@ -231,13 +230,13 @@ class TrexClient:
             return b""
         self._is_unanswered = False
         if self.keepalive_while_waiting:
-            self.transport.write(_NULL)
+            self.transport.write(self._null)
         late = self.transport.read(_LONGEST_REPLY, self.transport.latency)
         rest = self.settings.line.seconds(_LONGEST_REPLY) if late else 0.0
         late += self.transport.read(_LONGEST_REPLY - len(late), rest)
         if late and self._unanswered == 1:
             self._unanswered = 0
-        return late.removesuffix(_NULL) if self.echo and self.keepalive_while_waiting else late
+        return late.removesuffix(self._null) if self.echo and self.keepalive_while_waiting else late
 
     def _reject_late_reply(self, reply: bytes) -> None:
         """Accept a reply as that of the last request only if no other one follows it.
@@ -285,6 +284,11 @@ class TrexClient:
     def has_crc(self) -> bool:
         """Whether a CRC shows corrupted bytes; a parity bit shows them to the board only."""
         return self.settings.line.has_crc
+
+    @property
+    def _null(self) -> bytes:
+        framing = self.settings.framing if self.settings.reserved else Framing()
+        return framing.encode(Null())
 
     @property
     def _allowance(self) -> float:

@@ -128,7 +128,7 @@ def other_board(
 
 
 def board_at(client: TrexClient, number: int, *, attempts: int = 1) -> Signature | None:
-    """Return which board on the line has a device number; `None` if none replies.
+    """Return which board on the line has a device number; `None` if none replies or may.
 
     It also has to reply with that number: what another master asked for is no answer.
 
@@ -140,6 +140,8 @@ def board_at(client: TrexClient, number: int, *, attempts: int = 1) -> Signature
             line corrupts bytes.
         PortUnavailable: the line is gone.
     """
+    if number in client.settings.reserved:
+        return None
     client.drain()
     settings = replace(client.settings, device_number=number)
     other = TrexClient(client.transport, settings, echo=client.echo)
@@ -183,7 +185,7 @@ def require_free_number(
     for _ in range(ATTEMPTS):
         before()
         try:
-            is_taken = board_at(client, number) is not None
+            is_taken = number in client.settings.reserved or board_at(client, number) is not None
         except BadReply:
             unreadable += 1
             is_taken = unreadable == ATTEMPTS

@@ -173,7 +173,7 @@ class MotorDriver:
             return
         client, settings = self.client, self.client.settings
         self._send_stop()
-        if self.output.may_move and settings.device_number is not None:
+        if self.output.may_move and settings.device_number is not None and not settings.reserved:
             client.settings = replace(settings, device_number=None)
             try:
                 self._send_stop()

@@ -14,7 +14,7 @@ from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.trex.model.demo import DemoBoard
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.loss_while_driven import LossWhileDriven
-from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings, numbers_in
 from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
 from trex_gui.devices.trex.protocol.framing import check_polynomial
@@ -30,6 +30,7 @@ from trex_gui.ui.translations import error_sentence
 _LINE = "line/settings"
 _NUMBER = "line/device_number"
 _POLYNOMIAL = "line/polynomial"
+_RESERVED = "line/reserved"
 
 
 class TrexController(DeviceController[ConnectionSettings]):
@@ -53,6 +54,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         self.show_searches_in(device.connection.traffic)
         self._store = Preferences()
         self.settings = self._read_settings()
+        scanner.line = plugin.key, self.settings.packed
         self.demo_board = DemoBoard(self.simulator, self)
         self._last: Port | None = None  # the port that was connected, or tried, last
         LossWhileDriven(device, self)
@@ -79,6 +81,8 @@ class TrexController(DeviceController[ConnectionSettings]):
         number = settings.device_number
         self._store.set(_NUMBER, -1 if number is None else number)
         self._store.set(_POLYNOMIAL, settings.polynomial)
+        self._store.set(_RESERVED, settings.reserved_text)
+        self._scanner.line = self.plugin.key, settings.packed
         self.settings_changed.emit(self.settings)
         self.changed.emit()
 
@@ -135,9 +139,10 @@ class TrexController(DeviceController[ConnectionSettings]):
                 line=LineSettings.from_wire(wire),
                 device_number=None if number < 0 else number,
                 polynomial=check_polynomial(polynomial),
+                reserved=numbers_in(store.text(_RESERVED)),
             )
             _ = settings.framing
-        except BadRequest:
+        except ValueError:
             return self._default
         return settings
 

@@ -4,7 +4,8 @@ from dataclasses import dataclass, field, replace
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr
-from trex_gui.core.transport.settings import PortSettings, SerialFormat
+from trex_gui.core.transport.settings import SHARED, PortSettings, SerialFormat
+from trex_gui.devices.trex.protocol.flags import seven_bits
 from trex_gui.devices.trex.protocol.framing import (
     DEFAULT_POLYNOMIAL,
     Framing,
@@ -13,16 +14,25 @@ from trex_gui.devices.trex.protocol.framing import (
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 
 
+def numbers_in(text: str) -> frozenset[int]:
+    """Return the device numbers in a list such as `0,1`; ValueError for another text."""
+    words = text.replace(",", " ").split()
+    return frozenset(seven_bits(int(word), tr("device number")) for word in words)
+
+
 @dataclass(frozen=True, slots=True)
 class ConnectionSettings(PortSettings):
     """A port and the addressing of a board on it.
 
-    `device_number` is 0-127 for the Pololu protocol, `None` for the compact one.
+    `device_number` is 0-127 for the Pololu protocol, `None` for the compact one. `reserved` are the
+    numbers of other devices that share the line: with any, no packet is compact or goes to one of
+    them, and nothing is sent at another baud rate.
     """
 
     line: LineSettings = field(default_factory=LineSettings)
     device_number: int | None = None
     polynomial: int = DEFAULT_POLYNOMIAL
+    reserved: frozenset[int] = frozenset()
 
     @classmethod
     def on(cls, port: PortSettings) -> "ConnectionSettings":
@@ -34,13 +44,15 @@ class ConnectionSettings(PortSettings):
     @property
     def packed(self) -> str:
         number = -1 if self.device_number is None else self.device_number
-        line = self.line
-        return f"{line.baud} {line.detection.name} {line.stop_bits} {number} {self.polynomial:02X}"
+        line, shared = self.line, SHARED + self.reserved_text if self.reserved else ""
+        reach = f"{line.baud} {line.detection.name} {line.stop_bits} {number}"
+        return f"{reach} {self.polynomial:02X}{shared}"
 
     def unpacked(self, text: str) -> "ConnectionSettings":
         """Return these settings with what `packed` has returned; BadRequest for another text."""
         try:
-            baud, detection, stop_bits, number, polynomial = text.split(" ")
+            reach, _, reserved = text.partition(SHARED)
+            baud, detection, stop_bits, number, polynomial = reach.split(" ")
             line = LineSettings(int(baud), Detection[detection], int(stop_bits))
             is_possible = line.baud in baud_rates() and line.stop_bits in {1, 2}
             settings = replace(
@@ -48,6 +60,7 @@ class ConnectionSettings(PortSettings):
                 line=line,
                 device_number=None if int(number) == -1 else int(number),
                 polynomial=check_polynomial(int(polynomial, 16)),
+                reserved=numbers_in(reserved),
             )
             _ = settings.framing
         except (KeyError, ValueError) as error:
@@ -63,5 +76,11 @@ class ConnectionSettings(PortSettings):
         return PortSettings(self.url, line, name=self.name, timeouts=self.timeouts)
 
     @property
+    def reserved_text(self) -> str:
+        return ",".join(map(str, sorted(self.reserved)))
+
+    @property
     def framing(self) -> Framing:
+        if self.reserved and self.device_number in {None, *self.reserved}:
+            raise BadRequest(tr("The board needs a number that no other device has."))
         return Framing(self.device_number, self.polynomial if self.line.has_crc else None)

@@ -186,8 +186,10 @@ def reconnect_places(
     The factory default comes last: a power cut while UART settings were being stored leaves it. A
     board answers with one stop bit as well as with two, so candidates that differ only in these
     replace the settings in use. A probe that a board at another of these places could take for a
-    motor command is left out.
+    motor command is left out. A line that other devices share keeps the settings in use.
     """
+    if used.reserved:
+        return (used,)
     here = [replace(one, url=used.url, name=used.name, timeouts=used.timeouts) for one in expected]
     first = next((one for one in here if _differ_in_stop_bits(one, used)), used)
     places: dict[object, ConnectionSettings] = {}
@@ -224,7 +226,8 @@ def client_at(wire: Transport, settings: ConnectionSettings) -> TrexClient | Non
         BadRequest: the port cannot be set so.
         PortUnavailable: the line is gone.
     """
-    flush(wire, settings.timeouts.extra)
+    if not settings.reserved:
+        flush(wire, settings.timeouts.extra)
     wire.reconfigure(settings.line)
     reply = send_probe(wire, Attempt.at(settings), settings.timeouts.extra)
     if reply.kind not in {ReplyKind.BOARD, ReplyKind.SEVERAL}:

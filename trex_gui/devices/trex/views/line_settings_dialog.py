@@ -3,13 +3,16 @@
 from dataclasses import replace
 
 from PySide6.QtCore import Qt, Signal, Slot
-from PySide6.QtWidgets import QDialogButtonBox, QFormLayout, QWidget
+from PySide6.QtGui import QRegularExpressionValidator
+from PySide6.QtWidgets import QDialogButtonBox, QFormLayout, QLineEdit, QWidget
 
-from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings, numbers_in
 from trex_gui.devices.trex.protocol.line_settings import Detection
 from trex_gui.devices.trex.views.pages.parameters.editors import LineSettingsEditor
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
+
+_NUMBERS = r"((\d|[1-9]\d|1[01]\d|12[0-7])(, *|$))*"  # 0 to 127
 
 
 class LineSettingsDialog(ReusedDialog):
@@ -40,6 +43,16 @@ class LineSettingsDialog(ReusedDialog):
             self.tr("&Address one board of several by its number (Pololu protocol)"),
         )
         self._number = ui.spin_box(self, "deviceNumberField", "", 0, 127)
+        self._reserved = ui.named(
+            QLineEdit(self),
+            "reservedField",
+            tip=self.tr(
+                "Numbers of other devices on this line, such as 0,1 (older Pololu motor and servo "
+                "controllers). With one, every packet is addressed, to none of these numbers, and "
+                "no other baud rate is tried."
+            ),
+        )
+        self._reserved.setValidator(QRegularExpressionValidator(_NUMBERS, self))
         buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Ok
             | QDialogButtonBox.StandardButton.Cancel
@@ -52,10 +65,12 @@ class LineSettingsDialog(ReusedDialog):
         form.addRow(self.tr("CRC-7 &polynomial:"), self._polynomial)
         form.addRow(self._addressed)
         form.addRow(self.tr("&Device number:"), self._number)
+        form.addRow(self.tr("Numbers of &other devices:"), self._reserved)
         ui.column(intro, form, 1, buttons, into=self)
 
         self._line.valueChanged.connect(self._on_changed)
         self._addressed.toggled.connect(self._on_changed)
+        self._reserved.textChanged.connect(self._on_changed)
         buttons.accepted.connect(self._on_accepted)
         buttons.rejected.connect(self.reject)
         restore = buttons.button(QDialogButtonBox.StandardButton.RestoreDefaults)
@@ -72,6 +87,7 @@ class LineSettingsDialog(ReusedDialog):
         number = settings.device_number
         self._addressed.setChecked(number is not None)
         self._number.setValue(7 if number is None else number)
+        self._reserved.setText(settings.reserved_text)
         self._on_changed()
 
     @Slot()
@@ -81,6 +97,7 @@ class LineSettingsDialog(ReusedDialog):
             line=self._line.settings(),
             polynomial=self._polynomial.value(),
             device_number=self._number.value() if self._addressed.isChecked() else None,
+            reserved=numbers_in(self._reserved.text()),
         )
         self.chosen.emit(settings)
         self.accept()
@@ -88,12 +105,11 @@ class LineSettingsDialog(ReusedDialog):
     @Slot()
     def _on_changed(self) -> None:
         self._polynomial.setEnabled(self._line.settings().detection is Detection.CRC7)
+        is_shared = bool(numbers_in(self._reserved.text()))
+        self._addressed.setChecked(is_shared or self._addressed.isChecked())
+        self._addressed.setEnabled(not is_shared)
         self._number.setEnabled(self._addressed.isChecked())
 
     @Slot()
     def _on_restore_clicked(self) -> None:
-        default = ConnectionSettings("")
-        self._line.set_settings(default.line)
-        self._polynomial.setValue(default.polynomial)
-        self._addressed.setChecked(False)
-        self._on_changed()
+        self.show_settings(replace(ConnectionSettings(""), timeouts=self._settings.timeouts))

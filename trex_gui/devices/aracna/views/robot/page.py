@@ -215,7 +215,6 @@ class Controls(QWidget):
         table.released.connect(robot.end_drag)
         self._speed.valueChanged.connect(self._on_speed_changed)
         robot.changed.connect(self._on_changed)
-        robot.link_changed.connect(self._on_link_changed)
         robot.limits.changed.connect(self._on_changed)
         self._on_limits_toggled(shown=False)
         self._on_changed()
@@ -224,12 +223,6 @@ class Controls(QWidget):
     def move_now(self) -> None:
         take_typed()
         self._robot.move(self._robot.targets.goals)
-
-    @Slot()
-    def _on_link_changed(self) -> None:
-        """Let dragging move only the robot for which the user switched it on."""
-        if self._robot.link is ConnectionState.DISCONNECTED:
-            self._live.setChecked(False)
 
     @property
     def _is_live(self) -> bool:
@@ -291,6 +284,8 @@ class Controls(QWidget):
         for button in (self._centre, self._stand):
             button.setEnabled(is_idle)
         self._factory.setEnabled(not robot.limits.are_factory)
+        if robot.link is ConnectionState.DISCONNECTED:
+            self._live.setChecked(False)  # chosen for each robot anew
         self._speed.show_speeds(robot.speeds)
         self._rate.setText("" if robot.rate is None else self._rate_text(robot.rate))
 
