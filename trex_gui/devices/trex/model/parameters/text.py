@@ -122,8 +122,8 @@ class ParameterText(QObject):
             return self._specs[key].description
         return self.tr(
             "How often in a second the PWM of the motor switches. Low frequencies whine and heat "
-            "the motor, frequencies above the driver's rating heat the driver. Type any number or "
-            "use the arrow keys: prescaler and maximum are set to the nearest frequency there is."
+            "the motor, frequencies above the driver's rating heat the driver. Type a number or "
+            "use the arrow keys. The board stores the nearest frequency that it can switch at."
         )
 
     # --- Sentences ----------------------------------------------------------------------

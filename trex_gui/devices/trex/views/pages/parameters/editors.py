@@ -71,7 +71,7 @@ class AccelerationEditor(NumberEditor):
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(spec, parent)
         self.setToolTip(
-            self.tr("{0}, or the nearest the board can store; or speed steps, such as {1}").format(
+            self.tr("{0}. The board stores the nearest time. Or speed steps, such as {1}.").format(
                 acceleration_range(spec), f"25 {spec.unit}"
             )
         )
