@@ -264,6 +264,7 @@ VALID: dict[str, object] = {
     "line/settings": 5,
     "line/device_number": 7,
     "line/polynomial": 0x89,
+    "line/reserved": "0,1",
     "motors/ceilings/trex-1.2-7": 100,
     "motors/brake": 50,
     "motors/lockout": 1.5,
