@@ -71,11 +71,6 @@ _LINK_BLOCKERS = {
 }
 
 
-def drive_status(now: DriveInputs) -> DriveStatus:
-    """Return what matters most."""
-    return drive_statuses(now)[0]
-
-
 def drive_statuses(now: DriveInputs) -> tuple[DriveStatus, ...]:
     """Return every reason why the motors do what they do, those that stop them first."""
     if now.link is _CLOSED and (now.may_move or now.lost_board):

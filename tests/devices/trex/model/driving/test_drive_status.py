@@ -14,7 +14,6 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import (
     DriveInputs,
     drive_inputs,
-    drive_status,
     drive_statuses,
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -136,7 +135,6 @@ def test_all_reasons_explain_the_situation(
     statuses = drive_statuses(situation)
     assert [status.blocker for status in statuses] == blockers
     assert said in f"{statuses[0].text} {statuses[0].remedy}"
-    assert drive_status(situation) == statuses[0]
 
 
 def everything() -> Iterator[DriveInputs]:
@@ -154,7 +152,7 @@ def everything() -> Iterator[DriveInputs]:
 
 def test_motors_follow_only_where_nothing_stops_or_blocks_them() -> None:
     for now in everything():
-        status = drive_status(now)
+        status = drive_statuses(now)[0]
         assert status.text.endswith("."), now
         assert not status.remedy or status.remedy.endswith("."), now
         obeyed = (
@@ -181,10 +179,10 @@ def test_situation_follows_the_override_switch(
     rc_device: Device, rc_board: SimulatedDevice, qtbot: QtBot
 ) -> None:
     assert not reported(rc_device).by_serial
-    assert drive_status(drive_inputs(rc_device)).blocker is DriveBlocker.RC_CHANNELS
+    assert drive_statuses(drive_inputs(rc_device))[0].blocker is DriveBlocker.RC_CHANNELS
     rc_board.do("channel 5 1000us")
     qtbot.waitUntil(lambda: reported(rc_device).by_serial)
-    assert drive_status(drive_inputs(rc_device)).blocker is DriveBlocker.NOT_ARMED
+    assert drive_statuses(drive_inputs(rc_device))[0].blocker is DriveBlocker.NOT_ARMED
 
 
 def test_channels_that_keep_safe_start_are_known_after_they_were_read(
