@@ -28,6 +28,7 @@ FACTS = {
     "counts as none: the channel gives 0|size of the value and not its sign": "(inferred)",
     "[Bb]eyond a limit that no document confirms": "(inferred)",
     "off by default": "(twin)",
+    "on; by default it is": "(inferred)",
     r"[Tt]imeout may (not stop|need)|It may need UART|may disable the Serial": "(twin)",
     "Shutdown is off: motors may": "(twin)",
     "[Cc]urrents wrong by 20 %": "(twin)",
