@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 import pytest
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication, QPushButton, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.keyboard import check_keyboard
@@ -57,7 +57,7 @@ def test_both_settings_are_written_before_the_motors_are_armed(arming: Arming, s
     arming.connect()
     dialog = arming.press_run()
     check_keyboard(dialog.root)
-    assert dialog.button("writeAndArmButton").isDefault()
+    assert dialog.find(QPushButton, "writeAndArmButton").isDefault()
     dialog.click("writeAndArmButton")
     assert not arming.device.motors.armed, "nothing is written yet"
     arming.wait(lambda: arming.device.motors.armed)
