@@ -58,6 +58,8 @@ class GuardedTransport:
         self._guardian = below.start_guardian(silence)
         self._was_ready = self._is_left = False
         self._stop_to_send = b""  # nothing else is written before this
+        # Gets the seconds since a read began, and returns those to its next call; may write.
+        self.while_waiting: Callable[[float], float] = lambda _seconds: HEARTBEAT_INTERVAL
         self.rates = below.rates
         self.clock = below.clock
         self.start_guardian = below.start_guardian
@@ -128,9 +130,9 @@ class GuardedTransport:
         received = b""
         while True:
             self.beat()
-            left = deadline - self.clock()
+            left = min(deadline - self.clock(), self.while_waiting(self.clock() - begun))
             try:
-                received += self._below.read(size - len(received), min(left, HEARTBEAT_INTERVAL))
+                received += self._below.read(size - len(received), left)
             except PortUnavailable:
                 if not self._has_taken_over:  # the guardian may have read these bytes
                     raise

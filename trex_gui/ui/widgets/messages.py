@@ -135,6 +135,8 @@ class Banner(_MessageRow):
                     name, text = "bannerFind", self.tr("Find now")
                 case Remedy.RECONNECT | Remedy.PLUG_IN:
                     name, text = "bannerReconnect", self.tr("Reconnect")
+                case Remedy.SET_UP_CRC:
+                    name, text = "bannerSetUpCrc", self.tr("Set up CRC…")
                 case Remedy.CHECK_BOARD:
                     name, text = "bannerCheckBoard", self.tr("Check the board…")
                 case Remedy.REPORT:

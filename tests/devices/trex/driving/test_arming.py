@@ -145,7 +145,7 @@ def test_stop_is_repeated_until_confirmed(stage: Stage) -> None:
     for step in range(100):  # a byte of each packet is lost, for two seconds
         stage.script.at(1.5 + step * 0.02, lambda: corrupt(2))
     stage.script.at(3.6, Stop(2))
-    run_for(stage, 5.0)
+    run_for(stage, 6.5)
     assert outcomes(stage.reports)[2].error is None
     assert is_stopped(stage.board)
 

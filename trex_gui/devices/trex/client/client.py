@@ -38,13 +38,13 @@ from trex_gui.devices.trex.protocol.framing import (
 )
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameter_number
 
-_BOARD_DELAY = 0.005
+BOARD_DELAY = 0.005
 """Seconds a board may need for a query: its 1 ms response delay and half of its 10 ms cycle.
 
 Inferred: no source gives more than the response delay.
 """
 
-_LONGEST_REPLY = 16  # bytes: the ten of five raw channels, a CRC and the echo of the request
+LONGEST_REPLY = 16  # bytes: the ten of five raw channels, a CRC and the echo of the request
 _ECHO_PROBES = 2  # a corrupted byte must not hide an echo
 
 
@@ -137,7 +137,7 @@ class TrexClient:
         while chunk := self.transport.read(1, seconds):
             received += chunk
             seconds = self._allowance
-            if len(received) > len(packet.raw) + _LONGEST_REPLY:
+            if len(received) > len(packet.raw) + LONGEST_REPLY:
                 break
         self._free_at = self.transport.clock()
         return Reply(received, None)
@@ -177,7 +177,7 @@ class TrexClient:
             case Malformed(raw, reason):
                 self.counters.corrupted += 1
                 # Bytes that still arrive belong to the same corrupted reply.
-                self.transport.wait(line.seconds(_LONGEST_REPLY))
+                self.transport.wait(line.seconds(LONGEST_REPLY))
                 raise TrexBadReplyError(ErrorCode.CORRUPTED_REPLY, _hex(raw), reason)
             case Reply(raw):
                 took = self.transport.clock() - begun
@@ -231,9 +231,9 @@ class TrexClient:
         self._is_unanswered = False
         if self.keepalive_while_waiting:
             self.transport.write(self._null)
-        late = self.transport.read(_LONGEST_REPLY, self.transport.latency)
-        rest = self.settings.line.seconds(_LONGEST_REPLY) if late else 0.0
-        late += self.transport.read(_LONGEST_REPLY - len(late), rest)
+        late = self.transport.read(LONGEST_REPLY, self.transport.latency)
+        rest = self.settings.line.seconds(LONGEST_REPLY) if late else 0.0
+        late += self.transport.read(LONGEST_REPLY - len(late), rest)
         if late and self._unanswered == 1:
             self._unanswered = 0
         return late.removesuffix(self._null) if self.echo and self.keepalive_while_waiting else late
@@ -247,8 +247,8 @@ class TrexClient:
         more = self.transport.read(1, self.transport.latency)
         if more:
             more += self.transport.read(
-                self._unanswered * _LONGEST_REPLY,
-                self._unanswered * self.settings.line.seconds(_LONGEST_REPLY),
+                self._unanswered * LONGEST_REPLY,
+                self._unanswered * self.settings.line.seconds(LONGEST_REPLY),
             )
             more += self.transport.discard()
         self._unanswered = 0
@@ -292,7 +292,7 @@ class TrexClient:
 
     @property
     def _allowance(self) -> float:
-        return self.transport.latency + self.settings.timeouts.extra + _BOARD_DELAY
+        return self.transport.latency + self.settings.timeouts.extra + BOARD_DELAY
 
     def _new_number(self, command: object, framing: Framing) -> int | None:
         """Return the new number if a command changes that of the board addressed by number."""

@@ -22,8 +22,7 @@ from trex_gui.devices.trex.protocol.flags import (
 )
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 
-NOISE_COUNTS = 1
-"""Counts of a motor's current that may be noise while none flows."""
+NOISE_COUNTS = 1  # of a motor's current that may be noise while none flows
 
 _OVERRIDE_CHANNEL = 5
 _NO_ERROR = UartError(0)

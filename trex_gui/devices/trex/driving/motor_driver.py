@@ -10,20 +10,19 @@ from contextlib import contextmanager
 from dataclasses import replace
 
 from trex_gui.core.errors import BadReply, BadRequest, NoReply
-from trex_gui.devices.trex.client.client import TrexClient
+from trex_gui.core.session import SHORTEST_WAIT
+from trex_gui.devices.trex.client.client import BOARD_DELAY, LONGEST_REPLY, TrexClient
 from trex_gui.devices.trex.client.telemetry import LatchedStatus, StatusReader
 from trex_gui.devices.trex.driving.motor_output import MotorOutput, OutputEvent
-from trex_gui.devices.trex.driving.requests import Stop, packets
+from trex_gui.devices.trex.driving.requests import HEARTBEAT_INTERVAL, Stop, packets
 from trex_gui.devices.trex.protocol.commands import STOP, Command, ReplyT_co
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexNoReplyError
 
 log = logging.getLogger(__name__)
 
-DRIVE_INTERVAL = 0.02
-"""Least seconds between two motor packets; the board itself updates its motors every 10 ms."""
+DRIVE_INTERVAL = 0.02  # least seconds between two motor packets; the board acts every 10 ms
 
-_LONGEST_DRIVE = 11
-"""Bytes of the motor packets that leave together: both motors and auxiliary, expanded, CRC."""
+_LONGEST_DRIVE = 11  # bytes that leave together: both motors and auxiliary, expanded, CRC
 
 _ATTEMPTS = 20
 _RETRY_ATTEMPTS = 4
@@ -98,6 +97,7 @@ class MotorDriver:
         round without a clean status if `aborts` says so.
         """
         self.output.retry.clear()
+        self.output.refresh.clear()  # nothing drives while a reply is late
         aborts = aborts or self._is_closing
         careful = careful or (final and not self._is_quiet())
         rounds = _CAREFUL_ROUNDS if careful else _CLEAN_ROUNDS
@@ -220,20 +220,21 @@ class MotorDriver:
     def seconds_to_drive(self) -> float:
         """Return when to send motor packets, which take at most half of the time."""
         self._is_quiet()
-        seconds = 2 * self.client.settings.line.seconds(_LONGEST_DRIVE)
-        return self.output.seconds_to_drive(self._now(), max(DRIVE_INTERVAL, seconds))
+        return self.output.seconds_to_drive(self._now(), self._interval)
+
+    @property
+    def _interval(self) -> float:
+        return max(DRIVE_INTERVAL, 2 * self.client.settings.line.seconds(_LONGEST_DRIVE))
 
     def avoids_risky_polls(self) -> bool:
         """Whether to send no query that one damaged bit turns into a motor command."""
         return (self.output.may_move or self.output.is_armed) and not self._is_quiet()
 
     def _drive(self) -> None:
-        """Send the newest setpoints, or unconfirmed ones again, or refresh idle motors."""
-        now = self._now()
-        setpoints = self.output.take_setpoints(now)
+        """Send the newest setpoints, or unconfirmed ones again, or refresh all of them."""
+        setpoints = self.output.take_setpoints(self._now())
         if not setpoints:
-            for command in self.output.idle.take(now):
-                self.client.send(command)  # goes before the rest of a reply is awaited
+            self._refresh()
             return
         try:
             for command in packets(setpoints):
@@ -244,6 +245,35 @@ class MotorDriver:
         except (NoReply, BadReply):
             self.output.setpoints.put_back(setpoints)
             raise
+
+    def _refresh(self, *, is_waiting: bool = False) -> None:
+        """Send every setpoint again: speeds only if the board has not stopped its motors."""
+        refresh = self.output.refresh
+        for command in refresh.take_idle(self._now()):
+            self.client.send(command)  # goes before the rest of a reply is awaited
+        if refresh.stops_on_error and refresh.speeds():
+            if is_waiting:
+                return
+            latched = self._status.read(self.client.request)
+            self._take_statuses([latched] if latched else [])
+            is_whole = not self._status.uart_due
+            self.output.note_status(latched, self._now(), is_whole=is_whole, stops_on_error=True)
+            if not is_whole:
+                return
+        for command in refresh.speeds():
+            self.client.send(command)
+
+    def refresh_while_waiting(self, waited: float) -> float:
+        """Send what is due `waited` seconds after a request; return those to the next call."""
+        # Then a reply can only be late in the adapter, and the board listens.
+        reply = self.client.settings.line.seconds(LONGEST_REPLY) + BOARD_DELAY - waited
+        seconds = max(reply, self.output.refresh_due(self._interval) - self._now())
+        if self.client.echo:
+            return HEARTBEAT_INTERVAL
+        if seconds <= 0:
+            self._refresh(is_waiting=True)
+            seconds = self._interval
+        return max(SHORTEST_WAIT, min(seconds, HEARTBEAT_INTERVAL))
 
     def run_direct(self, command: Command[ReplyT_co]) -> ReplyT_co:
         """Send one motor command that is not a setpoint.
@@ -256,7 +286,7 @@ class MotorDriver:
 
     def begin_direct(self) -> None:
         """Note that a motor command that is not a setpoint is about to be sent."""
-        self.output.idle.on_direct_command()
+        self.output.refresh.on_direct_command()
         self.output.handle(OutputEvent.DIRECT_COMMAND_SENT, self._now())
 
     def _is_quiet(self) -> bool:

@@ -23,16 +23,15 @@ from trex_gui.devices.trex.driving.requests import (
     StopSent,
 )
 from trex_gui.devices.trex.driving.setpoints import (
-    IdleRefresh,
     LineQuality,
+    SetpointRefresh,
     SetpointRetry,
     SetpointSlots,
 )
 from trex_gui.devices.trex.protocol.commands import Command
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexNoReplyError, TrexRequestError
 
-STOP_RETRY_INTERVAL = 0.25
-"""Seconds after which an unconfirmed stop is sent again."""
+STOP_RETRY_INTERVAL = 0.25  # seconds after which an unconfirmed stop is sent again
 
 
 class Arming(Enum):
@@ -156,7 +155,7 @@ class MotorOutput:
         self.stops: list[Stop] = []
         self.setpoints = SetpointSlots()
         self.quality = LineQuality()
-        self.idle = IdleRefresh(self.quality)
+        self.refresh = SetpointRefresh(self.quality)
         self._report = report
         self._timeouts = timeouts or Timeouts()
         self.retry = SetpointRetry()
@@ -194,7 +193,7 @@ class MotorOutput:
                 case Action.DROP_SETPOINTS:
                     self.setpoints.clear()
                     self.retry.clear()
-                    self.idle.clear()
+                    self.refresh.clear()
                 case Action.FAIL_NOISY_STOPS:
                     self._end_noisy_stops(TrexNoReplyError(ErrorCode.STOP_ON_NOISY_LINE))
 
@@ -249,13 +248,17 @@ class MotorOutput:
 
     def seconds_to_drive(self, now: float, interval: float) -> float:
         """`interval`: least seconds between motor packets."""
-        idle = self.idle.due(interval, armed=self.is_armed)
         due = min(
             self._sent_at if self.setpoints else math.inf,
             self.retry.due,
-            math.inf if self.arming is Arming.UNREACHABLE else idle,
+            self.refresh_due(interval),
         )
         return max(due, self._sent_at + interval) - now
+
+    def refresh_due(self, interval: float) -> float:
+        """Return when to send every setpoint again, on the line's clock."""
+        is_unreachable = self.arming is Arming.UNREACHABLE
+        return math.inf if is_unreachable else self.refresh.due(interval, armed=self.is_armed)
 
     def take_setpoints(self, now: float) -> list[Setpoint]:
         """Return the queued setpoints, or else those to repeat, and count them as sent."""
@@ -266,7 +269,7 @@ class MotorOutput:
             setpoints = self.retry.take(now)
         if setpoints:
             self.handle(OutputEvent.SETPOINT_SENT, now)
-            self.idle.note_setpoints(setpoints, now)
+            self.refresh.note_setpoints(setpoints, now)
         return setpoints
 
     def note_status(
@@ -274,6 +277,7 @@ class MotorOutput:
     ) -> None:
         """Take a status that was polled; see `SetpointRetry.note_status`."""
         self.quality.note_status(latched)
+        self.refresh.note_status(latched, stops_on_error=stops_on_error)
         self.retry.note_status(latched, now, is_whole=is_whole, stops_on_error=stops_on_error)
 
     # --- Stops and their outcomes -------------------------------------------------------
@@ -303,7 +307,7 @@ class MotorOutput:
             final: whether these are sufficient even on a line that damages bytes.
         """
         self._sent_at = self._stopped_at = now
-        self.idle.note_stop(now)
+        self.refresh.note_stop(now)
         for latched in statuses:
             self.quality.note_status(latched)
         if not confirmed:

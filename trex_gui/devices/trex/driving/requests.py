@@ -8,8 +8,7 @@ from trex_gui.devices.trex.protocol.commands import Command, DriveAuxiliary, Dri
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode
 
-HEARTBEAT_INTERVAL = 0.1
-"""Seconds between two heartbeats while motors are armed."""
+HEARTBEAT_INTERVAL = 0.1  # seconds between two heartbeats while motors are armed
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,7 +1,8 @@
-"""Queued, unconfirmed and idle setpoints, and the quality of the line that carries them."""
+"""Queued, unconfirmed and refreshed setpoints, and the quality of the line that carries them."""
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
@@ -25,20 +26,12 @@ The first is later than the next status on all but slow lines. After a status wi
 sequence begins again, at once.
 """
 
-LONGEST_REPEATING = 5.0
-"""Seconds after which a setpoint is not repeated any more, confirmed or not."""
+LONGEST_REPEATING = 5.0  # seconds after which a setpoint is repeated no more, confirmed or not
 
 _CLEAN_STATUSES = 2
 """Packets and clean statuses, in turn, that confirm a setpoint; see `motor_driver`.
 
 One where a repeat could do harm: setting a speed at once bypasses the current limiter.
-"""
-
-
-IDLE_INTERVAL = 0.1
-"""Seconds between idle packets while the line is not quiet; after damage they follow at once.
-
-One of them may itself arrive as a command to drive, which the next one ends.
 """
 
 _MOTORS = (1, 2)
@@ -167,13 +160,11 @@ class LineQuality:
 
     Attributes:
         answers: whole replies since the line was opened.
-        damages: how often damage was noticed.
         is_shared: whether another process uses the line too: what fails meanwhile is no damage.
     """
 
     def __init__(self) -> None:
         self.answers = 0
-        self.damages = 0
         self.is_shared = False
         self._has_crc = False
         self._is_observed = False
@@ -208,31 +199,28 @@ class LineQuality:
     def _note_damage(self) -> None:
         if self.is_shared:
             return
-        self.damages += 1
         self._damaged_at = self.answers
 
 
-class IdleRefresh:
-    """Keeps idle motors at rest on a line that damages bytes, by sending their setpoints again.
+class SetpointRefresh:
+    """Sends every setpoint again and again on a line that damages bytes.
 
-    Undetected damage can start an idle motor: its own packet, or a query, arrives as another motor
-    command. A query that became a command has no reply, so idle packets follow every failed
-    transaction at once. A packet that became another one shows only by other damage on the line:
-    idle packets are repeated until it is quiet.
-
-    Motors that were never driven are idle too, and braked, from the first setpoint, arming or
-    stop on. Before that nothing is sent, whatever the line does.
+    Undetected damage can turn a motor another way: its own packet, or a query, arrives as another
+    motor command. Only other damage shows that, so setpoints go out until the line is quiet, speeds
+    as accelerate commands, which the current limiter limits. Motors that were never driven are
+    idle and braked from the first setpoint, arming or stop on. Before that nothing is sent.
     """
 
     def __init__(self, quality: LineQuality) -> None:
         self._quality = quality
+        self.stops_on_error = True  # whether the board stops its motors on a UART error
         self._is_active = False
         self._setpoints: dict[int, Setpoint] = {}
         self.clear = self._setpoints.clear  # takes every motor for idle, braked fully
+        self._holds_speeds = False
         self._auxiliary_at_risk = False
         self._answers_since: int | None = None
         self._sent_at = 0.0
-        self._damages_seen = 0
 
     def note_setpoints(self, setpoints: Sequence[Setpoint], now: float) -> None:
         """Note setpoints that are sent."""
@@ -248,6 +236,16 @@ class IdleRefresh:
         self._sent_at = now
         self._note_auxiliary_risk()
 
+    def note_status(self, latched: LatchedStatus | None, *, stops_on_error: bool) -> None:
+        """Hold speeds until the next clean status if the board has stopped motors."""
+        self.stops_on_error = stops_on_error
+        self._holds_speeds = latched is not None and (
+            stops_motors(latched.status, errors_stop=stops_on_error) or stops_motors(latched.uart)
+        )
+        if latched is not None and latched.uart and stops_on_error:  # no bit that noise added
+            for setpoint in self._running():
+                del self._setpoints[setpoint.motor]
+
     def on_direct_command(self) -> None:
         """Send nothing until the next setpoint or stop: it is not known which motors are idle."""
         self._is_active = False
@@ -257,21 +255,16 @@ class IdleRefresh:
         self._is_active = self._is_active or armed
         if self._quality.is_quiet:
             self._watch_auxiliary()
-            self._damages_seen = self._quality.damages
             return math.inf
-        if not self._is_active:
-            return math.inf
-        is_new = self._quality.damages > self._damages_seen
-        return self._sent_at + (interval if is_new else IDLE_INTERVAL)
+        return self._sent_at + interval if self._is_active else math.inf
 
-    def take(self, now: float) -> list[Command[None]]:
+    def take_idle(self, now: float) -> list[Command[None]]:
         """Return the packets of every idle motor, and count them as sent.
 
         One each: the packet for both motors is one bit away from one for the auxiliary motor.
         The auxiliary motor is left out unless an earlier packet may have started it: damage to
         any bit of the speed makes its own packet more dangerous than none.
         """
-        self._damages_seen = self._quality.damages
         self._sent_at = now
         motors = (self._setpoints.get(one, SetMotor(one, Drive.brake())) for one in _MOTORS)
         idle = [one for one in motors if is_idle(one)]
@@ -280,6 +273,14 @@ class IdleRefresh:
             self._note_auxiliary_risk()
             idle.append(auxiliary)
         return [command for setpoint in idle for command in packets([setpoint])]
+
+    def speeds(self) -> list[Command[None]]:
+        """Return the packets of every motor that runs, as far as the status shows."""
+        running = [] if self._holds_speeds else self._running()
+        return [each for one in running for each in packets([replace(one, accelerate=True)])]
+
+    def _running(self) -> list[Setpoint]:
+        return [one for one in self._setpoints.values() if not is_idle(one)]
 
     def _note_auxiliary_risk(self) -> None:
         """Note a packet that damage can turn into a speed of the auxiliary motor."""

@@ -58,7 +58,7 @@ from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.event_log import EventKind
-from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.notifier import Notifier, Remedy
 from trex_gui.ui.runtime import now
 from trex_gui.ui.translations import error_text
 
@@ -119,6 +119,7 @@ class Device(QObject):
         # In this order: a stop of the board's precedes the samples that show it.
         self.connection.sampled.connect(self._note_statuses)
         self.connection.sampled.connect(self._note_quality)
+        self.motors.arming_changed.connect(self._recommend_crc)
         self.connection.sampled.connect(self.telemetry.take)
         self.connection.sampled.connect(self.driving.follow_control)
         self.connection.sampled.connect(self.sampled)
@@ -584,6 +585,13 @@ class Device(QObject):
         elif was_noisy and not self.quality.is_noisy:
             self.events.add(EventKind.LINK, self.tr("The line is good again"), time)
         self.quality_changed.emit()
+
+    @Slot()
+    def _recommend_crc(self) -> None:
+        settings = self.settings
+        if self.motors.armed and self.quality.is_noisy and settings and not settings.line.has_crc:
+            text = self.tr("Noise on the line can turn a motor another way for an instant.")
+            self.notifier.report(text, (Remedy.SET_UP_CRC,))
 
     def _forget_quality(self) -> None:
         if self.quality.reset():

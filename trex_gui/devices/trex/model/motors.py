@@ -39,8 +39,7 @@ def remember_lockout(seconds: float) -> None:
     Preferences().set(_KEY, min(max(seconds, 0.0), LONGEST))
 
 
-_AUXILIARY = 0
-"""The number of the auxiliary motor beside motors 1 and 2."""
+_AUXILIARY = 0  # the number of the auxiliary motor beside motors 1 and 2
 
 
 class Motors(QObject):

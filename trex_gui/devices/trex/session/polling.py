@@ -98,18 +98,15 @@ POLLED: Mapping[Topic, PolledValue] = {
 80 Hz with RC inputs). Status bits are latched, so none is missed between two polls. The mode only
 changes with the power. Unwatched, the plot of currents keeps a curve without gaps."""
 
-_LONGEST_LAG = 0.1
-"""Seconds by which the schedule may be late before it stops catching up."""
+_LONGEST_LAG = 0.1  # seconds by which the schedule may be late before it stops catching up
 
 _MARGIN = 0.015
 """Seconds between a reply and the next query: the board's response delay (1 ms), half of its 10 ms
 cycle, and a busy host (some milliseconds, measured beside a window that paints)."""
 
-_KEEPALIVE_SHARE = 0.4
-"""Share of the serial timeout after which something is polled even if nothing is due."""
+_KEEPALIVE_SHARE = 0.4  # of the serial timeout, after which something is polled in any case
 
-_CHEAPEST = Topic.CONTROL
-"""Polled to feed the serial timeout: one byte out, one byte in."""
+_CHEAPEST = Topic.CONTROL  # polled to feed the serial timeout: one byte out, one byte in
 
 
 def rates(source: InputSource, *, watched: bool = True) -> Mapping[Topic, float]:

@@ -21,8 +21,7 @@ from trex_gui.devices.trex.session.polling import Topic
 
 log = logging.getLogger(__name__)
 
-_FAILURES = 3
-"""Failed transactions in a row after which a board counts as not responding."""
+_FAILURES = 3  # failed transactions in a row after which a board counts as not responding
 
 _STRICT = frozenset({Topic.CONTROL, Topic.MODE})
 """Topics that are counted by themselves, too: few bytes are a reply to them.

@@ -191,6 +191,7 @@ class TrexSession:
                 self._begin(client)
         except (NoReply, BadReply) as error:
             raise self._why_not_found(client, error) from error
+        transport.while_waiting = self._driver.refresh_while_waiting
 
     def _why_not_found(self, client: TrexClient, error: StudioError) -> StudioError:
         """Probe for what is there instead, unless motors have to be stopped first."""

@@ -22,7 +22,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
 from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.notifier import Notifier, Remedy
 from trex_gui.ui.program import Program
 from trex_gui.ui.runtime import now, runtime
 
@@ -165,6 +165,13 @@ def test_stop_that_a_hanging_session_cannot_send_is_reported(
     assert remedy in said[0]
     qtbot.waitUntil(lambda: not driven.may_move)
     assert is_braked(simulator)
+
+
+def test_arming_on_a_noisy_line_recommends_crc(driven: Device, qtbot: QtBot) -> None:
+    driven.quality.is_noisy = True
+    with qtbot.waitSignal(driven.notifier.remedies_offered) as offered:
+        driven.motors.arming_changed.emit()
+    assert offered.args == [(Remedy.SET_UP_CRC,)]
 
 
 def test_stop_that_is_pressed_again_and_again_is_reported_in_time(

@@ -1,0 +1,134 @@
+"""Drives in virtual time: what a motor does that was not commanded, and what is said of it.
+
+    python -m tests.soak.drives [DRIVES]    prints how long a noisy line turned motors another way
+
+As a part of the soak it counts false alarms of a restart, too.
+"""
+
+import random
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from operator import itemgetter
+
+from tests.devices.trex.session.helpers import among, run_for, staged
+from tests.support.virtual import Stage
+from trex_gui.core.transport.serial_port import latency_of
+from trex_gui.devices.trex.driving.requests import Arm, Heartbeat, MotorsStopped, SetMotor
+from trex_gui.devices.trex.protocol.driving import Drive
+from trex_gui.devices.trex.simulator.motors import MotorDirection
+
+BEGIN = 3.0
+"""Seconds from the start of the line to arming."""
+
+LONGEST_TURN = 0.06
+"""Seconds for which a motor may be driven otherwise than commanded, at 19200 baud."""
+
+_SETTLED = BEGIN + 0.2  # what a request began to turn before that is over
+_SPEEDS = (38, -38, 80, -80, 0)
+
+
+@dataclass
+class DriveResult:
+    """A drive at changing speeds.
+
+    Attributes:
+        turned: seconds of each time that a motor was driven otherwise than commanded.
+        stopped: stops that nobody requested.
+    """
+
+    turned: list[float] = field(default_factory=list)
+    stopped: list[MotorsStopped] = field(default_factory=list)
+
+
+def drive(
+    seed: int, seconds: float, *, noise: float = 0.01, baud: int = 19200, shutdown: bool = False
+) -> DriveResult:
+    """Drive both motors on a line that corrupts bytes; `shutdown`: the board stops at errors."""
+    stage, settings = staged(baud)
+    stage.board.eeprom.write("uart_error_shutdown", int(shutdown))
+    stage.board.power_cycle()
+    stage.transport.latency = latency_of("/dev/ttyUSB0")
+    stage.line.faults._random.seed(seed)
+    result = DriveResult()
+    wanted = _watch(stage, result.turned)
+    chance = random.Random(seed)
+    steps: list[tuple[float, Arm | Heartbeat | SetMotor | Callable[[], object]]] = [
+        (0.9, lambda: setattr(stage.line.faults, "noise", noise)),
+        (BEGIN, Arm()),
+    ]
+    moment = BEGIN
+    while moment < BEGIN + seconds:
+        motor, speed = chance.choice((1, 2)), chance.choice(_SPEEDS)
+        setpoint = SetMotor(motor, Drive.at(speed) if speed else Drive.brake())
+        steps += [(moment, lambda setpoint=setpoint: wanted(setpoint)), (moment, setpoint)]  # type: ignore[misc]
+        moment += chance.uniform(0.3, 2.0)
+    steps += [(BEGIN + beat * 0.1, Heartbeat()) for beat in range(round(seconds * 10))]
+    for at, step in sorted(steps, key=itemgetter(0)):
+        stage.script.at(at, step)
+    reports = run_for(stage, BEGIN + seconds, settings)
+    result.stopped = among(reports, MotorsStopped)
+    return result
+
+
+def _watch(stage: Stage, turned: list[float]) -> Callable[[SetMotor], None]:
+    """Measure how long motors are driven otherwise than the two newest setpoints say."""
+    control = stage.board.serial
+    execute, shut_down = control.drive, control._shut_down
+    newest: dict[int, list[int]] = {1: [0, 0], 2: [0, 0]}
+    since: dict[int, float] = {}
+
+    def end(number: int) -> None:
+        began = since.pop(number, stage.line.now)
+        if stage.line.now > began >= _SETTLED:
+            turned.append(stage.line.now - began)
+
+    def note(
+        number: int, direction: MotorDirection, speed: int, *, accelerate: bool = False
+    ) -> None:
+        sign = {MotorDirection.FORWARD: 1, MotorDirection.REVERSE: -1}.get(direction, 0)
+        if sign and sign * speed not in newest[number][-2:]:
+            since.setdefault(number, stage.line.now)
+        else:
+            end(number)
+        execute(number, direction, speed, accelerate=accelerate)
+
+    def note_shut_down() -> None:
+        end(1)
+        end(2)
+        shut_down()
+
+    control.drive = note  # type: ignore[method-assign] # to see when
+    control._shut_down = note_shut_down  # type: ignore[method-assign]
+    return lambda setpoint: newest[setpoint.motor].append(setpoint.drive.signed)
+
+
+def run(seconds: float, seed: int) -> list[str]:
+    """Drive for a virtual minute again and again; return false alarms and long wrong turns."""
+    end = time.monotonic() + seconds
+    found: list[str] = []
+    minutes = 0
+    while time.monotonic() < end:
+        result = drive(seed + minutes, 60.0)
+        minutes += 1
+        found += [f"minute {minutes}: {report}" for report in result.stopped]
+        found += [f"minute {minutes}: {one:.3f} s" for one in result.turned if one > LONGEST_TURN]
+        print(f"{minutes} minutes driven, {len(found)} fell short", flush=True)
+    return found
+
+
+def main(drives: int) -> None:
+    for shutdown in (False, True):
+        results = [drive(seed, 10.0, shutdown=shutdown) for seed in range(drives)]
+        turned = sorted(1000 * one for result in results for one in result.turned)
+        middle, most = (turned[int(len(turned) * part)] for part in (0.5, 0.99))
+        print(
+            f"{drives} drives of 10 s at 19200 baud, 1 % noise, UART-Error Shutdown {shutdown}: "
+            f"{len(turned)} wrong turns, {sum(turned):.0f} ms in all, median {middle:.0f} ms, "
+            f"99 % {most:.0f} ms, longest {turned[-1]:.0f} ms"
+        )
+
+
+if __name__ == "__main__":
+    main(int(sys.argv[1]) if sys.argv[1:] else 30)
