@@ -217,7 +217,7 @@ def test_motors_run_from_arming_until_stopped(
     window.click("runButton")
     assert "Drive them on the Motors page" in window.text("motorStateLabel")
     slider.setValue(80)
-    assert window.text("motorStateLabel") == "Armed. Setpoint: motor 1 +80"
+    assert window.text("motorStateLabel") == "Armed. Sent: motor 1 +80"
     wait_for_speed(window, simulator, 0, 80)
     assert simulator.show()["motors"][0]["direction"] == "forward"
     page.wait(lambda: "A" in page.text("motor1Reported"))

@@ -287,6 +287,7 @@ class MotorDriver:
     def begin_direct(self) -> None:
         """Note that a motor command that is not a setpoint is about to be sent."""
         self.output.refresh.on_direct_command()
+        self.output.restart.clear()
         self.output.handle(OutputEvent.DIRECT_COMMAND_SENT, self._now())
 
     def _is_quiet(self) -> bool:

@@ -22,6 +22,7 @@ from trex_gui.devices.trex.driving.requests import (
     Stop,
     StopSent,
 )
+from trex_gui.devices.trex.driving.restart import RestartWatch
 from trex_gui.devices.trex.driving.setpoints import (
     LineQuality,
     SetpointRefresh,
@@ -155,7 +156,8 @@ class MotorOutput:
         self.stops: list[Stop] = []
         self.setpoints = SetpointSlots()
         self.quality = LineQuality()
-        self.refresh = SetpointRefresh(self.quality)
+        self.restart = RestartWatch(self.quality)
+        self.refresh = SetpointRefresh(self.quality, lambda: self.restart.is_checking)
         self._report = report
         self._timeouts = timeouts or Timeouts()
         self.retry = SetpointRetry()
@@ -194,6 +196,7 @@ class MotorOutput:
                     self.setpoints.clear()
                     self.retry.clear()
                     self.refresh.clear()
+                    self.restart.clear()
                 case Action.FAIL_NOISY_STOPS:
                     self._end_noisy_stops(TrexNoReplyError(ErrorCode.STOP_ON_NOISY_LINE))
 
@@ -270,6 +273,7 @@ class MotorOutput:
         if setpoints:
             self.handle(OutputEvent.SETPOINT_SENT, now)
             self.refresh.note_setpoints(setpoints, now)
+            self.restart.note_setpoints(setpoints, now)
         return setpoints
 
     def note_status(
@@ -278,6 +282,9 @@ class MotorOutput:
         """Take a status that was polled; see `SetpointRetry.note_status`."""
         self.quality.note_status(latched)
         self.refresh.note_status(latched, stops_on_error=stops_on_error)
+        self.setpoints.put_back(
+            self.restart.note_status(latched, now, is_whole=is_whole, stops_on_error=stops_on_error)
+        )
         self.retry.note_status(latched, now, is_whole=is_whole, stops_on_error=stops_on_error)
 
     # --- Stops and their outcomes -------------------------------------------------------

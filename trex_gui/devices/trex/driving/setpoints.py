@@ -1,7 +1,7 @@
 """Queued, unconfirmed and refreshed setpoints, and the quality of the line that carries them."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from trex_gui.devices.trex.client.client import Counters
@@ -211,8 +211,9 @@ class SetpointRefresh:
     idle and braked from the first setpoint, arming or stop on. Before that nothing is sent.
     """
 
-    def __init__(self, quality: LineQuality) -> None:
+    def __init__(self, quality: LineQuality, holds_speeds: Callable[[], bool]) -> None:
         self._quality = quality
+        self._is_held = holds_speeds
         self.stops_on_error = True  # whether the board stops its motors on a UART error
         self._is_active = False
         self._setpoints: dict[int, Setpoint] = {}
@@ -276,7 +277,7 @@ class SetpointRefresh:
 
     def speeds(self) -> list[Command[None]]:
         """Return the packets of every motor that runs, as far as the status shows."""
-        running = [] if self._holds_speeds else self._running()
+        running = [] if self._holds_speeds or self._is_held() else self._running()
         return [each for one in running for each in packets([replace(one, accelerate=True)])]
 
     def _running(self) -> list[Setpoint]:

@@ -102,6 +102,9 @@ class ErrorCode(Enum):
         "until the line is quiet. If a motor still turns, cut its power.",
     )
     NO_HEARTBEAT = tr_noop("The program did not respond for more than half a second.")
+    MAY_HAVE_RESTARTED = tr_noop(
+        "The motors that were driven draw no current: the board may have restarted.",
+    )
     LOCKED_OUT = tr_noop("The motors are locked for a while after a stop; nothing was sent.")
     NOT_ARMED = tr_noop(
         "These bytes may move a motor; nothing was sent. Choose Run motor first.",

@@ -36,7 +36,7 @@ from trex_gui.devices.trex.client.reading import (
     read_everything,
     require_free_number,
 )
-from trex_gui.devices.trex.client.telemetry import LatchedStatus, ModeSample, StatusReader
+from trex_gui.devices.trex.client.telemetry import Currents, LatchedStatus, ModeSample, StatusReader
 from trex_gui.devices.trex.client.writing import WriteResult, after_writing, write_all
 from trex_gui.devices.trex.diagnosis import diagnose, explain
 from trex_gui.devices.trex.driving.motor_driver import MotorDriver
@@ -603,7 +603,13 @@ class TrexSession:
                 self._note_status(sample if isinstance(sample, LatchedStatus) else None)
             if sample is not None:
                 self._batcher.add(sample)
-            if isinstance(sample, ModeSample) and sample.mode is not self._state.mode:
+            if isinstance(sample, Currents):
+                self._motors.restart.note_currents(sample.counts, sample.time)
+            if self._motors.restart.has_restarted:
+                confirmed = self._driver.stop_and_confirm()
+                self._emit(MotorsStopped(ErrorCode.MAY_HAVE_RESTARTED, confirmed))
+                self._read_everything(ReadReason.RETURNED)
+            elif isinstance(sample, ModeSample) and sample.mode is not self._state.mode:
                 # The power was off and a jumper was moved: everything may have changed.
                 self._stop_if_moving()
                 self._read_everything(ReadReason.RESTARTED)
@@ -651,6 +657,7 @@ class TrexSession:
     # --- A board that does not respond --------------------------------------------------
 
     def _note_failure(self, error: StudioError, topic: Topic | None = None) -> None:
+        self._motors.restart.note_lost_reply()
         if self._liveness.note_failure(self._now(), topic):
             self._motors.handle(OutputEvent.NOT_RESPONDING, self._now())
             self._driver.stop_without_reply()

@@ -209,7 +209,7 @@ class ActionBar(QWidget):
         if motors.armed:
             if not motors.text:
                 return self.tr("Armed. Drive them on the Motors page.")
-            return self.tr("Armed. Setpoint: {0}").format(motors.text)
+            return self.tr("Armed. Sent: {0}").format(motors.text)
         if self._device.may_move:
             if self._is_out_of_reach:
                 return self._device.loss_text

@@ -1,0 +1,82 @@
+"""A board that restarts while it drives: its motors stand, and no reply says so."""
+
+import pytest
+
+from tests.devices.trex.session.helpers import among, is_stopped, run_for, seen_at, staged
+from tests.support.matrix import sampled
+from tests.support.virtual import Stage
+from trex_gui.core.transport.serial_port import latency_of
+from trex_gui.devices.trex.driving.requests import Arm, Heartbeat, MotorsStopped, SetMotor
+from trex_gui.devices.trex.protocol.driving import Drive
+from trex_gui.devices.trex.protocol.errors import ErrorCode
+from trex_gui.devices.trex.session.messages import NotResponding
+
+FREE, LOADED = 0.0, 3.0  # A beyond its own friction
+CASES = [
+    # seconds without power, moment, baud rate, load, model
+    (0.0, 1.00, 19200, FREE, "trex"),
+    (0.0, 1.37, 115200, LOADED, "trex"),
+    (0.0, 0.62, 57600, FREE, "trexjr"),
+    (0.0, 0.93, 9600, FREE, "trex"),
+    (0.001, 1.11, 19200, LOADED, "trex"),
+    (0.002, 1.48, 115200, FREE, "trexjr"),
+    (0.005, 0.71, 19200, FREE, "trex"),
+    (0.01, 1.83, 38400, LOADED, "trex"),
+    (0.02, 1.25, 19200, FREE, "trexjr"),
+    (0.05, 0.87, 4800, FREE, "trex"),
+    (0.07, 1.52, 115200, LOADED, "trex"),
+    (0.1, 1.03, 19200, FREE, "trex"),
+    (0.15, 1.19, 57600, LOADED, "trexjr"),
+    (0.2, 1.66, 19200, FREE, "trex"),
+]
+
+
+def driving(
+    seconds: float, baud: int = 19200, model: str = "trex", *, begin: float = 3.0
+) -> tuple[Stage, list[tuple[float, object]]]:
+    """Return a stage with a motor driven for so long, and its steps."""
+    stage, _ = staged(baud, model=model)
+    stage.transport.latency = latency_of("/dev/ttyUSB0")
+    steps: list[tuple[float, object]] = [(begin, Arm()), (begin, SetMotor(1, Drive.at(38)))]
+    steps += [(begin + beat * 0.1, Heartbeat()) for beat in range(round(seconds * 10))]
+    return stage, steps
+
+
+@pytest.mark.parametrize(("gap", "moment", "baud", "load", "model"), sampled(CASES, every=5))
+def test_restart_while_driving_is_found_and_disarms(
+    gap: float, moment: float, baud: int, load: float, model: str
+) -> None:
+    stage, steps = driving(3.5, baud, model)
+    stage.board.physics[0].load = load
+    steps += [(3.0 + moment, stage.board.power_off), (3.0 + moment + gap, stage.board.power_on)]
+    plan(stage, steps)
+    rest = seen_at(stage, 6.4, lambda: is_stopped(stage.board))
+    reports = run_for(stage, 6.5, staged(baud)[1])
+    found = [one for one in among(reports, MotorsStopped) if one.confirmed]
+    is_said = [one.reason for one in found] == [ErrorCode.MAY_HAVE_RESTARTED]
+    assert is_said or among(reports, NotResponding)
+    assert rest == [True]
+
+
+def test_motor_that_draws_nothing_goes_on() -> None:
+    """Downhill no current flows, and nothing says how long that lasts."""
+    stage, steps = driving(3.0)
+    force = stage.board.force_current
+    steps += [(4.0, lambda: force(1, 0.0)), (4.6, lambda: force(1, None))]
+    plan(stage, steps)
+    speed = seen_at(stage, 5.9, lambda: stage.board.motors[0].speed)
+    assert not among(run_for(stage, 6.0), MotorsStopped)
+    assert speed == [38]
+
+
+def test_lost_reply_is_no_restart() -> None:
+    stage, steps = driving(3.0)
+    plan(stage, [*steps, (4.0, lambda: setattr(stage.line.faults, "to_drop", 1))])
+    speed = seen_at(stage, 5.9, lambda: stage.board.motors[0].speed)
+    assert not among(run_for(stage, 6.0), MotorsStopped)
+    assert speed == [38]
+
+
+def plan(stage: Stage, steps: list[tuple[float, object]]) -> None:
+    for at, step in sorted(steps, key=lambda one: one[0]):
+        stage.script.at(at, step)  # type: ignore[arg-type] # requests and functions

@@ -1,0 +1,88 @@
+"""Evidence that a board restarted while it drove motors."""
+
+import math
+from collections.abc import Sequence
+
+from trex_gui.devices.trex.client.telemetry import LatchedStatus
+from trex_gui.devices.trex.driving.board_reasons import NOISE_COUNTS
+from trex_gui.devices.trex.driving.requests import SetMotor, Setpoint, is_idle
+from trex_gui.devices.trex.driving.setpoints import LineQuality
+from trex_gui.devices.trex.protocol.flags import Status, UartError
+
+_DRAWS = 3  # counts of a motor that certainly draws a current; inferred: more without load
+_SETTLING = 0.1  # seconds from a new setpoint to a current that belongs to it
+_FALLEN = 0.06  # seconds without a current that need a reason, or that show that none returns
+
+
+class RestartWatch:
+    """Finds out whether a board restarted while it drove motors 1 and 2.
+
+    No query tells. Evidence is that no motor draws a current any more that has drawn one under its
+    setpoint, on a quiet line, with a status that gives no reason. After a lost reply that is
+    sufficient. Otherwise the robot may roll downhill: the setpoints are sent again, and the current
+    returns at once only if the board had lost them. Motors without a current give no evidence.
+    """
+
+    def __init__(self, quality: LineQuality) -> None:
+        self._quality = quality
+        self._running: dict[int, tuple[SetMotor, float]] = {}  # with the time it has settled
+        self._drawing: set[int] = set()
+        self.clear()
+
+    def clear(self) -> None:
+        self._running.clear()
+        self._drawing.clear()
+        self.has_restarted = False
+        self._end_check()
+
+    def _end_check(self) -> None:
+        self._is_reply_lost = False
+        self._fallen_at = self._repeated_at = math.inf
+
+    @property
+    def is_checking(self) -> bool:
+        """Whether the board may have restarted; no speed is refreshed meanwhile."""
+        return bool(self._drawing) and (self._is_reply_lost or self._fallen_at < math.inf)
+
+    def note_setpoints(self, setpoints: Sequence[Setpoint], now: float) -> None:
+        """Note setpoints that are sent, perhaps again."""
+        for one in setpoints:
+            known, _ = self._running.get(one.motor, (None, now))
+            if isinstance(one, SetMotor) and one != known:
+                self._drawing.discard(one.motor)
+                self._running[one.motor] = one, math.inf if is_idle(one) else now + _SETTLING
+
+    def note_lost_reply(self) -> None:
+        """Note a failed transaction before `quality` counts it."""
+        if self._quality.is_quiet and self._drawing:
+            self._is_reply_lost = True
+
+    def note_status(
+        self, latched: LatchedStatus | None, now: float, *, is_whole: bool, stops_on_error: bool
+    ) -> list[SetMotor]:
+        """Decide, or return the setpoints to send again."""
+        if latched is not None and (
+            latched.status & ~Status.UART_ERROR
+            or latched.uart & UartError.TIMEOUT
+            or (stops_on_error and latched.has_line_error)
+        ):
+            self._drawing.clear()  # this is the reason
+            self._end_check()
+        if not is_whole or now - self._fallen_at < _FALLEN or self._repeated_at < now:
+            return []
+        self.has_restarted = self._is_reply_lost
+        self._repeated_at = now
+        return [] if self.has_restarted else [self._running[motor][0] for motor in self._drawing]
+
+    def note_currents(self, counts: Sequence[int], now: float) -> None:
+        if any(counts[motor - 1] > NOISE_COUNTS for motor in self._drawing):
+            self.has_restarted = self._repeated_at < now
+            self._end_check()
+        elif now - self._repeated_at >= _FALLEN:
+            self._drawing.clear()
+            self._end_check()
+        elif self._drawing and (self._quality.is_quiet or self._is_reply_lost):
+            self._fallen_at = min(self._fallen_at, now)
+        for motor, (_, settled_at) in self._running.items():
+            if counts[motor - 1] >= _DRAWS and now >= settled_at:
+                self._drawing.add(motor)
