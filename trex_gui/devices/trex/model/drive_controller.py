@@ -1,13 +1,17 @@
 """Setpoints and stops on their way to the line, and their confirmation."""
 
+import time
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
+from functools import partial
 
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.errors import NoReply, StudioError, describe
+from trex_gui.core.guardian.log import LoggedStop, StopResult, last_stop
 from trex_gui.core.session import Closed, Outcome
 from trex_gui.core.translation import tr
+from trex_gui.core.transport.serial_port import latency_of
 from trex_gui.devices.trex.client.reading import DeviceState, may_be_same_board
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.driving.requests import (
@@ -33,6 +37,7 @@ from trex_gui.devices.trex.protocol.raw_packets import RawPacket
 from trex_gui.devices.trex.session.messages import Connected, ReadReason, SendPacket
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import new_timer, now
 
@@ -84,11 +89,14 @@ class DriveController(QObject):
         self._after_stop: list[AfterStop] = []  # for the next stop
         self._unanswered: list[AfterStop] = []  # for stops without an outcome yet
         self._heartbeat = new_timer(self, round(HEARTBEAT_INTERVAL * 1000), self._on_heartbeat_due)
+        self._unreported = 0  # heartbeats since the last report of the session
+        self._armed_at = ""  # local time, as in the guardian's log
         self._unsent = new_timer(self, 0, self._on_stop_not_sent, single_shot=True)
 
         motors.arming_changed.connect(self._on_arming_changed)
         motors.requested.connect(self._on_drive_requested)
         motors.stop_requested.connect(self._on_stop_requested)
+        connection.reported.connect(self._on_reported)
         connection.started.connect(self._on_line_opened)
         connection.not_responding.connect(self._on_unidentified)
         connection.device_read.connect(self._on_read)
@@ -148,10 +156,23 @@ class DriveController(QObject):
         elif not self._heartbeat.isActive():
             self._connection.submit(Arm(self._connection.selection))
             self._heartbeat.start()
+            self._armed_at = time.strftime("%Y-%m-%d %H:%M:%S")
+
+    @Slot(object)
+    def _on_reported(self, _report: object) -> None:
+        self._unreported = 0
 
     @Slot()
     def _on_heartbeat_due(self) -> None:
+        """Send a heartbeat; disarm if the session, which polls the board, reports nothing."""
         self._connection.submit(Heartbeat(now()))
+        self._unreported += 1
+        seconds, settings = self._unreported * HEARTBEAT_INTERVAL, self._connection.settings
+        # Two replies in a row may be late; the guardian acts before.
+        if settings and seconds >= settings.timeouts.guardian + 5 * latency_of(settings.url):
+            self._motors.stop(self.tr("The connection is not responding."))
+            self._unsent.stop()
+            self._on_stop_not_sent()
 
     @Slot()
     def _on_stop_requested(self) -> None:
@@ -183,17 +204,17 @@ class DriveController(QObject):
     @Slot()
     def _on_stop_not_sent(self) -> None:
         """Warn that the session does not respond; its guardian, which gets no heartbeat, stops."""
-        if self._connection.is_guarded:
-            text = self.tr(
-                "The connection is not responding, so the stop could not be sent. The guardian "
-                "process sends it now. If a motor still turns, cut its power."
-            )
-        else:
-            text = self.tr(
-                "The connection is not responding, so the stop could not be sent. If a motor still "
-                "turns, cut its power."
-            )
-        self._notifier.error.emit(text)
+        in_background(self, partial(last_stop, 0), self._report_unsent, lambda _error: None)
+
+    def _report_unsent(self, found: tuple[int, LoggedStop | None]) -> None:
+        advice = self.tr("If a motor still turns, cut its power.")
+        _, stop = found
+        if stop and stop.time >= self._armed_at and stop.result is StopResult.CONFIRMED:
+            advice = self.tr("The guardian process stopped the motors, and the board confirmed it.")
+        elif self._connection.is_guarded:
+            advice = f"{self.tr('The guardian process sends it now.')} {advice}"
+        text = self.tr("The connection is not responding, so the stop could not be sent.")
+        self._notifier.error.emit(f"{text} {advice}")
 
     def _on_stopped(self, outcome: Outcome) -> None:
         if outcome.error is None:

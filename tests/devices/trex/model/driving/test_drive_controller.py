@@ -1,6 +1,7 @@
 """Setpoints and stops between the window and a board in a separate process."""
 
 import threading
+import time
 from itertools import pairwise
 
 import pytest
@@ -11,6 +12,7 @@ from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.core.errors import StudioError
+from trex_gui.core.guardian.log import log_file
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.driving.requests import Heartbeat, MotorsStopped
 from trex_gui.devices.trex.model.connection import Connection
@@ -165,6 +167,30 @@ def test_stop_that_a_hanging_session_cannot_send_is_reported(
     assert remedy in said[0]
     qtbot.waitUntil(lambda: not driven.may_move)
     assert is_braked(simulator)
+
+
+@pytest.mark.parametrize(
+    ("result", "advice"),
+    [
+        ("confirmed", "The guardian process stopped the motors, and the board confirmed it."),
+        ("unconfirmed", "If a motor still turns, cut its power."),
+    ],
+)
+def test_session_that_hangs_is_noticed_within_a_second(
+    result: str, advice: str, driven: Device, simulator: SimulatedDevice, qtbot: QtBot
+) -> None:
+    said: list[str] = []
+    driven.notifier.error.connect(said.append)
+    hang(simulator, 2.0, qtbot)
+    began = now()
+    log_file().parent.mkdir(parents=True, exist_ok=True)
+    line = f"{time.strftime('%Y-%m-%d %H:%M:%S')} {result}: in time\n"
+    log_file().write_text(line, encoding="utf-8")
+    qtbot.waitUntil(lambda: bool(said))
+    assert now() - began < 1.0
+    assert said[0].endswith(advice)
+    assert driven.motors.stop_reason == "The connection is not responding."
+    qtbot.waitUntil(lambda: not driven.may_move)
 
 
 def test_arming_on_a_noisy_line_recommends_crc(driven: Device, qtbot: QtBot) -> None:
