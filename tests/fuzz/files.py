@@ -21,7 +21,7 @@ from tests.support.bad_files import BAD_FILES
 from trex_gui.core.code import Language
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files import Finding, SettingsError, Severity, load
-from trex_gui.core.guardian.log import last_stop, log_file
+from trex_gui.core.guardian.log import log_file, logged_stops
 from trex_gui.core.recording.export import export_span
 from trex_gui.core.recording.kinds import RecordingError
 from trex_gui.core.recording.store import Recording
@@ -412,7 +412,7 @@ SQL = tuple(
 def check_guardian_log(data: bytes, folder: Path) -> None:
     with patch.dict(os.environ, TREX_STUDIO_DATA=str(folder)):
         log_file().write_bytes(data)
-        assert last_stop(0)[0] == len(data)
+        assert logged_stops(0)[0] == len(data)
 
 
 GUARDIAN = (b"confirmed", b"repeated", b"lost", b": ", b" ", b"\n", b"\xff", b"\0", b"x" * 70_000)

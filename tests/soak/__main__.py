@@ -13,7 +13,7 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 
 from tests.fuzz import targets
-from tests.soak import drives, faults
+from tests.soak import deaths, drives, faults
 from tests.support import kill_saves
 
 Part = Callable[[float, int], Sequence[object]]
@@ -24,6 +24,7 @@ PARTS: dict[str, Part] = {
     "kill_saves": kill_saves.run,
     "faults": faults.run,
     "drives": drives.run,
+    "deaths": deaths.run,
 }
 
 

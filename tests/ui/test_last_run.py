@@ -7,6 +7,8 @@ import pytest
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
 from trex_gui.core.guardian.log import log_file
+from trex_gui.core.transport.driven import driven_file, driven_note
+from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.ui.devices.connection import ConnectionState
 
 
@@ -43,6 +45,41 @@ def test_crash_is_reported_with_the_stop_or_without(window: WindowDriver) -> Non
     assert window.dialog("reportDialog").root.isVisible()
 
 
+def test_every_stop_is_reported_unconfirmed_ones_first(window: WindowDriver) -> None:
+    log_file().parent.mkdir(parents=True, exist_ok=True)
+    lines = ("12:00:01 unconfirmed", "12:00:02 unconfirmed", "12:00:03 confirmed")
+    log_file().write_text("".join(f"2026-11-23 {line}: Text.\n" for line in lines))
+    window.program.report_last_run()
+    window.wait_for_text("bannerText", "confirmed that")
+    first, second = window.text("bannerText").splitlines()
+    assert "2026-11-23 12:00:01, 2026-11-23 12:00:02, which the board did not confirm" in first
+    assert "2026-11-23 12:00:03, and the board confirmed" in second
+
+
+def test_board_that_was_left_running_is_reported_first_until_it_is_stopped(
+    window: WindowDriver, quick_simulator: SimulatedDevice
+) -> None:
+    url = "/dev/ttyNONE"
+    file = driven_file(url)
+    file.parent.mkdir(parents=True)
+    note = driven_note("TReX 1.2", PortSettings(url, SerialFormat(19200)))
+    stop = "stop: d07f7ff000 84 1 1 0 0.05"
+    file.write_text(f"{note}{stop}\nsince: 2026-11-28 12:00:00\nguardian: 999999\n")
+    danger = "Motors may still be turning: no stop of the TReX 1.2 at /dev/ttyNONE"
+    window.program.report_last_run(has_crashed=True)
+    window.wait_for_text("bannerText", danger)
+    window.connect(quick_simulator.url)  # another one
+    window.wait_for_files()
+    assert window.text("bannerText").startswith(danger)
+    window.click("bannerStop")
+    window.wait_for_text("bannerText", "There is no port /dev/ttyNONE")
+    assert window.text("bannerText").startswith(danger)
+    file.unlink()
+    window.click("bannerStop")
+    window.wait_for_files()
+    window.program.report_last_run()
+
+
 def test_proper_end_is_not_reported(window: WindowDriver) -> None:
     window.program.report_last_run()
     window.wait_for_files()
@@ -57,7 +94,7 @@ def test_stop_that_the_program_repeated_is_not_reported(window: WindowDriver) ->
     assert not window.has("bannerText")
 
 
-def test_stop_is_reported_once_the_board_is_connected_that_was_named_at_the_start(
+def test_stop_is_still_reported_once_the_board_is_connected_that_was_named_at_the_start(
     window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
     log_file().parent.mkdir(parents=True, exist_ok=True)
@@ -67,4 +104,5 @@ def test_stop_is_reported_once_the_board_is_connected_that_was_named_at_the_star
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
     text = "If a motor still turns, cut its power."
     window.wait_for_text("bannerText", text)
-    assert text in window.program.workspace("trex").log.entries[-1].text
+    entries = window.program.workspace("trex").log.entries
+    assert [text in entry.text for entry in entries].count(True) == 1

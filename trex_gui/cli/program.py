@@ -11,6 +11,7 @@ from trex_gui import __version__
 from trex_gui.composition import PLUGINS
 from trex_gui.core.command_io import TROUBLE, standard_streams
 from trex_gui.core.plugin import CommandInfo, Lazy
+from trex_gui.core.transport.driven import driven_boards
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
@@ -128,7 +129,7 @@ def _log_to_terminal(context: click.Context, _option: click.Parameter, verbose: 
     help="Print what the program logs, too: connections, attempts, the guardian.",
 )
 @click.option(
-    "--guardian", nargs=4, hidden=True, is_eager=True, expose_value=False, callback=_run_guardian
+    "--guardian", nargs=5, hidden=True, is_eager=True, expose_value=False, callback=_run_guardian
 )
 def main() -> None:
     """Inspect, set up and drive a Pololu TReX or TReX Jr motor controller.
@@ -136,6 +137,7 @@ def main() -> None:
     Data goes to standard output, messages go to standard error. Exit codes: 0 success, 1 failure
     of the device or a file, 2 wrong usage. Of diff and audit: 0 equal, 1 different, 2 failure.
     """
+    driven_boards()  # logs those that were left running
 
 
 _COMPLETION_HELP = """Print the script that completes commands, parameter names and ports.

@@ -56,18 +56,20 @@ def _take_abandoned() -> bool:
     found = False
     for path in log_folder().glob("run-*.txt"):
         with suppress(OSError):  # on Windows a file that is open cannot be renamed
-            if not _is_locked(path):
+            if not is_locked(path):
                 path.replace(crash_file())
                 found = True
     return found
 
 
-def _is_locked(path: Path) -> bool:
-    """Whether the process that made a file runs; on Windows that is not asked."""
-    if sys.platform != "win32":
-        with open_ordinary(path) as file:
-            try:
-                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            except BlockingIOError:
-                return True
+def is_locked(path: Path) -> bool:
+    """Whether the process that made a file, and locked it, runs; OSError if it cannot be read."""
+    try:
+        if sys.platform == "win32":
+            path.replace(path)  # not while it is open
+        else:
+            with open_ordinary(path) as file:
+                fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
+    except (BlockingIOError, PermissionError):
+        return True
     return False

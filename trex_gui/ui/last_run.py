@@ -1,50 +1,72 @@
 """A message at the start: the last run did not end properly, or the guardian stopped motors."""
 
-from functools import partial
+from pathlib import Path
 
-from trex_gui.core.guardian.log import LoggedStop, StopResult, last_stop
-from trex_gui.core.translation import tr
+from trex_gui.core.errors import StudioError
+from trex_gui.core.guardian.log import StopResult, logged_stops
+from trex_gui.core.translation import tr, tr_noop
+from trex_gui.core.transport.driven import DrivenBoard, driven_boards
+from trex_gui.core.transport.serial_port import SerialTransport
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier, Remedy
 from trex_gui.ui.preferences import Preferences
 
 _SEEN = "guardian/seen"
 
+_STOPS = {
+    StopResult.UNCONFIRMED: tr_noop(
+        "The program could not stop the motors itself. The guardian process sent a stop at {0}, "
+        "which the board did not confirm. If a motor still turns, cut its power."
+    ),
+    StopResult.CONFIRMED: tr_noop(
+        "The program could not stop the motors itself. The guardian process stopped them at {0}, "
+        "and the board confirmed that."
+    ),
+}
 
-def report_last_run(notifier: Notifier, *, has_crashed: bool) -> None:
-    """Report the newest stop in the guardian's log, or that the program did not end properly.
 
-    A stop is reported once; it may be one of `trexcmd`. Each offers a report for support.
+def report_last_run(notifier: Notifier, *, has_crashed: bool = False) -> None:
+    """Report boards that were left running, stops in the guardian's log, or else a crash.
+
+    Each stop is reported once; it may be one of `trexcmd`. All offer a report for support.
     """
     store = Preferences()
     seen = store.integer(_SEEN, 0, 0, 2**31 - 1)
 
-    def report(found: tuple[int, LoggedStop | None]) -> None:
-        size, stop = found
+    def report(found: tuple[int, list[tuple[str, StopResult]], dict[Path, DrivenBoard]]) -> None:
+        size, stops, boards = found
+        if store.integer(_SEEN, 0, 0, 2**31 - 1) != seen:
+            return  # another call has reported them
         if size != seen:
             store.set(_SEEN, size)
-        result = None if stop is None else stop.result
-        if stop is not None and result is StopResult.CONFIRMED:
-            text = tr(
-                "The program could not stop the motors itself. The guardian process stopped them "
-                "at {0}, and the board confirmed that."
-            )
-            notifier.info.emit(text.format(stop.time))
-        elif stop is not None and result is StopResult.UNCONFIRMED:
-            text = tr(
-                "The program could not stop the motors itself. The guardian process sent a stop "
-                "at {0}, which the board did not confirm. If a motor still turns, cut its power."
-            )
-            notifier.error.emit(text.format(stop.time))
-        elif has_crashed:
-            notifier.info.emit(
+        texts = [board.text() for board in boards.values()]
+        for result, text in _STOPS.items():
+            if times := [time for time, found in stops if found is result]:
+                texts.append(tr(text).format(", ".join(times)))
+        if has_crashed and not texts:
+            texts.append(
                 tr(
                     "TReX Studio did not end properly the last time. If it crashed, a report for "
                     "support says where."
                 )
             )
-        else:
-            return
-        notifier.remedies_offered.emit((Remedy.REPORT,))
+        if texts:
+            is_problem = boards or any(found is StopResult.UNCONFIRMED for _, found in stops)
+            (notifier.error if is_problem else notifier.info).emit("\n".join(texts))
+            stop = (Remedy.STOP_THEM,) if boards else ()
+            notifier.remedies_offered.emit((*stop, Remedy.REPORT))
 
-    in_background(notifier, partial(last_stop, seen), report, lambda _error: None)
+    in_background(notifier, lambda: (*logged_stops(seen), driven_boards()), report, lambda _: None)
+
+
+def stop_left_running(notifier: Notifier) -> None:
+    """Open the port of each board that was left running, which stops it, and report the result."""
+
+    def stop() -> None:
+        for board in driven_boards().values():
+            SerialTransport(board.settings).close()
+
+    def failed(error: StudioError) -> None:
+        notifier.report(str(error), (Remedy.STOP_THEM,))
+
+    in_background(notifier, stop, lambda _: report_last_run(notifier), failed)

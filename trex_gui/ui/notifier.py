@@ -23,6 +23,8 @@ class Remedy(Enum):
     """Let the board detect errors on the line."""
     CHECK_BOARD = auto()
     """Show what to look at on a board that does not respond."""
+    STOP_THEM = auto()
+    """Stop the motors that another program has left running: the message is shown until then."""
     REPORT = auto()
     """Show the report for support: the message is about the program and outlives connections."""
 

@@ -9,7 +9,6 @@ from PySide6.QtCore import QCoreApplication, QEvent
 from trex_gui.core.plugin import DevicePlugin
 from trex_gui.core.timing import Timeouts
 from trex_gui.ui.devices.auto_connect import AutoConnect
-from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.device_manager import Controller, DeviceManager
 from trex_gui.ui.devices.ports import Ports
 from trex_gui.ui.devices.scanner import DeviceScanner
@@ -121,16 +120,12 @@ class Program:
         return next((found for found in kinds if suffix in found[1].suffixes), kinds[0])
 
     def report_last_run(self, *, has_crashed: bool = False) -> None:
-        """Say whether the last run crashed, or the guardian stopped motors since the last start.
+        """Say whether motors may be turning, a guardian stopped motors, or the last run crashed.
 
-        A connection that is being opened clears messages, so this waits for it.
+        It is said again once a connection that is being opened has cleared messages.
         """
-        manager = self.device_manager
-        report = partial(report_last_run, self._notifier, has_crashed=has_crashed)
-        if manager.is_idle or manager.current.link is ConnectionState.CONNECTED:
-            report()
-        else:
-            self.device_manager.when_connected(report)
+        report_last_run(self._notifier, has_crashed=has_crashed)
+        self._notifier.cleared.connect(partial(report_last_run, self._notifier))
 
     def stop_now(self, *, ending: bool = False) -> None:
         self.device_manager.stop_now(ending=ending)

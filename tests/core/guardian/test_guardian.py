@@ -8,6 +8,7 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import suppress
+from dataclasses import replace
 from pathlib import Path
 from threading import Thread
 
@@ -16,7 +17,8 @@ import pytest
 from tests.support.simulator import StartSimulator
 from trex_gui.core.guardian import process
 from trex_gui.core.guardian.guardian import GuardianProcess, SharedPort, StopSequence
-from trex_gui.core.guardian.log import StopResult, last_stop, log_file
+from trex_gui.core.guardian.log import StopResult, log_file, logged_stops
+from trex_gui.core.run_file import is_locked
 from trex_gui.core.transport.serial_port import SerialTransport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
@@ -108,9 +110,62 @@ def test_motors_are_stopped_when_the_program_ends_while_they_may_move(ends: Ends
 def logged(guardian: GuardianProcess) -> StopResult:
     """Return what a guardian that has stopped motors says in its log."""
     wait_until(lambda: has_ended(guardian))
-    _, stop = last_stop(0)
-    assert stop is not None
-    return stop.result
+    _, stops = logged_stops(0)
+    return stops[-1][1]
+
+
+@pytest.mark.parametrize("confirms", [True, False])
+def test_file_says_that_motors_may_be_moving_until_a_stop_is_confirmed(
+    confirms: bool, ends: Ends, tmp_path: Path
+) -> None:
+    board = Board(ends[1])
+    file = tmp_path / "driven" / "port.txt"
+    guardian = GuardianProcess(SharedPort("serial", ends[0].fileno()), OFTEN, file)
+    guardian.wait_until_ready(LONG_TIMEOUT)
+    guardian.watch(STOP)
+    wait_until(file.exists)
+    guardian.watch(None)
+    wait_until(lambda: not file.exists())
+    guardian.watch(replace(STOP, note="board: ours\n"))
+    wait_until(lambda: file.exists() and "board: ours" in file.read_text(encoding="utf-8"))
+    assert is_locked(file)
+    if not confirms:
+        board.line.shutdown(socket.SHUT_RDWR)
+    die(guardian)
+    wait_until(lambda: has_ended(guardian))
+    assert file.exists() != confirms
+    assert confirms or not is_locked(file)
+
+
+def test_guardian_whose_pipe_the_program_has_closed_goes_on_stopping(ends: Ends) -> None:
+    board = Board(ends[1])
+    board.statuses = [b""]
+    guardian = started(ends[0])
+    guardian.watch(STOP)
+    assert guardian._process is not None
+    assert guardian._process.stdin is not None
+    nothing = os.open(os.devnull, os.O_RDONLY)
+    os.dup2(nothing, guardian._process.stdin.fileno())  # a number that nothing else gets
+    os.close(nothing)
+    guardian.watch(STOP)
+    assert guardian.has_acted
+    assert not guardian.stop(0)
+    board.statuses = [b"\x00"]
+    guardian.end()
+    assert logged(guardian) is StopResult.CONFIRMED
+
+
+def test_suspended_guardian_is_lost_and_may_be_killed(ends: Ends) -> None:
+    board = Board(ends[1])
+    guardian = started(ends[0])
+    assert guardian._process is not None
+    guardian._process.send_signal(signal.SIGSTOP)
+    while guardian.is_ready:
+        guardian.watch(STOP)
+        time.sleep(0.05)
+    assert not guardian.end()
+    assert has_ended(guardian)
+    assert board.received == b""
 
 
 def test_line_that_is_gone_ends_the_guardian(ends: Ends) -> None:

@@ -4,11 +4,12 @@ from pathlib import Path
 
 import pytest
 
-from trex_gui.core.guardian.log import LoggedStop, StopResult, last_stop, log_file
+from trex_gui.core.guardian.log import StopResult, log_file, logged_stops
 
 FIRST = b"2026-11-23 12:03:05 confirmed: The program ended.\n"
 LINES = FIRST + b"2026-11-24 07:00:00 unconfirmed: The program ended.\n"
-NEWEST = LoggedStop("2026-11-24 07:00:00", StopResult.UNCONFIRMED)
+OLDEST = ("2026-11-23 12:03:05", StopResult.CONFIRMED)
+NEWEST = ("2026-11-24 07:00:00", StopResult.UNCONFIRMED)
 
 
 @pytest.fixture
@@ -17,19 +18,19 @@ def log() -> Path:
     return log_file()
 
 
-def test_last_stop_behind_what_was_seen_is_found(log: Path) -> None:
+def test_stops_behind_what_was_seen_are_found(log: Path) -> None:
     log.write_bytes(LINES)
     size = len(LINES)
-    assert [last_stop(seen) for seen in (0, len(FIRST), size)] == [
-        (size, NEWEST),
-        (size, NEWEST),
-        (size, None),
+    assert [logged_stops(seen) for seen in (0, len(FIRST), size)] == [
+        (size, [OLDEST, NEWEST]),
+        (size, [NEWEST]),
+        (size, []),
     ]
 
 
 def test_log_that_became_shorter_counts_as_new(log: Path) -> None:
     log.write_bytes(LINES)
-    assert last_stop(1_000_000) == (len(LINES), NEWEST)
+    assert logged_stops(1_000_000) == (len(LINES), [OLDEST, NEWEST])
 
 
 @pytest.mark.parametrize(
@@ -37,15 +38,15 @@ def test_log_that_became_shorter_counts_as_new(log: Path) -> None:
 )
 def test_damaged_log_is_read_as_far_as_possible(log: Path, damage: bytes) -> None:
     log.write_bytes(damage + b"\n" + LINES)
-    assert last_stop(0)[1] == NEWEST
+    assert logged_stops(0)[1] == [OLDEST, NEWEST]
     log.write_bytes(damage)
-    assert last_stop(0) == (len(damage), None)
+    assert logged_stops(0) == (len(damage), [])
 
 
 def test_missing_log_is_empty() -> None:
-    assert last_stop(5) == (0, None)
+    assert logged_stops(5) == (0, [])
 
 
 def test_folder_in_place_of_the_log_is_empty(log: Path) -> None:
     log.mkdir()
-    assert last_stop(0) == (0, None)
+    assert logged_stops(0) == (0, [])

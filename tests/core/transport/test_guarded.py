@@ -63,13 +63,13 @@ class Session:
         self.line = Line()
         self.stop: StopSequence | None = None
         self.stop_is_due = False
-        self.taken_over: list[bool] = []
+        self.taken_over: list[bool | None] = []
         self.transport = GuardedTransport(
             self.line,
             SILENCE,
             lambda: self.stop,
-            self.taken_over.append,
-            lambda: self.stop_is_due,
+            taken_over=self.taken_over.append,
+            stop_is_due=lambda: self.stop_is_due,
         )
 
     @property
@@ -208,14 +208,42 @@ def test_guardian_that_has_acted_is_replaced_before_the_line_is_used(session: Se
     assert session.watched == [STOP]
 
 
-def test_dead_guardian_is_started_again_after_a_while(session: Session) -> None:
+@pytest.mark.parametrize("stop", [None, STOP], ids=["at rest", "moving"])
+def test_lost_guardian_is_replaced_at_once(stop: StopSequence | None, session: Session) -> None:
     session.transport.wait_for_guardian()
     session.line.guardians[0].is_ready = False
-    session.stop = STOP
-    session.transport.wait(6.0)
+    session.stop = stop
+    session.transport.beat()
+    assert session.line.guardians[0].has_ended
     assert len(session.line.guardians) == 2
-    assert session.watched[-1] == STOP
+    assert session.watched[-1:] == [stop][: stop is not None]
     assert session.transport.is_guarded
+    assert session.taken_over == []
+
+
+def test_motors_are_stopped_where_nothing_replaces_a_lost_guardian(
+    session: Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    session.transport.wait_for_guardian()
+    session.stop = STOP
+    session.transport.beat()
+    session.line.guardians[0].is_ready = False
+    monkeypatch.setattr(VirtualGuardian, "__init__", start_in_vain)
+    session.transport.wait(0.35)
+    assert session.taken_over == []
+    session.transport.wait(0.15)
+    assert session.taken_over == [None]
+    with pytest.raises(NoReply):
+        session.transport.write(SETPOINT)
+    session.transport.write(STOP.packets)
+    session.transport.write(SETPOINT)  # by a user who knows
+    assert not session.transport.is_guarded
+    assert len(session.line.guardians) == 2
+
+
+def start_in_vain(guardian: VirtualGuardian) -> None:
+    guardian.is_ready = guardian.has_acted = False
+    guardian.watched = []
 
 
 def test_guardian_ends_before_the_line_is_closed(session: Session) -> None:

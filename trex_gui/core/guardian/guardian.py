@@ -6,9 +6,10 @@ import os
 import subprocess
 import sys
 import threading
+import time
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Protocol
+from typing import Any, Protocol
 
 if sys.platform != "win32":
     import fcntl
@@ -20,10 +21,11 @@ log = logging.getLogger(__name__)
 HEARTBEAT_INTERVAL = 0.1
 """Longest time in seconds between two heartbeats while motors may be moving."""
 
-_ENDING_S = 0.5  # seconds that the process may take to end
+_ENDING_S, _BREAKING_OFF_S = 0.5, 2.0  # seconds to end, and to end while it stops the motors
+_MARKED_S = 0.1  # seconds that driving waits for the file that says that motors may be moving
 
-_MOST_UNREAD = 20
-"""Messages that the process may leave unread: two seconds of heartbeats."""
+_MOST_UNREAD, _UNREAD_S = 3, 0.25
+"""Messages that a suspended process leaves unread, for so many seconds; it counts as lost."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,6 +39,7 @@ class StopSequence:
         error_mask: bits of its first byte that report errors on the line.
         has_echo: whether everything sent comes back before the reply.
         seconds: how long one round takes at most.
+        note: lines about the board, for the file that says that its motors may be moving.
     """
 
     packets: bytes
@@ -45,6 +48,7 @@ class StopSequence:
     error_mask: int
     has_echo: bool
     seconds: float
+    note: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +68,7 @@ class Guardian(Protocol):
     """A guardian from the view of a session.
 
     Attributes:
-        is_ready: it is running and has not acted.
+        is_ready: it is running, responds and has not acted.
         has_acted: it has begun to stop the motors, and may still use the line.
     """
 
@@ -88,17 +92,22 @@ class Guardian(Protocol):
 class GuardianProcess:
     """Starts the process; where that is impossible `is_ready` stays false."""
 
-    def __init__(self, port: SharedPort | None, silence: float) -> None:
-        """Make it act after so many seconds of `silence`; `None` is a port without descriptor."""
+    def __init__(self, port: SharedPort | None, silence: float, file: Path | None = None) -> None:
+        """Make it act after so many seconds of `silence`; `None` is a port without descriptor.
+
+        `file`: where it says that motors may be moving.
+        """
         self._sent: StopSequence | None = None
         self._is_confirmed = False
         self._started, self._ended = threading.Event(), threading.Event()
-        self._unread = 0
+        self._marked = threading.Event()
+        self._marking = 0.0 if file is None else _MARKED_S
+        self._unread, self._unread_since = 0, 0.0
         self._writing = threading.Lock()
         self.has_acted = False
         self._process: subprocess.Popen[bytes] | None = None
         try:
-            self._process = None if port is None else _start(port, silence)
+            self._process = None if port is None else _start(port, silence, file)
         except (OSError, ValueError) as error:
             log.warning("the guardian process cannot be started: %s", error)
         if self._process is None:
@@ -107,28 +116,36 @@ class GuardianProcess:
         threading.Thread(target=self._listen, args=(self._process,), daemon=True).start()
 
     def _listen(self, process: "subprocess.Popen[bytes]") -> None:
-        for line in process.stdout or ():
-            if line != b"read\n":
-                log.debug("guardian process %d: %r", process.pid, line)
-            match line.strip():
-                case b"read":
-                    self._unread = 0
-                case b"ready":
-                    self._started.set()
-                case b"stopping":
-                    self.has_acted = True
-                case b"confirmed":
-                    self._is_confirmed = True
-        with self._writing:  # not into a descriptor of the same number
-            self._ended.set()
-            if process.stdin is not None:
-                process.stdin.close()
-        with process:  # closes the other pipe and waits for its end
-            pass
+        # A program that closes all its descriptors ends the reading, but not the process.
+        with contextlib.suppress(OSError, ValueError):
+            for line in process.stdout or ():
+                if line != b"read\n":
+                    log.debug("guardian process %d: %r", process.pid, line)
+                match line.strip():
+                    case b"read":
+                        self._unread = 0
+                    case b"ready":
+                        self._started.set()
+                    case b"marked":
+                        self._marked.set()
+                    case b"stopping":
+                        self.has_acted = True
+                    case b"confirmed":
+                        self._is_confirmed = True
+        process.wait()
+        with self._writing, contextlib.suppress(OSError), process:  # closes the pipes; locked, for
+            self._ended.set()  # nothing may be written into a descriptor of the same number
 
     @property
     def is_ready(self) -> bool:
-        return self._started.is_set() and not self.has_acted and not self._ended.is_set()
+        has_failed = self.has_acted or self._ended.is_set() or self._is_suspended
+        return self._started.is_set() and not has_failed
+
+    @property
+    def _is_suspended(self) -> bool:
+        is_late = time.monotonic() - self._unread_since > _UNREAD_S
+        is_watching = self._started.is_set() and not self.has_acted
+        return is_watching and is_late and self._unread >= _MOST_UNREAD
 
     @property
     def has_ended(self) -> bool:
@@ -141,8 +158,11 @@ class GuardianProcess:
     def watch(self, sequence: StopSequence | None) -> None:
         if sequence is None and self._sent is None:
             return
-        self._sent = sequence
+        is_first, self._sent = self._sent is None, sequence
+        self._marked.clear()
         self._send("idle" if sequence is None else _message(sequence))
+        if is_first and self.is_ready:  # one that is starting must not delay a stop
+            self._marked.wait(self._marking)
 
     def stop(self, seconds: float) -> bool:
         self._send("stop")
@@ -150,75 +170,74 @@ class GuardianProcess:
         return self._is_confirmed
 
     def end(self) -> bool:
-        self._send("end")
-        if self._process is not None and not self._ended.wait(_ENDING_S):
+        is_suspended = self._is_suspended
+        # One that cannot be told so takes it for the end of the program, and may stop the motors.
+        is_told = self._send("end")
+        seconds = _BREAKING_OFF_S if self.has_acted else 0.0 if is_suspended else _ENDING_S
+        if self._process is not None and not self._ended.wait(seconds) and is_told:
+            log.warning("the guardian process does not respond")
             self._process.kill()
             self._ended.wait(_ENDING_S)
         return self._is_confirmed
 
-    def _send(self, message: str) -> None:
-        """Send a message, or end a process that does not read its messages."""
+    def _send(self, message: str) -> bool:
+        """Send a message; return whether that was possible. Kill nothing."""
         process = self._process
-        if process is None or process.stdin is None:
-            return
-        with self._writing, contextlib.suppress(OSError, ValueError):  # it may have ended
-            if not self._ended.is_set() and self._unread < _MOST_UNREAD:
-                self._unread += 1
+        with self._writing:
+            if process is None or process.stdin is None or self._ended.is_set():
+                return False
+            try:
                 os.write(process.stdin.fileno(), f"{message}\n".encode("ascii"))
-                return
-        if not self._ended.is_set():
-            log.warning("the guardian process does not respond")
-            process.kill()
+            except (OSError, ValueError) as error:
+                is_closed_here = not isinstance(error, BrokenPipeError)
+                self.has_acted |= is_closed_here and self._sent is not None
+                return False
+            self._unread_since = self._unread_since if self._unread else time.monotonic()
+            self._unread += 1
+            return True
 
 
 def _message(stop: StopSequence) -> str:
-    return (
-        f"watch {stop.packets.hex()} {stop.query.hex()} {stop.reply_size} {stop.error_mask} "
+    stop_text = (
+        f"{stop.packets.hex()} {stop.query.hex()} {stop.reply_size} {stop.error_mask} "
         f"{stop.has_echo:d} {stop.seconds}"
     )
+    note = f"{stop.note}stop: {stop_text}\n".encode(errors="surrogateescape")
+    return f"watch {stop_text} {note.hex()}"
 
 
-def _start(port: SharedPort, silence: float) -> "subprocess.Popen[bytes]":
-    if getattr(sys, "frozen", False):
-        command = [sys.executable, "--guardian"]
-    else:
-        # -I, -S: nothing of the user's Python set-up is imported.
-        command = [sys.executable, "-I", "-S", str(Path(__file__).with_name("process.py"))]
-    pipe = subprocess.PIPE
-    # A window without a console may have a standard error that cannot be inherited.
-    errors = subprocess.DEVNULL if sys.stderr is None else None
+def _start(port: SharedPort, silence: float, file: Path | None) -> "subprocess.Popen[bytes]":
+    number = port.number
+    options: dict[str, Any]
     if sys.platform == "win32":
-        command += [port.kind, str(port.number), str(silence), str(log_file())]
-        if not getattr(sys, "frozen", False):
+        flags = subprocess.CREATE_NO_WINDOW | subprocess.CREATE_NEW_PROCESS_GROUP
+        startup = subprocess.STARTUPINFO(lpAttributeList={"handle_list": [number]})
+        options = {"startupinfo": startup, "creationflags": flags}
+        os.set_handle_inheritable(number, True)
+    else:
+        # Not one of the first three, which would become a pipe: a program may be started without
+        # them. In a session of its own the signals of a terminal do not reach the process.
+        number = fcntl.fcntl(number, fcntl.F_DUPFD_CLOEXEC, 3)
+        options = {"pass_fds": [number], "start_new_session": True}
+    command = [sys.executable, "--guardian"]
+    if not getattr(sys, "frozen", False):
+        # -I, -S: nothing of the user's Python set-up is imported.
+        command[1:] = ["-I", "-S", str(Path(__file__).with_name("process.py"))]
+        if sys.platform == "win32":
             # In a virtual environment `executable` is a launcher, which would stay beside it.
             command[0] = getattr(sys, "_base_executable", "") or sys.executable
-        startup = subprocess.STARTUPINFO(lpAttributeList={"handle_list": [port.number]})
-        flags = subprocess.CREATE_NO_WINDOW | subprocess.CREATE_NEW_PROCESS_GROUP
-        os.set_handle_inheritable(port.number, True)
-        try:
-            return subprocess.Popen(  # noqa: S603 - our own program
-                command,
-                bufsize=0,
-                stdin=pipe,
-                stdout=pipe,
-                stderr=errors,
-                startupinfo=startup,
-                creationflags=flags,
-            )
-        finally:
-            os.set_handle_inheritable(port.number, False)  # Qt's processes inherit every handle
-    # Not one of the first three, which would become a pipe: a program may be started without them.
-    number = fcntl.fcntl(port.number, fcntl.F_DUPFD_CLOEXEC, 3)
     try:
-        # In a session of its own the signals of a terminal do not reach it.
         return subprocess.Popen(  # noqa: S603 - our own program
-            [*command, port.kind, str(number), str(silence), str(log_file())],
+            [*command, port.kind, str(number), str(silence), str(log_file()), str(file or "")],
             bufsize=0,
-            stdin=pipe,
-            stdout=pipe,
-            stderr=errors,
-            pass_fds=[number],
-            start_new_session=True,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            # A window without a console may have a standard error that cannot be inherited.
+            stderr=subprocess.DEVNULL if sys.stderr is None else None,
+            **options,
         )
     finally:
-        os.close(number)
+        if sys.platform == "win32":
+            os.set_handle_inheritable(number, False)  # Qt's processes inherit every handle
+        else:
+            os.close(number)

@@ -5,14 +5,15 @@ milliseconds, stays small and does not fail with the program.
 
 It reads one message per line from its standard input:
 
-    watch STOP QUERY REPLY_SIZE ERROR_MASK HAS_ECHO SECONDS   motors may be moving; a heartbeat
+    watch STOP QUERY REPLY_SIZE ERROR_MASK HAS_ECHO SECONDS NOTE   motors may be moving; a heartbeat
     idle   no motor may be moving
     stop   stop them now
     end    the program needs the line again, or has closed it
 
 Bytes are hexadecimal; `StopSequence` in `guardian.py` explains the fields. It replies with `ready`,
-with `read` to each message, and if the motors have to be stopped with `stopping` and at last
-`confirmed` or `unconfirmed`; then it says so in its log file, too.
+with `read` to each message, with `marked` once the file says that motors may be moving
+(`keep_file`), and if they have to be stopped with `stopping` and at last `confirmed` or
+`unconfirmed`; then it says so in its log file, too.
 """
 
 import os
@@ -23,12 +24,13 @@ import socket
 import sys
 import threading
 import time
-from collections.abc import Generator
+from collections.abc import Callable, Generator, Sequence
 from contextlib import suppress
 from io import FileIO
 from typing import Protocol
 
 if sys.platform != "win32":
+    import fcntl
     import termios
 
 _GIVE_UP_S = 5.0  # seconds for which a stop is repeated
@@ -235,23 +237,58 @@ class StopMessage:
     """What `watch` says; see `StopSequence`."""
 
     def __init__(self, fields: list[str]) -> None:
-        packets, query, size, mask, echo, seconds = fields
+        packets, query, size, mask, echo, seconds, note = fields
         self.packets, self.query = bytes.fromhex(packets), bytes.fromhex(query)
         self.reply_size, self.error_mask = int(size), int(mask)
         self.has_echo = echo == "1"
         self.seconds = float(seconds)
+        self.note = bytes.fromhex(note)
+
+
+def keep_file(path: str, notes: "queue.Queue[bytes | None]", written: Callable[[], object]) -> None:
+    """Write each note into a file that is locked; an empty one removes it, `None` is the end.
+
+    Runs in a thread of its own: a slow disk delays no stop.
+    """
+    file: FileIO | None = None
+    last = b""
+    while (note := notes.get()) is not None:
+        with suppress(OSError):
+            if note and file is None:
+                os.makedirs(os.path.dirname(path), exist_ok=True)  # noqa: PTH103, PTH120
+                flags = os.O_RDWR | os.O_CREAT | getattr(os, "O_NONBLOCK", 0)
+                file = FileIO(os.open(path, flags, 0o644), "r+")
+                if sys.platform != "win32":
+                    fcntl.flock(file, fcntl.LOCK_EX)
+                since = time.strftime("since: %Y-%m-%d %H:%M:%S\n")
+            if file is not None and note != last:
+                last, end = note, f"{since}guardian: {os.getpid()}\n".encode()
+                file.seek(0)
+                file.truncate(file.write(note and note + end))
+                if note:
+                    written()
+                    os.fsync(file.fileno())
+                else:
+                    file.close()
+                    file = None
+                    os.unlink(path)  # noqa: PTH108
 
 
 class Watchdog:
     """Waits for messages, and stops the motors if none comes for `silence` seconds."""
 
     def __init__(
-        self, port: PortIO, silence: float, log_file: str, messages: FileIO, replies: FileIO
+        self, port: PortIO, silence: float, files: Sequence[str], messages: FileIO, replies: FileIO
     ) -> None:
+        """`files`: the log, and that of `keep_file`."""
         self._port = port
         self._silence = silence
-        self._log_file = log_file
+        self._log_file, path = files
         self._replies = replies
+        self._notes: queue.Queue[bytes | None] = queue.Queue()
+        keeping = (path, self._notes, lambda: self._reply("marked"))
+        self._writer = threading.Thread(target=keep_file, args=keeping, daemon=True)
+        self._writer.start()
         self._is_called_off = False
         self._messages: queue.Queue[str] = queue.Queue()
         threading.Thread(target=self._listen, args=(messages,), daemon=True).start()
@@ -263,10 +300,12 @@ class Watchdog:
 
     def run(self) -> None:
         self._reply("ready")
-        why = self._supervise()
-        if why is None:
-            return
-        stop, reason = why
+        if (why := self._supervise()) is not None:
+            self._act(*why)
+        self._notes.put(None)
+        self._writer.join(2.0)  # a disk may hang
+
+    def _act(self, stop: StopMessage, reason: str) -> None:
         self._reply("stopping")
         try:
             confirmed = self._stop(stop)
@@ -284,6 +323,8 @@ class Watchdog:
         self._reply(outcome)
         if self._is_called_off:
             outcome = "repeated"
+        if confirmed:
+            self._notes.put(b"")
         self._log(outcome, f"{reason} while motors could move. {result}")
 
     def _supervise(self) -> tuple[StopMessage, str] | None:
@@ -300,10 +341,12 @@ class Watchdog:
                     if stop is None:
                         self._port.remember_settings()
                     stop = StopMessage(fields)
+                    self._notes.put(stop.note)
                 case ["idle"]:
                     stop = None
+                    self._notes.put(b"")
                 case ["stop"] if stop is not None:
-                    return stop, "The program lost the line"
+                    return stop, "The program requested a stop"
                 case [] if stop is not None:
                     return stop, "The program ended"
                 case _:
@@ -356,7 +399,7 @@ class Watchdog:
             self._replies.write(f"{word}\n".encode("ascii"))
 
     def _log(self, outcome: str, text: str) -> None:
-        """Append a line to the log, for `last_stop`, and write it to the console."""
+        """Append a line to the log, for `logged_stops`, and write it to the console."""
         line = f"{time.strftime('%Y-%m-%d %H:%M:%S')} {outcome}: {text}\n"
         with suppress(OSError):
             os.makedirs(os.path.dirname(self._log_file), exist_ok=True)  # noqa: PTH103, PTH120
@@ -372,17 +415,17 @@ class Watchdog:
 def main(arguments: list[str]) -> int:
     """Run the guardian of a port.
 
-    The arguments are its kind, its descriptor or handle, the seconds of silence, and the log file.
+    The arguments are its kind, its descriptor or handle, the seconds of silence, and `files`.
 
     Signals that end the program are ignored: what counts is whether the program still responds.
     """
     for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK"):
         if (number := getattr(signal, name, None)) is not None:
             signal.signal(number, signal.SIG_IGN)
-    kind, number, silence, log_file = arguments
+    kind, number, silence, *files = arguments
     port = open_port(kind, int(number))
     # Unbuffered: a buffer that a thread reads keeps the interpreter from ending.
-    Watchdog(port, float(silence), log_file, FileIO(0), FileIO(1, "w")).run()
+    Watchdog(port, float(silence), files, FileIO(0), FileIO(1, "w")).run()
     return 0
 
 

@@ -12,8 +12,8 @@ from trex_gui.core.transport.settings import SerialFormat
 _READY_S = 1.0
 """Seconds to wait for the guardian to be ready, which takes some hundredths."""
 
-_RESTART_S = 5.0
-"""Seconds after which a guardian that has ended by itself is started again."""
+_REPLACED_S = 0.4
+"""Seconds in which a lost guardian is replaced; or else the next heartbeat stops the motors."""
 
 _SHORT_TIMEOUT_S = 0.2
 """Seconds for which a reply is awaited although a stop is due: the board is deaf while it replies,
@@ -30,7 +30,9 @@ class GuardedTransport:
     the guardian has stopped the motors and still uses the line. Before it uses the line again the
     guardian is ended, another one started, and `taken_over` called with whether the stop was
     confirmed. Until the session has sent a stop, writing anything else raises `NoReply`: it may be
-    a setpoint from before. While motors may move, a read ends early when `stop_is_due`.
+    a setpoint from before. So it is where a lost guardian is not replaced in time while motors may
+    move; `taken_over` gets `None` then. While motors may move, a read ends early when
+    `stop_is_due`.
 
     Args:
         below: the line.
@@ -45,7 +47,8 @@ class GuardedTransport:
         below: Transport,
         silence: float,
         stop_sequence: Callable[[], StopSequence | None],
-        taken_over: Callable[[bool], None],
+        *,
+        taken_over: Callable[[bool | None], None],
         stop_is_due: Callable[[], bool],
     ) -> None:
         self._below = below
@@ -54,8 +57,9 @@ class GuardedTransport:
         self._taken_over = taken_over
         self._stop_is_due = stop_is_due
         self._sequence: StopSequence | None = None
-        self._beat_at = self._started_at = below.clock()
+        self._beat_at = below.clock()
         self._guardian = below.start_guardian(silence)
+        self._ready_by: float | None = None  # when the one that replaces another must be ready
         self._was_ready = self._is_left = False
         self._stop_to_send = b""  # nothing else is written before this
         # Gets the seconds since a read began, and returns those to its next call; may write.
@@ -69,8 +73,7 @@ class GuardedTransport:
     @property
     def is_guarded(self) -> bool:
         """Whether a guardian is ready, or is starting in place of another one."""
-        is_starting = self._was_ready and self.clock() - self._started_at < _READY_S
-        return self._guardian.is_ready or is_starting
+        return self._guardian.is_ready or (self._was_ready and self._ready_by is not None)
 
     def wait_for_guardian(self) -> None:
         self._guardian.wait_until_ready(_READY_S)
@@ -86,32 +89,43 @@ class GuardedTransport:
         if self._has_taken_over:
             self._take_back()
             return
-        now = self.clock()
-        self._was_ready = self._was_ready or self._guardian.is_ready
         sequence = self._stop_sequence()
+        self._replace_lost_guardian(sequence)
+        now = self.clock()
         if sequence is None and self._sequence is None:
             return
-        has_died = self._was_ready and not self._guardian.is_ready
-        if has_died and now - self._started_at >= _RESTART_S:
-            self._restart()
         if sequence != self._sequence or now - self._beat_at >= HEARTBEAT_INTERVAL:
             self._guardian.watch(sequence)
             self._sequence = sequence
             self._beat_at = now
 
+    def _replace_lost_guardian(self, sequence: StopSequence | None) -> None:
+        """Start another guardian at once; without one in time let the motors be stopped."""
+        if self._guardian.is_ready:
+            self._was_ready, self._ready_by = True, None
+        elif self._was_ready and self._ready_by is None:
+            self._restart(_REPLACED_S)
+        elif self._was_ready and self.clock() >= (self._ready_by or 0.0):
+            self._was_ready = False
+            if sequence is not None:
+                self._stop_to_send = sequence.packets
+                self._taken_over(None)
+
     def _take_back(self) -> None:
         self._stop_to_send = self._sequence.packets if self._sequence is not None else b""
         confirmed = self._guardian.end()
-        self._restart()
+        self._restart(_READY_S)
+        self._taken_over(confirmed)
         with contextlib.suppress(BadReply):
             self._below.discard()  # replies to the guardian
-        self._taken_over(confirmed)
 
-    def _restart(self) -> None:
+    def _restart(self, seconds: float) -> None:
+        """Start another guardian, which has to be ready within `seconds`."""
         self._guardian.end()
         self._guardian = self._below.start_guardian(self._silence)
         self._sequence = None
-        self._beat_at = self._started_at = self.clock()
+        self._beat_at = self.clock()
+        self._ready_by = self._beat_at + seconds
 
     def reconfigure(self, line: SerialFormat) -> None:
         self.beat()

@@ -25,6 +25,7 @@ from serial.tools import list_ports
 from trex_gui.core.errors import BadReply, BadRequest, PortFault, PortShared, PortUnavailable
 from trex_gui.core.guardian.guardian import Guardian, GuardianProcess, SharedPort
 from trex_gui.core.translation import tr
+from trex_gui.core.transport.driven import DrivenBoard, driven_at, driven_file
 from trex_gui.core.transport.linux_ports import (
     holder_of,
     is_left_to_guardian,
@@ -148,12 +149,31 @@ class SerialTransport:
         self._url = settings.url
         self._name = settings.label
         self.clock = clock
-        self._port = _open(settings, clock)
+        left = driven_at(settings.url)  # first: it wakes a guardian that has the port
+        try:
+            self._port = _open(settings, clock)
+        except PortUnavailable as error:
+            if left is not None:  # danger first
+                error.args = (f"{left.text()} {error}",)
+            raise
         log.debug("opened %s", settings.text())
         self._guardian: GuardianProcess | None = None
         self.latency = latency_of(settings.url)
         # The rate behind a plain network port is set at its other end.
         self.is_configurable = not settings.url.startswith("socket://")
+        if left is not None:
+            self._stop(left)
+            self.reconfigure(settings.line)
+
+    def _stop(self, left: DrivenBoard) -> None:
+        """Stop the motors that another program has left running, and let a guardian confirm it."""
+        with contextlib.suppress(BadRequest):
+            self.reconfigure(left.settings.line)
+        self.write(left.stop.packets)
+        guardian = self.start_guardian(60.0)
+        guardian.watch(left.stop)
+        guardian.stop(2.5)  # seconds; a board that is silent gets no more time
+        log.warning("%s", left.text(stopped=guardian.end()))
 
     def rates(self, wanted: Collection[int]) -> frozenset[int] | None:
         return None if "://" in self._url else rates_of(self._port, wanted)
@@ -224,7 +244,8 @@ class SerialTransport:
             time.sleep(seconds)
 
     def start_guardian(self, silence: float) -> Guardian:
-        self._guardian = GuardianProcess(_shared(self._port), silence)
+        file = driven_file(self._url) if self._name == self._url else None  # not the demo's
+        self._guardian = GuardianProcess(_shared(self._port), silence, file)
         if isinstance(self._port, _Rfc2217Port):
             self._port.guardian = self._guardian
         return self._guardian

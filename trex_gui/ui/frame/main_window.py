@@ -47,6 +47,7 @@ from trex_gui.ui.frame.workspace import (
     fill_menu_bar,
 )
 from trex_gui.ui.help.pages import INDEX
+from trex_gui.ui.last_run import stop_left_running
 from trex_gui.ui.notifier import Answer, ConnectWith, Notifier, Remedy
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.recent_files import RecentFile, RecentFiles
@@ -427,6 +428,8 @@ class MainWindow(QMainWindow):
                 self._connection.reconnect()
             case Remedy.CHECK_BOARD:
                 self._workspace.trigger("check_board")
+            case Remedy.STOP_THEM:
+                stop_left_running(self._notifier)
             case Remedy.REPORT:
                 self._show_report()
             case Remedy.SET_UP_CRC:

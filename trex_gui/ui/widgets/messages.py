@@ -118,7 +118,7 @@ class Banner(_MessageRow):
 
     @Slot()
     def _on_cleared(self) -> None:
-        if Remedy.REPORT not in self._offered:
+        if Remedy.REPORT not in self._offered or Remedy.STOP_THEM in self._offered:
             self.clear()
 
     @Slot()
@@ -141,6 +141,8 @@ class Banner(_MessageRow):
                     name, text = "bannerCheckBoard", self.tr("Check the board…")
                 case Remedy.REPORT:
                     name, text = "bannerReport", self.tr("Save report…")
+                case Remedy.STOP_THEM:
+                    name, text = "bannerStop", self.tr("Stop them now")
                 case ConnectWith():
                     name, text = "bannerConnectWith", self.tr("Connect with its settings")
                 case CopyCommand():

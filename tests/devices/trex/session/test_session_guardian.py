@@ -4,7 +4,15 @@ from dataclasses import replace
 
 import pytest
 
-from tests.devices.trex.session.helpers import among, commands, outcomes, run_for, seen_at, staged
+from tests.devices.trex.session.helpers import (
+    among,
+    commands,
+    is_stopped,
+    outcomes,
+    run_for,
+    seen_at,
+    staged,
+)
 from tests.support.guardian import VirtualGuardian
 from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.session import Closed
@@ -121,6 +129,22 @@ def test_take_over_is_not_taken_for_a_line_that_corrupts_bytes() -> None:
     assert among(reports, MotorsStopped)[0].reason is ErrorCode.NO_HEARTBEAT
     assert outcomes(reports)[1].error is None
     assert stopped == [{1}]
+
+
+def test_motors_are_stopped_where_nothing_replaces_a_lost_guardian(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    stage, settings = staged()
+
+    def lose_guardians() -> None:
+        lost = stage.transport.guardian
+        lost.is_ready = False
+        monkeypatch.setattr(stage.transport, "start_guardian", lambda _silence: lost)
+
+    stage.script.at(0.5, SETPOINT).at(1.0, lose_guardians)
+    stopped = seen_at(stage, 1.8, lambda: is_stopped(stage.board))
+    (report,) = among(run_for(stage, 2.0, settings), MotorsStopped)
+    assert (report.reason, stopped) == (ErrorCode.NO_GUARDIAN, [True])
 
 
 def test_guardian_stops_nothing_if_no_motor_was_driven(monkeypatch: pytest.MonkeyPatch) -> None:

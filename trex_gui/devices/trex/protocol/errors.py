@@ -105,6 +105,7 @@ class ErrorCode(Enum):
     MAY_HAVE_RESTARTED = tr_noop(
         "The motors that were driven draw no current: the board may have restarted.",
     )
+    NO_GUARDIAN = tr_noop("The guardian process ended, and another one could not be started.")
     LOCKED_OUT = tr_noop("The motors are locked for a while after a stop; nothing was sent.")
     NOT_ARMED = tr_noop(
         "These bytes may move a motor; nothing was sent. Choose Run motor first.",

@@ -23,6 +23,7 @@ from trex_gui.core.session import (
     run_until_closed,
 )
 from trex_gui.core.timing import FRAME, UNWATCHED_INTERVAL
+from trex_gui.core.transport.driven import driven_note
 from trex_gui.core.transport.guarded import GuardedTransport
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.devices.trex.client.client import Requester, TrexClient
@@ -174,8 +175,8 @@ class TrexSession:
             self._open_transport(self._settings),
             self._settings.timeouts.guardian,
             self._stop_sequence,
-            self._on_taken_over,
-            self._is_stop_due,
+            taken_over=self._on_taken_over,
+            stop_is_due=self._is_stop_due,
         )
         client = self._client = TrexClient(transport, self._settings)
         self._port_rates = transport.rates(baud_rates())
@@ -213,13 +214,17 @@ class TrexSession:
 
     def _stop_sequence(self) -> StopSequence | None:
         moving = self._client is not None and (self._motors.may_move or self._motors.is_armed)
-        return self._line.stop_sequence() if moving else None
+        if not moving:
+            return None
+        note = driven_note(str(self._signature or "TReX"), self._line.settings)
+        return replace(self._line.stop_sequence(), note=note)
 
-    def _on_taken_over(self, confirmed: bool) -> None:
+    def _on_taken_over(self, confirmed: bool | None) -> None:
         """Drop the setpoints; the motors are stopped again before the line is used for more."""
         self._motors.quality.is_shared = True
         self._motors.handle(OutputEvent.LOCK_OUT, self._now())
-        self._emit(MotorsStopped(ErrorCode.NO_HEARTBEAT, confirmed))
+        code = ErrorCode.NO_GUARDIAN if confirmed is None else ErrorCode.NO_HEARTBEAT
+        self._emit(MotorsStopped(code, bool(confirmed)))
 
     def _is_stop_due(self) -> bool:
         self._queue.collect()

@@ -1,0 +1,139 @@
+"""Boards that were left running: their files, and what opening their port does."""
+
+import fcntl
+import logging
+import os
+import signal
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from serial.tools import list_ports
+from serial.tools.list_ports_common import ListPortInfo
+
+from tests.support.simulator import StartSimulator
+from trex_gui.core.guardian.guardian import GuardianProcess, SharedPort, StopSequence
+from trex_gui.core.guardian.log import StopResult, logged_stops
+from trex_gui.core.transport.driven import (
+    driven_at,
+    driven_boards,
+    driven_file,
+    driven_note,
+)
+from trex_gui.core.transport.serial_port import SerialTransport
+from trex_gui.core.transport.settings import Parity, PortSettings, SerialFormat
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="locks are of another kind there")
+
+LINE = SerialFormat(57600, Parity.EVEN, 2)
+STOP = "d07f7ff000 84 1 1 0 0.05"
+
+
+def left(url: str, line: SerialFormat = LINE) -> Path:
+    """Write the file that is left of a board at a port."""
+    file = driven_file(url)
+    file.parent.mkdir(parents=True, exist_ok=True)
+    note = driven_note("TReX 1.2", PortSettings(url, line))
+    file.write_text(f"{note}stop: {STOP}\nsince: 2026-11-28 12:00:00\nguardian: 999999\n")
+    return file
+
+
+def test_board_is_found_at_its_port_only() -> None:
+    assert driven_boards() == {}
+    left("socket://robot:4000")
+    board = driven_at("socket://robot:4000")
+    assert board is not None
+    assert board.settings == PortSettings("socket://robot:4000", LINE)
+    stop = bytes.fromhex("d07f7ff000"), b"\x84", 1, 1, False, 0.05
+    assert board.stop == StopSequence(*stop, driven_note("TReX 1.2", board.settings))
+    assert driven_at("socket://robot:4001") is None
+    assert board.text().startswith("Motors may still be turning")
+
+
+def test_adapter_is_found_at_another_port(monkeypatch: pytest.MonkeyPatch) -> None:
+    def plug(device: str) -> None:
+        port = ListPortInfo(device)
+        port.vid, port.pid, port.serial_number = 0x0403, 0x6001, "A10KX7YZ"
+        monkeypatch.setattr(list_ports, "comports", lambda: [port])
+
+    plug("/dev/ttyUSB0")
+    left("/dev/ttyUSB0")
+    plug("/dev/ttyUSB1")
+    board = driven_at("/dev/ttyUSB1")
+    assert board is not None
+    assert board.settings.url == "/dev/ttyUSB0"
+    assert driven_at("/dev/ttyUSB0") is None
+
+
+def test_board_of_a_living_program_was_not_left() -> None:
+    with left("/dev/ttyUSB0").open("rb") as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        assert driven_boards() == {}
+    assert len(driven_boards()) == 1
+
+
+@pytest.mark.parametrize("text", ["", "port: x\n", "\xff\0", "line: fast N 1\n", "x" * 9999])
+def test_damaged_file_is_no_board(text: str) -> None:
+    file = left("/dev/ttyUSB0")
+    file.write_text(text)
+    assert driven_boards() == {}
+
+
+def test_board_is_logged_once(caplog: pytest.LogCaptureFixture) -> None:
+    left("/dev/ttyUSB7")
+    driven_boards()
+    driven_boards()
+    warnings = [record for record in caplog.records if record.levelno == logging.WARNING]
+    assert ["/dev/ttyUSB7" in record.getMessage() for record in warnings] == [True]
+
+
+@pytest.mark.realtime
+@pytest.mark.parametrize("rate", [19200, 57600])
+def test_opening_a_port_stops_the_board_that_was_left_running_there(
+    rate: int, start_simulator: StartSimulator, caplog: pytest.LogCaptureFixture
+) -> None:
+    simulator = start_simulator()
+    line = SerialTransport(PortSettings(simulator.url, SerialFormat(19200)))
+    line.write(b"\xc2\x40")
+    line.wait(0.1)
+    line.close()
+    assert simulator.show()["motors"][0]["speed"] == 64
+    file = left(simulator.url, SerialFormat(19200))
+    transport = SerialTransport(PortSettings(simulator.url, SerialFormat(rate)))
+    try:
+        assert simulator.show()["motors"][0]["direction"] == "brake"
+        assert transport._port.baudrate == rate
+    finally:
+        transport.close()
+    assert not file.exists()
+    assert logged_stops(0)[1][-1][1] is StopResult.CONFIRMED
+    assert "They are stopped now" in caplog.records[-1].getMessage()
+
+
+@pytest.mark.realtime
+def test_suspended_guardian_is_woken_and_stops_the_motors(start_simulator: StartSimulator) -> None:
+    simulator = start_simulator()
+    file = driven_file(simulator.url)
+    port = os.open(simulator.url, os.O_RDWR | os.O_NOCTTY)
+    guardian = GuardianProcess(SharedPort("serial", port), 60.0, file)
+    guardian.wait_until_ready(25.0)
+    note = driven_note("TReX 1.2", PortSettings(simulator.url, SerialFormat(19200)))
+    stop = StopSequence(bytes.fromhex("d07f7ff000"), b"\x84", 1, 1, False, 0.07, note)
+    guardian.watch(stop)
+    os.write(port, b"\xc2\x40")
+    time.sleep(0.1)
+    assert guardian._process is not None
+    assert guardian._process.stdin is not None
+    guardian._process.send_signal(signal.SIGSTOP)
+    nothing = os.open(os.devnull, os.O_RDONLY)
+    os.dup2(nothing, guardian._process.stdin.fileno())  # as the death of the program does
+    os.close(nothing)
+    os.close(port)
+    while "(stopped)" not in Path(f"/proc/{guardian._process.pid}/status").read_text():
+        time.sleep(0.01)
+    SerialTransport(PortSettings(simulator.url, SerialFormat(19200))).close()
+    assert simulator.show()["motors"][0]["direction"] == "brake"
+    assert not file.exists()
+    assert len(logged_stops(0)[1]) == 2, "of the guardian, and of the line"
+    guardian.end()

@@ -1,0 +1,111 @@
+"""Boards that were left running: program and guardian died before a stop was confirmed.
+
+The guardian writes and locks a file while motors may move (`guardian.process`). A file that is not
+locked is that of a board that nothing has stopped.
+"""
+
+import logging
+import os
+import re
+import signal
+import threading
+from contextlib import suppress
+from functools import cache
+from pathlib import Path
+from typing import NamedTuple
+
+from serial.tools import list_ports
+
+from trex_gui.core.files import data_folder, open_ordinary
+from trex_gui.core.guardian.guardian import StopSequence
+from trex_gui.core.run_file import is_locked
+from trex_gui.core.translation import tr, tr_noop
+from trex_gui.core.transport.adapters import Adapter
+from trex_gui.core.transport.settings import Parity, PortSettings, SerialFormat
+
+_LEFT = tr_noop(
+    "Motors may still be turning: no stop of the {0} at {1}, driven since {2}, is confirmed. "
+    "Stop them, or cut their power."
+)
+_STOPPED = tr_noop(
+    "The motors of the {0} at {1}, driven since {2}, were left running. They are stopped now, and "
+    "the board has confirmed that."
+)
+
+
+class DrivenBoard(NamedTuple):
+    """What the file says; `since` is local time as text."""
+
+    board: str
+    settings: PortSettings
+    stop: StopSequence
+    since: str
+
+    def text(self, *, stopped: bool = False) -> str:
+        text = _STOPPED if stopped else _LEFT
+        return tr(text).format(self.board, self.settings.url, self.since)
+
+
+_woken: dict[Path, DrivenBoard] = {}  # whose guardian was suspended: it stops them, if it can
+_warn_once = cache(logging.getLogger(__name__).warning)
+
+
+def driven_note(board: str, settings: PortSettings) -> str:
+    """Return the lines of the file for a board, but for its stop."""
+    line = f"{settings.line.baud} {settings.line.parity.value} {settings.line.stop_bits}"
+    return f"board: {board}\nport: {settings.url}\nline: {line}\n"
+
+
+def driven_boards() -> dict[Path, DrivenBoard]:
+    """Return the boards that were left running by their files, and log each once as a warning."""
+    found: dict[Path, DrivenBoard] = {}
+    thread = threading.Thread(target=_find, args=(found,), daemon=True)
+    thread.start()
+    thread.join(0.5)  # a disk that hangs counts as empty
+    boards = dict(found)
+    for board in boards.values():
+        _warn_once("%s", board.text())
+    return boards
+
+
+def driven_at(url: str) -> DrivenBoard | None:
+    """Return the board that was left running at this port or its adapter; the caller stops it."""
+    boards = driven_boards()
+    file = driven_file(url) if boards else Path()
+    _woken.pop(file, None)
+    return boards.get(file)
+
+
+def driven_file(url: str) -> Path:
+    """Return the file of a port; that of an adapter is the same at every port."""
+    key = url if "://" in url else os.path.realpath(url)
+    for port in () if "://" in url else list_ports.comports():
+        if os.path.realpath(port.device) == key and (adapter := Adapter.of(port)) is not None:
+            key = adapter.key
+    return data_folder() / "driven" / f"{re.sub(r'[^A-Za-z0-9.]+', '-', key)[-100:]}.txt"
+
+
+def _find(found: dict[Path, DrivenBoard]) -> None:
+    for path in (data_folder() / "driven").glob("*.txt"):
+        with suppress(OSError, ValueError):
+            with open_ordinary(path) as file:
+                lines = file.read(4096).decode(errors="replace").splitlines()
+            name, url, line, stop, since, number = (line.partition(": ")[2] for line in lines)
+            baud, parity, stop_bits = line.split()
+            settings = PortSettings(url, SerialFormat(int(baud), Parity(parity), int(stop_bits)))
+            packets, query, *rest = stop.split()
+            size, mask, echo, seconds = map(float, rest)
+            both, note = (bytes.fromhex(packets), bytes.fromhex(query)), driven_note(name, settings)
+            sequence = StopSequence(*both, int(size), int(mask), bool(echo), seconds, note)
+            board = DrivenBoard(name, settings, sequence, since)
+            if not is_locked(path):
+                found[path] = board
+            elif _is_suspended(Path("/proc") / number):
+                _woken[path] = board
+                os.kill(int(number), signal.SIGCONT)  # its program is gone: it stops the motors
+    found.update(_woken)
+
+
+def _is_suspended(guardian: Path) -> bool:
+    is_guardian = b"guardian" in (guardian / "cmdline").read_bytes()
+    return is_guardian and "(stopped)" in (guardian / "status").read_text(errors="replace")
