@@ -40,6 +40,10 @@ class PortFault(Enum):
         "{0} is in use by another program, or locked by its driver; for up to 5 seconds after a "
         "crash also by the guardian process that stops the motors."
     )
+    LEFT_RUNNING = tr_noop(
+        "Motors may still be turning: no stop of the {0} at {1}, driven since {2}, is confirmed. "
+        "Stop them, or cut their power."
+    )
     GUARDED = tr_noop(
         "The guardian process is still stopping the motors on {0}, which takes up to 5 seconds. "
         "Then connect again."

@@ -63,7 +63,7 @@ def _take_abandoned() -> bool:
 
 
 def is_locked(path: Path) -> bool:
-    """Whether the process that made a file, and locked it, runs; OSError if it cannot be read."""
+    """Return whether the process that made and locked a file runs."""
     try:
         if sys.platform == "win32":
             path.replace(path)  # not while it is open

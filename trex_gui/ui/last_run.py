@@ -53,8 +53,7 @@ def report_last_run(notifier: Notifier, *, has_crashed: bool = False) -> None:
         if texts:
             is_problem = boards or any(found is StopResult.UNCONFIRMED for _, found in stops)
             (notifier.error if is_problem else notifier.info).emit("\n".join(texts))
-            stop = (Remedy.STOP_THEM,) if boards else ()
-            notifier.remedies_offered.emit((*stop, Remedy.REPORT))
+            notifier.remedies_offered.emit((Remedy.STOP_THEM,) * bool(boards) + (Remedy.REPORT,))
 
     in_background(notifier, lambda: (*logged_stops(seen), driven_boards()), report, lambda _: None)
 

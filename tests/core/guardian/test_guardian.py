@@ -19,6 +19,7 @@ from trex_gui.core.guardian import process
 from trex_gui.core.guardian.guardian import GuardianProcess, SharedPort, StopSequence
 from trex_gui.core.guardian.log import StopResult, log_file, logged_stops
 from trex_gui.core.run_file import is_locked
+from trex_gui.core.transport.guarded import GuardedTransport
 from trex_gui.core.transport.serial_port import SerialTransport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
@@ -166,6 +167,27 @@ def test_suspended_guardian_is_lost_and_may_be_killed(ends: Ends) -> None:
     assert not guardian.end()
     assert has_ended(guardian)
     assert board.received == b""
+
+
+def test_session_replaces_a_suspended_guardian(start_simulator: StartSimulator) -> None:
+    simulator = start_simulator()
+    line = SerialTransport(PortSettings(simulator.url, SerialFormat(19200)))
+    taken_over: list[bool | None] = []
+    transport = GuardedTransport(
+        line, OFTEN, lambda: STOP, taken_over=taken_over.append, stop_is_due=lambda: False
+    )
+    transport.wait_for_guardian()
+    first = line._guardian
+    assert first is not None
+    assert first._process is not None
+    transport.beat()
+    first._process.send_signal(signal.SIGSTOP)
+    try:
+        wait_until(lambda: transport.wait(0.05) or first.has_ended)
+        wait_until(lambda: transport.wait(0.05) or transport.is_guarded)
+        assert line._guardian is not first
+    finally:
+        transport.close()
 
 
 def test_line_that_is_gone_ends_the_guardian(ends: Ends) -> None:

@@ -22,8 +22,6 @@ HEARTBEAT_INTERVAL = 0.1
 """Longest time in seconds between two heartbeats while motors may be moving."""
 
 _ENDING_S, _BREAKING_OFF_S = 0.5, 2.0  # seconds to end, and to end while it stops the motors
-_MARKED_S = 0.1  # seconds that driving waits for the file that says that motors may be moving
-
 _MOST_UNREAD, _UNREAD_S = 3, 0.25
 """Messages that a suspended process leaves unread, for so many seconds; it counts as lost."""
 
@@ -101,7 +99,7 @@ class GuardianProcess:
         self._is_confirmed = False
         self._started, self._ended = threading.Event(), threading.Event()
         self._marked = threading.Event()
-        self._marking = 0.0 if file is None else _MARKED_S
+        self._has_file = file is not None
         self._unread, self._unread_since = 0, 0.0
         self._writing = threading.Lock()
         self.has_acted = False
@@ -132,6 +130,8 @@ class GuardianProcess:
                         self.has_acted = True
                     case b"confirmed":
                         self._is_confirmed = True
+                    case b"unconfirmed":
+                        self._ended.set()  # the port is closed; a disk may keep the process
         process.wait()
         with self._writing, contextlib.suppress(OSError), process:  # closes the pipes; locked, for
             self._ended.set()  # nothing may be written into a descriptor of the same number
@@ -161,8 +161,8 @@ class GuardianProcess:
         is_first, self._sent = self._sent is None, sequence
         self._marked.clear()
         self._send("idle" if sequence is None else _message(sequence))
-        if is_first and self.is_ready:  # one that is starting must not delay a stop
-            self._marked.wait(self._marking)
+        if is_first and self._has_file and self.is_ready:  # one that starts must delay no stop
+            self._marked.wait(0.1)
 
     def stop(self, seconds: float) -> bool:
         self._send("stop")

@@ -246,9 +246,9 @@ class StopMessage:
 
 
 def keep_file(path: str, notes: "queue.Queue[bytes | None]", written: Callable[[], object]) -> None:
-    """Write each note into a file that is locked; an empty one removes it, `None` is the end.
+    """Write each note into a locked file. An empty note removes it, and `None` is the end.
 
-    Runs in a thread of its own: a slow disk delays no stop.
+    Runs in a thread of its own: a slow disk delays no stop. What fails is tried again.
     """
     file: FileIO | None = None
     last = b""
@@ -257,14 +257,15 @@ def keep_file(path: str, notes: "queue.Queue[bytes | None]", written: Callable[[
             if note and file is None:
                 os.makedirs(os.path.dirname(path), exist_ok=True)  # noqa: PTH103, PTH120
                 flags = os.O_RDWR | os.O_CREAT | getattr(os, "O_NONBLOCK", 0)
-                file = FileIO(os.open(path, flags, 0o644), "r+")
+                opened = FileIO(os.open(path, flags, 0o644), "r+")
                 if sys.platform != "win32":
-                    fcntl.flock(file, fcntl.LOCK_EX)
-                since = time.strftime("since: %Y-%m-%d %H:%M:%S\n")
+                    fcntl.flock(opened, fcntl.LOCK_EX)
+                file, since = opened, time.strftime("since: %Y-%m-%d %H:%M:%S\n")
             if file is not None and note != last:
-                last, end = note, f"{since}guardian: {os.getpid()}\n".encode()
+                end = f"{since}guardian: {os.getpid()}\n".encode()
                 file.seek(0)
                 file.truncate(file.write(note and note + end))
+                last = note
                 if note:
                     written()
                     os.fsync(file.fileno())

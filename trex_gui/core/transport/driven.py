@@ -16,6 +16,7 @@ from typing import NamedTuple
 
 from serial.tools import list_ports
 
+from trex_gui.core.errors import PortFault
 from trex_gui.core.files import data_folder, open_ordinary
 from trex_gui.core.guardian.guardian import StopSequence
 from trex_gui.core.run_file import is_locked
@@ -23,10 +24,6 @@ from trex_gui.core.translation import tr, tr_noop
 from trex_gui.core.transport.adapters import Adapter
 from trex_gui.core.transport.settings import Parity, PortSettings, SerialFormat
 
-_LEFT = tr_noop(
-    "Motors may still be turning: no stop of the {0} at {1}, driven since {2}, is confirmed. "
-    "Stop them, or cut their power."
-)
 _STOPPED = tr_noop(
     "The motors of the {0} at {1}, driven since {2}, were left running. They are stopped now, and "
     "the board has confirmed that."
@@ -34,7 +31,7 @@ _STOPPED = tr_noop(
 
 
 class DrivenBoard(NamedTuple):
-    """What the file says; `since` is local time as text."""
+    """Contents of a file; `since` is local time as text."""
 
     board: str
     settings: PortSettings
@@ -42,11 +39,12 @@ class DrivenBoard(NamedTuple):
     since: str
 
     def text(self, *, stopped: bool = False) -> str:
-        text = _STOPPED if stopped else _LEFT
+        text = _STOPPED if stopped else PortFault.LEFT_RUNNING.value
         return tr(text).format(self.board, self.settings.url, self.since)
 
 
 _woken: dict[Path, DrivenBoard] = {}  # whose guardian was suspended: it stops them, if it can
+_SUSPENDED = (("status", "(stopped)"), ("cmdline", "guardian"))  # what /proc says of a guardian
 _warn_once = cache(logging.getLogger(__name__).warning)
 
 
@@ -100,12 +98,9 @@ def _find(found: dict[Path, DrivenBoard]) -> None:
             board = DrivenBoard(name, settings, sequence, since)
             if not is_locked(path):
                 found[path] = board
-            elif _is_suspended(Path("/proc") / number):
+            elif all(
+                words in Path("/proc", number, file).read_text() for file, words in _SUSPENDED
+            ):
                 _woken[path] = board
                 os.kill(int(number), signal.SIGCONT)  # its program is gone: it stops the motors
     found.update(_woken)
-
-
-def _is_suspended(guardian: Path) -> bool:
-    is_guardian = b"guardian" in (guardian / "cmdline").read_bytes()
-    return is_guardian and "(stopped)" in (guardian / "status").read_text(errors="replace")

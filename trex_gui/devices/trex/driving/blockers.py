@@ -28,7 +28,7 @@ class DriveBlocker(Enum):
 
     LOST = (
         Effect.STOPS,
-        tr_noop("Motors may still be turning: the connection was lost."),
+        tr_noop("The connection was lost: motors may still be turning."),
         tr_noop("Cut the power."),
     )
     SILENT = (
