@@ -172,9 +172,8 @@ def test_suspended_guardian_is_lost_and_may_be_killed(ends: Ends) -> None:
 def test_session_replaces_a_suspended_guardian(start_simulator: StartSimulator) -> None:
     simulator = start_simulator()
     line = SerialTransport(PortSettings(simulator.url, SerialFormat(19200)))
-    taken_over: list[bool | None] = []
     transport = GuardedTransport(
-        line, OFTEN, lambda: STOP, taken_over=taken_over.append, stop_is_due=lambda: False
+        line, OFTEN, lambda: STOP, taken_over=lambda _: None, stop_is_due=lambda: False
     )
     transport.wait_for_guardian()
     first = line._guardian
@@ -183,8 +182,8 @@ def test_session_replaces_a_suspended_guardian(start_simulator: StartSimulator) 
     transport.beat()
     first._process.send_signal(signal.SIGSTOP)
     try:
-        wait_until(lambda: transport.wait(0.05) or first.has_ended)
-        wait_until(lambda: transport.wait(0.05) or transport.is_guarded)
+        while not (first.has_ended and transport._guardian.is_ready):
+            transport.wait(0.05)
         assert line._guardian is not first
     finally:
         transport.close()
