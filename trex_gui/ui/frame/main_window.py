@@ -56,6 +56,7 @@ from trex_gui.ui.theme.icons import DialogIcons, application_icon
 from trex_gui.ui.theme.theme import restore_choices
 from trex_gui.ui.units import restore_units
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.behaviour import EnterWatch
 from trex_gui.ui.widgets.file_drop import FileDrop
 from trex_gui.ui.widgets.messages import Banner, InlinePrompt, MessageRoom
 from trex_gui.ui.widgets.placement import keep_on_screen, restore_geometry, save_geometry
@@ -185,6 +186,7 @@ class MainWindow(QMainWindow):
         self._notifier.logged.connect(self._log)
         app = QApplication.instance()
         if isinstance(app, QApplication):
+            self._enter = EnterWatch(app, self)
             self._escape = EscapeWatch(app, self._manager, self)
             self._dialog_icons = DialogIcons(app, self)
 

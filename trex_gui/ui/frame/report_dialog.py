@@ -61,7 +61,12 @@ class ReportDialog(ReusedDialog):
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close, self)
         buttons.button(QDialogButtonBox.StandardButton.Close).setObjectName("reportClose")
         self._save = ui.button(
-            self, "reportSave", self.tr("&Save…"), icon="save", on_click=self._ask_and_save
+            self,
+            "reportSave",
+            self.tr("&Save…"),
+            icon="save",
+            default=True,
+            on_click=self._ask_and_save,
         )
         buttons.addButton(self._save, QDialogButtonBox.ButtonRole.ActionRole)
         left, right = ui.column(files, (self._list, 1)), ui.column(content, (self._text, 1))
@@ -95,8 +100,8 @@ class ReportDialog(ReusedDialog):
         room = 2 * (self._list.frameWidth() + self._list.spacing())
         self._list.setMinimumWidth(self._list.sizeHintForColumn(0) + room)
         self._list.setCurrentRow(0)
-        self._list.setFocus()
         self._enable()
+        self._save.setFocus()
 
     @property
     def _chosen(self) -> tuple[ReportFile, ...]:

@@ -95,7 +95,9 @@ class HelpDialog(ReusedDialog):
             on_click=self._text.forward,
         )
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close, self)
-        buttons.button(QDialogButtonBox.StandardButton.Close).setObjectName("helpClose")
+        close = buttons.button(QDialogButtonBox.StandardButton.Close)
+        close.setObjectName("helpClose")
+        close.setAutoDefault(False)  # Enter in the search does not close the help
         buttons.rejected.connect(self.close)
 
         left = QWidget(self)

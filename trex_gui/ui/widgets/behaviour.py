@@ -13,6 +13,7 @@ from PySide6.QtCore import (
 )
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QTransform
 from PySide6.QtWidgets import (
+    QAbstractButton,
     QAbstractItemView,
     QAbstractSpinBox,
     QApplication,
@@ -28,6 +29,8 @@ from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.placement import keep_on_screen
 
+ENTER = {Qt.Key.Key_Return, Qt.Key.Key_Enter}
+_PRESSES = {QEvent.Type.KeyPress, QEvent.Type.KeyRelease}
 _POLL_MS = 50
 _LOSSES = {
     QEvent.Type.FocusOut,
@@ -62,11 +65,37 @@ class LastColumn(QObject):
             header.resizeSection(last, width)
 
 
+class EnterWatch(QObject):
+    """Lets Enter press the button with the focus, as Space does, in every window.
+
+    Qt lets it press the default button of a dialog, and no button of any other window.
+    """
+
+    def __init__(self, app: QApplication, parent: QObject) -> None:
+        super().__init__(parent)
+        app.focusChanged.connect(self._on_focus_changed)
+
+    @Slot(QWidget, QWidget)
+    def _on_focus_changed(self, _before: QWidget | None, focused: QWidget | None) -> None:
+        if isinstance(focused, QAbstractButton):
+            focused.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if not isinstance(event, QKeyEvent) or event.type() not in _PRESSES:
+            return False
+        keypad = Qt.KeyboardModifier.KeypadModifier
+        if event.key() not in ENTER or event.modifiers() & ~keypad:
+            return False
+        space, modifiers = Qt.Key.Key_Space, Qt.KeyboardModifier.NoModifier
+        as_space = QKeyEvent(event.type(), space, modifiers, " ", event.isAutoRepeat())
+        QApplication.sendEvent(watched, as_space)
+        return True
+
+
 class ReusedDialog(QDialog):
     """A dialog that is kept while it is hidden, and opens the same way each time.
 
-    Qt leaves the focus where it was when the dialog was closed, and a focused button takes Enter
-    from the default one.
+    It opens with the focus on its default button: Qt leaves it where it was before.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -74,9 +103,12 @@ class ReusedDialog(QDialog):
         keep_on_screen(self)
 
     def setVisible(self, visible: bool) -> None:
-        focused = self.focusWidget()
-        if visible and not self.isVisible() and focused is not None:
-            focused.clearFocus()
+        if visible and not self.isVisible():
+            if (focused := self.focusWidget()) is not None:
+                focused.clearFocus()
+            for button in self.findChildren(QPushButton):
+                if button.isDefault():
+                    button.setFocus()
         super().setVisible(visible)
 
     def show_in_front(self) -> None:
@@ -174,7 +206,7 @@ class PressMonitor(QObject):
 
 
 class HoldButton(QPushButton):
-    """Held with the mouse, a finger or the space bar.
+    """Held with the mouse, a finger, the space bar or Enter.
 
     Every loss of input releases it (`PressMonitor`), and so does a mouse that leaves it. Then it
     has to be pressed again: a mouse that comes back with its button down does not count.

@@ -89,7 +89,7 @@ class ComboBox(QComboBox):
 
 
 class RedButton(QPushButton):
-    """Stop button: acts on press, not on release. Enter in a dialog never presses it."""
+    """Stop button: acts on press, not on release. It is never the default of a dialog."""
 
     def __init__(
         self, name: str, stop: Callable[[], object], parent: QWidget | None = None
@@ -194,7 +194,7 @@ def button(
 ) -> QPushButton:
     """Create a push button.
 
-    `default`: whether Enter presses it in a dialog; `None` leaves it to Qt.
+    `default`: whether Enter presses it when no button has the focus; `None` leaves it to Qt.
     `confirms`: it may appear under the pointer, see `ConfirmButton`.
     """
     kind = ConfirmButton if confirms else QPushButton

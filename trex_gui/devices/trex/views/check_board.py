@@ -309,7 +309,7 @@ class CheckBoardDialog(ReusedDialog):
             "checkFindButton",
             self.tr("&Find now"),
             icon="find",
-            default=False,
+            default=True,
             on_click=self.find_requested,
         )
         self._connect = ui.button(

@@ -4,7 +4,7 @@ from pathlib import Path
 
 from PySide6.QtCore import Signal, Slot
 from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QDialog, QHeaderView, QTableWidget, QTableWidgetItem, QWidget
+from PySide6.QtWidgets import QHeaderView, QTableWidget, QTableWidgetItem, QWidget
 
 from trex_gui.core.errors import StudioError
 from trex_gui.devices.trex.client.reading import DeviceState
@@ -17,8 +17,9 @@ from trex_gui.devices.trex.settings.writer import write_settings
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.builders import button, column, combo_box, flat_table, label, plain, row
-from trex_gui.ui.widgets.placement import keep_on_screen, resize_with_font
+from trex_gui.ui.widgets.placement import resize_with_font
 
 _SIGNS = {
     Fate.CHANGED: ("edited", "icon"),
@@ -89,7 +90,7 @@ class ConversionView(QWidget):
         self._fitting.start()
 
 
-class ConvertDialog(QDialog):
+class ConvertDialog(ReusedDialog):
     """Makes a new file of the settings of an editor, for another board; that file stays."""
 
     converted = Signal(object)  # the new `SettingsDocument`
@@ -103,7 +104,6 @@ class ConvertDialog(QDialog):
         self._document = document
         self.setWindowTitle(self.tr("Convert {0}").format(document.name))
         resize_with_font(self, 860, 520)
-        keep_on_screen(self)
         boards = [(m, firmware) for m in device_table().models for firmware in m.firmware[::-1]]
         self._board = combo_box(
             self,

@@ -81,7 +81,7 @@ class BenchDialog(ReusedDialog):
         left = ui.named(QWidget(self), "benchLeft")
         ui.column((ScrollBox(forms, left), 1), self._hold, into=left, margins=0)
         button = partial(ui.button, self, default=False)
-        stop = StopButton(device, "benchStopButton", self)
+        self._stop = stop = StopButton(device, "benchStopButton", self)
         run = RunButton(device, "benchRunButton", self)
         run.setAutoDefault(False)
         ui.set_bold(self._hold)
@@ -143,6 +143,7 @@ class BenchDialog(ReusedDialog):
             self._plot = BenchPlot(self)
             self._right.insertWidget(0, self._plot, 1)
             ui.tab_order(self._hold, self._plot, self._compare)
+        self._stop.setFocus()
         self._on_changed()
 
     def _picture(self) -> QImage:

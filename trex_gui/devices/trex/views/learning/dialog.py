@@ -1,6 +1,7 @@
 """The wizard that learns channels: beside the window, never in its way."""
 
 from collections.abc import Collection, Sequence
+from functools import partial
 
 from PySide6.QtCore import QEvent, QSize, Qt, Slot
 from PySide6.QtGui import QCloseEvent, QKeyEvent, QResizeEvent
@@ -92,31 +93,28 @@ class LearnDialog(ReusedDialog):
 
         self._steps = StepStrip(self)
         self._head = ui.named(Note(2, self), "learnHead")
-        self._again = ui.button(self, "learnAgainButton", icon="reload", on_click=learning.again)
-        self._learn_again = ui.button(
-            self,
+        button = partial(ui.button, self, default=False)
+        self._again = button("learnAgainButton", icon="reload", on_click=learning.again)
+        self._learn_again = button(
             "learnChannelAgainButton",
             icon="calibrate",
             tip=self.tr("If a channel does not get a good result, learn its values again."),
             on_click=self._on_learn_again,
         )
-        self._back = ui.button(self, "learnBackButton", self.tr("&Back"), on_click=learning.back)
-        self._next = ui.button(self, "learnNextButton", on_click=learning.next)
-        self._use = ui.button(
-            self,
+        self._back = button("learnBackButton", self.tr("&Back"), on_click=learning.back)
+        self._next = button("learnNextButton", on_click=learning.next)
+        self._use = button(
             "learnUseButton",
             self.tr("&Use these values…"),
             icon="apply",
             on_click=learning.use_values,
         )
-        self._test = ui.button(
-            self,
+        self._test = button(
             "learnTestButton",
             self.tr("Stop the motors and &test"),
             on_click=lambda: self.test(learning.numbers),
         )
-        # The focus comes here while Next is disabled; Enter must not cancel then.
-        self._cancel = ui.button(self, "learnCancelButton", default=False, on_click=self.close)
+        self._cancel = button("learnCancelButton", on_click=self.close)
 
         left = self._again, self._learn_again
         right = self._back, self._next, self._use, self._test, self._cancel
@@ -220,6 +218,7 @@ class LearnDialog(ReusedDialog):
         if self._shown != (step, subject):
             self._show_page(self._make_page(step))
             self._shown = (step, subject)
+            self.setFocus()
         self._describe()
 
     # --- The page -----------------------------------------------------------------------
@@ -263,6 +262,7 @@ class LearnDialog(ReusedDialog):
 
     def _describe(self) -> None:
         learning, step = self._learning, self._learning.step
+        waits_for_primary = self.focusWidget() in {self, self._next, self._use}
         testing = learning.is_test or self._offers_test
         steps = [self.tr("Stop the motors")]
         if testing:
@@ -297,6 +297,10 @@ class LearnDialog(ReusedDialog):
         ends = step in {LearningStep.TEST, LearningStep.FAILED, LearningStep.ENDED}
         self._cancel.setText(self.tr("Close") if ends else self.tr("Cancel"))
         self._cancel.setDefault(step is LearningStep.TEST or self._offers_test)
+        if waits_for_primary:  # while it is disabled Enter must not press Cancel
+            buttons = (self._next, self._use, self._cancel)
+            usable = (each for each in buttons if each.isDefault() and each.isEnabled())
+            next(usable, self).setFocus()
 
     def _describe_again(self) -> None:
         learning, step = self._learning, self._learning.step

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from PySide6.QtCore import Qt, Signal, SignalInstance, Slot
-from PySide6.QtWidgets import QDialog, QWidget
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.model.device import Device
@@ -17,9 +17,10 @@ from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.conversion_view import ConversionView
 from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsPanel
 from trex_gui.ui.translations import error_sentence
+from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.builders import button, column, label, named, no_mnemonic, row
 from trex_gui.ui.widgets.labels import Note
-from trex_gui.ui.widgets.placement import keep_on_screen, resize_with_font
+from trex_gui.ui.widgets.placement import resize_with_font
 
 _NAMED = 3
 """How many settings or findings are listed before the rest is only counted."""
@@ -27,7 +28,7 @@ _NAMED = 3
 _NO_LIMIT = (1 << 24) - 1
 
 
-class LoadDialog(QDialog):
+class LoadDialog(ReusedDialog):
     """Shows what a file would change of the board; follows edits and is not modal."""
 
     staged = Signal(str)  # changes became edits; a message
@@ -43,7 +44,6 @@ class LoadDialog(QDialog):
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(self.tr("Load settings from {0}").format(document.name))
         resize_with_font(self, 940, 620)
-        keep_on_screen(self)
         self._device = device
         self._heading = heading or self.tr("File")
         # The document itself may be edited or deleted meanwhile.
@@ -199,7 +199,7 @@ class LoadDialog(QDialog):
         self._take.setEnabled(offered and self._device.is_writable)
 
 
-class CompareDialog(QDialog):
+class CompareDialog(ReusedDialog):
     """Compares the file of an editor with other settings, whose values can be taken."""
 
     taken = Signal(str)  # values of the other side became edits; a message
@@ -219,7 +219,6 @@ class CompareDialog(QDialog):
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(self.tr("{0} and {1}").format(document.name, other_name))
         resize_with_font(self, 940, 560)
-        keep_on_screen(self)
         self._document = document
         self._other = other
         self._other_name = other_name

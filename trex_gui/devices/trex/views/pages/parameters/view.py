@@ -49,9 +49,10 @@ from trex_gui.devices.trex.views.pages.parameters.wire_dialog import WireDialog
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import follow_theme, theme
+from trex_gui.ui.widgets.behaviour import ENTER
 from trex_gui.ui.widgets.builders import action, flat_table
 
-_PRESS = {Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space, Qt.Key.Key_Select}
+_PRESS = ENTER | {Qt.Key.Key_Space, Qt.Key.Key_Select}
 _CLICKS = {QEvent.Type.MouseButtonRelease, QEvent.Type.MouseButtonDblClick}
 _NAME, _VALUE = (22, 44), 30
 """Widths in average characters: least and greatest of the names, and of the longest value."""
@@ -64,7 +65,6 @@ _WIDTHS = {
 """Columns whose width the user can choose, and where that is remembered; the last one stretches."""
 _WIDEST = 2000  # pixels
 _ICON = 16
-_ENTER = {Qt.Key.Key_Return, Qt.Key.Key_Enter}
 _UNTOUCHED = "untouched"
 
 
@@ -107,7 +107,7 @@ class ParameterDelegate(UnitDelegate):
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Let Enter take the value shown."""
         is_press = event.type() == QEvent.Type.KeyPress
-        if is_press and isinstance(event, QKeyEvent) and event.key() in _ENTER:
+        if is_press and isinstance(event, QKeyEvent) and event.key() in ENTER:
             watched.setProperty(_UNTOUCHED, False)
         return super().eventFilter(watched, event)
 

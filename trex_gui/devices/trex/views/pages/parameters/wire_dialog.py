@@ -1,19 +1,21 @@
 """Try a value beyond a limit that no source confirms."""
 
 from PySide6.QtCore import Qt, Slot
-from PySide6.QtWidgets import QDialog, QWidget
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.protocol.device_table import HIGHEST_WIRE
 from trex_gui.ui.translations import error_sentence
+from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.builders import button, column, label, named, row, spin_box
 from trex_gui.ui.widgets.labels import Note
 
 _WIDTH = 480  # pixels
 
 
-class WireDialog(QDialog):
+class WireDialog(ReusedDialog):
     """Makes any wire value of one parameter an edit, which the review asks about."""
 
     def __init__(self, model: ParameterModel, key: str, parent: QWidget) -> None:
@@ -49,6 +51,11 @@ class WireDialog(QDialog):
         if (layout := self.layout()) is not None:
             self.resize(_WIDTH, layout.totalHeightForWidth(_WIDTH))
         model.modelReset.connect(self._on_board_changed)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._value.setFocus()
+        self._value.selectAll()
 
     @Slot()
     def _on_board_changed(self) -> None:
