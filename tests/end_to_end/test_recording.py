@@ -177,6 +177,7 @@ def test_esc_in_file_dialog_stops_motors(connected_window: WindowDriver, choose:
     window = connected_window
     stops: list[str] = []
     window.device.motors.stop_requested.connect(lambda: stops.append("stop"))
+    window.motors.arm()
 
     def press_esc() -> None:
         dialog = QApplication.activeModalWidget()

@@ -155,6 +155,31 @@ def test_escape_that_closes_something_stops_only_what_may_move(driving: DrivingW
     assert stops == ["stop"]
 
 
+def test_escape_closes_dialog_and_stops_only_what_may_move(driving: DrivingWindow) -> None:
+    stops: list[str] = []
+    driving.motors.stop_requested.connect(lambda: stops.append("stop"))
+
+    def press_escape_in(entry: str, name: str) -> bool:
+        """Return whether the dialog is still open."""
+        driving.trigger(entry)
+        dialog = driving.dialog(name).root
+        dialog.activateWindow()
+        driving.wait(dialog.isActiveWindow)
+        QTest.keyClick(dialog.windowHandle(), Qt.Key.Key_Escape)
+        return dialog.isVisible()
+
+    assert not press_escape_in("history", "historyDialog")
+    driving.expect_stop("Esc in a dialog")
+    driving.drive()
+    assert press_escape_in("bench", "benchDialog"), "its result is read"
+    driving.expect_stop("Esc in the bench test")
+    driving.wait(lambda: not driving.program.device_manager.needs_stop)
+    stops.clear()
+    assert not press_escape_in("bench", "benchDialog")
+    assert not press_escape_in("history", "historyDialog")
+    assert stops == []
+
+
 def test_escape_without_a_board_claims_nothing(window: WindowDriver) -> None:
     window.motors.lockout = 3
     window.window.activateWindow()

@@ -19,6 +19,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QApplication,
+    QDialog,
     QMainWindow,
     QMenu,
     QMessageBox,
@@ -56,7 +57,7 @@ from trex_gui.ui.theme.icons import DialogIcons, application_icon
 from trex_gui.ui.theme.theme import restore_choices
 from trex_gui.ui.units import restore_units
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import EnterWatch
+from trex_gui.ui.widgets.behaviour import EnterWatch, ReusedDialog
 from trex_gui.ui.widgets.file_drop import FileDrop
 from trex_gui.ui.widgets.messages import Banner, InlinePrompt, MessageRoom
 from trex_gui.ui.widgets.placement import keep_on_screen, restore_geometry, save_geometry
@@ -244,7 +245,7 @@ class MainWindow(QMainWindow):
                 Entry("line", tr("&Line settings…"), self._edit_line_settings, "", "settings"),
                 Entry("find", tr("&Find a board…"), connection.find_board, "Ctrl+Shift+F", "find"),
                 SEPARATOR,
-                Entry("stop", tr("&Stop motors"), self._manager.press_stop, "Esc", "stop"),
+                Entry("stop", tr("&Stop motors"), self._stop_or_close, "Esc", "stop"),
                 *shared(Menu.DEVICE),
             ),
         )
@@ -437,6 +438,15 @@ class MainWindow(QMainWindow):
             case Remedy.SET_UP_CRC:
                 self._workspace.set_up_crc()
 
+    def _stop_or_close(self) -> None:
+        """Stop; Esc in a dialog closes it, too, and stops only what may be moving."""
+        dialog, needs_stop = QApplication.activeWindow(), self._manager.needs_stop
+        if needs_stop or not isinstance(dialog, QDialog):
+            self._manager.press_stop()
+        stays = isinstance(dialog, ReusedDialog) and dialog.stays_on_stop
+        if isinstance(dialog, QDialog) and not (needs_stop and stays):
+            dialog.reject()
+
     # --- Appearance, beginning and end --------------------------------------------------
 
     def _show_preferences(self) -> None:
@@ -570,8 +580,8 @@ class EscapeWatch(QObject):
     Modal dialogs block a shortcut, and editors in a table consume the key. The filter is on the
     native windows, so only their events pass through Python.
 
-    Esc that closes a menu, a list or an editor in a table is no stop while nothing can be moving;
-    otherwise it does both.
+    Esc that closes a dialog, a question, a menu, a list or an editor in a table is no stop while
+    nothing can be moving; otherwise it does both.
     """
 
     def __init__(
@@ -596,18 +606,19 @@ class EscapeWatch(QObject):
             event.accept()  # it comes as a key press, not as the shortcut of the menu
             return True
         is_pressed = event.type() == QEvent.Type.KeyPress and not event.isAutoRepeat()
-        if is_pressed and (not _is_closed_by_escape() or self._manager.needs_stop):
+        closes = _is_closed_by_escape() or isinstance(QApplication.activeWindow(), QDialog)
+        if is_pressed and (not closes or self._manager.needs_stop):
             self._manager.press_stop()
         return False
 
 
 def _is_closed_by_escape() -> bool:
-    """Whether a menu, a list or an editor in a table is open, which Esc closes."""
+    """Whether a menu, a list, a question or an editor in a table is open, which Esc closes."""
     if QApplication.activePopupWidget() is not None:
         return True
     focus = QApplication.focusWidget()
     parent = None if focus is None or focus.isWindow() else focus.parentWidget()
-    while parent is not None and not isinstance(parent, QAbstractItemView):
+    while parent is not None and not isinstance(parent, QAbstractItemView | InlinePrompt):
         parent = None if parent.isWindow() else parent.parentWidget()
     return parent is not None
 

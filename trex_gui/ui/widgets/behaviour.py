@@ -98,6 +98,8 @@ class ReusedDialog(QDialog):
     It opens with the focus on its default button: Qt leaves it where it was before.
     """
 
+    stays_on_stop = False  # an Esc that stops motors does not close it
+
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         keep_on_screen(self)

@@ -4,7 +4,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSignalBlocker, Signal, Slot
-from PySide6.QtGui import QCloseEvent, QImage, QShowEvent
+from PySide6.QtGui import QImage, QShowEvent
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.timing import FRAME_MS
@@ -35,6 +35,8 @@ class BenchDialog(ReusedDialog):
 
     Closing it while a test runs stops and disarms all motors.
     """
+
+    stays_on_stop = True  # the result is read there
 
     apply_requested = Signal()
 
@@ -127,12 +129,9 @@ class BenchDialog(ReusedDialog):
         self._on_changed()
 
     def reject(self) -> None:
-        """Esc stops the motors; the window stays open, so that no result is lost."""
-
-    def closeEvent(self, event: QCloseEvent) -> None:
-        """Close; the one of Qt calls `reject`, which keeps the window open."""
+        """Close the window: Esc, the Close button and the window's cross call this."""
         self.bench.abort(self.tr("The window of the bench test was closed."))
-        event.accept()
+        super().reject()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

@@ -3,8 +3,8 @@
 from collections.abc import Collection, Sequence
 from functools import partial
 
-from PySide6.QtCore import QEvent, QSize, Qt, Slot
-from PySide6.QtGui import QCloseEvent, QKeyEvent, QResizeEvent
+from PySide6.QtCore import QSize, Qt, Slot
+from PySide6.QtGui import QCloseEvent, QResizeEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from trex_gui.core.translation import Number
@@ -145,17 +145,6 @@ class LearnDialog(ReusedDialog):
         """Whether measurements would be lost; a test is quickly repeated."""
         ended = {LearningStep.ENDED, LearningStep.FAILED}
         return not self._learning.is_test and self._learning.step not in ended
-
-    def event(self, event: QEvent) -> bool:
-        """Let Esc close the dialog, too; the window's own watch for it has stopped the motors."""
-        if (
-            event.type() == QEvent.Type.ShortcutOverride
-            and isinstance(event, QKeyEvent)
-            and event.key() == Qt.Key.Key_Escape
-        ):
-            event.accept()  # else the window's shortcut would take the key away
-            return True
-        return super().event(event)
 
     def reject(self) -> None:
         """Leave everything unchanged on Esc and Cancel."""

@@ -1,7 +1,7 @@
 """The assistant that sets up a robot, beside the window."""
 
 from PySide6.QtCore import Signal, Slot
-from PySide6.QtGui import QCloseEvent, QHideEvent
+from PySide6.QtGui import QHideEvent
 from PySide6.QtWidgets import QStackedWidget, QWidget
 
 from trex_gui.devices.trex.model.device import Device
@@ -33,8 +33,10 @@ _MOST_NAMED = 2  # changes that are listed; of more the number is given
 class SetupDialog(ReusedDialog):
     """Not modal, with a stop button of its own: the window stays in reach.
 
-    Esc stops the motors, as everywhere, and leaves the dialog open. Leaving it stops them, too.
+    Leaving it stops the motors.
     """
+
+    stays_on_stop = True  # no answer is lost
 
     learn_requested = Signal()
     apply_requested = Signal()
@@ -97,13 +99,6 @@ class SetupDialog(ReusedDialog):
             self.setup.begin()
         self.show_in_front()
         self._on_changed()
-
-    def reject(self) -> None:
-        """Esc stops the motors; the dialog stays open, so that no answer is lost."""
-
-    def closeEvent(self, event: QCloseEvent) -> None:
-        """Close; the one of Qt calls `reject`, which keeps the dialog open."""
-        event.accept()
 
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)
