@@ -24,6 +24,7 @@ from trex_gui.ui.frame.workspace import LineChoice
 from trex_gui.ui.theme.style import use_theme_style
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
+from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.placement import resize_with_font
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
@@ -114,7 +115,7 @@ class FindDialog(ReusedDialog):
             on_click=self._scanner.cancel,
         )
         self._progress = ui.progress_bar(self, "findProgress", self.tr("Progress of the search"))
-        self._tried = _text("", self, "findProgressText")
+        self._tried = ui.named(Note(2, self), "findProgressText")
         self._results = ui.named(QWidget(self), "findResults", accessible=self.tr("Found devices"))
         self._rows = ui.column(1, into=self._results, margins=0)
 

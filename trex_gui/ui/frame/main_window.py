@@ -116,9 +116,9 @@ class MainWindow(QMainWindow):
         banner = Banner(frame, notifier, self._topic_of)
         banner.chosen.connect(self._on_remedy_chosen)
         banner.help_wanted.connect(self.show_help)
-        self._messages = MessageRoom(frame, banner, self.question)
-        below = ui.column(self._messages, (self._stack, 1), spacing=0)
-        ui.column(self._connection, (below, 1), into=frame)
+        messages = MessageRoom(frame, self.question, banner, lines=1)
+        below = ui.column(messages, (self._stack, 1), spacing=0)
+        ui.column(self._connection, (below, 1), into=frame, spacing=0)
         self.setCentralWidget(frame)
         self._workspaces: tuple[Workspace, ...] = ()
         self._actions: dict[str, QAction] = {}
@@ -388,7 +388,6 @@ class MainWindow(QMainWindow):
         }
         for key, is_possible in enabled_actions.items():
             self._actions[key].setEnabled(is_possible)
-        self._messages.hold(self._manager.is_armed)
         self.question.reconsider()
         self._show_title()
 

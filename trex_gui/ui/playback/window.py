@@ -21,7 +21,8 @@ from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders
-from trex_gui.ui.widgets.messages import Banner
+from trex_gui.ui.widgets.behaviour import keep_room
+from trex_gui.ui.widgets.messages import Banner, MessageRoom
 from trex_gui.ui.widgets.placement import keep_on_screen, restore_geometry, save_geometry
 
 _REDRAW_DELAY_MS = 100
@@ -143,8 +144,10 @@ class RecordingWindow(QMainWindow):
             self._transport,
         )
         frame = QWidget(self)
+        for each in (self._progress, self._cancel):
+            keep_room(each)
         builders.column(
-            self.banner,
+            MessageRoom(frame, self.banner, lines=1),
             top,
             builders.row((self._progress, 1), self._cancel),
             (halves, 1),

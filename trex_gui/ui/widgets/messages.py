@@ -5,12 +5,20 @@ from functools import partial
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal, Slot
 from PySide6.QtGui import QGuiApplication, QKeyEvent, QMoveEvent, QResizeEvent
-from PySide6.QtWidgets import QFrame, QPushButton, QWidget
+from PySide6.QtWidgets import (
+    QAbstractSpinBox,
+    QApplication,
+    QFrame,
+    QLineEdit,
+    QPlainTextEdit,
+    QPushButton,
+    QWidget,
+)
 
 from trex_gui.ui.notifier import Answer, ConnectWith, CopyCommand, Notifier, Remedies, Remedy
 from trex_gui.ui.theme.icons import set_sign
 from trex_gui.ui.theme.style import use_theme_style
-from trex_gui.ui.theme.theme import fill
+from trex_gui.ui.theme.theme import fill, follow_theme
 from trex_gui.ui.widgets import builders as ui
 
 
@@ -184,24 +192,20 @@ class Banner(_MessageRow):
 
 
 class MessageRoom(QWidget):
-    """Room for messages in a layout, as high as they are; `hold` keeps its height.
+    """Space for messages in a layout, with the height of one line or of none.
 
-    Messages that need more then cover what is above: nothing below moves under the pointer.
+    Messages that need more cover what is above, or below at the top of a window: nothing moves.
     """
 
-    def __init__(self, parent: QWidget, *messages: QWidget) -> None:
+    def __init__(self, parent: QWidget, *messages: QWidget, lines: int = 0) -> None:
         super().__init__(parent)
-        self._held = False
         self._cover = QWidget(parent)  # not in the layout
         self._cover.setAutoFillBackground(True)
         self._rows = ui.column(*messages, into=self._cover, margins=0)
         self._cover.installEventFilter(self)
-        self.setFixedHeight(0)
-
-    def hold(self, held: bool) -> None:
-        if held != self._held:
-            self._held = held
-            self._fit()
+        follow_theme(
+            self, "height", lambda: self.setFixedHeight(lines * (self.fontMetrics().height() + 24))
+        )
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if watched is self._cover and event.type() == QEvent.Type.LayoutRequest:
@@ -220,11 +224,8 @@ class MessageRoom(QWidget):
         height = 0
         if not self._rows.isEmpty():
             height = self._rows.totalHeightForWidth(self.width())
-        if not self._held:
-            self.setMinimumWidth(self._rows.totalMinimumSize().width())
-            self.setFixedHeight(height and height + self._rows.spacing())
-        bottom = self.height() - (self.height() and self._rows.spacing())
-        top = self.y() if height <= bottom else max(0, self.y() + bottom - height)
+        self.setMinimumWidth(self._rows.totalMinimumSize().width())
+        top = max(0, self.geometry().bottom() + 1 - height)
         self._cover.setGeometry(self.x(), top, self.width(), height)
         self._cover.raise_()
 
@@ -274,7 +275,10 @@ class InlinePrompt(_MessageRow):
             button = self._add_button(answer.name, answer.text, self._cancel)
             button.clicked.connect(partial(self._on_answered, answer))
         self.show()
-        self._cancel.setFocus()
+        if not isinstance(
+            QApplication.focusWidget(), QLineEdit | QPlainTextEdit | QAbstractSpinBox
+        ):
+            self._cancel.setFocus()  # else it would take keys that are being typed
 
     @Slot()
     def withdraw(self) -> None:

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QLineEdit, QMenu, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.views.parameters import ParametersDriver
-from tests.support.window import WidgetDriver
+from tests.support.window import LEFT, WidgetDriver
 from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.model.parameters.parameters import Role
 from trex_gui.devices.trex.model.parameters.text import ParameterColumn
@@ -246,6 +246,17 @@ def test_keys_edit_and_search(parameters: ParametersDriver) -> None:
     QTest.keyClicks(parameters.view, "3")
     QTest.keyClick(parameters.editor("serial_timeout"), Qt.Key.Key_Return)
     parameters.wait_for_value("serial_timeout", 30)
+
+
+def test_keys_after_a_click_on_a_heading_edit_nothing(parameters: ParametersDriver) -> None:
+    parameters.click_cell("motor1_current_limit")
+    place = parameters.place_of(parameters.headings[1])
+    QTest.mouseClick(parameters.view.viewport(), LEFT, pos=place)
+    QTest.keyClicks(parameters.view, "30")
+    assert not parameters.is_editing("motor1_current_limit")
+    assert parameters.current == ""
+    parameters.press(Qt.Key.Key_Down)
+    assert parameters.current
 
 
 def test_arrow_keys_bring_the_first_heading_into_sight(parameters: ParametersDriver) -> None:

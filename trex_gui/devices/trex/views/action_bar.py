@@ -17,6 +17,7 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import set_text_color, tint
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.behaviour import keep_room
 from trex_gui.ui.widgets.builders import RedButton
 from trex_gui.ui.widgets.labels import Note
 
@@ -29,7 +30,9 @@ class TimeoutNotice(QWidget):
         self.setObjectName("timeoutNotice")
         self._device = device
         self._warning: TimeoutWarning | None = None
-        self._text = ui.label(self, "timeoutLabel", wrap=True)
+        self._text = ui.named(Note(2, self), "timeoutLabel")
+        self._text.setAlignment(Qt.AlignmentFlag.AlignVCenter)
+        keep_room(self)
         self._button = ui.button(
             self,
             "timeoutButton",
@@ -131,7 +134,8 @@ class ActionBar(QWidget):
 
     apply_requested = Signal()
 
-    def __init__(self, device: Device, parent: QWidget | None = None) -> None:
+    def __init__(self, device: Device, recording: QWidget, parent: QWidget | None = None) -> None:
+        """`recording` is shown beside the notice."""
         super().__init__(parent)
         self._device = device
 
@@ -155,7 +159,7 @@ class ActionBar(QWidget):
         ui.set_large(stop, run, self._apply)
 
         buttons = ui.row(stop, run, (self._state, 1), self._unapplied, self._apply)
-        ui.column(notice, buttons, into=self, margins=0)
+        ui.column(ui.row((notice, 1), recording), buttons, into=self, margins=0)
 
         device.link_changed.connect(self._on_changed)
         motors = device.motors

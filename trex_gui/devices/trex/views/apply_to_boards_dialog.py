@@ -18,6 +18,7 @@ from trex_gui.devices.trex.views.limits_prompt import LimitsPrompt
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.messages import MessageRoom
 from trex_gui.ui.widgets.placement import resize_with_font
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
@@ -50,7 +51,7 @@ class ApplyToBoardsDialog(ReusedDialog):
             (self._changes, 3),
             (self._findings_area, 1),
             self._note,
-            self._question,
+            MessageRoom(self, self._question),
             ui.row(self._stop, 1, self._write, self._end, self._close),
             into=self,
         )
@@ -88,7 +89,7 @@ class ApplyToBoardsDialog(ReusedDialog):
         self._changes = ComparisonView(self)
         self._findings = FindingsList("boards", self._changes, self, is_wide=True)
         self._findings_area = ScrollBox(self._findings, self)
-        self._note = ui.named(Note(0, self), "applyToBoardsNote")
+        self._note = ui.named(Note(2, self), "applyToBoardsNote")
         self._question = ui.named(LimitsPrompt(self), "boardsQuestion")
         self._stop = StopButton(self._device, "boardsStopButton", self)
         self._write = ui.button(

@@ -29,7 +29,7 @@ from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.behaviour import ReusedDialog
-from trex_gui.ui.widgets.messages import Banner, InlinePrompt
+from trex_gui.ui.widgets.messages import Banner, InlinePrompt, MessageRoom
 from trex_gui.ui.widgets.placement import restore_geometry, save_geometry
 
 _MOST_KEPT = 999_999
@@ -109,7 +109,8 @@ class HistoryDialog(ReusedDialog):
         self._pages.addWidget(halves)
         self._pages.addWidget(nothing)
         bottom = ui.row(stop, self._bound, 1, self._folder, close)
-        ui.column(self._banner, self._question, (self._pages, 1), bottom, into=self)
+        messages = MessageRoom(self, self._banner, self._question, lines=1)
+        ui.column(messages, (self._pages, 1), bottom, into=self)
         halves.setSizes([560, 620])
         restore_geometry(self, "history", 1180, 640)
 

@@ -113,9 +113,9 @@ class TrexWorkspace(Workspace):
         )
 
         self.recordings = Recordings(device, frame)
-        bar = ActionBar(device, self)
+        bar = ActionBar(device, self.recordings.indicator, self)
         beside = ui.row(panel, (tabs, 1), margins=0)
-        ui.column((beside, 1), self.recordings.indicator, bar, into=self, margins=0)
+        ui.column((beside, 1), bar, into=self, margins=0)
         self._demo = DemoPanel(controller, frame)
         self.files = files = SettingsFiles(device, frame)
         self.docks = (self._demo,)

@@ -25,6 +25,7 @@ from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.builders import button, column, label, named, progress_bar, row
 from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.messages import MessageRoom
 from trex_gui.ui.widgets.placement import resize_with_font
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
@@ -79,7 +80,7 @@ class ReviewDialog(ReusedDialog):
             self._findings_head,
             (self._findings_area, 1),
             self._foot,
-            self._question,
+            MessageRoom(self, self._question),
             self._power,
             buttons,
             into=self,

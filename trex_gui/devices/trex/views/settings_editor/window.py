@@ -31,7 +31,7 @@ from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.builders import column, named
 from trex_gui.ui.widgets.document_saver import DocumentSaver
 from trex_gui.ui.widgets.file_questions import SaveAnswer
-from trex_gui.ui.widgets.messages import Banner
+from trex_gui.ui.widgets.messages import Banner, MessageRoom
 from trex_gui.ui.widgets.placement import keep_on_screen, restore_geometry, save_geometry
 
 _TOOL_BAR = ("new", "open", "save", SEPARATOR, "undo", "redo", SEPARATOR, "send", "print")
@@ -73,7 +73,8 @@ class SettingsEditor(QMainWindow):
         self._text_index = self.tabs.addTab(self._text, self.tr("Text"))
         stop = StopButton(device, "editorStopButton", self)
         frame = QWidget(self)
-        column(self._banner, (self.tabs, 1), (stop, 0, Qt.AlignmentFlag.AlignLeft), into=frame)
+        messages = MessageRoom(frame, self._banner, lines=1)
+        column(messages, (self.tabs, 1), (stop, 0, Qt.AlignmentFlag.AlignLeft), into=frame)
         self.setCentralWidget(frame)
         self._actions = self._build_menus()
         self._build_tool_bar()

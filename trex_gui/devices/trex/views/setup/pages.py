@@ -255,7 +255,7 @@ class SticksPage(QWidget):
             default=False,
             on_click=self.learn_requested,
         )
-        self._blocker = ui.named(Note(0, self), "setupLearnBlocker")
+        self._blocker = ui.named(Note(1, self), "setupLearnBlocker")
         pushed_text = ui.label(
             self,
             text=self.tr(

@@ -1,6 +1,6 @@
 """Every parameter of the board: read, edit, apply."""
 
-from PySide6.QtCore import Signal, Slot
+from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.trex.client.writing import WriteResult
@@ -10,7 +10,8 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.translations import error_sentence
-from trex_gui.ui.widgets.builders import button, column, label, row
+from trex_gui.ui.widgets.builders import button, column, named, row
+from trex_gui.ui.widgets.labels import Note
 
 
 class ParametersPage(QWidget):
@@ -25,7 +26,8 @@ class ParametersPage(QWidget):
         self._device = device
         self._model = device.parameters
 
-        self._notice = label(self, "parametersNotice", wrap=True)
+        self._notice = named(Note(2, self), "parametersNotice")
+        self._notice.setAlignment(Qt.AlignmentFlag.AlignVCenter)
         self._activate = button(
             self,
             "makeActiveButton",

@@ -323,12 +323,19 @@ class ParameterView(QTableView):
     def moveCursor(  # noqa: N802 # of Qt
         self, action: QAbstractItemView.CursorAction, modifiers: Qt.KeyboardModifier
     ) -> QModelIndex:
+        if not self.currentIndex().isValid():
+            return self._rows.best_match()
         return _value_at(super().moveCursor(action, modifiers))
 
     def _begin_edit(self, key: str) -> None:
         value = self._rows.index_of(key)
         self.setCurrentIndex(value)
         self.edit(value)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        super().mousePressEvent(event)
+        if self.indexAt(event.position().toPoint()).data(Role.KEY) is None:
+            self.setCurrentIndex(QModelIndex())  # else keys would edit a cell clicked before
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         is_editing = self.state() is QAbstractItemView.State.EditingState

@@ -1,0 +1,97 @@
+"""What appears by itself moves no control and takes no keys that are being typed."""
+
+from PySide6.QtCore import QPoint
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractItemView,
+    QAbstractSlider,
+    QAbstractSpinBox,
+    QComboBox,
+    QLineEdit,
+    QScrollBar,
+    QTabBar,
+    QWidget,
+)
+
+from tests.support.window import WidgetDriver, WindowDriver
+from trex_gui.ui.widgets.messages import InlinePrompt
+
+_CONTROLS = (
+    QAbstractButton,
+    QAbstractItemView,
+    QAbstractSlider,
+    QAbstractSpinBox,
+    QComboBox,
+    QLineEdit,
+    QTabBar,
+)
+_LONG = "Something went wrong, and it takes a while to say what. " * 4
+
+
+def places(root: QWidget) -> dict[QWidget, tuple[QPoint, QPoint]]:
+    """Return the corners of the controls that a window shows."""
+    return {
+        each: (each.mapTo(root, QPoint()), each.mapTo(root, each.rect().bottomRight()))
+        for each in root.findChildren(QWidget)
+        if isinstance(each, _CONTROLS)
+        and not isinstance(each, QScrollBar)
+        and each.isVisible()
+        and each.window() is root
+    }
+
+
+def moved(window: WidgetDriver, before: dict[QWidget, tuple[QPoint, QPoint]]) -> list[str]:
+    QTest.qWait(50)
+    after = places(window.root)
+    both = before.keys() & after.keys()
+    return [each.objectName() for each in both if before[each] != after[each]]
+
+
+def test_messages_move_no_control(connected_window: WindowDriver) -> None:
+    window = connected_window
+    window.window.resize(1024, 700)
+    for page in ("motorsPage", "calibrationPage", "parametersPage"):
+        window.open_page(page)
+        QTest.qWait(300)
+        window.device.notifier.cleared.emit()
+        before = places(window.window)
+        window.device.notifier.error.emit(_LONG)
+        assert moved(window, before) == [], page
+        window.window.question.ask(_LONG)
+        assert moved(window, before) == [], page
+        window.window.question.withdraw()
+        window.device.notifier.cleared.emit()
+        window.device.set_serial_timeout(0.5)
+        window.wait(lambda: not window.has("timeoutNotice"))
+        assert moved(window, before) == [], page
+        window.device.set_serial_timeout(0)
+        window.wait(lambda: window.has("timeoutNotice"))
+        window.device.parameters.edit("serial_timeout", 9)
+        assert moved(window, before) == [], page
+        window.trigger("discard")
+
+
+def test_question_in_review_moves_no_control(connected_window: WindowDriver) -> None:
+    window = connected_window
+    window.device.parameters.edit("serial_timeout", 9)
+    window.trigger("apply")
+    review = window.dialog("reviewDialog")
+    QTest.qWait(300)
+    before = places(review.root)
+    review.find(InlinePrompt, "reviewQuestion").ask(_LONG)
+    assert moved(review, before) == []
+
+
+def test_question_takes_no_keys_from_what_is_typed(connected_window: WindowDriver) -> None:
+    window = connected_window
+    window.open_page("parametersPage")
+    window.window.activateWindow()
+    search = window.find(QLineEdit, "parameterSearch")
+    search.setFocus()
+    window.wait(search.hasFocus)
+    window.window.question.ask("Restore?")
+    assert search.hasFocus()
+    window.button("stopButton").setFocus()
+    window.window.question.ask("Discard?")
+    assert window.button("questionCancel").hasFocus()
