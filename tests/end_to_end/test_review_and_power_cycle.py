@@ -19,10 +19,12 @@ from tests.support.pages.settings import (
 from tests.support.simulator import StartSimulator
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import LEFT, WidgetDriver, WindowDriver
+from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.model.settings.comparison_table import ComparisonColumn
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.settings.rules import LintFinding
 from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter
 from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 from trex_gui.ui.devices.connection import ConnectionState
@@ -53,6 +55,11 @@ def power(connected_window: WindowDriver, simulator: VirtualSimulator) -> Simula
 def edit(window: WindowDriver, **values: int) -> None:
     for key, value in values.items():
         window.device.parameters.edit(key, value)
+
+
+def found(window: WindowDriver) -> tuple[LintFinding, ...]:
+    """Return what the check says about the settings as edited."""
+    return window.window.findChild(BoardLinter).findings
 
 
 def stored(simulator: VirtualSimulator, key: str) -> int:
@@ -298,6 +305,7 @@ def test_power_cycle_is_followed_until_settings_are_active(
     window.open_page("parametersPage")
     window.click("makeActiveButton")
     guide = window.dialog("powerCycleDialog")
+    assert guide.is_enabled("powerCycleStopButton")
     assert "Motor Mode" in guide.text("powerCycleTitle")
     power.off()
     guide.wait_for_text("powerCycleResult", "Waiting for it to respond again")
@@ -371,6 +379,15 @@ def test_defaults_are_compared_and_reviewed_before_writing(
     review.click("writeButton")
     review.wait_for_text("reviewHead", "written and verified")
     review.close()
+
+    edit(window, motor2_acceleration=9)
+    window.trigger("defaults")
+    defaults.click("takeDefaultsButton")
+    assert len(device.parameters.pending) == 2
+    assert "serial_timeout" in [key for one in found(window) for key in one.keys]
+    review.close()
+    assert device.parameters.pending == (("motor2_acceleration", 9),)
+    window.trigger("discard")
 
     window.trigger("defaults")
     assert [row[0] for row in defaults.rows()] == ["Serial Timeout", "Motor 1 Acceleration"]

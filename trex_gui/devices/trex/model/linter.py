@@ -4,6 +4,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.rules import Context, LintFinding, lint
 
@@ -60,6 +61,7 @@ class BoardLinter(SettingsLinter):
 
         device.link_changed.connect(self._on_board_changed)
         device.motors.arming_changed.connect(self._on_board_changed)
+        device.draft.loaded.connect(self._on_board_changed)
         self._on_board_changed()
 
     @Slot()
@@ -69,5 +71,6 @@ class BoardLinter(SettingsLinter):
             self._drove = False
             self.set_context(None)
             return
-        self._drove |= self._device.motors.armed
+        stored = self._device.parameters.stored_of(ParameterKey.SERIAL_TIMEOUT)
+        self._drove |= self._device.motors.armed or bool(stored)  # a timeout is set for a computer
         self.set_context(Context(self._drove, self._device.connection.port_rates, settings.line))

@@ -138,7 +138,8 @@ class TrexWorkspace(Workspace):
         files.used.connect(partial(frame.recent.note, self.key, "settings"))
         self.recordings.used.connect(partial(frame.recent.note, self.key, "recording"))
         self.recordings.settings_wanted.connect(self.files.open_editor)
-        for reviewed in (bar.apply_requested, self._defaults.staged, learning.edited):
+        self._defaults.staged.connect(self._review.review_staged)
+        for reviewed in (bar.apply_requested, learning.edited):
             reviewed.connect(self._review.review)
         learning.stored.connect(self._review.close_if_verified)  # the test of the sticks follows
         self._defaults.reset_requested.connect(device.reset_to_factory)

@@ -5,6 +5,7 @@ from PySide6.QtWidgets import QFrame, QWidget
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.power_cycle import PowerCycle, PowerCycleStage
+from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.ui.theme.style import use_theme_style
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.builders import button, column, grid, label, named, row, set_bold
@@ -127,7 +128,7 @@ class PowerCyclePanel(QFrame):
 
 
 class PowerCycleDialog(ReusedDialog):
-    """Not modal: the stop button stays in reach."""
+    """Not modal, with a stop button of its own."""
 
     def __init__(self, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -137,8 +138,12 @@ class PowerCycleDialog(ReusedDialog):
         self._device = device
         self._cycle = PowerCycle(device, self)
 
-        close = button(self, "powerCycleCloseButton", self.tr("Close"), on_click=self.close)
-        column((PowerCyclePanel(self._cycle, self), 1), row(1, close), into=self)
+        panel = PowerCyclePanel(self._cycle, self)
+        stop = StopButton(device, "powerCycleStopButton", self)
+        close = button(
+            self, "powerCycleCloseButton", self.tr("Close"), default=True, on_click=self.close
+        )
+        column((panel, 1), row(stop, 1, close), into=self)
 
         self.finished.connect(self._cycle.end)
 

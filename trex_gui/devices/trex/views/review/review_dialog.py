@@ -45,11 +45,13 @@ class ReviewDialog(ReusedDialog):
         self.setWindowTitle(self.tr("Apply settings"))
         resize_with_font(self, 920, 560)
         self._device = device
+        self._undo = device.draft.undo
         self._linter = linter
         self._cycle = PowerCycle(device, self)
         self._phase = _Phase.REVIEW
         self._problem = ""
         self._written: frozenset[str] = frozenset()
+        self._unstaged = self._staged = -1  # undo steps before and after what closing reverts
 
         self._head = named(Note(1, self), "reviewHead")
         self._rows = ComparisonView(self)
@@ -115,6 +117,13 @@ class ReviewDialog(ReusedDialog):
         self.show_in_front()
 
     @Slot()
+    def review_staged(self) -> None:
+        """Review the newest edit, which is undone if the dialog is closed without writing."""
+        self._staged = self._undo.index()
+        self._unstaged = self._staged - 1
+        self.review()
+
+    @Slot()
     def close_if_verified(self) -> None:
         """Close a result that asks for nothing more."""
         if self._phase is _Phase.DONE and not self._problem and self._power.isHidden():
@@ -167,7 +176,10 @@ class ReviewDialog(ReusedDialog):
     @Slot(object)
     def _on_accepted(self, finding: LintFinding) -> None:
         """Add a proposal to what is written, also where its edit was to wait."""
+        is_newest = self._staged == self._undo.index()
         self._linter.accept(finding)
+        if is_newest:
+            self._staged = self._undo.index()
         self._rows.table.tick(finding.change.keys())
 
     @Slot()
@@ -177,6 +189,9 @@ class ReviewDialog(ReusedDialog):
             self._device.cancel_apply()
         elif self._phase is _Phase.DONE:  # writing continues while the dialog is hidden
             self._cycle.end()
+        if self._phase is _Phase.REVIEW and self._staged == self._undo.index():
+            self._undo.setIndex(self._unstaged)
+        self._unstaged = self._staged = -1
 
     # --- Reports of the device ----------------------------------------------------------
 
@@ -249,6 +264,8 @@ class ReviewDialog(ReusedDialog):
 
     def _enter(self, phase: _Phase) -> None:
         self._phase = phase
+        if phase is _Phase.DONE:
+            self._staged = -1
         self._describe()
 
     @Slot()
