@@ -169,6 +169,19 @@ def test_board_errors_are_counted(
     assert count(Status.MOTOR1_FAULT) == 0
 
 
+def test_errors_of_another_board_are_not_shown(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice, start_simulator: StartSimulator
+) -> None:
+    errors = connected.device.errors
+    quick_simulator.do("fault 2 on")
+    connected.until(lambda: errors.uncleared > 0)
+    quick_simulator.do("fault 2 off")
+    connected.connect(quick_simulator.url, again=True)
+    assert errors.uncleared, "the same board"
+    connected.connect(start_simulator("--unpaced").url, again=True)
+    assert not errors.uncleared
+
+
 # --- Editing ----------------------------------------------------------------------------
 
 

@@ -108,6 +108,7 @@ class Device(QObject):
         self.events = BoardEvents(self.motors, self.connection, self)
         self.state: DeviceState | None = None
         self.quality = ConnectionQuality()
+        self._url = ""  # of the board that was read last
         self._replaced: list[Path] = []  # files of other boards, renamed since the last reading
 
         self.connection.changed.connect(self.link_changed)
@@ -452,6 +453,10 @@ class Device(QObject):
             self._give_up_apply(reason)
         self.state = state
         pending, before = self.draft.pending, self.draft.stored
+        url, self._url = self._url, report.settings.url
+        is_known = before is not None and before.parameters == state.parameters
+        if is_other and not (is_known and url == self._url):
+            self.errors.reset()
         is_same_kind = self.parameters.model_key == state.signature.model.key
         if pending and before is not None and not is_same_kind:
             text = self.tr(
