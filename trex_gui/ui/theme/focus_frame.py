@@ -6,7 +6,13 @@ from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QWidget
 from shiboken6 import Shiboken
 
 _WIDTH = 2  # pixels, beside the widget
-_CHANGES = {QEvent.Type.Move, QEvent.Type.Resize, QEvent.Type.Show, QEvent.Type.ParentChange}
+_CHANGES = {
+    QEvent.Type.Hide,
+    QEvent.Type.Move,
+    QEvent.Type.ParentChange,
+    QEvent.Type.Resize,
+    QEvent.Type.Show,
+}
 
 
 class FocusFrame(QObject):
@@ -69,7 +75,8 @@ class FocusFrame(QObject):
                 ring &= QRegion(_place_of(each, window))
         frame.setGeometry(around)
         frame.setMask(ring.translated(-around.topLeft()))
-        frame.setVisible(not ring.isEmpty())  # an empty mask is none
+        is_seen = self._watched[0].isVisible() and not ring.isEmpty()  # an empty mask is none
+        frame.setVisible(is_seen)
         frame.raise_()
 
 
