@@ -202,13 +202,15 @@ class MessageRoom(QWidget):
         self._cover = QWidget(parent)  # not in the layout
         self._cover.setAutoFillBackground(True)
         self._rows = ui.column(*messages, into=self._cover, margins=0)
-        self._cover.installEventFilter(self)
+        for each in (self._cover, *messages):
+            each.installEventFilter(self)
         follow_theme(
             self, "height", lambda: self.setFixedHeight(lines * (self.fontMetrics().height() + 24))
         )
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if watched is self._cover and event.type() == QEvent.Type.LayoutRequest:
+        del watched
+        if event.type() in {QEvent.Type.LayoutRequest, QEvent.Type.Show}:
             self._fit()
         return False
 
