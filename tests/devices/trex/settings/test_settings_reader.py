@@ -363,6 +363,7 @@ BOMB = "product: TReX\na: &a [1, 1]\nb: &b [*a, *a, *a]\nc: [*b, *b, *b]\n"
         ("product: TReX\n...\n---\n", 3, "a second document"),
         ("[" * 5000, 1, "nested too deeply"),
         ("product: TReX\nx: " + "{a: " * 5000, 2, "nested too deeply"),
+        ("product: TReX\nx: [[[ 'no end\n", 2, "nested too deeply"),  # refused where it is found
         ("- " * 5000, 1, "nested too deeply"),
         ("? " * 5000, 1, "nested too deeply"),
         ("product: TReX\nx: [" + "1, " * 60000 + "]\n", 2, "more settings here than any board"),

@@ -14,6 +14,8 @@ from ruamel.yaml.error import MarkedYAMLError, StreamMark
 from ruamel.yaml.events import AliasEvent, CollectionStartEvent, StreamEndEvent
 from ruamel.yaml.nodes import MappingNode, Node
 from ruamel.yaml.reader import ReaderError
+from ruamel.yaml.scanner import Scanner
+from ruamel.yaml.tokens import Token
 
 from trex_gui.core.files import SettingsError
 from trex_gui.core.translation import tr, tr_noop
@@ -28,6 +30,7 @@ _TAB = re.compile(r"((?:^|(?<=\r))[ \t]*\t[ \t]*(?![ \t#\r\n]|\Z))|\t", re.MULTI
 _UNSPACED = re.compile(r"^ *\w+:(?![ \t\r\n]|\Z)", re.MULTILINE)
 _PRODUCT = re.compile(r"^\W*product\b", re.MULTILINE)
 _PLAIN_YAML = tr_noop("settings are plain 'key: value' lines")
+_TOO_DEEP = tr_noop("this is nested too deeply; {0}")
 
 
 def line_of(node: Node) -> int:
@@ -49,6 +52,7 @@ def compose(text: str, name: str) -> MappingNode:
     """
     yaml = YAML(typ="safe", pure=True)
     yaml.Composer = _Composer
+    yaml.Scanner = _Scanner
     try:
         # ruamel.yaml takes no tabs, not even those that YAML allows: anywhere but in indentation.
         node = yaml.compose(_TAB.sub(lambda tab: tab[1] or " ", text))
@@ -93,6 +97,16 @@ class _UnsupportedError(Exception):
     def __init__(self, mark: StreamMark, message: str) -> None:
         super().__init__(message)
         self.line = mark.line + 1
+
+
+class _Scanner(Scanner):
+    """Counts brackets as they are read: to look ahead over 50,000 of them takes a second."""
+
+    def fetch_flow_collection_start(self, token: type[Token], to_push: str) -> None:
+        if len(self.flow_context) == _DEEPEST:
+            mark = self.reader.get_mark()
+            raise _UnsupportedError(mark, tr(_TOO_DEEP).format(tr(_PLAIN_YAML)))
+        super().fetch_flow_collection_start(token, to_push)
 
 
 class _Composer(Composer):
@@ -142,7 +156,7 @@ class _Composer(Composer):
         elif self.nodes > MOST_NODES:
             problem = tr("there are more settings here than any board has")
         elif is_collection and self.open_collections == _DEEPEST:
-            problem = tr("this is nested too deeply; {0}").format(tr(_PLAIN_YAML))
+            problem = tr(_TOO_DEEP).format(tr(_PLAIN_YAML))
         else:
             return
         raise _UnsupportedError(event.start_mark, problem)

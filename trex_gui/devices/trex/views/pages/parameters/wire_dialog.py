@@ -1,21 +1,19 @@
 """Try a value beyond a limit that no source confirms."""
 
 from PySide6.QtCore import Qt, Slot
-from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QDialog, QWidget
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.protocol.device_table import HIGHEST_WIRE
 from trex_gui.ui.translations import error_sentence
-from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.builders import button, column, label, named, row, spin_box
 from trex_gui.ui.widgets.labels import Note
 
 _WIDTH = 480  # pixels
 
 
-class WireDialog(ReusedDialog):
+class WireDialog(QDialog):
     """Makes any wire value of one parameter an edit, which the review asks about."""
 
     def __init__(self, model: ParameterModel, key: str, parent: QWidget) -> None:
@@ -35,7 +33,7 @@ class WireDialog(ReusedDialog):
         note = label(self, "wireNote", text, wrap=True)
         self._value = spin_box(self, "wireField", self.tr("Wire value"), 0, HIGHEST_WIRE)
         self._value.setValue(model.value_of(key) or 0)
-        self._trouble = named(Note(2, self), "wireTrouble")
+        self._trouble = named(Note(0, self), "wireTrouble")
         self._accept = button(
             self, "tryWireButton", self.tr("&Try this value"), default=True, on_click=self._on_click
         )
@@ -51,11 +49,6 @@ class WireDialog(ReusedDialog):
         if (layout := self.layout()) is not None:
             self.resize(_WIDTH, layout.totalHeightForWidth(_WIDTH))
         model.modelReset.connect(self._on_board_changed)
-
-    def showEvent(self, event: QShowEvent) -> None:
-        super().showEvent(event)
-        self._value.setFocus()
-        self._value.selectAll()
 
     @Slot()
     def _on_board_changed(self) -> None:
