@@ -1,18 +1,20 @@
 """The program's window in a process of its own: what it costs while a board is connected.
 
-`python -m tests.benchmarks.loaded_window load|gaps|memory URL SECONDS` prints one JSON object.
+`python -m tests.benchmarks.loaded_window load|gaps|dialogs|memory URL SECONDS` prints one JSON
+object.
 """
 
 import json
 import os
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QEventLoop, QSettings, Qt, QTimer
+from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QApplication
 
 from tests.support.program import trex
@@ -32,6 +34,13 @@ BAUD = 115_200
 _SETTLE = 2.0  # seconds for a page to be laid out and painted before its cost is measured
 _TURN = 1.0  # seconds for which each page is shown in turn
 _TICK_MS = 5
+_DIALOGS = (
+    ("bench", "history"),
+    ("apply", "defaults"),
+    ("setup", "learn"),
+    ("preferences", "report"),
+    ("find", "check_board"),
+)
 _SENT, _RECEIVED = TrafficDirection.SENT, TrafficDirection.RECEIVED
 _RECORDED = 4.0  # seconds of telemetry that are replayed to fill an hour
 
@@ -80,6 +89,27 @@ def _gaps(program: Program, seconds: float) -> dict[str, float]:
     keep the computer busy do not add to it.
     """
     tabs = program.window.pages
+
+    def show_next() -> None:
+        tabs.setCurrentIndex((tabs.currentIndex() + 1) % tabs.count())
+
+    return _longest([show_next] * round(seconds / _TURN))
+
+
+def _dialogs(program: Program, seconds: float) -> dict[str, float]:
+    """Return the same while dialogs open, two at a time and each for the first time."""
+    del seconds
+    window = program.window
+    trex(program).device.parameters.edit("serial_timeout", 9)
+
+    def open_two(first: str, second: str) -> None:
+        window.findChild(QAction, f"{first}Action").trigger()
+        QTimer.singleShot(_TICK_MS, window.findChild(QAction, f"{second}Action").trigger)
+
+    return _longest([partial(open_two, *each) for each in _DIALOGS])
+
+
+def _longest(steps: Sequence[Callable[[], object]]) -> dict[str, float]:
     turns = [(time.monotonic(), time.thread_time())]
     longest, worked = 0.0, 0.0
 
@@ -94,9 +124,8 @@ def _gaps(program: Program, seconds: float) -> dict[str, float]:
     timer.setTimerType(Qt.TimerType.PreciseTimer)
     timer.timeout.connect(note)
     timer.start(_TICK_MS)
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
-        tabs.setCurrentIndex((tabs.currentIndex() + 1) % tabs.count())
+    for step in steps:
+        step()
         _run_loop(_TURN)
     return {"longest": 1000 * longest, "worked": 1000 * worked}
 
@@ -154,7 +183,9 @@ def main(what: str, url: str, seconds: float) -> None:
     theme().install(app)
     program = _connected(url, GuiThreadCollector(app))
     supervisor = SafetySupervisor(program, app)
-    found = {"load": _cpu, "gaps": _gaps, "memory": _memory}[what](program, seconds)
+    found = {"load": _cpu, "gaps": _gaps, "dialogs": _dialogs, "memory": _memory}[what](
+        program, seconds
+    )
     sys.stdout.write(json.dumps(found) + "\n")
     sys.stdout.flush()
     program.window.hide()

@@ -67,3 +67,10 @@ def test_event_loop_gaps_with_all_pages_in_turn(
     found = _measure("gaps", url, _GAP_SECONDS, tmp_path)
     figure("longest gap of the event loop", found["longest"], "ms", at_most=50)
     figure("longest work between two turns of the event loop", found["worked"], "ms", at_most=50)
+
+
+@pytest.mark.timeout(300)
+def test_event_loop_gaps_while_dialogs_open(url: str, tmp_path: Path, figure: ReportFigure) -> None:
+    found = _measure("dialogs", url, 0, tmp_path)
+    figure("longest gap of the event loop, two dialogs open", found["longest"], "ms")
+    figure("longest work in one turn, two dialogs open", found["worked"], "ms", at_most=100)

@@ -28,6 +28,7 @@ class BenchTestDialog(WidgetDriver):
         self.device, self.motors = device, device.motors
         self.bench = bench
         self.files = dialog.files
+        self.wait(lambda: dialog.findChild(BenchPlot, "benchPlot") is not None)
         self.plot = self.find(BenchPlot, "benchPlot")
         self.hold_button = self.find(HoldButton, "benchHoldButton")
         self._simulator = simulator

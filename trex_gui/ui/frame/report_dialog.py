@@ -61,13 +61,9 @@ class ReportDialog(ReusedDialog):
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close, self)
         buttons.button(QDialogButtonBox.StandardButton.Close).setObjectName("reportClose")
         self._save = ui.button(
-            self,
-            "reportSave",
-            self.tr("&Save…"),
-            icon="save",
-            default=True,
-            on_click=self._ask_and_save,
+            self, "reportSave", self.tr("&Save…"), icon="save", on_click=self._ask_and_save
         )
+        self._save.setDefault(True)
         buttons.addButton(self._save, QDialogButtonBox.ButtonRole.ActionRole)
         left, right = ui.column(files, (self._list, 1)), ui.column(content, (self._text, 1))
         ui.column(about, (ui.row((left, 1), (right, 3)), 1), buttons, into=self)

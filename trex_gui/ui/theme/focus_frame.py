@@ -6,13 +6,8 @@ from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QWidget
 from shiboken6 import Shiboken
 
 _WIDTH = 2  # pixels, beside the widget
-_CHANGES = {
-    QEvent.Type.Hide,
-    QEvent.Type.Move,
-    QEvent.Type.ParentChange,
-    QEvent.Type.Resize,
-    QEvent.Type.Show,
-}
+_TYPE = QEvent.Type
+_CHANGES = {_TYPE.Hide, _TYPE.Move, _TYPE.ParentChange, _TYPE.Resize, _TYPE.Show}
 
 
 class FocusFrame(QObject):
@@ -75,8 +70,8 @@ class FocusFrame(QObject):
                 ring &= QRegion(_place_of(each, window))
         frame.setGeometry(around)
         frame.setMask(ring.translated(-around.topLeft()))
-        is_seen = self._watched[0].isVisible() and not ring.isEmpty()  # an empty mask is none
-        frame.setVisible(is_seen)
+        # An empty mask is none, and a hidden button may keep the focus.
+        frame.setVisible(self._watched[0].isVisible() and not ring.isEmpty())
         frame.raise_()
 
 

@@ -5,15 +5,7 @@ from functools import partial
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal, Slot
 from PySide6.QtGui import QGuiApplication, QKeyEvent, QMoveEvent, QResizeEvent
-from PySide6.QtWidgets import (
-    QAbstractSpinBox,
-    QApplication,
-    QFrame,
-    QLineEdit,
-    QPlainTextEdit,
-    QPushButton,
-    QWidget,
-)
+from PySide6.QtWidgets import QAbstractItemView, QApplication, QFrame, QPushButton, QWidget
 
 from trex_gui.ui.notifier import Answer, ConnectWith, CopyCommand, Notifier, Remedies, Remedy
 from trex_gui.ui.theme.icons import set_sign
@@ -277,9 +269,9 @@ class InlinePrompt(_MessageRow):
             button = self._add_button(answer.name, answer.text, self._cancel)
             button.clicked.connect(partial(self._on_answered, answer))
         self.show()
-        if not isinstance(
-            QApplication.focusWidget(), QLineEdit | QPlainTextEdit | QAbstractSpinBox
-        ):
+        focused, types = QApplication.focusWidget(), Qt.WidgetAttribute.WA_InputMethodEnabled
+        is_editor = focused is not None and focused.testAttribute(types)
+        if not is_editor or isinstance(focused, QAbstractItemView):
             self._cancel.setFocus()  # else it would take keys that are being typed
 
     @Slot()

@@ -309,9 +309,9 @@ def test_failed_save_is_reported(dialog: BenchTestDialog, tmp_path: Path) -> Non
     assert "test.csv was not saved" in dialog.note
 
 
-def test_escape_keeps_the_dialog_open(dialog: BenchTestDialog) -> None:
+def test_escape_closes_the_dialog(dialog: BenchTestDialog) -> None:
     dialog.press_escape()
-    assert dialog.root.isVisible()
+    assert not dialog.root.isVisible()
 
 
 def test_every_control_has_an_accessible_name(dialog: BenchTestDialog) -> None:

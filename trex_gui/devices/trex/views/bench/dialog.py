@@ -51,6 +51,7 @@ class BenchDialog(ReusedDialog):
         self._plot: BenchPlot | None = None
         self.files = BenchFiles(bench, self, self._picture)
         self._timer = new_timer(self, FRAME_MS, self._draw, single_shot=True)
+        self._adding = new_timer(self, FRAME_MS, self._add_plot, single_shot=True)
 
         self._note = ui.named(Note(2, self), "benchNote")
         self._hold = ui.named(
@@ -136,14 +137,18 @@ class BenchDialog(ReusedDialog):
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         if self._plot is None:
-            # pyqtgraph takes long to load: import it when the window is first shown.
-            from trex_gui.devices.trex.views.bench.plot import BenchPlot  # noqa: PLC0415
-
-            self._plot = BenchPlot(self)
-            self._right.insertWidget(0, self._plot, 1)
-            ui.tab_order(self._hold, self._plot, self._compare)
+            self._adding.start()
         self._stop.setFocus()
         self._on_changed()
+
+    def _add_plot(self) -> None:
+        """Make the plot once the window is seen without: both take 200 ms, which is too long."""
+        from trex_gui.devices.trex.views.bench.plot import BenchPlot  # noqa: PLC0415 - pyqtgraph
+
+        self._plot = BenchPlot(self)
+        self._right.insertWidget(0, self._plot, 1)
+        ui.tab_order(self._hold, self._plot, self._compare)
+        self._want_frame()
 
     def _picture(self) -> QImage:
         if self._plot is None:

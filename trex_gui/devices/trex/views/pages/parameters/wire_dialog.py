@@ -33,7 +33,7 @@ class WireDialog(QDialog):
         note = label(self, "wireNote", text, wrap=True)
         self._value = spin_box(self, "wireField", self.tr("Wire value"), 0, HIGHEST_WIRE)
         self._value.setValue(model.value_of(key) or 0)
-        self._trouble = named(Note(0, self), "wireTrouble")
+        self._trouble = named(Note(2, self), "wireTrouble")
         self._accept = button(
             self, "tryWireButton", self.tr("&Try this value"), default=True, on_click=self._on_click
         )
