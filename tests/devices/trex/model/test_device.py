@@ -182,6 +182,16 @@ def test_errors_of_another_board_are_not_shown(
     assert not errors.uncleared
 
 
+def test_calibrations_of_another_board_are_not_shown(
+    connected: DeviceRecorder, start_simulator: StartSimulator
+) -> None:
+    calibrations = connected.device.calibrations
+    assert calibrations.shown(CalibrationKey.RC_CHANNEL_1) is not None
+    analog = start_simulator("--unpaced", "--mode", "analog")
+    connected.connect(analog.url, again=True)
+    assert calibrations.shown(CalibrationKey.RC_CHANNEL_1) is None
+
+
 # --- Editing ----------------------------------------------------------------------------
 
 

@@ -457,6 +457,7 @@ class Device(QObject):
         is_known = before is not None and before.parameters == state.parameters
         if is_other and not (is_known and url == self._url):
             self.errors.reset()
+            self.calibrations.forget_seen()
         is_same_kind = self.parameters.model_key == state.signature.model.key
         if pending and before is not None and not is_same_kind:
             text = self.tr(

@@ -115,6 +115,10 @@ class Calibrations(QObject):
         self.left_out &= self._stored.keys()
         self._announce()
 
+    def forget_seen(self) -> None:
+        """Forget what another board showed of the input source that it does not use now."""
+        self._seen.clear()
+
     def note_stored(self, stored: Mapping[int, Calibration]) -> None:
         """Take the stored calibrations of the active input source after a verified write."""
         for channel, calibration in stored.items():
