@@ -103,8 +103,13 @@ def _dialogs(program: Program, seconds: float) -> dict[str, float]:
     trex(program).device.parameters.edit("serial_timeout", 9)
 
     def open_two(first: str, second: str) -> None:
-        window.findChild(QAction, f"{first}Action").trigger()
-        QTimer.singleShot(_TICK_MS, window.findChild(QAction, f"{second}Action").trigger)
+        actions = window.findChildren(QAction)
+        one, other = (
+            next(each for each in actions if each.objectName() == f"{key}Action")
+            for key in (first, second)
+        )
+        one.trigger()
+        QTimer.singleShot(_TICK_MS, other.trigger)
 
     return _longest([partial(open_two, *each) for each in _DIALOGS])
 

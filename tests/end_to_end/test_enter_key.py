@@ -33,7 +33,7 @@ def test_enter_presses_every_button_with_the_focus(connected_window: WindowDrive
     window = connected_window
     window.open_page("motorsPage")
     window.device.parameters.edit("serial_timeout", 9)
-    found = []
+    found: list[str] = []
     for index in range(window.window.pages.count()):
         window.window.pages.setCurrentIndex(index)
         found += deaf_to_enter(window.window)

@@ -59,7 +59,7 @@ def edit(window: WindowDriver, **values: int) -> None:
 
 def found(window: WindowDriver) -> tuple[LintFinding, ...]:
     """Return what the check says about the settings as edited."""
-    return window.window.findChild(BoardLinter).findings
+    return window.find_only(BoardLinter).findings
 
 
 def stored(simulator: VirtualSimulator, key: str) -> int:
@@ -383,7 +383,7 @@ def test_defaults_are_compared_and_reviewed_before_writing(
     edit(window, motor2_acceleration=9)
     window.trigger("defaults")
     defaults.click("takeDefaultsButton")
-    assert len(device.parameters.pending) == 2
+    assert device.draft.pending == 2
     assert "serial_timeout" in [key for one in found(window) for key in one.keys]
     review.close()
     assert device.parameters.pending == (("motor2_acceleration", 9),)

@@ -21,7 +21,6 @@ from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders
-from trex_gui.ui.widgets.behaviour import keep_room
 from trex_gui.ui.widgets.messages import Banner, MessageRoom
 from trex_gui.ui.widgets.placement import keep_on_screen, restore_geometry, save_geometry
 
@@ -144,8 +143,6 @@ class RecordingWindow(QMainWindow):
             self._transport,
         )
         frame = QWidget(self)
-        for each in (self._progress, self._cancel):
-            keep_room(each)
         builders.column(
             MessageRoom(frame, self.banner, lines=1),
             top,

@@ -116,8 +116,8 @@ class Calibrations(QObject):
         self._announce()
 
     def forget_seen(self) -> None:
-        """Forget what another board showed of the input source that it does not use now."""
-        self._seen.clear()
+        """Forget what another board showed, except where it was edited."""
+        self._seen = {key: seen for key, seen in self._seen.items() if key in self.edited}
 
     def note_stored(self, stored: Mapping[int, Calibration]) -> None:
         """Take the stored calibrations of the active input source after a verified write."""

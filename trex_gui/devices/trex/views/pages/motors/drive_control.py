@@ -11,7 +11,6 @@ from trex_gui.devices.trex.views.bars import CurrentBar, OutputBar
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.bar import with_sign
-from trex_gui.ui.widgets.behaviour import ENTER
 from trex_gui.ui.widgets.labels import ElidedLabel
 from trex_gui.ui.widgets.sliders import PressSlider
 
@@ -167,7 +166,7 @@ class SpeedEntry(QSpinBox):
             self.setValue(speed)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        is_entered = event.key() in ENTER
+        is_entered = event.key() in {Qt.Key.Key_Return, Qt.Key.Key_Enter}
         is_accepted = is_entered and self._is_typed and self.hasAcceptableInput()
         super().keyPressEvent(event)
         if is_accepted and self._is_typed:  # Qt emits nothing for an unchanged number
