@@ -438,7 +438,7 @@ class MainWindow(QMainWindow):
                 self._workspace.set_up_crc()
 
     def _stop_or_close(self) -> None:
-        """Stop; Esc in a dialog closes it, too, and stops only what may be moving."""
+        """Stop, or close the dialog in front, which stops only what may be moving."""
         dialog, needs_stop = QApplication.activeWindow(), self._manager.needs_stop
         if needs_stop or not isinstance(dialog, QDialog):
             self._manager.press_stop()
