@@ -323,7 +323,7 @@ class ParameterView(QTableView):
     def moveCursor(  # noqa: N802 # of Qt
         self, action: QAbstractItemView.CursorAction, modifiers: Qt.KeyboardModifier
     ) -> QModelIndex:
-        if not self.currentIndex().isValid():
+        if not self.currentIndex().isValid() and self._rows.rowCount():
             return self._rows.best_match()
         return _value_at(super().moveCursor(action, modifiers))
 
