@@ -259,7 +259,7 @@ def test_unplugging_is_detected_and_reconnecting_brakes_motors(
     assert "gone" in window.text("bannerText")
     assert not window.motors.armed
     assert window.text("statusLabel") == "Not connected."
-    assert "motors may still turn" in window.text("motorStateLabel")
+    assert "may still be turning" in window.text("motorStateLabel")
     assert simulator.show()["motors"][0]["speed"] == 50
 
     window.connect(simulator.do("line plug").split()[-1])

@@ -8,7 +8,7 @@ from functools import partial
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.errors import NoReply, StudioError, describe
-from trex_gui.core.guardian.log import LoggedStop, StopResult, last_stop
+from trex_gui.core.guardian.log import StopResult, logged_stops
 from trex_gui.core.session import Closed, Outcome
 from trex_gui.core.translation import tr
 from trex_gui.core.transport.serial_port import latency_of
@@ -204,12 +204,12 @@ class DriveController(QObject):
     @Slot()
     def _on_stop_not_sent(self) -> None:
         """Warn that the session does not respond; its guardian, which gets no heartbeat, stops."""
-        in_background(self, partial(last_stop, 0), self._report_unsent, lambda _error: None)
+        in_background(self, partial(logged_stops, 0), self._report_unsent, lambda _error: None)
 
-    def _report_unsent(self, found: tuple[int, LoggedStop | None]) -> None:
+    def _report_unsent(self, found: tuple[int, list[tuple[str, StopResult]]]) -> None:
         advice = self.tr("If a motor still turns, cut its power.")
-        _, stop = found
-        if stop and stop.time >= self._armed_at and stop.result is StopResult.CONFIRMED:
+        _, stops = found
+        if any(at >= self._armed_at and how is StopResult.CONFIRMED for at, how in stops[-1:]):
             advice = self.tr("The guardian process stopped the motors, and the board confirmed it.")
         elif self._connection.is_guarded:
             advice = f"{self.tr('The guardian process sends it now.')} {advice}"
