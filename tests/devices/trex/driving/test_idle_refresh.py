@@ -11,12 +11,12 @@ BRAKES = [DriveMotor(1, Drive.brake()), DriveMotor(2, Drive.brake())]
 def test_stop_of_auxiliary_motor_is_repeated() -> None:
     idle = SetpointRefresh(LineQuality(), lambda: False)
     idle.note_setpoints([SetAuxiliary(50)], 0.0)
-    assert idle.take_idle(0.1) == BRAKES, "a running motor is not at rest"
+    assert idle.take_idle() == BRAKES, "a running motor is not at rest"
     idle.note_stop(0.2)
-    assert idle.take_idle(0.3) == [*BRAKES, DriveAuxiliary(0)]
+    assert idle.take_idle() == [*BRAKES, DriveAuxiliary(0)]
 
 
 def test_unstarted_auxiliary_motor_is_left_alone() -> None:
     idle = SetpointRefresh(LineQuality(), lambda: False)
     idle.note_setpoints([SetMotor(1, Drive.at(50))], 0.0)
-    assert idle.take_idle(0.1) == BRAKES[1:]
+    assert idle.take_idle() == BRAKES[1:]

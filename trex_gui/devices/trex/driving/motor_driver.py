@@ -249,8 +249,9 @@ class MotorDriver:
     def _refresh(self, *, is_waiting: bool = False) -> None:
         """Send every setpoint again: speeds only if the board has not stopped its motors."""
         refresh = self.output.refresh
-        for command in refresh.take_idle(self._now()):
+        for command in refresh.take_idle():
             self.client.send(command)  # goes before the rest of a reply is awaited
+        refresh.note_sent(self._now())  # from now on: polls have a turn in between
         if refresh.stops_on_error and refresh.speeds():
             if is_waiting:
                 return
@@ -262,6 +263,7 @@ class MotorDriver:
                 return
         for command in refresh.speeds():
             self.client.send(command)
+        refresh.note_sent(self._now())
 
     def refresh_while_waiting(self, waited: float) -> float:
         """Send what is due `waited` seconds after a request; return those to the next call."""

@@ -259,14 +259,17 @@ class SetpointRefresh:
             return math.inf
         return self._sent_at + interval if self._is_active else math.inf
 
-    def take_idle(self, now: float) -> list[Command[None]]:
-        """Return the packets of every idle motor, and count them as sent.
+    def note_sent(self, now: float) -> None:
+        """Note that everything was sent again, which takes a while where echoes are awaited."""
+        self._sent_at = now
+
+    def take_idle(self) -> list[Command[None]]:
+        """Return the packets of every idle motor.
 
         One each: the packet for both motors is one bit away from one for the auxiliary motor.
         The auxiliary motor is left out unless an earlier packet may have started it: damage to
         any bit of the speed makes its own packet more dangerous than none.
         """
-        self._sent_at = now
         motors = (self._setpoints.get(one, SetMotor(one, Drive.brake())) for one in _MOTORS)
         idle = [one for one in motors if is_idle(one)]
         auxiliary = self._setpoints.get(SetAuxiliary.motor, SetAuxiliary(0))
