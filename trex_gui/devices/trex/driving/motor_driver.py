@@ -6,7 +6,7 @@ confirmed if the board replies with its status and has latched no UART error sin
 
 import logging
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import replace
 
 from trex_gui.core.errors import BadReply, BadRequest, NoReply
@@ -255,7 +255,9 @@ class MotorDriver:
         if refresh.stops_on_error and refresh.speeds():
             if is_waiting:
                 return
-            latched = self._status.read(self.client.request)
+            latched = None
+            with suppress(NoReply, BadReply):  # polling finds out whether the board is silent
+                latched = self._status.read(self.client.request)
             self._take_statuses([latched] if latched else [])
             is_whole = not self._status.uart_due
             self.output.note_status(latched, self._now(), is_whole=is_whole, stops_on_error=True)
@@ -266,8 +268,7 @@ class MotorDriver:
         refresh.note_sent(self._now())
 
     def refresh_while_waiting(self, waited: float) -> float:
-        """Send what is due `waited` seconds after a request; return those to the next call."""
-        # Then a reply can only be late in the adapter, and the board listens.
+        """Send what is due while only the adapter can be late; return seconds to the next call."""
         reply = self.client.settings.line.seconds(LONGEST_REPLY) + BOARD_DELAY - waited
         seconds = max(reply, self.output.refresh_due(self._interval) - self._now())
         if self.client.echo:
