@@ -120,7 +120,7 @@ def test_lost_reply_fires_timeout_only_where_predicted(baud: int, tenths: int) -
         stage.script.at(start + number * INTERVAL, Heartbeat())
         if number >= 4:
             # Somewhere else in the round of questions each time: each of them is hit.
-            stage.script.at(start + (number + 0.013 * number) * INTERVAL, lose_an_answer)
+            stage.script.at(start + (number + 0.05 * number) * INTERVAL, lose_an_answer)
     reports = run_for(stage, start + 81 * INTERVAL, settings)
     fired = [
         one
