@@ -3,6 +3,12 @@
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
     <name>trex_gui</name>
+    <message><source>{0} may be {1} or {2}: write the one that you mean</source>
+        <translation>{0} kann {1} oder {2} bedeuten: Schreiben Sie, was Sie meinen</translation></message>
+    <message><source>{0} is not a number</source>
+        <translation>{0} ist keine Zahl</translation></message>
+    <message><source>empty</source>
+        <translation>leer</translation></message>
     <message><source>Internal error while searching {0} ({1}).</source>
         <translation>Interner Fehler bei der Suche an {0} ({1}).</translation></message>
     <message><source>Permission denied for {0}. {1}</source>
@@ -13,6 +19,8 @@
         <translation>Es gibt keinen Port {0}. Ports dieses Computers: {1}.</translation></message>
     <message><source>{0} is in use by another program, or locked by its driver; for up to 5 seconds after a crash also by the guardian process that stops the motors.</source>
         <translation>{0} wird von einem anderen Programm verwendet oder ist durch seinen Treiber gesperrt; nach einem Absturz bis zu 5 Sekunden lang auch durch den Wächterprozess, der die Motoren stoppt.</translation></message>
+    <message><source>Motors may still be turning: no stop of the {0} at {1}, driven since {2}, is confirmed. Stop them, or cut their power.</source>
+        <translation>Motoren drehen sich vielleicht noch: Für das Board ({0}) an {1}, angesteuert seit {2}, ist kein Stopp bestätigt. Stoppen Sie sie oder trennen Sie die Motorversorgung.</translation></message>
     <message><source>The guardian process is still stopping the motors on {0}, which takes up to 5 seconds. Then connect again.</source>
         <translation>Der Wächterprozess stoppt noch die Motoren an {0}; das dauert bis zu 5 Sekunden. Verbinden Sie danach erneut.</translation></message>
     <message><source>{0} is in use by {1}. Close it there, then connect again.</source>
@@ -29,6 +37,8 @@
         <translation>es ist keine gewöhnliche Datei</translation></message>
     <message><source>this is a binary file; settings are text</source>
         <translation>dies ist eine Binärdatei; Einstellungen sind Text</translation></message>
+    <message><source>this is UTF-16 text, as PowerShell writes it with &gt;; save it as UTF-8</source>
+        <translation>dies ist UTF-16-Text, wie ihn PowerShell mit &gt; schreibt; speichern Sie ihn als UTF-8</translation></message>
     <message><source>it is a folder, not a file</source>
         <translation>es ist ein Ordner, keine Datei</translation></message>
     <message><source>it cannot be read</source>
@@ -43,10 +53,10 @@
         <translation>es gibt keine solche Datei</translation></message>
     <message><source>is larger than {0} KiB; {1} are not that long</source>
         <translation>ist größer als {0} KiB; so lang sind {1} nicht</translation></message>
-    <message><source>this is not UTF-8 text</source>
-        <translation>dies ist kein UTF-8-Text</translation></message>
     <message><source>line {0}</source>
         <translation>Zeile {0}</translation></message>
+    <message><source>this is not UTF-8 text</source>
+        <translation>dies ist kein UTF-8-Text</translation></message>
     <message><source>there is no folder {0}</source>
         <translation>es gibt keinen Ordner {0}</translation></message>
     <message><source>permission denied</source>
@@ -69,6 +79,8 @@
         <translation>die Zeit ist keine Zahl</translation></message>
     <message><source>The end of the file is missing.</source>
         <translation>Das Ende der Datei fehlt.</translation></message>
+    <message><source>Its log cannot be read: the last samples are missing.</source>
+        <translation>Ihr Protokoll ist nicht lesbar: Die letzten Messwerte fehlen.</translation></message>
     <message><source>It was not ended; samples of the last seconds may be missing.</source>
         <translation>Sie wurde nicht beendet; Messwerte der letzten Sekunden können fehlen.</translation></message>
     <message><source>the clock in the header is not in seconds</source>
@@ -97,12 +109,16 @@
         <translation>Messwerte von {0} in den Datensätzen {1} bis {2} sind verloren: {3}.</translation></message>
     <message><source>The column {0} is computed.</source>
         <translation>Die Spalte {0} ist berechnet.</translation></message>
+    <message><source>The motors of the {0} at {1}, driven since {2}, were left running. They are stopped now, and the board has confirmed that.</source>
+        <translation>Die Motoren des Boards ({0}) an {1}, angesteuert seit {2}, liefen noch. Jetzt sind sie gestoppt, und das Board hat das bestätigt.</translation></message>
     <message><source>The motors have to be stopped first.</source>
         <translation>Die Motoren müssen zuerst gestoppt werden.</translation></message>
     <message><source>another line of this program</source>
         <translation>einer anderen Leitung dieses Programms</translation></message>
     <message><source>{0} (process {1})</source>
         <translation>{0} (Prozess {1})</translation></message>
+    <message><source>the server refuses the settings of the line</source>
+        <translation>der Server lehnt die Leitungseinstellungen ab</translation></message>
     <message><source>none</source>
         <translation>keine</translation></message>
     <message><source>another program</source>
@@ -111,6 +127,8 @@
         <translation>Er gehört root; dieser Befehl öffnet ihn bis zum Ausstecken: {0}</translation></message>
     <message><source>Join its group, then log out and in again: {0} (or, until it is unplugged: {1}).</source>
         <translation>Treten Sie seiner Gruppe bei, dann melden Sie sich ab und wieder an: {0} (oder, bis zum Ausstecken: {1}).</translation></message>
+    <message><source>the server sends what is not RFC 2217</source>
+        <translation>was der Server sendet, ist nicht RFC 2217</translation></message>
     <message><source>the port takes nothing</source>
         <translation>der Port nimmt nichts an</translation></message>
     <message><source>the port cannot be set to {0}</source>
@@ -323,6 +341,10 @@
         <translation>Hinunter in „half-stand“ und wieder hinauf.</translation></message>
     <message><source>By way of half-stand to flat, from any position.</source>
         <translation>Über „half-stand“ nach „flat“, aus jeder Stellung.</translation></message>
+    <message><source>The poses are for {0} motors, the robot has {1}: the last positions are left out.</source>
+        <translation>Die Posen sind für {0} Motoren, der Roboter hat {1}: Die letzten Positionen werden weggelassen.</translation></message>
+    <message><source>The poses are for {0} motors, the robot has {1}: its last motors go to {2}.</source>
+        <translation>Die Posen sind für {0} Motoren, der Roboter hat {1}: Seine letzten Motoren gehen auf {2}.</translation></message>
     <message><source>a time scale is more than 0, not {0}</source>
         <translation>ein Zeitfaktor ist größer als 0, nicht {0}</translation></message>
     <message><source>{0} uses poses that are not defined: {1}</source>
@@ -863,8 +885,6 @@
         <translation>Abspielen nicht möglich: {0}.</translation></message>
     <message><source>No poses. Capture the robot's position, or open a pose file.</source>
         <translation>Keine Posen. Nehmen Sie die Position des Roboters auf oder öffnen Sie eine Posendatei.</translation></message>
-    <message><source>Move every motor to this pose, within its limits.</source>
-        <translation>Jeden Motor in diese Pose bewegen, innerhalb seiner Grenzen.</translation></message>
     <message><source>Poses</source>
         <translation>Posen</translation></message>
     <message><source>Set this pose to the robot's position</source>
@@ -875,6 +895,8 @@
         <translation>Pose anfah&amp;ren</translation></message>
     <message><source>Motor {0}: {1:.0f}°, limits {2} to {3}</source>
         <translation>Motor {0}: {1:.0f}°, Grenzen {2} bis {3}</translation></message>
+    <message><source>Move every motor to this pose, within its limits.</source>
+        <translation>Jeden Motor in diese Pose bewegen, innerhalb seiner Grenzen.</translation></message>
     <message><source>Position of motor {0} in this pose</source>
         <translation>Position von Motor {0} in dieser Pose</translation></message>
     <message><source>Motor {0}: {1:.0f}°, limits {2} to {3}, sent as {4}</source>
@@ -1149,9 +1171,9 @@
         <translation>An {0} antwortet kein TReX: Alles Gesendete kommt zurück, und sonst nichts, bei jeder Baudrate. Entweder ist das die RS-232-Seite eines ausgeschalteten Boards, oder TX und RX des Adapters sind verbunden.</translation></message>
     <message><source>No TReX responds on {0}. Its baud rate is set at the other end of the network, so only that one could be tried, without parity and without CRC.</source>
         <translation>An {0} antwortet kein TReX. Die Baudrate ist am anderen Ende des Netzwerks eingestellt, daher konnte nur diese versucht werden, ohne Parität und ohne CRC.</translation></message>
-    <message><source>The connection was lost: motors may still turn.</source>
-        <translation>Die Verbindung ist abgebrochen: Die Motoren können sich noch drehen.</translation></message>
-    <message><source>Cut their power.</source>
+    <message><source>The connection was lost: motors may still be turning.</source>
+        <translation>Die Verbindung ist abgebrochen: Die Motoren drehen sich vielleicht noch.</translation></message>
+    <message><source>Cut the power.</source>
         <translation>Trennen Sie die Motorversorgung.</translation></message>
     <message><source>The board does not respond.</source>
         <translation>Das Board antwortet nicht.</translation></message>
@@ -1163,30 +1185,30 @@
         <translation>Safe-Start hält die Motoren ausgeschaltet: Schalten Sie den Sender ein und lassen Sie seine Knüppel los.</translation></message>
     <message><source>Channel {0} is {1} above neutral.</source>
         <translation>Kanal {0} liegt {1} über der Neutralstellung.</translation></message>
-    <message><source>Safe-start holds the motors until it is within about {2}: release the stick, or calibrate the channel (in serial mode).</source>
-        <translation>Safe-Start hält die Motoren zurück, bis er höchstens etwa {2} abweicht: Lassen Sie den Knüppel los oder kalibrieren Sie den Kanal (im seriellen Modus).</translation></message>
+    <message><source>Safe-start holds the motors until it is within about {2} (inferred): release the stick, or calibrate the channel (in serial mode).</source>
+        <translation>Safe-Start hält die Motoren zurück, bis er höchstens etwa {2} abweicht (erschlossen): Lassen Sie den Knüppel los oder kalibrieren Sie den Kanal (im seriellen Modus).</translation></message>
     <message><source>Channel {0} is {1} below neutral.</source>
         <translation>Kanal {0} liegt {1} unter der Neutralstellung.</translation></message>
     <message><source>Channel 5 requests serial override.</source>
         <translation>Kanal 5 fordert den seriellen Vorrang an.</translation></message>
     <message><source>Safe-start holds the motors until this switch is off once.</source>
         <translation>Safe-Start hält die Motoren zurück, bis dieser Schalter einmal aus ist.</translation></message>
-    <message><source>Safe-start may be holding the motors.</source>
-        <translation>Vielleicht hält Safe-Start die Motoren zurück.</translation></message>
+    <message><source>Safe-start may be holding the motors (inferred).</source>
+        <translation>Vielleicht hält Safe-Start die Motoren zurück (erschlossen).</translation></message>
     <message><source>Release all sticks.</source>
         <translation>Lassen Sie alle Knüppel los.</translation></message>
     <message><source>Motor {0} has no drive: its driver shut down (too hot, a short circuit, or low voltage).</source>
         <translation>Motor {0} wird nicht angetrieben: Sein Treiber hat abgeschaltet (zu heiß, Kurzschluss oder Unterspannung).</translation></message>
     <message><source>Reduce the load, check wires and battery, let it cool.</source>
         <translation>Verringern Sie die Last, prüfen Sie Kabel und Batterie, lassen Sie den Treiber abkühlen.</translation></message>
-    <message><source>Serial timeout ({0}): the board received nothing and stopped the motors.</source>
-        <translation>Serielles Timeout ({0}): Das Board hat nichts empfangen und die Motoren gestoppt.</translation></message>
+    <message><source>Serial timeout: the board received nothing for {0}.</source>
+        <translation>Serielles Timeout: Das Board hat {0} lang nichts empfangen.</translation></message>
     <message><source>Check the cable, or set a longer Serial Timeout in Parameters.</source>
         <translation>Prüfen Sie das Kabel oder stellen Sie unter „Parameter“ ein längeres „Serielles Timeout“ ein.</translation></message>
     <message><source>Serial errors ({0}): the board stops the motors when bytes arrive corrupted.</source>
         <translation>Serielle Fehler ({0}): Das Board stoppt die Motoren, wenn Bytes verfälscht ankommen.</translation></message>
-    <message><source>Check cable and ground; UART-Error Shutdown can be turned off in Parameters.</source>
-        <translation>Prüfen Sie Kabel und Masse; „Abschaltung bei UART-Fehlern“ lässt sich unter „Parameter“ ausschalten.</translation></message>
+    <message><source>Check cable and ground. Without UART-Error Shutdown the Serial Timeout may not stop the motors either (twin).</source>
+        <translation>Prüfen Sie Kabel und Masse. Ohne „Abschaltung bei UART-Fehlern“ stoppt vielleicht auch das serielle Timeout die Motoren nicht (Zwilling).</translation></message>
     <message><source>Stopping: the board has not confirmed it yet.</source>
         <translation>Stopp läuft: Das Board hat ihn noch nicht bestätigt.</translation></message>
     <message><source>The stop is being repeated; motors may still turn.</source>
@@ -1251,6 +1273,16 @@
         <translation>flackert bei jedem Paket</translation></message>
     <message><source>flashes fast</source><comment>LED</comment>
         <translation>blinkt schnell</translation></message>
+    <message><source>Motors may still be turning.</source>
+        <translation>Die Motoren drehen sich vielleicht noch.</translation></message>
+    <message><source>The board should stop {0} after the last byte; if not, cut the power.</source>
+        <translation>Das Board sollte die Motoren {0} nach dem letzten Byte stoppen; wenn nicht, trennen Sie die Motorversorgung.</translation></message>
+    <message><source>The board stops {0} after the last byte, as it did when this was tried; if not, cut the power.</source>
+        <translation>Das Board stoppt die Motoren {0} nach dem letzten Byte, wie bei dem Versuch; wenn nicht, trennen Sie die Motorversorgung.</translation></message>
+    <message><source>The auxiliary motor may still be turning.</source>
+        <translation>Der Hilfsmotor dreht sich vielleicht noch.</translation></message>
+    <message><source>Motor {0} may still be turning.</source>
+        <translation>Motor {0} dreht sich vielleicht noch.</translation></message>
     <message><source>Not written: the board stores other settings than when it was reviewed.</source>
         <translation>Nicht geschrieben: Das Board speichert andere Einstellungen als bei der Prüfung.</translation></message>
     <message><source>The same settings for several boards</source>
@@ -1355,10 +1387,10 @@
         <translation>Nicht eingelernt: Er hat die Kalibrierung der Werkseinstellungen.</translation></message>
     <message><source>Read only; does not drive. In RC and analog mode it {1}.</source>
         <translation>Wird nur gelesen; steuert nichts. Im RC- und Analogmodus gilt: Er {1}.</translation></message>
-    <message><source>above about {0}</source>
-        <translation>über etwa {0}</translation></message>
-    <message><source>below about {0}</source>
-        <translation>unter etwa {0}</translation></message>
+    <message><source>above about {0} (inferred)</source>
+        <translation>über etwa {0} (erschlossen)</translation></message>
+    <message><source>below about {0} (inferred)</source>
+        <translation>unter etwa {0} (erschlossen)</translation></message>
     <message><source>Learned: the board stores a calibration of its own for it.</source>
         <translation>Eingelernt: Das Board speichert eine eigene Kalibrierung für ihn.</translation></message>
     <message><source>The board reads {0} now, and only shows and accepts calibrations for them. To see these, make it read {1}: set Channel Input Source, apply, and switch the board off and on.</source>
@@ -1429,6 +1461,8 @@
         <translation>wird gemessen …</translation></message>
     <message><source>good: {0:.1f} % of the requests of the last {1:.0f} s answered</source>
         <translation>gut: {0:.1f} % der Anfragen der letzten {1:.0f} s beantwortet</translation></message>
+    <message><source>Trying to reach the board to stop it …</source>
+        <translation>Es wird versucht, das Board zu erreichen, um es zu stoppen …</translation></message>
     <message><source>{0}. The stop is not confirmed: {1} If a motor still turns, cut its power.</source>
         <translation>{0}. Der Stopp ist nicht bestätigt: {1} Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
     <message><source>{0}. No board is connected that could be stopped, and motors may still turn: cut their power.</source>
@@ -1471,6 +1505,10 @@
         <translation><numerusform>%n Änderung des bisherigen Boards bleibt erhalten: Sie ist wieder da, wenn es erneut ausgewählt wird.</numerusform><numerusform>%n Änderungen des bisherigen Boards bleiben erhalten: Sie sind wieder da, wenn es erneut ausgewählt wird.</numerusform></translation></message>
     <message><source>Nothing was written: the board does not respond.</source>
         <translation>Es wurde nichts geschrieben: Das Board antwortet nicht.</translation></message>
+    <message><source>The board does not respond; the stop is being repeated.</source>
+        <translation>Das Board antwortet nicht; der Stopp wird wiederholt.</translation></message>
+    <message><source>Noise on the line can turn a motor another way for an instant.</source>
+        <translation>Störungen auf der Leitung können einen Motor für einen Augenblick in die andere Richtung drehen.</translation></message>
     <message><source>{0}, device {1}</source>
         <translation>{0}, Gerät {1}</translation></message>
     <message><source>{0} set</source>
@@ -1481,20 +1519,24 @@
         <translation>Die Leitung ist wieder gut</translation></message>
     <message><source>Reading again failed. {0}</source>
         <translation>Erneutes Lesen fehlgeschlagen. {0}</translation></message>
+    <message><source>If a motor still turns, cut its power.</source>
+        <translation>Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
+    <message><source>The connection is not responding, so the stop could not be sent.</source>
+        <translation>Die Verbindung reagiert nicht, daher konnte der Stopp nicht gesendet werden.</translation></message>
     <message><source>No stop is known to have reached the {0} that was driven at {1}: another board responded. If its motor still turns, cut its power.</source>
         <translation>Ob ein Stopp das an {1} angesteuerte Board ({0}) erreicht hat, ist nicht bekannt: Ein anderes Board hat geantwortet. Falls sich am angesteuerten Board noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
-    <message><source>The board received nothing within its Serial Timeout and stopped its motors.</source>
-        <translation>Das Board hat innerhalb seines seriellen Timeouts nichts empfangen und seine Motoren gestoppt.</translation></message>
+    <message><source>The board received nothing within its Serial Timeout, so the motors were stopped.</source>
+        <translation>Das Board hat innerhalb seines seriellen Timeouts nichts empfangen, daher wurden die Motoren gestoppt.</translation></message>
     <message><source>The board stopped its motors because of an error on the line ({0}): UART-Error Shutdown is set.</source>
         <translation>Das Board hat seine Motoren wegen eines Fehlers auf der Leitung ({0}) gestoppt: „Abschaltung bei UART-Fehlern“ ist eingestellt.</translation></message>
-    <message><source>The connection is not responding, so the stop could not be sent. The guardian process sends it now. If a motor still turns, cut its power.</source>
-        <translation>Die Verbindung reagiert nicht, daher konnte der Stopp nicht gesendet werden. Der Wächterprozess sendet ihn jetzt. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
-    <message><source>The connection is not responding, so the stop could not be sent. If a motor still turns, cut its power.</source>
-        <translation>Die Verbindung reagiert nicht, daher konnte der Stopp nicht gesendet werden. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
+    <message><source>The guardian process stopped the motors, and the board confirmed it.</source>
+        <translation>Der Wächterprozess hat die Motoren gestoppt, und das Board hat das bestätigt.</translation></message>
     <message><source>Another board responds now: {0}, at {1}.</source>
         <translation>Jetzt antwortet ein anderes Board: {0}, an {1}.</translation></message>
     <message><source>The line to {0} was lost before a stop was confirmed. The board at this port has confirmed one; if it is another board, cut the power of the first.</source>
         <translation>Die Leitung zu {0} brach ab, bevor ein Stopp bestätigt war. Das Board an diesem Port hat einen bestätigt; falls es ein anderes Board ist, trennen Sie die Motorversorgung des ersten.</translation></message>
+    <message><source>The connection is not responding.</source>
+        <translation>Die Verbindung reagiert nicht.</translation></message>
     <message><source>{0} The motors were stopped. Press Run motor to continue.</source>
         <translation>{0} Die Motoren wurden gestoppt. Klicken Sie auf „Motor freigeben“, um fortzufahren.</translation></message>
     <message><source>{0} A stop was sent but is not confirmed yet.</source>
@@ -1507,16 +1549,10 @@
         <translation>Serielle Befehle erreichen die Motoren nicht mehr.</translation></message>
     <message><source>A setting of the board changed, so the motors were stopped.</source>
         <translation>Eine Einstellung des Boards hat sich geändert, daher wurden die Motoren gestoppt.</translation></message>
+    <message><source>The guardian process sends it now.</source>
+        <translation>Der Wächterprozess sendet ihn jetzt.</translation></message>
     <message><source>The board was restarted, so the motors were stopped.</source>
         <translation>Das Board wurde neu gestartet, daher wurden die Motoren gestoppt.</translation></message>
-    <message><source>The board stops them {0} after the last byte it received; if not, cut their power.</source>
-        <translation>Das Board stoppt sie {0} nach dem letzten empfangenen Byte; wenn nicht, trennen Sie die Motorversorgung.</translation></message>
-    <message><source>The board does not respond: motors may still turn.</source>
-        <translation>Das Board antwortet nicht: Die Motoren können sich noch drehen.</translation></message>
-    <message><source>Check its power and the cable; the stop is being repeated.</source>
-        <translation>Prüfen Sie seine Stromversorgung und das Kabel; der Stopp wird wiederholt.</translation></message>
-    <message><source>The board stops them {0} after the last byte it received.</source>
-        <translation>Das Board stoppt sie {0} nach dem letzten empfangenen Byte.</translation></message>
     <message><source>{0} Doubtful: the line is noisy and has no CRC.</source>
         <translation>{0} Zweifelhaft: Die Leitung ist gestört und hat kein CRC.</translation></message>
     <message><source>Setpoint: none</source>
@@ -1551,10 +1587,14 @@
         <translation>nicht seriell gesteuert</translation></message>
     <message><source>no current sensing in joint mode</source>
         <translation>keine Strommessung im Parallelbetrieb</translation></message>
-    <message><source>The guardian process could not be started: if this program fails, motors keep turning for the serial timeout of {0:g} s.</source>
-        <translation>Der Wächterprozess konnte nicht gestartet werden: Fällt dieses Programm aus, drehen sich die Motoren für die Dauer des seriellen Timeouts von {0:g} s weiter.</translation></message>
+    <message><source>Serial timeout is on, but it did not stop the motors of this board when it was tried: they keep turning if the cable or this computer fails.</source>
+        <translation>Das serielle Timeout ist an, hat die Motoren dieses Boards bei dem Versuch aber nicht gestoppt: Sie drehen sich weiter, wenn das Kabel oder dieser Computer ausfällt.</translation></message>
     <message><source>channel {0} at {1} (overridden)</source>
         <translation>Kanal {0} auf {1} (durch Vorrang ohne Wirkung)</translation></message>
+    <message><source>UART-Error Shutdown is off: motors may keep turning if the cable or this computer fails, although the serial timeout is on (twin).</source>
+        <translation>„Abschaltung bei UART-Fehlern“ ist aus: Die Motoren drehen sich vielleicht weiter, wenn das Kabel oder dieser Computer ausfällt, obwohl das serielle Timeout an ist (Zwilling).</translation></message>
+    <message><source>The guardian process could not be started: if this program fails, motors keep turning for the serial timeout of {0:g} s.</source>
+        <translation>Der Wächterprozess konnte nicht gestartet werden: Fällt dieses Programm aus, drehen sich die Motoren für die Dauer des seriellen Timeouts von {0:g} s weiter.</translation></message>
     <message><source>Serial timeout of {0:g} s is short for a network port: one late reply stops the motors while you drive. Set a longer one, or connect the board to this computer.</source>
         <translation>Das serielle Timeout von {0:g} s ist kurz für einen Netzwerkport: Eine einzige späte Antwort stoppt die Motoren beim Fahren. Stellen Sie ein längeres ein oder schließen Sie das Board an diesen Computer an.</translation></message>
     <message><source>Serial timeout of {0:g} s is short for {1} baud: one lost reply stops the motors while you drive. Set a longer one, or a faster baud rate.</source>
@@ -1691,10 +1731,10 @@
         <translation>{0} Ein Test braucht die serielle Steuerung.</translation></message>
     <message><source>Bring the motors to rest first ({0}).</source>
         <translation>Bringen Sie zuerst die Motoren zur Ruhe ({0}).</translation></message>
-    <message><source>Active above {0} (inferred: it switches halfway between neutral and maximum).</source>
-        <translation>Aktiv über {0} (erschlossen: Er schaltet in der Mitte zwischen Neutralstellung und Maximum).</translation></message>
-    <message><source>Active below {0} (inferred: it switches halfway between neutral and minimum).</source>
-        <translation>Aktiv unter {0} (erschlossen: Er schaltet in der Mitte zwischen Neutralstellung und Minimum).</translation></message>
+    <message><source>Active above {0}, halfway between neutral and maximum (inferred).</source>
+        <translation>Aktiv über {0}, in der Mitte zwischen Neutralstellung und Maximum (erschlossen).</translation></message>
+    <message><source>Active below {0}, halfway between neutral and minimum (inferred).</source>
+        <translation>Aktiv unter {0}, in der Mitte zwischen Neutralstellung und Minimum (erschlossen).</translation></message>
     <message><source>At rest it is active.</source>
         <translation>In Ruhe ist er aktiv.</translation></message>
     <message><source>At rest it is off.</source>
@@ -1873,6 +1913,14 @@
         <translation>Nur „aus“ wurde gesehen. Stellen Sie den Schalter in die andere Stellung.</translation></message>
     <message><source>Full output reached. Release it: at rest the output must be 0, but it is {0}.</source>
         <translation>Voller Ausgang erreicht. Lassen Sie ihn los: In Ruhe muss der Ausgang 0 sein, er ist aber {0}.</translation></message>
+    <message><source>The board is back. It has confirmed the stop. For {0:.0f} s it received nothing: did its Serial Timeout stop the motor meanwhile?</source>
+        <translation>Das Board ist wieder da. Es hat den Stopp bestätigt. {0:.0f} s lang hat es nichts empfangen: Hat sein serielles Timeout den Motor inzwischen gestoppt?</translation></message>
+    <message><source>The board is back. It has confirmed the stop.</source>
+        <translation>Das Board ist wieder da. Es hat den Stopp bestätigt.</translation></message>
+    <message><source>It stopped</source>
+        <translation>Er hat gestoppt</translation></message>
+    <message><source>It kept turning</source>
+        <translation>Er drehte sich weiter</translation></message>
     <message><source>auxiliary {0}</source>
         <translation>Hilfsmotor {0}</translation></message>
     <message><source>motor {0} brake</source>
@@ -1929,18 +1977,14 @@
         <translation>{0} {1}</translation></message>
     <message><source>Motors 1 and 2 {0}</source>
         <translation>{0} Motor 1 und 2</translation></message>
-    <message><source>How often in a second the PWM of the motor switches. Low frequencies whine and heat the motor, frequencies above the driver's rating heat the driver. Type any number or use the arrow keys: prescaler and maximum are set to the nearest frequency there is.</source>
-        <translation>Wie oft pro Sekunde die PWM des Motors schaltet. Niedrige Frequenzen pfeifen und erwärmen den Motor, Frequenzen über dem Nennwert des Treibers erwärmen den Treiber. Geben Sie eine beliebige Zahl ein oder benutzen Sie die Pfeiltasten: Vorteiler und Maximum werden auf die nächste mögliche Frequenz gesetzt.</translation></message>
+    <message><source>How often in a second the PWM of the motor switches. Low frequencies whine and heat the motor, frequencies above the driver's rating heat the driver. Type a number or use the arrow keys. The board stores the nearest frequency that it can switch at.</source>
+        <translation>Wie oft pro Sekunde die PWM des Motors schaltet. Niedrige Frequenzen pfeifen und erwärmen den Motor, Frequenzen über dem Nennwert des Treibers erwärmen den Treiber. Geben Sie eine Zahl ein oder benutzen Sie die Pfeiltasten. Das Board speichert die nächste Frequenz, mit der es schalten kann.</translation></message>
     <message><source>This firmware has stored beyond that: wire value {0}.</source>
         <translation>Diese Firmware hat darüber hinaus gespeichert: Bytewert {0}.</translation></message>
-    <message><source>The vendor's documents or staff confirm range and default.</source>
-        <translation>Dokumente oder Mitarbeiter des Herstellers bestätigen Bereich und Standardwert.</translation></message>
-    <message><source>The range is confirmed by the vendor; the default is inferred.</source>
-        <translation>Der Bereich ist vom Hersteller bestätigt; der Standardwert ist erschlossen.</translation></message>
-    <message><source>The default is confirmed by the vendor; the range is inferred.</source>
-        <translation>Der Standardwert ist vom Hersteller bestätigt; der Bereich ist erschlossen.</translation></message>
-    <message><source>Range and default are inferred.</source>
-        <translation>Bereich und Standardwert sind erschlossen.</translation></message>
+    <message><source>(twin): documented for Pololu's qik 2s12v10, which has the same motor drivers.</source>
+        <translation>(Zwilling): dokumentiert für den qik 2s12v10 von Pololu, der dieselben Motortreiber hat.</translation></message>
+    <message><source>(inferred): no document confirms it.</source>
+        <translation>(erschlossen): Kein Dokument bestätigt es.</translation></message>
     <message><source>PWM Frequency</source>
         <translation>PWM-Frequenz</translation></message>
     <message><source>{0} to {1}</source>
@@ -1957,12 +2001,12 @@
         <translation>nicht gelesen</translation></message>
     <message><source>Takes effect when the board is switched off and on.</source>
         <translation>Wird wirksam, wenn das Board aus- und eingeschaltet wird.</translation></message>
+    <message><source>The board rejects any value that it does not support.</source>
+        <translation>Das Board lehnt jeden Wert ab, den es nicht unterstützt.</translation></message>
+    <message><source>The vendor's documents or staff confirm range and default.</source>
+        <translation>Dokumente oder Mitarbeiter des Herstellers bestätigen Bereich und Standardwert.</translation></message>
     <message><source>User's guide of the board</source>
         <translation>Benutzerhandbuch des Boards</translation></message>
-    <message><source>The meaning of the wire values is inferred, too.</source>
-        <translation>Auch die Bedeutung der Bytewerte ist erschlossen.</translation></message>
-    <message><source>The vendor's parameter document was not available. The board rejects any value that it does not support.</source>
-        <translation>Das Parameterdokument des Herstellers war nicht verfügbar. Das Board lehnt jeden Wert ab, den es nicht unterstützt.</translation></message>
     <message><source>{0} differs: {1}.</source>
         <translation>{0} weicht ab: {1}.</translation></message>
     <message><source>Reset to default: {0}</source>
@@ -1977,16 +2021,18 @@
         <translation>{0:.0f} Hz</translation></message>
     <message><source>prescaler {0}, maximum {1}</source>
         <translation>Vorteiler {0}, Maximum {1}</translation></message>
-    <message><source>Range: {0}.</source>
-        <translation>Bereich: {0}.</translation></message>
-    <message><source>Default: {0}.</source>
-        <translation>Standardwert: {0}.</translation></message>
+    <message><source>Range: {0}{1}.</source>
+        <translation>Bereich: {0}{1}.</translation></message>
+    <message><source>Default: {0}{1}.</source>
+        <translation>Standardwert: {0}{1}.</translation></message>
     <message><source>User's guide, section {0}</source>
         <translation>Benutzerhandbuch, Abschnitt {0}</translation></message>
     <message><source>{0} (wire value {1} to {2})</source>
         <translation>{0} (Bytewert {1} bis {2})</translation></message>
     <message><source>Wire value: {0}.</source>
         <translation>Bytewert: {0}.</translation></message>
+    <message><source>No source says what the wire values mean{0}.</source>
+        <translation>Keine Quelle sagt, was die Bytewerte bedeuten{0}.</translation></message>
     <message><source>Still active: {0}.</source>
         <translation>Noch aktiv: {0}.</translation></message>
     <message><source>Recording {0} ended: the board or its input source has changed.</source>
@@ -2091,6 +2137,8 @@
         <translation>Kanal {0}</translation></message>
     <message><source>{0} channel {1}</source>
         <translation>Kanal {1} ({0})</translation></message>
+    <message><source>it is counts (3750), or like 1500us or 2.5V, not {0}</source>
+        <translation>es sind Counts (3750) oder etwas wie 1500us oder 2.5V, nicht {0}</translation></message>
     <message><source>minimum {0} is above neutral {1}</source>
         <translation>Minimum {0} liegt über der Neutralstellung {1}</translation></message>
     <message><source>neutral {0} is above maximum {1}</source>
@@ -2131,8 +2179,14 @@
         <translation>{0} ist kein Ergebniscode eines TReX (0 bis 3)</translation></message>
     <message><source>{0:#04x} is not a TReX mode (R, A, r or a)</source>
         <translation>{0:#04x} ist kein Modus eines TReX (R, A, r oder a)</translation></message>
+    <message><source>device number</source>
+        <translation>Gerätenummer</translation></message>
+    <message><source>The board needs a number that no other device has.</source>
+        <translation>Das Board braucht eine Nummer, die kein anderes Gerät hat.</translation></message>
     <message><source>{0!r} are no settings of a board</source>
         <translation>{0!r} sind keine Einstellungen eines Boards</translation></message>
+    <message><source>The board may measure currents wrong by 20 % (twin).</source>
+        <translation>Das Board misst Ströme vielleicht um 20 % falsch (Zwilling).</translation></message>
     <message><source>The stop was sent, but the channels control the motors: it takes effect only when channel 5 gives control to serial commands. Release the sticks, or cut the power.</source>
         <translation>Der Stopp wurde gesendet, aber die Kanäle steuern die Motoren: Er wirkt erst, wenn Kanal 5 die Steuerung an serielle Befehle übergibt. Lassen Sie die Knüppel los, oder trennen Sie die Motorversorgung.</translation></message>
     <message><source>minimum</source>
@@ -2301,6 +2355,10 @@
         <translation>Der Stopp wurde gesendet und das Board antwortet, aber die Leitung verfälscht Bytes. Er wird wiederholt, bis die Leitung ruhig ist. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
     <message><source>The program did not respond for more than half a second.</source>
         <translation>Das Programm reagierte länger als eine halbe Sekunde nicht.</translation></message>
+    <message><source>The motors that were driven draw no current: the board may have restarted.</source>
+        <translation>Die angesteuerten Motoren nehmen keinen Strom auf: Vielleicht wurde das Board neu gestartet.</translation></message>
+    <message><source>The guardian process ended, and another one could not be started.</source>
+        <translation>Der Wächterprozess wurde beendet, und ein neuer konnte nicht gestartet werden.</translation></message>
     <message><source>The motors are locked for a while after a stop; nothing was sent.</source>
         <translation>Die Motoren sind nach einem Stopp eine Zeit lang gesperrt; es wurde nichts gesendet.</translation></message>
     <message><source>These bytes may move a motor; nothing was sent. Choose Run motor first.</source>
@@ -2367,8 +2425,8 @@
         <translation>Ein serieller Fehler trat auf; die UART-Fehlerbits zeigen, welcher.</translation></message>
     <message><source>Serial timeout</source>
         <translation>Serielles Timeout</translation></message>
-    <message><source>No byte arrived within the Serial Timeout, so the board stopped its motors.</source>
-        <translation>Innerhalb des seriellen Timeouts kam kein Byte an, daher hat das Board seine Motoren gestoppt.</translation></message>
+    <message><source>No byte arrived within the Serial Timeout. The board should have stopped its motors.</source>
+        <translation>Innerhalb des seriellen Timeouts kam kein Byte an. Das Board sollte seine Motoren gestoppt haben.</translation></message>
     <message><source>Format error</source>
         <translation>Formatfehler</translation></message>
     <message><source>A packet had an unknown command, a command byte inside it or an invalid data byte.</source>
@@ -2399,8 +2457,6 @@
         <translation>Eine Antwort war länger als der Sendepuffer.</translation></message>
     <message><source>{0} is 0 to 127, not {1}</source>
         <translation>{0} ist 0 bis 127, nicht {1}</translation></message>
-    <message><source>device number</source>
-        <translation>Gerätenummer</translation></message>
     <message><source>a data byte outside a packet</source>
         <translation>ein Datenbyte außerhalb eines Pakets</translation></message>
     <message><source>1 byte</source>
@@ -2429,6 +2485,10 @@
         <translation>ein TReX läuft mit {0} Baud, nicht {1}</translation></message>
     <message><source>1 or 2 stop bits, not {0}</source>
         <translation>1 oder 2 Stoppbits, nicht {0}</translation></message>
+    <message><source>(twin)</source>
+        <translation>(Zwilling)</translation></message>
+    <message><source>(inferred)</source>
+        <translation>(erschlossen)</translation></message>
     <message><source>none</source><comment>channels</comment>
         <translation>keine</translation></message>
     <message><source>none or some of the channels 1 to 5, such as 1, 3</source>
@@ -2455,8 +2515,6 @@
         <translation>; meinten Sie {0}?</translation></message>
     <message><source>channels 1 to 5 (wire value 0 to {0})</source>
         <translation>Kanäle 1 bis 5 (Bytewert 0 bis {0})</translation></message>
-    <message><source>empty</source>
-        <translation>leer</translation></message>
     <message><source>wire {0}</source>
         <translation>Bytewert {0}</translation></message>
     <message><source>Which bytes? Give them in hexadecimal, such as 86 1F.</source>
@@ -2587,8 +2645,8 @@
         <translation>ist ein Befehl an das Board, keine Einstellung</translation></message>
     <message><source>{allowed}, not {given}{hint}</source>
         <translation>{allowed}, nicht {given}{hint}</translation></message>
-    <message><source>{allowed}, not {given}; this limit is inferred, so the board decides</source>
-        <translation>{allowed}, nicht {given}; diese Grenze ist erschlossen, daher entscheidet das Board</translation></message>
+    <message><source>{allowed}{grade}, not {given}; the board decides</source>
+        <translation>{allowed}{grade}, nicht {given}; das Board entscheidet</translation></message>
     <message><source>a {product} has it from firmware {since} on, these are for {firmware}</source>
         <translation>ein {product} hat sie ab Firmware {since}, diese Einstellungen sind für {firmware}</translation></message>
     <message><source>a {product} does not have it, whatever its firmware</source>
@@ -2627,12 +2685,14 @@
         <translation>{0} in Anführungszeichen</translation></message>
     <message><source>{name} is off while a computer drives the motors: if the cable or the computer fails, the motors keep running at their last setpoint.</source>
         <translation>{name} ist aus, während ein Computer die Motoren steuert: Wenn das Kabel oder der Computer ausfällt, laufen die Motoren mit ihrem letzten Sollwert weiter.</translation></message>
+    <message><source>{timeout} of {seconds} may not stop the motors if the cable or the computer fails: {shutdown} is off (twin).</source>
+        <translation>{timeout} von {seconds} stoppt die Motoren vielleicht nicht, wenn das Kabel oder der Computer ausfällt: {shutdown} ist aus (Zwilling).</translation></message>
     <message><source>No effect in joint mode: {limits}. The board measures no current then, so the motor is not protected.</source>
         <translation>Ohne Wirkung im Parallelbetrieb: {limits}. Das Board misst dann keinen Strom, der Motor ist also nicht geschützt.</translation></message>
-    <message><source>{limit} is {value}, but its proportionality constant P, how strongly the limiter reacts, is 0. Inferred: the behaviour of the board is not documented, and the limit may have no effect.</source>
-        <translation>{limit} ist {value}, aber der zugehörige Proportionalfaktor P, also wie stark die Strombegrenzung reagiert, ist 0. Erschlossen: Das Verhalten des Boards ist nicht dokumentiert, und die Stromgrenze hat vielleicht keine Wirkung.</translation></message>
-    <message><source>{limit} is {value} and {ramp} is 0, which means at once. Inferred: as soon as the current falls below the limit, the motor jumps back to its full target speed, so it may run in jerks.</source>
-        <translation>{limit} ist {value}, und {ramp} ist 0, also sofort. Erschlossen: Sobald der Strom unter die Grenze fällt, springt der Motor auf seine volle Sollgeschwindigkeit zurück und läuft dadurch vielleicht ruckweise.</translation></message>
+    <message><source>{limit} is {value}, but its proportionality constant P, how strongly the limiter reacts, is 0. The limit may have no effect then (inferred).</source>
+        <translation>{limit} ist {value}, aber der zugehörige Proportionalfaktor P, also wie stark die Strombegrenzung reagiert, ist 0. Die Grenze hat dann vielleicht keine Wirkung (erschlossen).</translation></message>
+    <message><source>{limit} is {value} and {ramp} is 0, which means at once. As soon as the current falls below the limit, the motor jumps back to its full target speed, so it may run in jerks (inferred).</source>
+        <translation>{limit} ist {value}, und {ramp} ist 0, also sofort. Sobald der Strom unter die Grenze fällt, springt der Motor auf seine volle Sollgeschwindigkeit zurück und läuft dadurch vielleicht ruckweise (erschlossen).</translation></message>
     <message><source>The PWM of motor {motor} runs at {now} (inferred), but the motor driver of a {product} is rated for {highest}; above that it gets hot.</source>
         <translation>Die PWM von Motor {motor} läuft mit {now} (erschlossen), der Motortreiber eines {product} ist aber nur für {highest} ausgelegt; darüber wird er heiß.</translation></message>
     <message><source>The PWM of motor {motor} runs at {now} (inferred), but the motor driver of a {product} is rated for {highest}; above that it gets hot. The prescaler {prescaler} gives {gives}.</source>
@@ -2663,24 +2723,32 @@
         <translation>{0} und {1}</translation></message>
     <message><source>{0} with firmware {1}</source>
         <translation>{0} mit Firmware {1}</translation></message>
-    <message><source>beyond a limit that is inferred: the board decides</source>
-        <translation>jenseits einer erschlossenen Grenze: Das Board entscheidet</translation></message>
     <message><source>{0}, deadband {1}</source>
         <translation>{0}, Totbereich {1}</translation></message>
+    <message><source>beyond a limit{0}: the board decides</source>
+        <translation>jenseits einer Grenze{0}: Das Board entscheidet</translation></message>
     <message><source>a {0} has no {1}</source>
         <translation>ein {0} hat kein {1}</translation></message>
     <message><source>settings are plain 'key: value' lines</source>
         <translation>Einstellungen sind einfache Zeilen „schlüssel: wert“</translation></message>
+    <message><source>this is nested too deeply; {0}</source>
+        <translation>dies ist zu tief verschachtelt; {0}</translation></message>
     <message><source>there are no settings here; the first is 'product: TReX'</source>
         <translation>hier sind keine Einstellungen; die erste ist 'product: TReX'</translation></message>
+    <message><source>these are not settings of a TReX, which begin with 'product: TReX'</source>
+        <translation>das sind keine Einstellungen eines TReX; diese beginnen mit „product: TReX“</translation></message>
+    <message><source>a tab indents this line; indent it with spaces</source>
+        <translation>diese Zeile ist mit einem Tabulator eingerückt; rücken Sie sie mit Leerzeichen ein</translation></message>
+    <message><source>this is not a setting; {0}</source>
+        <translation>dies ist keine Einstellung; {0}</translation></message>
     <message><source>a second document begins here; settings are one</source>
         <translation>hier beginnt ein zweites Dokument; Einstellungen sind eines</translation></message>
     <message><source>the character U+{0:04X} has no place in a text file</source>
         <translation>das Zeichen U+{0:04X} gehört nicht in eine Textdatei</translation></message>
     <message><source>the text is incomplete or damaged here ({0}); {1}</source>
         <translation>der Text ist hier unvollständig oder beschädigt ({0}); {1}</translation></message>
-    <message><source>this is not a setting; {0}</source>
-        <translation>dies ist keine Einstellung; {0}</translation></message>
+    <message><source>type an ordinary space after the colon</source>
+        <translation>geben Sie nach dem Doppelpunkt ein gewöhnliches Leerzeichen ein</translation></message>
     <message><source>anchors (&amp; and *) are not allowed; {0}</source>
         <translation>Anker (&amp; und *) sind nicht erlaubt; {0}</translation></message>
     <message><source>tags (!) are not allowed; {0}</source>
@@ -2691,8 +2759,6 @@
         <translation>diese Zahl ist nicht lesbar; {0}</translation></message>
     <message><source>merge keys (&lt;&lt;) are not allowed; {0}</source>
         <translation>Merge-Schlüssel (&lt;&lt;) sind nicht erlaubt; {0}</translation></message>
-    <message><source>this is nested too deeply; {0}</source>
-        <translation>dies ist zu tief verschachtelt; {0}</translation></message>
     <message><source>Lets both motors and the auxiliary be driven; nothing moves yet</source>
         <translation>Gibt beide Motoren und den Hilfsmotor zum Fahren frei; noch bewegt sich nichts</translation></message>
     <message><source>Channels control the motors; Run motor needs serial control.</source>
@@ -2717,22 +2783,22 @@
         <translation>Mehrere Boards an dieser Leitung: Wählen Sie das Board zum Fahren.</translation></message>
     <message><source>Not armed: no command is sent until you click Run motor.</source>
         <translation>Nicht freigegeben: Es wird kein Befehl gesendet, bis Sie auf „Motor freigeben“ klicken.</translation></message>
-    <message><source>Set the serial timeout</source>
-        <translation>Serielles Timeout setzen</translation></message>
+    <message><source>Write the serial timeout</source>
+        <translation>Serielles Timeout schreiben</translation></message>
     <message><source>Write the changed parameters into the board (Ctrl+Enter)</source>
         <translation>Die geänderten Parameter ins Board schreiben (Strg+Enter)</translation></message>
     <message><source>Armed. Drive them on the Motors page.</source>
         <translation>Freigegeben. Gefahren wird auf der Seite „Motoren“.</translation></message>
     <message><source>Stopping …</source>
         <translation>Wird gestoppt …</translation></message>
-    <message><source>Set &amp;{0} s</source>
-        <translation>Auf &amp;{0} s setzen</translation></message>
-    <message><source>Set the serial timeout to {0} s</source>
-        <translation>Serielles Timeout auf {0} s setzen</translation></message>
-    <message><source>Writes only this setting now: the board stops its motors {0} s after the last byte. Other changes stay pending.</source>
-        <translation>Schreibt jetzt nur diese Einstellung: Das Board stoppt seine Motoren {0} s nach dem letzten Byte. Andere Änderungen bleiben ausstehend.</translation></message>
-    <message><source>Armed. Setpoint: {0}</source>
-        <translation>Freigegeben. Sollwert: {0}</translation></message>
+    <message><source>Write &amp;{0} s</source>
+        <translation>&amp;{0} s schreiben</translation></message>
+    <message><source>Write a serial timeout of {0} s</source>
+        <translation>Serielles Timeout von {0} s schreiben</translation></message>
+    <message><source>Writes Serial Timeout and UART-Error Shutdown now: the board should stop its motors {0} s after the last byte. Other changes stay pending.</source>
+        <translation>Schreibt jetzt „Serielles Timeout“ und „Abschaltung bei UART-Fehlern“: Das Board sollte seine Motoren {0} s nach dem letzten Byte stoppen. Andere Änderungen bleiben ausstehend.</translation></message>
+    <message><source>Armed. Sent: {0}</source>
+        <translation>Freigegeben. Gesendet: {0}</translation></message>
     <message><source>Stopped. Motors are locked for {0} s.</source>
         <translation>Gestoppt. Die Motoren sind für {0} s gesperrt.</translation></message>
     <message><source>nothing to write</source>
@@ -2785,6 +2851,20 @@
         <translation>{0} auf mehrere Boards anwenden</translation></message>
     <message numerus="yes"><source>%n board(s) left out; the reason is beside each.</source>
         <translation><numerusform>%n Board ausgelassen; der Grund steht daneben.</numerusform><numerusform>%n Boards ausgelassen; der Grund steht jeweils daneben.</numerusform></translation></message>
+    <message><source>Arm the motors</source>
+        <translation>Motoren freigeben</translation></message>
+    <message><source>Arm with&amp;out</source>
+        <translation>&amp;Ohne Timeout freigeben</translation></message>
+    <message><source>Cancel</source>
+        <translation>Abbrechen</translation></message>
+    <message><source>Writing …</source>
+        <translation>Schreiben läuft …</translation></message>
+    <message><source>“Arm without” is remembered for this board. Cut the power by hand then if the cable falls out.</source>
+        <translation>„Ohne Timeout freigeben“ wird für dieses Board gemerkt. Trennen Sie dann die Motorversorgung von Hand, wenn das Kabel herausfällt.</translation></message>
+    <message><source>The board did not store the serial timeout.</source>
+        <translation>Das Board hat das serielle Timeout nicht gespeichert.</translation></message>
+    <message><source>&amp;Write {0:g} s and arm</source>
+        <translation>{0:g} s &amp;schreiben und freigeben</translation></message>
     <message><source>Channel input</source>
         <translation>Kanaleingang</translation></message>
     <message><source>{value}, {distance} above neutral</source>
@@ -3007,8 +3087,6 @@
         <translation>Fortschritt der Suche</translation></message>
     <message><source>Find boards</source>
         <translation>Boards suchen</translation></message>
-    <message><source>Cancel</source>
-        <translation>Abbrechen</translation></message>
     <message><source>Change number…</source>
         <translation>Nummer ändern…</translation></message>
     <message><source>Apply a file…</source>
@@ -3139,8 +3217,8 @@
         <translation>Der TReX antwortet mit den Werkseinstellungen.</translation></message>
     <message><source>Mode may also be on: the board responds in every mode.</source>
         <translation>Der Modus-Jumper darf auch stecken: Das Board antwortet in jedem Modus.</translation></message>
-    <message><source>Search with Find first: it finds a board at any of its settings. If that fails, these steps from Pololu's support forum restore the serial settings of the factory. One user saw the LEDs alternate for three seconds only, and nothing was restored: then begin again. Compare the other settings with your last snapshot afterwards (Ctrl+H).</source>
-        <translation>Suchen Sie zuerst mit „Suchen“: Das findet ein Board mit jeder seiner Einstellungen. Hilft das nicht, stellen diese Schritte aus dem Support-Forum von Pololu die seriellen Werkseinstellungen wieder her. Ein Benutzer sah die LEDs nur drei Sekunden lang abwechseln, und nichts wurde wiederhergestellt: Beginnen Sie dann von vorn. Vergleichen Sie danach die übrigen Einstellungen mit Ihrer letzten Sicherungskopie (Strg+H).</translation></message>
+    <message><source>Search with Find first: it finds a board at any of its settings. If that fails, these steps from Pololu's support forum restore the serial settings of the factory (inferred). One user saw the LEDs alternate for three seconds only, and nothing was restored: then begin again. Compare the other settings with your last snapshot afterwards (Ctrl+H).</source>
+        <translation>Suchen Sie zuerst mit „Suchen“: Das findet ein Board mit jeder seiner Einstellungen. Hilft das nicht, stellen diese Schritte aus dem Support-Forum von Pololu die seriellen Werkseinstellungen wieder her (erschlossen). Ein Benutzer sah die LEDs nur drei Sekunden lang abwechseln, und nichts wurde wiederhergestellt: Beginnen Sie dann von vorn. Vergleichen Sie danach die übrigen Einstellungen mit Ihrer letzten Sicherungskopie (Strg+H).</translation></message>
     <message><source>&amp;Back</source>
         <translation>&amp;Zurück</translation></message>
     <message><source>&amp;Next</source>
@@ -3681,8 +3759,8 @@ was {1}</source>
 bisher {1}</translation></message>
     <message><source>{0} of channel {1}</source>
         <translation>{0} von Kanal {1}</translation></message>
-    <message><source>{0}: beyond a limit that is inferred. The board decides: it may reject the value, or store another one.</source>
-        <translation>{0}: jenseits einer Grenze, die nur erschlossen ist. Das Board entscheidet: Es lehnt den Wert vielleicht ab oder speichert einen anderen.</translation></message>
+    <message><source>{0}: beyond a limit that no document confirms (inferred). The board decides: it may reject the value, or store another one.</source>
+        <translation>{0}: jenseits einer Grenze, die kein Dokument bestätigt (erschlossen). Das Board entscheidet: Es lehnt den Wert vielleicht ab oder speichert einen anderen.</translation></message>
     <message><source>Write an&amp;yway</source>
         <translation>&amp;Trotzdem schreiben</translation></message>
     <message><source>Line settings</source>
@@ -3697,8 +3775,12 @@ bisher {1}</translation></message>
         <translation>CRC-7-&amp;Polynom:</translation></message>
     <message><source>&amp;Device number:</source>
         <translation>&amp;Gerätenummer:</translation></message>
+    <message><source>Numbers of &amp;other devices:</source>
+        <translation>Nummern &amp;anderer Geräte:</translation></message>
     <message><source>&amp;Restore defaults</source>
         <translation>Standard&amp;werte wiederherstellen</translation></message>
+    <message><source>Numbers of other devices on this line, such as 0,1 (older Pololu motor and servo controllers). With one, every packet is addressed, to none of these numbers, and no other baud rate is tried.</source>
+        <translation>Nummern anderer Geräte an dieser Leitung, etwa 0,1 (ältere Motor- und Servocontroller von Pololu). Ist eine angegeben, wird jedes Paket adressiert, an keine dieser Nummern, und keine andere Baudrate wird versucht.</translation></message>
     <message><source>Why this value? Kept on this computer and in files.</source>
         <translation>Warum dieser Wert? Wird auf diesem Computer und in Dateien aufbewahrt.</translation></message>
     <message><source>Note</source>
@@ -3883,8 +3965,8 @@ bisher {1}</translation></message>
         <translation>Der Rohwert des Eingangs in der Skala des Balkens, der neueste rechts. Ohne gültiges Signal hat die Linie eine Lücke.</translation></message>
     <message><source>Remapped (−127 to 127)</source>
         <translation>Umgerechnet (−127 bis 127)</translation></message>
-    <message><source>What the board makes of the input. Those of channels 1 and 2 are the speeds for motors 1 and 2, after mixing and flip.</source>
-        <translation>Was das Board aus dem Eingang macht. Bei den Kanälen 1 und 2 sind es die Geschwindigkeiten für die Motoren 1 und 2, nach Mischer und Umdrehen.</translation></message>
+    <message><source>What the board makes of the input. Those of channels 1 and 2 are the speeds for motors 1 and 2, after mixing and flip. The vendor's document gives channel 3 six bits, 0 to 63; the program reads seven (inferred).</source>
+        <translation>Was das Board aus dem Eingang macht. Bei den Kanälen 1 und 2 sind es die Geschwindigkeiten für die Motoren 1 und 2, nach Mischer und Umdrehen. Das Dokument des Herstellers gibt Kanal 3 sechs Bits, 0 bis 63; das Programm liest sieben (erschlossen).</translation></message>
     <message><source>Moving channel 1 or 2 shows whether the mix jumper is on.</source>
         <translation>Bewegen von Kanal 1 oder 2 zeigt, ob der Mix-Jumper gesteckt ist.</translation></message>
     <message><source>The mix jumper is on.</source>
@@ -3969,12 +4051,12 @@ bisher {1}</translation></message>
 (doubtful)</source>
         <translation>{0}
 (zweifelhaft)</translation></message>
+    <message><source>Current of this motor; the red line is its limit, ⚠ means 80 % of it or more.</source>
+        <translation>Strom dieses Motors; die rote Linie ist seine Grenze, ⚠ bedeutet 80 % davon oder mehr.</translation></message>
     <message><source>Zero</source>
         <translation>Null</translation></message>
     <message><source>Brake</source>
         <translation>Bremsen</translation></message>
-    <message><source>Current of this motor; the red line is its limit, ⚠ means 80 % of it or more</source>
-        <translation>Strom dieses Motors; die rote Linie ist seine Grenze, ⚠ bedeutet 80 % davon oder mehr</translation></message>
     <message><source>Speed 0: the motor is not driven and coasts</source>
         <translation>Geschwindigkeit 0: Der Motor wird nicht angetrieben und läuft aus</translation></message>
     <message><source>Board: serial in control…</source>
@@ -4195,8 +4277,8 @@ bisher {1}</translation></message>
         <translation>Fehlererkennung</translation></message>
     <message><source>Stop bits</source>
         <translation>Stoppbits</translation></message>
-    <message><source>{0}, or the nearest the board can store; or speed steps, such as {1}</source>
-        <translation>{0} oder der nächste Wert, den das Board speichern kann; oder Geschwindigkeitsstufen, etwa {1}</translation></message>
+    <message><source>{0}. The board stores the nearest time. Or speed steps, such as {1}.</source>
+        <translation>{0}. Das Board speichert die nächstliegende Zeit. Oder Geschwindigkeitsstufen, etwa {1}.</translation></message>
     <message><source>unknown ({0})</source>
         <translation>unbekannt ({0})</translation></message>
     <message><source>CRC-7</source>
@@ -4287,8 +4369,8 @@ bisher {1}</translation></message>
         <translation>Kopieren als „{0}“</translation></message>
     <message><source>Copy to {0}</source>
         <translation>Nach {0} kopieren</translation></message>
-    <message><source>{0} is {1}. This limit is inferred: no document confirms it. You can try any wire value from 0 to {2}. The board decides: it may reject the value, or store another one, and the program shows which. A value that the board stores is remembered for its firmware.</source>
-        <translation>{0}: {1}. Diese Grenze ist erschlossen: Kein Dokument bestätigt sie. Sie können jeden Bytewert von 0 bis {2} versuchen. Das Board entscheidet: Es kann den Wert ablehnen oder einen anderen speichern; das Programm zeigt, was geschehen ist. Ein Wert, den das Board speichert, wird für seine Firmware gemerkt.</translation></message>
+    <message><source>{0} is {1}{2}. No document confirms this limit. You can try any wire value from 0 to {3}. The board decides: it may reject the value, or store another one, and the program shows which. A value that the board stores is remembered for its firmware.</source>
+        <translation>{0}: {1}{2}. Kein Dokument bestätigt diese Grenze. Sie können jeden Bytewert von 0 bis {3} versuchen. Das Board entscheidet: Es kann den Wert ablehnen oder einen anderen speichern; das Programm zeigt, was geschehen ist. Ein Wert, den das Board speichert, wird für seine Firmware gemerkt.</translation></message>
     <message><source>Wire value</source>
         <translation>Bytewert</translation></message>
     <message><source>&amp;Try this value</source>
@@ -4905,8 +4987,8 @@ bisher {1}</translation></message>
         <translation>Beschleunigung: {0}; Bremsen vor einer Umkehr: {1}.</translation></message>
     <message><source>If the cable falls out or the computer fails, only the board itself can notice and stop the motors. Without a serial timeout they keep running at their last speed.</source>
         <translation>Wenn das Kabel herausfällt oder der Computer versagt, kann nur das Board selbst es bemerken und die Motoren stoppen. Ohne serielles Timeout laufen sie mit ihrer letzten Geschwindigkeit weiter.</translation></message>
-    <message><source>Have the computer send something at least twice in that time; a status query will do. 0.5 s is a good value for most robots.</source>
-        <translation>Lassen Sie den Computer in dieser Zeit mindestens zweimal etwas senden; eine Statusabfrage genügt. 0,5 s sind für die meisten Roboter ein guter Wert.</translation></message>
+    <message><source>Have the computer send something at least twice in that time; a status query will do. 0.5 s is a good value for most robots. UART-Error Shutdown is switched on with it, as the timeout may need it (twin).</source>
+        <translation>Lassen Sie den Computer in dieser Zeit mindestens zweimal etwas senden; eine Statusabfrage genügt. 0,5 s sind für die meisten Roboter ein guter Wert. „Abschaltung bei UART-Fehlern“ wird mit eingeschaltet, da das Timeout sie vielleicht braucht (Zwilling).</translation></message>
     <message><source>Still open:</source>
         <translation>Noch offen:</translation></message>
     <message><source>put the mix jumper on</source>
@@ -5229,6 +5311,8 @@ bisher {1}</translation></message>
         <translation>Höchstens noch {0} min.</translation></message>
     <message><source>Opening {0} …</source>
         <translation>{0} wird geöffnet …</translation></message>
+    <message><source>No reply on {0}. Other devices share the line: nothing else was tried.</source>
+        <translation>Keine Antwort an {0}. Andere Geräte teilen sich die Leitung: Sonst wurde nichts versucht.</translation></message>
     <message><source>{0} on {1} at {2}.</source>
         <translation>{0} an {1} mit {2}.</translation></message>
     <message><source>{0} on {1} at {2} (RS-232 side).</source>
@@ -5299,8 +5383,8 @@ bisher {1}</translation></message>
         <translation>&amp;Starten</translation></message>
     <message><source>C&amp;ancel</source>
         <translation>A&amp;bbrechen</translation></message>
-    <message><source>Probes each port for a supported device: each kind at its likely settings, then at every baud rate, with every parity and with CRC. Probing never moves a motor or changes a setting. A TReX that receives probes at another rate counts UART errors, and stops its motors if it is set to do so.</source>
-        <translation>Prüft an jedem Port, ob ein unterstütztes Gerät antwortet: jede Art mit ihren wahrscheinlichen Einstellungen, dann mit jeder Baudrate, mit jeder Parität und mit CRC. Die Suche bewegt nie einen Motor und ändert keine Einstellung. Ein TReX, der Anfragen mit einer anderen Baudrate empfängt, zählt UART-Fehler und stoppt seine Motoren, wenn er so eingestellt ist.</translation></message>
+    <message><source>Probes each port for a supported device: each kind at its likely settings, then at every baud rate, with every parity and with CRC. A TReX or Aracna moves no motor and changes no setting. Other devices on the line may: enter their numbers in the line settings first. A TReX that receives probes at another rate counts UART errors, and stops its motors if it is set to do so.</source>
+        <translation>Prüft an jedem Port, ob ein unterstütztes Gerät antwortet: jede Art mit ihren wahrscheinlichen Einstellungen, dann mit jeder Baudrate, mit jeder Parität und mit CRC. Ein TReX oder Aracna bewegt dabei keinen Motor und ändert keine Einstellung. Andere Geräte an der Leitung vielleicht schon: Geben Sie deren Nummern zuerst in den Leitungseinstellungen ein. Ein TReX, der Anfragen mit einer anderen Baudrate empfängt, zählt UART-Fehler und stoppt seine Motoren, wenn er so eingestellt ist.</translation></message>
     <message><source>C&amp;heck the board…</source>
         <translation>Board &amp;prüfen…</translation></message>
     <message><source>{0} – connected to this window</source>
@@ -5481,8 +5565,8 @@ Kein Produkt von Pololu.</translation></message>
         <translation>Mein Bo&amp;ard verbinden</translation></message>
     <message><source>Shows the wiring for your adapter or receiver, then connects.</source>
         <translation>Zeigt die Verdrahtung für Ihren Adapter oder Empfänger, dann wird verbunden.</translation></message>
-    <message><source>The board is wired, but you do not know its port or its serial settings. The search moves no motor.</source>
-        <translation>Das Board ist verdrahtet, aber Sie kennen seinen Port oder seine seriellen Einstellungen nicht. Die Suche bewegt keinen Motor.</translation></message>
+    <message><source>The board is wired, but you do not know its port or its serial settings. The search moves no motor of a TReX.</source>
+        <translation>Das Board ist verdrahtet, aber Sie kennen seinen Port oder seine seriellen Einstellungen nicht. Die Suche bewegt keinen Motor eines TReX.</translation></message>
     <message><source>A simulated board: nothing can be damaged.</source>
         <translation>Ein simuliertes Board: Nichts kann beschädigt werden.</translation></message>
     <message><source>Help</source>
@@ -5495,10 +5579,10 @@ Kein Produkt von Pololu.</translation></message>
         <translation>Seiten der Hilfe</translation></message>
     <message><source>Nothing was found.</source>
         <translation>Nichts wurde gefunden.</translation></message>
-    <message><source>The program could not stop the motors itself. The guardian process stopped them at {0}, and the board confirmed that.</source>
-        <translation>Das Programm konnte die Motoren nicht selbst stoppen. Der Wächterprozess hat sie gestoppt ({0}), und das Board hat das bestätigt.</translation></message>
     <message><source>The program could not stop the motors itself. The guardian process sent a stop at {0}, which the board did not confirm. If a motor still turns, cut its power.</source>
         <translation>Das Programm konnte die Motoren nicht selbst stoppen. Der Wächterprozess hat einen Stopp gesendet ({0}), den das Board nicht bestätigt hat. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
+    <message><source>The program could not stop the motors itself. The guardian process stopped them at {0}, and the board confirmed that.</source>
+        <translation>Das Programm konnte die Motoren nicht selbst stoppen. Der Wächterprozess hat sie gestoppt ({0}), und das Board hat das bestätigt.</translation></message>
     <message><source>TReX Studio did not end properly the last time. If it crashed, a report for support says where.</source>
         <translation>TReX Studio wurde beim letzten Mal nicht ordnungsgemäß beendet. Falls es abgestürzt ist, sagt ein Supportbericht, wo.</translation></message>
     <message><source>Search the log</source>
@@ -5759,6 +5843,8 @@ Kein Produkt von Pololu.</translation></message>
         <translation>ist in einem Diagrammlayout unbekannt</translation></message>
     <message><source>is {0}, not a number from {1} to {2}</source>
         <translation>ist {0}, keine Zahl von {1} bis {2}</translation></message>
+    <message><source>it is nested too deeply</source>
+        <translation>es ist zu tief verschachtelt</translation></message>
     <message><source>has no version; this program reads layouts of version {0}</source>
         <translation>hat keine Version; dieses Programm liest Layouts der Version {0}</translation></message>
     <message><source>has the version {0}; this program reads layouts of version {1}</source>
@@ -5915,8 +6001,6 @@ Kein Produkt von Pololu.</translation></message>
         <translation>Datei neu schreiben</translation></message>
     <message><source>Replace the file</source>
         <translation>Datei ersetzen</translation></message>
-    <message><source>{0} has changes that are not saved. Save them?</source>
-        <translation>{0} hat Änderungen, die nicht gespeichert sind. Sollen sie gespeichert werden?</translation></message>
     <message><source>{0} was changed by another program since it was opened here. Overwrite those changes?</source>
         <translation>{0} wurde von einem anderen Programm geändert, seit die Datei hier geöffnet wurde. Sollen diese Änderungen überschrieben werden?</translation></message>
     <message><source>The changes cannot be merged into the text of the file: {0}.
@@ -5927,6 +6011,8 @@ Rewrite the file from the settings? Its comments will be lost.</source>
 Soll die Datei aus den Einstellungen neu geschrieben werden? Ihre Kommentare gehen dabei verloren.</translation></message>
     <message><source>{0} {1} Replace it?</source>
         <translation>{0} {1} Ersetzen?</translation></message>
+    <message><source>{0} has changes that are not saved. Save them?</source>
+        <translation>{0} hat Änderungen, die nicht gespeichert sind. Sollen sie gespeichert werden?</translation></message>
     <message><source>already exists.</source>
         <translation>ist bereits vorhanden.</translation></message>
     <message><source>Information</source>
@@ -5951,6 +6037,8 @@ Soll die Datei aus den Einstellungen neu geschrieben werden? Ihre Kommentare geh
         <translation>Board prüfen…</translation></message>
     <message><source>Save report…</source>
         <translation>Supportbericht speichern…</translation></message>
+    <message><source>Stop them now</source>
+        <translation>Jetzt stoppen</translation></message>
     <message><source>Connect with its settings</source>
         <translation>Mit seinen Einstellungen verbinden</translation></message>
     <message><source>Internal error while processing this file ({0}).</source>
@@ -5989,22 +6077,22 @@ Soll die Datei aus den Einstellungen neu geschrieben werden? Ihre Kommentare geh
         <translation>Ein parabolischer Kanal reagiert nahe der Neutralstellung sanft und nahe den Enden stark (eine Parabel statt einer Geraden).</translation></message>
     <message><source>Motor 1 Deadband Brake PWM</source>
         <translation>Brems-PWM im Totbereich Motor 1</translation></message>
-    <message><source>How hard the motor is braked while its channel is within the deadband: 100 % is a full brake, 0 lets the motor coast.</source>
-        <translation>Wie stark der Motor gebremst wird, solange sein Kanal im Totbereich ist: 100 % ist volle Bremsung, bei 0 läuft der Motor aus.</translation></message>
+    <message><source>How hard the motor is braked while its channel is within the deadband: 100 % is a full brake, 0 lets the motor coast (inferred).</source>
+        <translation>Wie stark der Motor gebremst wird, solange sein Kanal im Totbereich ist: 100 % ist volle Bremsung, bei 0 läuft der Motor aus (erschlossen).</translation></message>
     <message><source>Deadband Brake PWM</source>
         <translation>Brems-PWM im Totbereich</translation></message>
     <message><source>Motor 2 Deadband Brake PWM</source>
         <translation>Brems-PWM im Totbereich Motor 2</translation></message>
     <message><source>Serial Timeout</source>
         <translation>Serielles Timeout</translation></message>
-    <message><source>The motors stop when the board receives no byte for this long. It protects you when the computer or the cable fails. 0 switches it off.</source>
-        <translation>Die Motoren stoppen, wenn das Board so lange kein Byte empfängt. Das schützt Sie, wenn der Computer oder das Kabel versagt. 0 schaltet es aus.</translation></message>
+    <message><source>The motors should stop when the board receives no byte for this long. It protects you when the computer or the cable fails. 0 switches it off. It may need UART-Error Shutdown (twin): leave that on.</source>
+        <translation>Die Motoren sollten stoppen, wenn das Board so lange kein Byte empfängt. Das schützt Sie, wenn der Computer oder das Kabel versagt. 0 schaltet es aus. Vielleicht braucht es „Abschaltung bei UART-Fehlern“ (Zwilling): Lassen Sie diese an.</translation></message>
     <message><source>off</source>
         <translation>aus</translation></message>
     <message><source>UART-Error Shutdown</source>
         <translation>Abschaltung bei UART-Fehlern</translation></message>
-    <message><source>Whether a serial error (noise, wrong baud rate, malformed packet) stops the motors. The board still accepts commands, and the next motor command starts them again.</source>
-        <translation>Ob ein serieller Fehler (Störung, falsche Baudrate, fehlerhaftes Paket) die Motoren stoppt. Das Board nimmt weiterhin Befehle an, und der nächste Motorbefehl startet sie wieder.</translation></message>
+    <message><source>Whether a serial error (noise, wrong baud rate, malformed packet) stops the motors. The board still accepts commands, and the next motor command starts them again. Switched off, it may disable the Serial Timeout, too (twin).</source>
+        <translation>Ob ein serieller Fehler (Störung, falsche Baudrate, fehlerhaftes Paket) die Motoren stoppt. Das Board nimmt weiterhin Befehle an, und der nächste Motorbefehl startet sie wieder. Ist dies ausgeschaltet, ist vielleicht auch das serielle Timeout unwirksam (Zwilling).</translation></message>
     <message><source>The default of on is doubtful: public programs that send a stray byte with each command, or pause within a packet, would stutter with it.</source>
         <translation>Der Standardwert „ein“ ist zweifelhaft: Öffentliche Programme, die mit jedem Befehl ein überzähliges Byte senden oder innerhalb eines Pakets pausieren, würden damit stottern.</translation></message>
     <message><source>on</source>
@@ -6061,16 +6149,16 @@ Soll die Datei aus den Einstellungen neu geschrieben werden? Ihre Kommentare geh
         <translation>Bremsdauer Motor 2</translation></message>
     <message><source>Motor 1 Current Limit</source>
         <translation>Stromgrenze Motor 1</translation></message>
-    <message><source>Above this current the board lowers the motor's speed and latches an over-limit bit. Use accelerate commands with it: set commands bypass it for a moment. 0 switches it off. It has no effect in joint mode.</source>
-        <translation>Über diesem Strom verringert das Board die Geschwindigkeit des Motors und setzt ein Überstrom-Bit, das gesetzt bleibt. Verwenden Sie dazu Beschleunigungsbefehle: Befehle, die sofort setzen, umgehen die Begrenzung für einen Augenblick. 0 schaltet sie aus. Im Parallelbetrieb hat sie keine Wirkung.</translation></message>
+    <message><source>Above this current the board lowers the motor's speed and latches an over-limit bit. Use accelerate commands with it: set commands bypass it for a moment. 0 switches it off (twin). The board may measure currents wrong by 20 % (twin). It has no effect in joint mode.</source>
+        <translation>Über diesem Strom verringert das Board die Geschwindigkeit des Motors und setzt ein Überstrom-Bit, das gesetzt bleibt. Verwenden Sie dazu Beschleunigungsbefehle: Befehle, die sofort setzen, umgehen die Begrenzung für einen Augenblick. 0 schaltet sie aus (Zwilling). Das Board misst Ströme vielleicht um 20 % falsch (Zwilling). Im Parallelbetrieb hat sie keine Wirkung.</translation></message>
     <message><source>Current Limit</source>
         <translation>Stromgrenze</translation></message>
     <message><source>Motor 2 Current Limit</source>
         <translation>Stromgrenze Motor 2</translation></message>
     <message><source>Motor 1 Current Limit Proportionality Constant P</source>
         <translation>Proportionalfaktor P der Stromgrenze Motor 1</translation></message>
-    <message><source>How strongly the limiter responds to each count above the limit. A large value reacts fast but may make the motor pulse.</source>
-        <translation>Wie stark die Strombegrenzung auf jeden Count über der Grenze reagiert. Ein großer Wert reagiert schnell, kann den Motor aber pulsieren lassen.</translation></message>
+    <message><source>How strongly the limiter responds to each count above the limit. A large value reacts fast but may make the motor pulse (inferred).</source>
+        <translation>Wie stark die Strombegrenzung auf jeden Count über der Grenze reagiert. Ein großer Wert reagiert schnell, kann den Motor aber pulsieren lassen (erschlossen).</translation></message>
     <message><source>Current Limit Proportionality Constant P</source>
         <translation>Proportionalfaktor P der Stromgrenze</translation></message>
     <message><source>Motor 2 Current Limit Proportionality Constant P</source>

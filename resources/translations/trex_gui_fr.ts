@@ -3,6 +3,12 @@
 <TS version="2.1" language="fr" sourcelanguage="en">
 <context>
     <name>trex_gui</name>
+    <message><source>{0} may be {1} or {2}: write the one that you mean</source>
+        <translation>{0} peut signifier {1} ou {2} : écrivez celui que vous voulez</translation></message>
+    <message><source>{0} is not a number</source>
+        <translation>{0} n'est pas un nombre</translation></message>
+    <message><source>empty</source>
+        <translation>vide</translation></message>
     <message><source>Internal error while searching {0} ({1}).</source>
         <translation>Erreur interne pendant la recherche sur {0} ({1}).</translation></message>
     <message><source>Permission denied for {0}. {1}</source>
@@ -13,6 +19,8 @@
         <translation>Le port {0} n'existe pas. Ports de cet ordinateur : {1}.</translation></message>
     <message><source>{0} is in use by another program, or locked by its driver; for up to 5 seconds after a crash also by the guardian process that stops the motors.</source>
         <translation>{0} est utilisé par un autre programme ou verrouillé par son pilote ; jusqu'à 5 secondes après un plantage, il peut aussi l'être par le processus gardien qui arrête les moteurs.</translation></message>
+    <message><source>Motors may still be turning: no stop of the {0} at {1}, driven since {2}, is confirmed. Stop them, or cut their power.</source>
+        <translation>Des moteurs tournent peut-être encore : aucun arrêt de la carte {0} sur {1}, pilotée depuis {2}, n'est confirmé. Arrêtez-les, ou coupez leur alimentation.</translation></message>
     <message><source>The guardian process is still stopping the motors on {0}, which takes up to 5 seconds. Then connect again.</source>
         <translation>Le processus gardien est encore en train d'arrêter les moteurs sur {0}, ce qui prend jusqu'à 5 secondes. Reconnectez ensuite.</translation></message>
     <message><source>{0} is in use by {1}. Close it there, then connect again.</source>
@@ -29,6 +37,8 @@
         <translation>ce n'est pas un fichier ordinaire</translation></message>
     <message><source>this is a binary file; settings are text</source>
         <translation>c'est un fichier binaire ; les réglages sont du texte</translation></message>
+    <message><source>this is UTF-16 text, as PowerShell writes it with &gt;; save it as UTF-8</source>
+        <translation>c'est du texte UTF-16, comme PowerShell l'écrit avec &gt; ; enregistrez-le en UTF-8</translation></message>
     <message><source>it is a folder, not a file</source>
         <translation>c'est un dossier, pas un fichier</translation></message>
     <message><source>it cannot be read</source>
@@ -43,10 +53,10 @@
         <translation>ce fichier n'existe pas</translation></message>
     <message><source>is larger than {0} KiB; {1} are not that long</source>
         <translation>dépasse {0} KiB ; ce contenu ({1}) n'est jamais aussi long</translation></message>
-    <message><source>this is not UTF-8 text</source>
-        <translation>ce n'est pas du texte UTF-8</translation></message>
     <message><source>line {0}</source>
         <translation>ligne {0}</translation></message>
+    <message><source>this is not UTF-8 text</source>
+        <translation>ce n'est pas du texte UTF-8</translation></message>
     <message><source>there is no folder {0}</source>
         <translation>le dossier {0} n'existe pas</translation></message>
     <message><source>permission denied</source>
@@ -69,6 +79,8 @@
         <translation>son temps n'est pas un nombre</translation></message>
     <message><source>The end of the file is missing.</source>
         <translation>La fin du fichier manque.</translation></message>
+    <message><source>Its log cannot be read: the last samples are missing.</source>
+        <translation>Son journal est illisible : les derniers échantillons manquent.</translation></message>
     <message><source>It was not ended; samples of the last seconds may be missing.</source>
         <translation>Il n'a pas été terminé ; des échantillons des dernières secondes peuvent manquer.</translation></message>
     <message><source>the clock in the header is not in seconds</source>
@@ -97,12 +109,16 @@
         <translation>Des échantillons de {0} parmi les éléments {1} à {2} sont perdus : {3}.</translation></message>
     <message><source>The column {0} is computed.</source>
         <translation>La colonne {0} est calculée.</translation></message>
+    <message><source>The motors of the {0} at {1}, driven since {2}, were left running. They are stopped now, and the board has confirmed that.</source>
+        <translation>Les moteurs de la carte {0} sur {1}, pilotée depuis {2}, étaient restés en marche. Ils sont maintenant arrêtés, et la carte l'a confirmé.</translation></message>
     <message><source>The motors have to be stopped first.</source>
         <translation>Il faut d'abord arrêter les moteurs.</translation></message>
     <message><source>another line of this program</source>
         <translation>une autre liaison de ce programme</translation></message>
     <message><source>{0} (process {1})</source>
         <translation>{0} (processus {1})</translation></message>
+    <message><source>the server refuses the settings of the line</source>
+        <translation>le serveur refuse les réglages de liaison</translation></message>
     <message><source>none</source>
         <translation>aucun</translation></message>
     <message><source>another program</source>
@@ -111,6 +127,8 @@
         <translation>Il appartient à root ; cette commande l'ouvre jusqu'à ce qu'il soit débranché : {0}</translation></message>
     <message><source>Join its group, then log out and in again: {0} (or, until it is unplugged: {1}).</source>
         <translation>Rejoignez son groupe, puis fermez et rouvrez votre session : {0} (ou, jusqu'à ce qu'il soit débranché : {1}).</translation></message>
+    <message><source>the server sends what is not RFC 2217</source>
+        <translation>ce que le serveur envoie n'est pas du RFC 2217</translation></message>
     <message><source>the port takes nothing</source>
         <translation>le port n'accepte rien</translation></message>
     <message><source>the port cannot be set to {0}</source>
@@ -323,6 +341,10 @@
         <translation>Descend à la pose « half-stand » et remonte.</translation></message>
     <message><source>By way of half-stand to flat, from any position.</source>
         <translation>Passe par « half-stand » jusqu'à « flat », depuis n'importe quelle position.</translation></message>
+    <message><source>The poses are for {0} motors, the robot has {1}: the last positions are left out.</source>
+        <translation>Les poses sont pour {0} moteurs, le robot en a {1} : les dernières positions sont ignorées.</translation></message>
+    <message><source>The poses are for {0} motors, the robot has {1}: its last motors go to {2}.</source>
+        <translation>Les poses sont pour {0} moteurs, le robot en a {1} : ses derniers moteurs vont à {2}.</translation></message>
     <message><source>a time scale is more than 0, not {0}</source>
         <translation>une échelle de temps est supérieure à 0, pas {0}</translation></message>
     <message><source>{0} uses poses that are not defined: {1}</source>
@@ -863,8 +885,6 @@
         <translation>Impossible de jouer : {0}.</translation></message>
     <message><source>No poses. Capture the robot's position, or open a pose file.</source>
         <translation>Aucune pose. Capturez la position du robot, ou ouvrez un fichier de poses.</translation></message>
-    <message><source>Move every motor to this pose, within its limits.</source>
-        <translation>Amener tous les moteurs à cette pose, dans leurs limites.</translation></message>
     <message><source>Poses</source>
         <translation>Poses</translation></message>
     <message><source>Set this pose to the robot's position</source>
@@ -875,6 +895,8 @@
         <translation>Alle&amp;r à</translation></message>
     <message><source>Motor {0}: {1:.0f}°, limits {2} to {3}</source>
         <translation>Moteur {0} : {1:.0f}°, limites {2} à {3}</translation></message>
+    <message><source>Move every motor to this pose, within its limits.</source>
+        <translation>Amener tous les moteurs à cette pose, dans leurs limites.</translation></message>
     <message><source>Position of motor {0} in this pose</source>
         <translation>Position du moteur {0} dans cette pose</translation></message>
     <message><source>Motor {0}: {1:.0f}°, limits {2} to {3}, sent as {4}</source>
@@ -1149,10 +1171,10 @@
         <translation>Aucun TReX ne répond sur {0} : tout ce qui est envoyé revient, et rien d'autre, à tous les débits. Soit c'est le côté RS-232 d'une carte hors tension, soit TX et RX de l'adaptateur sont reliés.</translation></message>
     <message><source>No TReX responds on {0}. Its baud rate is set at the other end of the network, so only that one could be tried, without parity and without CRC.</source>
         <translation>Aucun TReX ne répond sur {0}. Le débit est réglé à l'autre bout du réseau ; seul celui-ci a donc pu être essayé, sans parité et sans CRC.</translation></message>
-    <message><source>The connection was lost: motors may still turn.</source>
-        <translation>La connexion est perdue : les moteurs peuvent encore tourner.</translation></message>
-    <message><source>Cut their power.</source>
-        <translation>Coupez leur alimentation.</translation></message>
+    <message><source>The connection was lost: motors may still be turning.</source>
+        <translation>La connexion est perdue : les moteurs tournent peut-être encore.</translation></message>
+    <message><source>Cut the power.</source>
+        <translation>Coupez l'alimentation.</translation></message>
     <message><source>The board does not respond.</source>
         <translation>La carte ne répond pas.</translation></message>
     <message><source>Check its power and the cable.</source>
@@ -1163,30 +1185,30 @@
         <translation>Le démarrage sécurisé maintient les moteurs à l'arrêt : allumez l'émetteur et relâchez ses manches.</translation></message>
     <message><source>Channel {0} is {1} above neutral.</source>
         <translation>La voie {0} est à {1} au-dessus du neutre.</translation></message>
-    <message><source>Safe-start holds the motors until it is within about {2}: release the stick, or calibrate the channel (in serial mode).</source>
-        <translation>Le démarrage sécurisé bloque les moteurs jusqu'à ce que l'écart soit d'au plus {2} environ : relâchez le manche, ou étalonnez la voie (en mode série).</translation></message>
+    <message><source>Safe-start holds the motors until it is within about {2} (inferred): release the stick, or calibrate the channel (in serial mode).</source>
+        <translation>Le démarrage sécurisé bloque les moteurs jusqu'à ce que l'écart soit d'au plus {2} environ (déduit) : relâchez le manche, ou étalonnez la voie (en mode série).</translation></message>
     <message><source>Channel {0} is {1} below neutral.</source>
         <translation>La voie {0} est à {1} en dessous du neutre.</translation></message>
     <message><source>Channel 5 requests serial override.</source>
         <translation>La voie 5 demande la priorité série.</translation></message>
     <message><source>Safe-start holds the motors until this switch is off once.</source>
         <translation>Le démarrage sécurisé bloque les moteurs tant que cet interrupteur n'a pas été inactif une fois.</translation></message>
-    <message><source>Safe-start may be holding the motors.</source>
-        <translation>Le démarrage sécurisé bloque peut-être les moteurs.</translation></message>
+    <message><source>Safe-start may be holding the motors (inferred).</source>
+        <translation>Le démarrage sécurisé bloque peut-être les moteurs (déduit).</translation></message>
     <message><source>Release all sticks.</source>
         <translation>Relâchez tous les manches.</translation></message>
     <message><source>Motor {0} has no drive: its driver shut down (too hot, a short circuit, or low voltage).</source>
         <translation>Le moteur {0} n'est plus alimenté : son driver s'est coupé (surchauffe, court-circuit ou tension trop basse).</translation></message>
     <message><source>Reduce the load, check wires and battery, let it cool.</source>
         <translation>Réduisez la charge, vérifiez les fils et la batterie, laissez-le refroidir.</translation></message>
-    <message><source>Serial timeout ({0}): the board received nothing and stopped the motors.</source>
-        <translation>Délai série dépassé ({0}) : la carte n'a rien reçu et a arrêté les moteurs.</translation></message>
+    <message><source>Serial timeout: the board received nothing for {0}.</source>
+        <translation>Délai série dépassé : la carte n'a rien reçu pendant {0}.</translation></message>
     <message><source>Check the cable, or set a longer Serial Timeout in Parameters.</source>
         <translation>Vérifiez le câble, ou réglez un « Délai série » plus long dans Paramètres.</translation></message>
     <message><source>Serial errors ({0}): the board stops the motors when bytes arrive corrupted.</source>
         <translation>Erreurs série ({0}) : la carte arrête les moteurs quand des octets arrivent altérés.</translation></message>
-    <message><source>Check cable and ground; UART-Error Shutdown can be turned off in Parameters.</source>
-        <translation>Vérifiez le câble et la masse ; « Arrêt sur erreur UART » peut être désactivé dans Paramètres.</translation></message>
+    <message><source>Check cable and ground. Without UART-Error Shutdown the Serial Timeout may not stop the motors either (twin).</source>
+        <translation>Vérifiez le câble et la masse. Sans « Arrêt sur erreur UART », le « Délai série » n'arrête peut-être pas non plus les moteurs (jumeau).</translation></message>
     <message><source>Stopping: the board has not confirmed it yet.</source>
         <translation>Arrêt en cours : la carte ne l'a pas encore confirmé.</translation></message>
     <message><source>The stop is being repeated; motors may still turn.</source>
@@ -1251,6 +1273,16 @@
         <translation>scintille à chaque paquet</translation></message>
     <message><source>flashes fast</source><comment>LED</comment>
         <translation>clignote vite</translation></message>
+    <message><source>Motors may still be turning.</source>
+        <translation>Les moteurs tournent peut-être encore.</translation></message>
+    <message><source>The board should stop {0} after the last byte; if not, cut the power.</source>
+        <translation>La carte devrait arrêter les moteurs {0} après le dernier octet ; sinon, coupez l'alimentation.</translation></message>
+    <message><source>The board stops {0} after the last byte, as it did when this was tried; if not, cut the power.</source>
+        <translation>La carte arrête les moteurs {0} après le dernier octet, comme lors de l'essai ; sinon, coupez l'alimentation.</translation></message>
+    <message><source>The auxiliary motor may still be turning.</source>
+        <translation>Le moteur auxiliaire tourne peut-être encore.</translation></message>
+    <message><source>Motor {0} may still be turning.</source>
+        <translation>Le moteur {0} tourne peut-être encore.</translation></message>
     <message><source>Not written: the board stores other settings than when it was reviewed.</source>
         <translation>Non écrit : la carte contient d'autres réglages que lors de la vérification.</translation></message>
     <message><source>The same settings for several boards</source>
@@ -1355,10 +1387,10 @@
         <translation>Non apprise : elle a l'étalonnage d'usine.</translation></message>
     <message><source>Read only; does not drive. In RC and analog mode it {1}.</source>
         <translation>Seulement lue ; ne commande rien. En mode RC ou analogique, elle {1}.</translation></message>
-    <message><source>above about {0}</source>
-        <translation>au-dessus d'environ {0}</translation></message>
-    <message><source>below about {0}</source>
-        <translation>en dessous d'environ {0}</translation></message>
+    <message><source>above about {0} (inferred)</source>
+        <translation>au-dessus d'environ {0} (déduit)</translation></message>
+    <message><source>below about {0} (inferred)</source>
+        <translation>en dessous d'environ {0} (déduit)</translation></message>
     <message><source>Learned: the board stores a calibration of its own for it.</source>
         <translation>Apprise : la carte a enregistré un étalonnage propre à cette voie.</translation></message>
     <message><source>The board reads {0} now, and only shows and accepts calibrations for them. To see these, make it read {1}: set Channel Input Source, apply, and switch the board off and on.</source>
@@ -1429,6 +1461,8 @@
         <translation>mesure en cours …</translation></message>
     <message><source>good: {0:.1f} % of the requests of the last {1:.0f} s answered</source>
         <translation>bonne : {0:.1f} % des requêtes des {1:.0f} dernières secondes ont reçu une réponse</translation></message>
+    <message><source>Trying to reach the board to stop it …</source>
+        <translation>Tentative de joindre la carte pour l'arrêter …</translation></message>
     <message><source>{0}. The stop is not confirmed: {1} If a motor still turns, cut its power.</source>
         <translation>{0}. L'arrêt n'est pas confirmé : {1} Si un moteur tourne encore, coupez son alimentation.</translation></message>
     <message><source>{0}. No board is connected that could be stopped, and motors may still turn: cut their power.</source>
@@ -1471,6 +1505,10 @@
         <translation><numerusform>%n modification de la carte précédente conservée : elle revient quand cette carte est de nouveau sélectionnée.</numerusform><numerusform>%n modifications de la carte précédente conservées : elles reviennent quand cette carte est de nouveau sélectionnée.</numerusform></translation></message>
     <message><source>Nothing was written: the board does not respond.</source>
         <translation>Rien n'a été écrit : la carte ne répond pas.</translation></message>
+    <message><source>The board does not respond; the stop is being repeated.</source>
+        <translation>La carte ne répond pas ; l'ordre d'arrêt est répété.</translation></message>
+    <message><source>Noise on the line can turn a motor another way for an instant.</source>
+        <translation>Du bruit sur la liaison peut faire tourner un moteur un instant dans un autre sens.</translation></message>
     <message><source>{0}, device {1}</source>
         <translation>{0}, appareil {1}</translation></message>
     <message><source>{0} set</source>
@@ -1481,20 +1519,24 @@
         <translation>La liaison est de nouveau bonne</translation></message>
     <message><source>Reading again failed. {0}</source>
         <translation>La relecture a échoué. {0}</translation></message>
+    <message><source>If a motor still turns, cut its power.</source>
+        <translation>Si un moteur tourne encore, coupez son alimentation.</translation></message>
+    <message><source>The connection is not responding, so the stop could not be sent.</source>
+        <translation>La connexion ne répond pas ; l'ordre d'arrêt n'a donc pas pu être envoyé.</translation></message>
     <message><source>No stop is known to have reached the {0} that was driven at {1}: another board responded. If its motor still turns, cut its power.</source>
         <translation>Rien n'indique qu'un arrêt ait atteint la carte {0} qui était pilotée sur {1} : une autre carte a répondu. Si un moteur de la première tourne encore, coupez son alimentation.</translation></message>
-    <message><source>The board received nothing within its Serial Timeout and stopped its motors.</source>
-        <translation>La carte n'a rien reçu pendant son « Délai série » et a arrêté ses moteurs.</translation></message>
+    <message><source>The board received nothing within its Serial Timeout, so the motors were stopped.</source>
+        <translation>La carte n'a rien reçu pendant son « Délai série » ; les moteurs ont donc été arrêtés.</translation></message>
     <message><source>The board stopped its motors because of an error on the line ({0}): UART-Error Shutdown is set.</source>
         <translation>La carte a arrêté ses moteurs à cause d'une erreur sur la liaison ({0}) : « Arrêt sur erreur UART » est activé.</translation></message>
-    <message><source>The connection is not responding, so the stop could not be sent. The guardian process sends it now. If a motor still turns, cut its power.</source>
-        <translation>La connexion ne répond pas ; l'ordre d'arrêt n'a donc pas pu être envoyé. Le processus gardien l'envoie maintenant. Si un moteur tourne encore, coupez son alimentation.</translation></message>
-    <message><source>The connection is not responding, so the stop could not be sent. If a motor still turns, cut its power.</source>
-        <translation>La connexion ne répond pas ; l'ordre d'arrêt n'a donc pas pu être envoyé. Si un moteur tourne encore, coupez son alimentation.</translation></message>
+    <message><source>The guardian process stopped the motors, and the board confirmed it.</source>
+        <translation>Le processus gardien a arrêté les moteurs et la carte l'a confirmé.</translation></message>
     <message><source>Another board responds now: {0}, at {1}.</source>
         <translation>Une autre carte répond maintenant : {0}, sur {1}.</translation></message>
     <message><source>The line to {0} was lost before a stop was confirmed. The board at this port has confirmed one; if it is another board, cut the power of the first.</source>
         <translation>La liaison avec {0} a été perdue avant la confirmation d'un arrêt. La carte de ce port en a confirmé un ; si c'est une autre carte, coupez l'alimentation de la première.</translation></message>
+    <message><source>The connection is not responding.</source>
+        <translation>La connexion ne répond pas.</translation></message>
     <message><source>{0} The motors were stopped. Press Run motor to continue.</source>
         <translation>{0} Les moteurs ont été arrêtés. Cliquez sur « Activer les moteurs » pour continuer.</translation></message>
     <message><source>{0} A stop was sent but is not confirmed yet.</source>
@@ -1507,16 +1549,10 @@
         <translation>Les commandes série n'atteignent plus les moteurs.</translation></message>
     <message><source>A setting of the board changed, so the motors were stopped.</source>
         <translation>Un réglage de la carte a changé ; les moteurs ont donc été arrêtés.</translation></message>
+    <message><source>The guardian process sends it now.</source>
+        <translation>Le processus gardien l'envoie maintenant.</translation></message>
     <message><source>The board was restarted, so the motors were stopped.</source>
         <translation>La carte a été redémarrée ; les moteurs ont donc été arrêtés.</translation></message>
-    <message><source>The board stops them {0} after the last byte it received; if not, cut their power.</source>
-        <translation>La carte les arrête {0} après le dernier octet reçu ; si ce n'est pas le cas, coupez leur alimentation.</translation></message>
-    <message><source>The board does not respond: motors may still turn.</source>
-        <translation>La carte ne répond pas : les moteurs peuvent encore tourner.</translation></message>
-    <message><source>Check its power and the cable; the stop is being repeated.</source>
-        <translation>Vérifiez son alimentation et le câble ; l'ordre d'arrêt est répété.</translation></message>
-    <message><source>The board stops them {0} after the last byte it received.</source>
-        <translation>La carte les arrête {0} après le dernier octet reçu.</translation></message>
     <message><source>{0} Doubtful: the line is noisy and has no CRC.</source>
         <translation>{0} Douteux : la liaison est bruitée et n'a pas de CRC.</translation></message>
     <message><source>Setpoint: none</source>
@@ -1551,10 +1587,14 @@
         <translation>liaison série pas aux commandes</translation></message>
     <message><source>no current sensing in joint mode</source>
         <translation>pas de mesure de courant en mode jumelé</translation></message>
-    <message><source>The guardian process could not be started: if this program fails, motors keep turning for the serial timeout of {0:g} s.</source>
-        <translation>Le processus gardien n'a pas pu être démarré : si ce programme tombe en panne, les moteurs continuent de tourner pendant le délai série de {0:g} s.</translation></message>
+    <message><source>Serial timeout is on, but it did not stop the motors of this board when it was tried: they keep turning if the cable or this computer fails.</source>
+        <translation>Le délai série est activé, mais il n'a pas arrêté les moteurs de cette carte lors de l'essai : ils continuent de tourner si le câble ou cet ordinateur tombe en panne.</translation></message>
     <message><source>channel {0} at {1} (overridden)</source>
         <translation>voie {0} à {1} (priorité série)</translation></message>
+    <message><source>UART-Error Shutdown is off: motors may keep turning if the cable or this computer fails, although the serial timeout is on (twin).</source>
+        <translation>« Arrêt sur erreur UART » est désactivé : les moteurs peuvent continuer de tourner si le câble ou cet ordinateur tombe en panne, bien que le délai série soit activé (jumeau).</translation></message>
+    <message><source>The guardian process could not be started: if this program fails, motors keep turning for the serial timeout of {0:g} s.</source>
+        <translation>Le processus gardien n'a pas pu être démarré : si ce programme tombe en panne, les moteurs continuent de tourner pendant le délai série de {0:g} s.</translation></message>
     <message><source>Serial timeout of {0:g} s is short for a network port: one late reply stops the motors while you drive. Set a longer one, or connect the board to this computer.</source>
         <translation>Un délai série de {0:g} s est court pour un port réseau : une seule réponse tardive arrête les moteurs pendant la conduite. Réglez un délai plus long, ou connectez la carte à cet ordinateur.</translation></message>
     <message><source>Serial timeout of {0:g} s is short for {1} baud: one lost reply stops the motors while you drive. Set a longer one, or a faster baud rate.</source>
@@ -1691,10 +1731,10 @@
         <translation>{0} Un essai nécessite la commande par liaison série.</translation></message>
     <message><source>Bring the motors to rest first ({0}).</source>
         <translation>Mettez d'abord les moteurs au repos ({0}).</translation></message>
-    <message><source>Active above {0} (inferred: it switches halfway between neutral and maximum).</source>
-        <translation>Active au-dessus de {0} (déduit : elle bascule à mi-chemin entre le neutre et le maximum).</translation></message>
-    <message><source>Active below {0} (inferred: it switches halfway between neutral and minimum).</source>
-        <translation>Active en dessous de {0} (déduit : elle bascule à mi-chemin entre le neutre et le minimum).</translation></message>
+    <message><source>Active above {0}, halfway between neutral and maximum (inferred).</source>
+        <translation>Active au-dessus de {0}, à mi-chemin entre le neutre et le maximum (déduit).</translation></message>
+    <message><source>Active below {0}, halfway between neutral and minimum (inferred).</source>
+        <translation>Active en dessous de {0}, à mi-chemin entre le neutre et le minimum (déduit).</translation></message>
     <message><source>At rest it is active.</source>
         <translation>Au repos, elle est active.</translation></message>
     <message><source>At rest it is off.</source>
@@ -1873,6 +1913,14 @@
         <translation>Seule la position inactive a été vue. Mettez l'interrupteur dans son autre position.</translation></message>
     <message><source>Full output reached. Release it: at rest the output must be 0, but it is {0}.</source>
         <translation>Sortie maximale atteinte. Relâchez : au repos, la sortie doit être 0, mais elle est {0}.</translation></message>
+    <message><source>The board is back. It has confirmed the stop. For {0:.0f} s it received nothing: did its Serial Timeout stop the motor meanwhile?</source>
+        <translation>La carte est de retour. Elle a confirmé l'arrêt. Pendant {0:.0f} s, elle n'a rien reçu : son « Délai série » a-t-il arrêté le moteur entre-temps ?</translation></message>
+    <message><source>The board is back. It has confirmed the stop.</source>
+        <translation>La carte est de retour. Elle a confirmé l'arrêt.</translation></message>
+    <message><source>It stopped</source>
+        <translation>Il s'est arrêté</translation></message>
+    <message><source>It kept turning</source>
+        <translation>Il a continué de tourner</translation></message>
     <message><source>auxiliary {0}</source>
         <translation>auxiliaire {0}</translation></message>
     <message><source>motor {0} brake</source>
@@ -1929,18 +1977,14 @@
         <translation>{0} {1}</translation></message>
     <message><source>Motors 1 and 2 {0}</source>
         <translation>Moteurs 1 et 2 : {0}</translation></message>
-    <message><source>How often in a second the PWM of the motor switches. Low frequencies whine and heat the motor, frequencies above the driver's rating heat the driver. Type any number or use the arrow keys: prescaler and maximum are set to the nearest frequency there is.</source>
-        <translation>Nombre de commutations par seconde du PWM du moteur. Une fréquence basse fait siffler et chauffer le moteur, une fréquence supérieure à la valeur nominale du driver fait chauffer celui-ci. Tapez un nombre quelconque ou utilisez les flèches : le prédiviseur et le maximum sont réglés sur la fréquence possible la plus proche.</translation></message>
+    <message><source>How often in a second the PWM of the motor switches. Low frequencies whine and heat the motor, frequencies above the driver's rating heat the driver. Type a number or use the arrow keys. The board stores the nearest frequency that it can switch at.</source>
+        <translation>Nombre de commutations par seconde du PWM du moteur. Une fréquence basse fait siffler et chauffer le moteur, une fréquence supérieure à la valeur nominale du driver fait chauffer celui-ci. Tapez un nombre ou utilisez les flèches. La carte enregistre la fréquence de commutation possible la plus proche.</translation></message>
     <message><source>This firmware has stored beyond that: wire value {0}.</source>
         <translation>Ce firmware a enregistré au-delà : valeur transmise {0}.</translation></message>
-    <message><source>The vendor's documents or staff confirm range and default.</source>
-        <translation>Les documents ou le personnel du fabricant confirment la plage et la valeur par défaut.</translation></message>
-    <message><source>The range is confirmed by the vendor; the default is inferred.</source>
-        <translation>La plage est confirmée par le fabricant ; la valeur par défaut est déduite.</translation></message>
-    <message><source>The default is confirmed by the vendor; the range is inferred.</source>
-        <translation>La valeur par défaut est confirmée par le fabricant ; la plage est déduite.</translation></message>
-    <message><source>Range and default are inferred.</source>
-        <translation>La plage et la valeur par défaut sont déduites.</translation></message>
+    <message><source>(twin): documented for Pololu's qik 2s12v10, which has the same motor drivers.</source>
+        <translation>(jumeau) : documenté pour le qik 2s12v10 de Pololu, qui a les mêmes drivers de moteur.</translation></message>
+    <message><source>(inferred): no document confirms it.</source>
+        <translation>(déduit) : aucun document ne le confirme.</translation></message>
     <message><source>PWM Frequency</source>
         <translation>Fréquence PWM</translation></message>
     <message><source>{0} to {1}</source>
@@ -1957,12 +2001,12 @@
         <translation>non lu</translation></message>
     <message><source>Takes effect when the board is switched off and on.</source>
         <translation>Prend effet quand l'alimentation de la carte est coupée puis remise.</translation></message>
+    <message><source>The board rejects any value that it does not support.</source>
+        <translation>La carte rejette toute valeur qu'elle ne prend pas en charge.</translation></message>
+    <message><source>The vendor's documents or staff confirm range and default.</source>
+        <translation>Les documents ou le personnel du fabricant confirment la plage et la valeur par défaut.</translation></message>
     <message><source>User's guide of the board</source>
         <translation>Guide d'utilisation de la carte</translation></message>
-    <message><source>The meaning of the wire values is inferred, too.</source>
-        <translation>La signification des valeurs transmises est déduite, elle aussi.</translation></message>
-    <message><source>The vendor's parameter document was not available. The board rejects any value that it does not support.</source>
-        <translation>Le document du fabricant sur les paramètres n'était pas disponible. La carte rejette toute valeur qu'elle ne prend pas en charge.</translation></message>
     <message><source>{0} differs: {1}.</source>
         <translation>{0} diffère : {1}.</translation></message>
     <message><source>Reset to default: {0}</source>
@@ -1977,16 +2021,18 @@
         <translation>{0:.0f} Hz</translation></message>
     <message><source>prescaler {0}, maximum {1}</source>
         <translation>prédiviseur {0}, maximum {1}</translation></message>
-    <message><source>Range: {0}.</source>
-        <translation>Plage : {0}.</translation></message>
-    <message><source>Default: {0}.</source>
-        <translation>Valeur par défaut : {0}.</translation></message>
+    <message><source>Range: {0}{1}.</source>
+        <translation>Plage : {0}{1}.</translation></message>
+    <message><source>Default: {0}{1}.</source>
+        <translation>Valeur par défaut : {0}{1}.</translation></message>
     <message><source>User's guide, section {0}</source>
         <translation>Guide d'utilisation, section {0}</translation></message>
     <message><source>{0} (wire value {1} to {2})</source>
         <translation>{0} (valeur transmise : {1} à {2})</translation></message>
     <message><source>Wire value: {0}.</source>
         <translation>Valeur transmise : {0}.</translation></message>
+    <message><source>No source says what the wire values mean{0}.</source>
+        <translation>Aucune source ne dit ce que signifient les valeurs transmises{0}.</translation></message>
     <message><source>Still active: {0}.</source>
         <translation>Encore actif : {0}.</translation></message>
     <message><source>Recording {0} ended: the board or its input source has changed.</source>
@@ -2091,6 +2137,8 @@
         <translation>Voie {0}</translation></message>
     <message><source>{0} channel {1}</source>
         <translation>voie {1} ({0})</translation></message>
+    <message><source>it is counts (3750), or like 1500us or 2.5V, not {0}</source>
+        <translation>ce sont des counts (3750), ou une valeur comme 1500us ou 2.5V, et non {0}</translation></message>
     <message><source>minimum {0} is above neutral {1}</source>
         <translation>le minimum {0} est au-dessus du neutre {1}</translation></message>
     <message><source>neutral {0} is above maximum {1}</source>
@@ -2131,8 +2179,14 @@
         <translation>{0} n'est pas un code de résultat du TReX (0 à 3)</translation></message>
     <message><source>{0:#04x} is not a TReX mode (R, A, r or a)</source>
         <translation>{0:#04x} n'est pas un mode du TReX (R, A, r ou a)</translation></message>
+    <message><source>device number</source>
+        <translation>numéro d'appareil</translation></message>
+    <message><source>The board needs a number that no other device has.</source>
+        <translation>Il faut à la carte un numéro qu'aucun autre appareil n'a.</translation></message>
     <message><source>{0!r} are no settings of a board</source>
         <translation>{0!r} ne correspond pas aux réglages d'une carte</translation></message>
+    <message><source>The board may measure currents wrong by 20 % (twin).</source>
+        <translation>La carte peut se tromper de 20 % en mesurant les courants (jumeau).</translation></message>
     <message><source>The stop was sent, but the channels control the motors: it takes effect only when channel 5 gives control to serial commands. Release the sticks, or cut the power.</source>
         <translation>L'ordre d'arrêt a été envoyé, mais les voies commandent les moteurs : il n'agit que lorsque la voie 5 donne la main aux commandes série. Relâchez les manches ou coupez l'alimentation.</translation></message>
     <message><source>minimum</source>
@@ -2301,6 +2355,10 @@
         <translation>L'ordre d'arrêt a été envoyé et la carte répond, mais la liaison altère des octets. Il est renvoyé jusqu'à ce que la liaison soit calme. Si un moteur tourne encore, coupez son alimentation.</translation></message>
     <message><source>The program did not respond for more than half a second.</source>
         <translation>Le programme n'a pas répondu pendant plus d'une demi-seconde.</translation></message>
+    <message><source>The motors that were driven draw no current: the board may have restarted.</source>
+        <translation>Les moteurs pilotés n'absorbent aucun courant : la carte a peut-être redémarré.</translation></message>
+    <message><source>The guardian process ended, and another one could not be started.</source>
+        <translation>Le processus gardien s'est terminé, et un autre n'a pas pu être démarré.</translation></message>
     <message><source>The motors are locked for a while after a stop; nothing was sent.</source>
         <translation>Les moteurs sont verrouillés quelque temps après un arrêt ; rien n'a été envoyé.</translation></message>
     <message><source>These bytes may move a motor; nothing was sent. Choose Run motor first.</source>
@@ -2367,8 +2425,8 @@
         <translation>Une erreur série s'est produite ; les bits d'erreur UART indiquent laquelle.</translation></message>
     <message><source>Serial timeout</source>
         <translation>Délai série</translation></message>
-    <message><source>No byte arrived within the Serial Timeout, so the board stopped its motors.</source>
-        <translation>Aucun octet n'est arrivé pendant le « Délai série » ; la carte a donc arrêté ses moteurs.</translation></message>
+    <message><source>No byte arrived within the Serial Timeout. The board should have stopped its motors.</source>
+        <translation>Aucun octet n'est arrivé pendant le « Délai série ». La carte devrait avoir arrêté ses moteurs.</translation></message>
     <message><source>Format error</source>
         <translation>Erreur de format</translation></message>
     <message><source>A packet had an unknown command, a command byte inside it or an invalid data byte.</source>
@@ -2399,8 +2457,6 @@
         <translation>Une réponse était plus longue que le tampon d'émission.</translation></message>
     <message><source>{0} is 0 to 127, not {1}</source>
         <translation>{0} va de 0 à 127, et non {1}</translation></message>
-    <message><source>device number</source>
-        <translation>numéro d'appareil</translation></message>
     <message><source>a data byte outside a packet</source>
         <translation>un octet de données hors d'un paquet</translation></message>
     <message><source>1 byte</source>
@@ -2429,6 +2485,10 @@
         <translation>un TReX fonctionne à {0} bauds, et non {1}</translation></message>
     <message><source>1 or 2 stop bits, not {0}</source>
         <translation>1 ou 2 bits d'arrêt, et non {0}</translation></message>
+    <message><source>(twin)</source>
+        <translation>(jumeau)</translation></message>
+    <message><source>(inferred)</source>
+        <translation>(déduit)</translation></message>
     <message><source>none</source><comment>channels</comment>
         <translation>aucune</translation></message>
     <message><source>none or some of the channels 1 to 5, such as 1, 3</source>
@@ -2455,8 +2515,6 @@
         <translation> ; vouliez-vous dire {0} ?</translation></message>
     <message><source>channels 1 to 5 (wire value 0 to {0})</source>
         <translation>voies 1 à 5 (valeur transmise : 0 à {0})</translation></message>
-    <message><source>empty</source>
-        <translation>vide</translation></message>
     <message><source>wire {0}</source>
         <translation>valeur transmise {0}</translation></message>
     <message><source>Which bytes? Give them in hexadecimal, such as 86 1F.</source>
@@ -2587,8 +2645,8 @@
         <translation>est une commande à la carte, pas un réglage</translation></message>
     <message><source>{allowed}, not {given}{hint}</source>
         <translation>{allowed}, et non {given}{hint}</translation></message>
-    <message><source>{allowed}, not {given}; this limit is inferred, so the board decides</source>
-        <translation>{allowed}, et non {given} ; cette limite est déduite, c'est donc la carte qui décide</translation></message>
+    <message><source>{allowed}{grade}, not {given}; the board decides</source>
+        <translation>{allowed}{grade}, et non {given} ; c'est la carte qui décide</translation></message>
     <message><source>a {product} has it from firmware {since} on, these are for {firmware}</source>
         <translation>un {product} l'a à partir du firmware {since}, ces réglages sont pour {firmware}</translation></message>
     <message><source>a {product} does not have it, whatever its firmware</source>
@@ -2627,12 +2685,14 @@
         <translation>{0} entre guillemets</translation></message>
     <message><source>{name} is off while a computer drives the motors: if the cable or the computer fails, the motors keep running at their last setpoint.</source>
         <translation>{name} est désactivé alors qu'un ordinateur commande les moteurs : si le câble ou l'ordinateur tombe en panne, les moteurs continuent de tourner à leur dernière consigne.</translation></message>
+    <message><source>{timeout} of {seconds} may not stop the motors if the cable or the computer fails: {shutdown} is off (twin).</source>
+        <translation>{timeout} de {seconds} n'arrête peut-être pas les moteurs si le câble ou l'ordinateur tombe en panne : {shutdown} est désactivé (jumeau).</translation></message>
     <message><source>No effect in joint mode: {limits}. The board measures no current then, so the motor is not protected.</source>
         <translation>Sans effet en mode jumelé : {limits}. La carte ne mesure alors aucun courant, le moteur n'est donc pas protégé.</translation></message>
-    <message><source>{limit} is {value}, but its proportionality constant P, how strongly the limiter reacts, is 0. Inferred: the behaviour of the board is not documented, and the limit may have no effect.</source>
-        <translation>{limit} vaut {value}, mais sa constante de proportionnalité P, c'est-à-dire la force de réaction du limiteur, est à 0. Déduit : le comportement de la carte n'est pas documenté, et la limite peut rester sans effet.</translation></message>
-    <message><source>{limit} is {value} and {ramp} is 0, which means at once. Inferred: as soon as the current falls below the limit, the motor jumps back to its full target speed, so it may run in jerks.</source>
-        <translation>{limit} vaut {value} et {ramp} est à 0, c'est-à-dire immédiat. Déduit : dès que le courant repasse sous la limite, le moteur revient d'un coup à sa pleine vitesse de consigne ; il peut donc tourner par à-coups.</translation></message>
+    <message><source>{limit} is {value}, but its proportionality constant P, how strongly the limiter reacts, is 0. The limit may have no effect then (inferred).</source>
+        <translation>{limit} vaut {value}, mais sa constante de proportionnalité P, c'est-à-dire la force de réaction du limiteur, est à 0. La limite peut alors rester sans effet (déduit).</translation></message>
+    <message><source>{limit} is {value} and {ramp} is 0, which means at once. As soon as the current falls below the limit, the motor jumps back to its full target speed, so it may run in jerks (inferred).</source>
+        <translation>{limit} vaut {value} et {ramp} est à 0, c'est-à-dire immédiat. Dès que le courant repasse sous la limite, le moteur revient d'un coup à sa pleine vitesse de consigne ; il peut donc tourner par à-coups (déduit).</translation></message>
     <message><source>The PWM of motor {motor} runs at {now} (inferred), but the motor driver of a {product} is rated for {highest}; above that it gets hot.</source>
         <translation>Le PWM du moteur {motor} fonctionne à {now} (déduit), mais le driver de moteur d'un {product} est prévu pour {highest} ; au-delà, il chauffe.</translation></message>
     <message><source>The PWM of motor {motor} runs at {now} (inferred), but the motor driver of a {product} is rated for {highest}; above that it gets hot. The prescaler {prescaler} gives {gives}.</source>
@@ -2663,24 +2723,32 @@
         <translation>{0} et {1}</translation></message>
     <message><source>{0} with firmware {1}</source>
         <translation>{0} avec le firmware {1}</translation></message>
-    <message><source>beyond a limit that is inferred: the board decides</source>
-        <translation>au-delà d'une limite déduite : la carte décide</translation></message>
     <message><source>{0}, deadband {1}</source>
         <translation>{0}, zone morte {1}</translation></message>
+    <message><source>beyond a limit{0}: the board decides</source>
+        <translation>au-delà d'une limite{0} : la carte décide</translation></message>
     <message><source>a {0} has no {1}</source>
         <translation>un {0} n'a pas de {1}</translation></message>
     <message><source>settings are plain 'key: value' lines</source>
         <translation>les réglages sont de simples lignes « clé: valeur »</translation></message>
+    <message><source>this is nested too deeply; {0}</source>
+        <translation>l'imbrication est trop profonde ici ; {0}</translation></message>
     <message><source>there are no settings here; the first is 'product: TReX'</source>
         <translation>il n'y a pas de réglages ici ; le premier est 'product: TReX'</translation></message>
+    <message><source>these are not settings of a TReX, which begin with 'product: TReX'</source>
+        <translation>ce ne sont pas les réglages d'un TReX, qui commencent par « product: TReX »</translation></message>
+    <message><source>a tab indents this line; indent it with spaces</source>
+        <translation>une tabulation indente cette ligne ; indentez-la avec des espaces</translation></message>
+    <message><source>this is not a setting; {0}</source>
+        <translation>ceci n'est pas un réglage ; {0}</translation></message>
     <message><source>a second document begins here; settings are one</source>
         <translation>un second document commence ici ; les réglages n'en forment qu'un</translation></message>
     <message><source>the character U+{0:04X} has no place in a text file</source>
         <translation>le caractère U+{0:04X} n'a pas sa place dans un fichier texte</translation></message>
     <message><source>the text is incomplete or damaged here ({0}); {1}</source>
         <translation>le texte est incomplet ou endommagé ici ({0}) ; {1}</translation></message>
-    <message><source>this is not a setting; {0}</source>
-        <translation>ceci n'est pas un réglage ; {0}</translation></message>
+    <message><source>type an ordinary space after the colon</source>
+        <translation>tapez une espace ordinaire après les deux-points</translation></message>
     <message><source>anchors (&amp; and *) are not allowed; {0}</source>
         <translation>les ancres (&amp; et *) ne sont pas autorisées ; {0}</translation></message>
     <message><source>tags (!) are not allowed; {0}</source>
@@ -2691,8 +2759,6 @@
         <translation>ce nombre est illisible ; {0}</translation></message>
     <message><source>merge keys (&lt;&lt;) are not allowed; {0}</source>
         <translation>les clés de fusion (&lt;&lt;) ne sont pas autorisées ; {0}</translation></message>
-    <message><source>this is nested too deeply; {0}</source>
-        <translation>l'imbrication est trop profonde ici ; {0}</translation></message>
     <message><source>Lets both motors and the auxiliary be driven; nothing moves yet</source>
         <translation>Permet de piloter les deux moteurs et l'auxiliaire ; rien ne bouge encore</translation></message>
     <message><source>Channels control the motors; Run motor needs serial control.</source>
@@ -2717,22 +2783,22 @@
         <translation>Plusieurs cartes sur cette liaison : sélectionnez celle à piloter.</translation></message>
     <message><source>Not armed: no command is sent until you click Run motor.</source>
         <translation>Moteurs non activés : aucune commande n'est envoyée tant que vous n'avez pas cliqué sur « Activer les moteurs ».</translation></message>
-    <message><source>Set the serial timeout</source>
-        <translation>Régler le délai série</translation></message>
+    <message><source>Write the serial timeout</source>
+        <translation>Écrire le délai série</translation></message>
     <message><source>Write the changed parameters into the board (Ctrl+Enter)</source>
         <translation>Écrire les paramètres modifiés dans la carte (Ctrl+Entrée)</translation></message>
     <message><source>Armed. Drive them on the Motors page.</source>
         <translation>Moteurs activés. Pilotez-les sur la page Moteurs.</translation></message>
     <message><source>Stopping …</source>
         <translation>Arrêt en cours …</translation></message>
-    <message><source>Set &amp;{0} s</source>
-        <translation>Régler sur &amp;{0} s</translation></message>
-    <message><source>Set the serial timeout to {0} s</source>
-        <translation>Régler le délai série sur {0} s</translation></message>
-    <message><source>Writes only this setting now: the board stops its motors {0} s after the last byte. Other changes stay pending.</source>
-        <translation>N'écrit que ce réglage maintenant : la carte arrête ses moteurs {0} s après le dernier octet. Les autres modifications restent en attente.</translation></message>
-    <message><source>Armed. Setpoint: {0}</source>
-        <translation>Moteurs activés. Consigne : {0}</translation></message>
+    <message><source>Write &amp;{0} s</source>
+        <translation>Écrire &amp;{0} s</translation></message>
+    <message><source>Write a serial timeout of {0} s</source>
+        <translation>Écrire un délai série de {0} s</translation></message>
+    <message><source>Writes Serial Timeout and UART-Error Shutdown now: the board should stop its motors {0} s after the last byte. Other changes stay pending.</source>
+        <translation>Écrit maintenant « Délai série » et « Arrêt sur erreur UART » : la carte devrait arrêter ses moteurs {0} s après le dernier octet. Les autres modifications restent en attente.</translation></message>
+    <message><source>Armed. Sent: {0}</source>
+        <translation>Moteurs activés. Envoyé : {0}</translation></message>
     <message><source>Stopped. Motors are locked for {0} s.</source>
         <translation>Arrêt effectué. Les moteurs sont verrouillés pendant {0} s.</translation></message>
     <message><source>nothing to write</source>
@@ -2785,6 +2851,20 @@
         <translation>Appliquer {0} à plusieurs cartes</translation></message>
     <message numerus="yes"><source>%n board(s) left out; the reason is beside each.</source>
         <translation><numerusform>%n carte omise ; la raison est indiquée à côté.</numerusform><numerusform>%n cartes omises ; la raison est indiquée à côté de chacune.</numerusform></translation></message>
+    <message><source>Arm the motors</source>
+        <translation>Activer les moteurs</translation></message>
+    <message><source>Arm with&amp;out</source>
+        <translation>Activer &amp;sans délai</translation></message>
+    <message><source>Cancel</source>
+        <translation>Annuler</translation></message>
+    <message><source>Writing …</source>
+        <translation>Écriture en cours …</translation></message>
+    <message><source>“Arm without” is remembered for this board. Cut the power by hand then if the cable falls out.</source>
+        <translation>« Activer sans délai » est mémorisé pour cette carte. Coupez alors l'alimentation à la main si le câble se débranche.</translation></message>
+    <message><source>The board did not store the serial timeout.</source>
+        <translation>La carte n'a pas enregistré le délai série.</translation></message>
+    <message><source>&amp;Write {0:g} s and arm</source>
+        <translation>É&amp;crire {0:g} s et activer</translation></message>
     <message><source>Channel input</source>
         <translation>Entrée de la voie</translation></message>
     <message><source>{value}, {distance} above neutral</source>
@@ -3007,8 +3087,6 @@
         <translation>Progression de la recherche</translation></message>
     <message><source>Find boards</source>
         <translation>Rechercher des cartes</translation></message>
-    <message><source>Cancel</source>
-        <translation>Annuler</translation></message>
     <message><source>Change number…</source>
         <translation>Modifier le numéro…</translation></message>
     <message><source>Apply a file…</source>
@@ -3139,8 +3217,8 @@
         <translation>Le TReX répond avec les réglages d'usine.</translation></message>
     <message><source>Mode may also be on: the board responds in every mode.</source>
         <translation>Le cavalier de mode peut aussi être en place : la carte répond dans tous les modes.</translation></message>
-    <message><source>Search with Find first: it finds a board at any of its settings. If that fails, these steps from Pololu's support forum restore the serial settings of the factory. One user saw the LEDs alternate for three seconds only, and nothing was restored: then begin again. Compare the other settings with your last snapshot afterwards (Ctrl+H).</source>
-        <translation>Lancez d'abord « Rechercher… » : cela trouve une carte quels que soient ses réglages. En cas d'échec, ces étapes, tirées du forum d'assistance de Pololu, restaurent les réglages série d'usine. Un utilisateur n'a vu les LED alterner que pendant trois secondes, et rien n'a été restauré : dans ce cas, recommencez. Comparez ensuite les autres réglages avec votre dernier instantané (Ctrl+H).</translation></message>
+    <message><source>Search with Find first: it finds a board at any of its settings. If that fails, these steps from Pololu's support forum restore the serial settings of the factory (inferred). One user saw the LEDs alternate for three seconds only, and nothing was restored: then begin again. Compare the other settings with your last snapshot afterwards (Ctrl+H).</source>
+        <translation>Lancez d'abord « Rechercher… » : cela trouve une carte quels que soient ses réglages. En cas d'échec, ces étapes, tirées du forum d'assistance de Pololu, restaurent les réglages série d'usine (déduit). Un utilisateur n'a vu les LED alterner que pendant trois secondes, et rien n'a été restauré : dans ce cas, recommencez. Comparez ensuite les autres réglages avec votre dernier instantané (Ctrl+H).</translation></message>
     <message><source>&amp;Back</source>
         <translation>Précéden&amp;t</translation></message>
     <message><source>&amp;Next</source>
@@ -3681,8 +3759,8 @@ was {1}</source>
 avant {1}</translation></message>
     <message><source>{0} of channel {1}</source>
         <translation>{0} de la voie {1}</translation></message>
-    <message><source>{0}: beyond a limit that is inferred. The board decides: it may reject the value, or store another one.</source>
-        <translation>{0} : au-delà d'une limite déduite. C'est la carte qui décide : elle peut rejeter la valeur, ou en enregistrer une autre.</translation></message>
+    <message><source>{0}: beyond a limit that no document confirms (inferred). The board decides: it may reject the value, or store another one.</source>
+        <translation>{0} : au-delà d'une limite qu'aucun document ne confirme (déduit). C'est la carte qui décide : elle peut rejeter la valeur, ou en enregistrer une autre.</translation></message>
     <message><source>Write an&amp;yway</source>
         <translation>Écrire &amp;quand même</translation></message>
     <message><source>Line settings</source>
@@ -3697,8 +3775,12 @@ avant {1}</translation></message>
         <translation>&amp;Polynôme CRC-7 :</translation></message>
     <message><source>&amp;Device number:</source>
         <translation>&amp;Numéro d'appareil :</translation></message>
+    <message><source>Numbers of &amp;other devices:</source>
+        <translation>Numéros des &amp;autres appareils :</translation></message>
     <message><source>&amp;Restore defaults</source>
         <translation>Restaurer les valeurs par &amp;défaut</translation></message>
+    <message><source>Numbers of other devices on this line, such as 0,1 (older Pololu motor and servo controllers). With one, every packet is addressed, to none of these numbers, and no other baud rate is tried.</source>
+        <translation>Numéros d'autres appareils sur cette liaison, par exemple 0,1 (anciens contrôleurs de moteurs et de servos Pololu). Dès qu'il y en a un, chaque paquet est adressé, à aucun de ces numéros, et aucun autre débit n'est essayé.</translation></message>
     <message><source>Why this value? Kept on this computer and in files.</source>
         <translation>Pourquoi cette valeur ? Conservé sur cet ordinateur et dans les fichiers.</translation></message>
     <message><source>Note</source>
@@ -3883,8 +3965,8 @@ avant {1}</translation></message>
         <translation>L'entrée brute à l'échelle de la barre, la plus récente à droite. Là où il n'y avait pas de signal valide, la ligne est interrompue.</translation></message>
     <message><source>Remapped (−127 to 127)</source>
         <translation>Convertie (−127 à 127)</translation></message>
-    <message><source>What the board makes of the input. Those of channels 1 and 2 are the speeds for motors 1 and 2, after mixing and flip.</source>
-        <translation>Ce que la carte fait de l'entrée. Pour les voies 1 et 2, ce sont les vitesses des moteurs 1 et 2, après mixage et retournement.</translation></message>
+    <message><source>What the board makes of the input. Those of channels 1 and 2 are the speeds for motors 1 and 2, after mixing and flip. The vendor's document gives channel 3 six bits, 0 to 63; the program reads seven (inferred).</source>
+        <translation>Ce que la carte fait de l'entrée. Pour les voies 1 et 2, ce sont les vitesses des moteurs 1 et 2, après mixage et retournement. Le document du fabricant donne six bits à la voie 3, de 0 à 63 ; le programme en lit sept (déduit).</translation></message>
     <message><source>Moving channel 1 or 2 shows whether the mix jumper is on.</source>
         <translation>Bouger la voie 1 ou 2 montre si le cavalier Mix est en place.</translation></message>
     <message><source>The mix jumper is on.</source>
@@ -3969,12 +4051,12 @@ avant {1}</translation></message>
 (doubtful)</source>
         <translation>{0}
 (douteux)</translation></message>
+    <message><source>Current of this motor; the red line is its limit, ⚠ means 80 % of it or more.</source>
+        <translation>Courant de ce moteur ; le trait rouge est sa limite, ⚠ signifie 80 % de celle-ci ou plus.</translation></message>
     <message><source>Zero</source>
         <translation>Zéro</translation></message>
     <message><source>Brake</source>
         <translation>Freiner</translation></message>
-    <message><source>Current of this motor; the red line is its limit, ⚠ means 80 % of it or more</source>
-        <translation>Courant de ce moteur ; le trait rouge est sa limite, ⚠ signifie 80 % de celle-ci ou plus</translation></message>
     <message><source>Speed 0: the motor is not driven and coasts</source>
         <translation>Vitesse 0 : le moteur n'est pas entraîné, il est en roue libre</translation></message>
     <message><source>Board: serial in control…</source>
@@ -4195,8 +4277,8 @@ avant {1}</translation></message>
         <translation>Détection d'erreurs</translation></message>
     <message><source>Stop bits</source>
         <translation>Bits d'arrêt</translation></message>
-    <message><source>{0}, or the nearest the board can store; or speed steps, such as {1}</source>
-        <translation>{0}, ou la valeur la plus proche que la carte peut enregistrer ; ou en pas de vitesse, par exemple {1}</translation></message>
+    <message><source>{0}. The board stores the nearest time. Or speed steps, such as {1}.</source>
+        <translation>{0}. La carte enregistre le temps le plus proche. Ou en pas de vitesse, par exemple {1}.</translation></message>
     <message><source>unknown ({0})</source>
         <translation>inconnu ({0})</translation></message>
     <message><source>CRC-7</source>
@@ -4287,8 +4369,8 @@ avant {1}</translation></message>
         <translation>Copier comme « {0} »</translation></message>
     <message><source>Copy to {0}</source>
         <translation>Copier vers {0}</translation></message>
-    <message><source>{0} is {1}. This limit is inferred: no document confirms it. You can try any wire value from 0 to {2}. The board decides: it may reject the value, or store another one, and the program shows which. A value that the board stores is remembered for its firmware.</source>
-        <translation>{0} : {1}. Cette limite est déduite : aucun document ne la confirme. Vous pouvez essayer de transmettre toute valeur de 0 à {2}. La carte décide : elle peut rejeter la valeur ou en enregistrer une autre, et le programme indique laquelle. Une valeur que la carte enregistre est mémorisée pour son firmware.</translation></message>
+    <message><source>{0} is {1}{2}. No document confirms this limit. You can try any wire value from 0 to {3}. The board decides: it may reject the value, or store another one, and the program shows which. A value that the board stores is remembered for its firmware.</source>
+        <translation>{0} : {1}{2}. Aucun document ne confirme cette limite. Vous pouvez essayer de transmettre toute valeur de 0 à {3}. La carte décide : elle peut rejeter la valeur ou en enregistrer une autre, et le programme indique laquelle. Une valeur que la carte enregistre est mémorisée pour son firmware.</translation></message>
     <message><source>Wire value</source>
         <translation>Valeur transmise</translation></message>
     <message><source>&amp;Try this value</source>
@@ -4905,8 +4987,8 @@ avant {1}</translation></message>
         <translation>Accélération : {0} ; freinage avant inversion : {1}.</translation></message>
     <message><source>If the cable falls out or the computer fails, only the board itself can notice and stop the motors. Without a serial timeout they keep running at their last speed.</source>
         <translation>Si le câble se débranche ou si l'ordinateur tombe en panne, seule la carte elle-même peut le remarquer et arrêter les moteurs. Sans délai série, ils continuent à tourner à leur dernière vitesse.</translation></message>
-    <message><source>Have the computer send something at least twice in that time; a status query will do. 0.5 s is a good value for most robots.</source>
-        <translation>Faites envoyer quelque chose à l'ordinateur au moins deux fois pendant ce délai ; une demande d'état suffit. 0,5 s est une bonne valeur pour la plupart des robots.</translation></message>
+    <message><source>Have the computer send something at least twice in that time; a status query will do. 0.5 s is a good value for most robots. UART-Error Shutdown is switched on with it, as the timeout may need it (twin).</source>
+        <translation>Faites envoyer quelque chose à l'ordinateur au moins deux fois pendant ce délai ; une demande d'état suffit. 0,5 s est une bonne valeur pour la plupart des robots. « Arrêt sur erreur UART » est activé en même temps, car le délai peut en avoir besoin (jumeau).</translation></message>
     <message><source>Still open:</source>
         <translation>Encore à faire :</translation></message>
     <message><source>put the mix jumper on</source>
@@ -5229,6 +5311,8 @@ avant {1}</translation></message>
         <translation>Encore {0} min au plus.</translation></message>
     <message><source>Opening {0} …</source>
         <translation>Ouverture de {0} …</translation></message>
+    <message><source>No reply on {0}. Other devices share the line: nothing else was tried.</source>
+        <translation>Pas de réponse sur {0}. D'autres appareils partagent la liaison : rien d'autre n'a été essayé.</translation></message>
     <message><source>{0} on {1} at {2}.</source>
         <translation>{0} sur {1} à {2}.</translation></message>
     <message><source>{0} on {1} at {2} (RS-232 side).</source>
@@ -5299,8 +5383,8 @@ avant {1}</translation></message>
         <translation>&amp;Démarrer</translation></message>
     <message><source>C&amp;ancel</source>
         <translation>&amp;Annuler</translation></message>
-    <message><source>Probes each port for a supported device: each kind at its likely settings, then at every baud rate, with every parity and with CRC. Probing never moves a motor or changes a setting. A TReX that receives probes at another rate counts UART errors, and stops its motors if it is set to do so.</source>
-        <translation>Sonde chaque port à la recherche d'un appareil pris en charge : chaque type avec ses réglages probables, puis à tous les débits, avec toutes les parités et avec CRC. Le sondage ne fait jamais bouger un moteur et ne change aucun réglage. Un TReX qui reçoit ces sondages à un autre débit compte des erreurs UART, et arrête ses moteurs s'il est réglé ainsi.</translation></message>
+    <message><source>Probes each port for a supported device: each kind at its likely settings, then at every baud rate, with every parity and with CRC. A TReX or Aracna moves no motor and changes no setting. Other devices on the line may: enter their numbers in the line settings first. A TReX that receives probes at another rate counts UART errors, and stops its motors if it is set to do so.</source>
+        <translation>Sonde chaque port à la recherche d'un appareil pris en charge : chaque type avec ses réglages probables, puis à tous les débits, avec toutes les parités et avec CRC. Un TReX ou un Aracna ne fait alors bouger aucun moteur et ne change aucun réglage. D'autres appareils sur la liaison le peuvent : entrez d'abord leurs numéros dans les réglages de liaison. Un TReX qui reçoit ces sondages à un autre débit compte des erreurs UART, et arrête ses moteurs s'il est réglé ainsi.</translation></message>
     <message><source>C&amp;heck the board…</source>
         <translation>&amp;Vérifier la carte…</translation></message>
     <message><source>{0} – connected to this window</source>
@@ -5481,8 +5565,8 @@ N'est pas un produit de Pololu.</translation></message>
         <translation>Connecter ma ca&amp;rte</translation></message>
     <message><source>Shows the wiring for your adapter or receiver, then connects.</source>
         <translation>Montre le câblage de votre adaptateur ou récepteur, puis connecte.</translation></message>
-    <message><source>The board is wired, but you do not know its port or its serial settings. The search moves no motor.</source>
-        <translation>La carte est câblée, mais vous ne connaissez pas son port ou ses réglages série. La recherche ne fait bouger aucun moteur.</translation></message>
+    <message><source>The board is wired, but you do not know its port or its serial settings. The search moves no motor of a TReX.</source>
+        <translation>La carte est câblée, mais vous ne connaissez pas son port ou ses réglages série. La recherche ne fait bouger aucun moteur d'un TReX.</translation></message>
     <message><source>A simulated board: nothing can be damaged.</source>
         <translation>Une carte simulée : rien ne peut être endommagé.</translation></message>
     <message><source>Help</source>
@@ -5495,10 +5579,10 @@ N'est pas un produit de Pololu.</translation></message>
         <translation>Pages de l'aide</translation></message>
     <message><source>Nothing was found.</source>
         <translation>Rien n'a été trouvé.</translation></message>
-    <message><source>The program could not stop the motors itself. The guardian process stopped them at {0}, and the board confirmed that.</source>
-        <translation>Le programme n'a pas pu arrêter les moteurs lui-même. Le processus gardien les a arrêtés à {0} et la carte l'a confirmé.</translation></message>
     <message><source>The program could not stop the motors itself. The guardian process sent a stop at {0}, which the board did not confirm. If a motor still turns, cut its power.</source>
         <translation>Le programme n'a pas pu arrêter les moteurs lui-même. Le processus gardien a envoyé à {0} un ordre d'arrêt que la carte n'a pas confirmé. Si un moteur tourne encore, coupez son alimentation.</translation></message>
+    <message><source>The program could not stop the motors itself. The guardian process stopped them at {0}, and the board confirmed that.</source>
+        <translation>Le programme n'a pas pu arrêter les moteurs lui-même. Le processus gardien les a arrêtés à {0} et la carte l'a confirmé.</translation></message>
     <message><source>TReX Studio did not end properly the last time. If it crashed, a report for support says where.</source>
         <translation>TReX Studio ne s'est pas terminé correctement la dernière fois. S'il a planté, un rapport d'assistance indique où.</translation></message>
     <message><source>Search the log</source>
@@ -5759,6 +5843,8 @@ N'est pas un produit de Pololu.</translation></message>
         <translation>est inconnu dans une disposition de courbes</translation></message>
     <message><source>is {0}, not a number from {1} to {2}</source>
         <translation>est {0}, et non un nombre de {1} à {2}</translation></message>
+    <message><source>it is nested too deeply</source>
+        <translation>l'imbrication est trop profonde</translation></message>
     <message><source>has no version; this program reads layouts of version {0}</source>
         <translation>n'a pas de version ; ce programme lit les dispositions de version {0}</translation></message>
     <message><source>has the version {0}; this program reads layouts of version {1}</source>
@@ -5915,8 +6001,6 @@ N'est pas un produit de Pololu.</translation></message>
         <translation>Réécrire le fichier</translation></message>
     <message><source>Replace the file</source>
         <translation>Remplacer le fichier</translation></message>
-    <message><source>{0} has changes that are not saved. Save them?</source>
-        <translation>{0} contient des modifications non enregistrées. Les enregistrer ?</translation></message>
     <message><source>{0} was changed by another program since it was opened here. Overwrite those changes?</source>
         <translation>{0} a été modifié par un autre programme depuis son ouverture ici. Écraser ces modifications ?</translation></message>
     <message><source>The changes cannot be merged into the text of the file: {0}.
@@ -5927,6 +6011,8 @@ Rewrite the file from the settings? Its comments will be lost.</source>
 Réécrire le fichier à partir des réglages ? Ses commentaires seront perdus.</translation></message>
     <message><source>{0} {1} Replace it?</source>
         <translation>{0} {1} Le remplacer ?</translation></message>
+    <message><source>{0} has changes that are not saved. Save them?</source>
+        <translation>{0} contient des modifications non enregistrées. Les enregistrer ?</translation></message>
     <message><source>already exists.</source>
         <translation>existe déjà.</translation></message>
     <message><source>Information</source>
@@ -5951,6 +6037,8 @@ Réécrire le fichier à partir des réglages ? Ses commentaires seront perdus.
         <translation>Vérifier la carte…</translation></message>
     <message><source>Save report…</source>
         <translation>Enregistrer un rapport…</translation></message>
+    <message><source>Stop them now</source>
+        <translation>Les arrêter maintenant</translation></message>
     <message><source>Connect with its settings</source>
         <translation>Connecter avec ses réglages</translation></message>
     <message><source>Internal error while processing this file ({0}).</source>
@@ -5989,22 +6077,22 @@ Réécrire le fichier à partir des réglages ? Ses commentaires seront perdus.
         <translation>Une voie parabolique réagit doucement près du neutre et fortement près des extrémités (une parabole au lieu d'une droite).</translation></message>
     <message><source>Motor 1 Deadband Brake PWM</source>
         <translation>PWM de freinage en zone morte moteur 1</translation></message>
-    <message><source>How hard the motor is braked while its channel is within the deadband: 100 % is a full brake, 0 lets the motor coast.</source>
-        <translation>Intensité du freinage du moteur quand sa voie est dans la zone morte : 100 % est un freinage à fond, 0 laisse le moteur en roue libre.</translation></message>
+    <message><source>How hard the motor is braked while its channel is within the deadband: 100 % is a full brake, 0 lets the motor coast (inferred).</source>
+        <translation>Intensité du freinage du moteur quand sa voie est dans la zone morte : 100 % est un freinage à fond, 0 laisse le moteur en roue libre (déduit).</translation></message>
     <message><source>Deadband Brake PWM</source>
         <translation>PWM de freinage en zone morte</translation></message>
     <message><source>Motor 2 Deadband Brake PWM</source>
         <translation>PWM de freinage en zone morte moteur 2</translation></message>
     <message><source>Serial Timeout</source>
         <translation>Délai série</translation></message>
-    <message><source>The motors stop when the board receives no byte for this long. It protects you when the computer or the cable fails. 0 switches it off.</source>
-        <translation>Les moteurs s'arrêtent quand la carte ne reçoit aucun octet pendant ce temps. Cela vous protège si l'ordinateur ou le câble tombe en panne. 0 le désactive.</translation></message>
+    <message><source>The motors should stop when the board receives no byte for this long. It protects you when the computer or the cable fails. 0 switches it off. It may need UART-Error Shutdown (twin): leave that on.</source>
+        <translation>Les moteurs devraient s'arrêter quand la carte ne reçoit aucun octet pendant ce temps. Cela vous protège si l'ordinateur ou le câble tombe en panne. 0 le désactive. Il peut avoir besoin de « Arrêt sur erreur UART » (jumeau) : laissez celui-ci activé.</translation></message>
     <message><source>off</source>
         <translation>désactivé</translation></message>
     <message><source>UART-Error Shutdown</source>
         <translation>Arrêt sur erreur UART</translation></message>
-    <message><source>Whether a serial error (noise, wrong baud rate, malformed packet) stops the motors. The board still accepts commands, and the next motor command starts them again.</source>
-        <translation>Détermine si une erreur série (bruit, mauvais débit, paquet mal formé) arrête les moteurs. La carte accepte toujours les commandes, et la commande de moteur suivante les remet en marche.</translation></message>
+    <message><source>Whether a serial error (noise, wrong baud rate, malformed packet) stops the motors. The board still accepts commands, and the next motor command starts them again. Switched off, it may disable the Serial Timeout, too (twin).</source>
+        <translation>Détermine si une erreur série (bruit, mauvais débit, paquet mal formé) arrête les moteurs. La carte accepte toujours les commandes, et la commande de moteur suivante les remet en marche. Désactivé, ce réglage peut rendre aussi le « Délai série » inopérant (jumeau).</translation></message>
     <message><source>The default of on is doubtful: public programs that send a stray byte with each command, or pause within a packet, would stutter with it.</source>
         <translation>La valeur par défaut « activé » est douteuse : des programmes publics qui envoient un octet parasite avec chaque commande, ou marquent une pause dans un paquet, auraient des à-coups.</translation></message>
     <message><source>on</source>
@@ -6061,16 +6149,16 @@ Réécrire le fichier à partir des réglages ? Ses commentaires seront perdus.
         <translation>Durée de freinage moteur 2</translation></message>
     <message><source>Motor 1 Current Limit</source>
         <translation>Limite de courant moteur 1</translation></message>
-    <message><source>Above this current the board lowers the motor's speed and latches an over-limit bit. Use accelerate commands with it: set commands bypass it for a moment. 0 switches it off. It has no effect in joint mode.</source>
-        <translation>Au-dessus de ce courant, la carte réduit la vitesse du moteur et mémorise un bit de dépassement. Utilisez avec elle les commandes d'accélération : les commandes immédiates la contournent un instant. 0 la désactive. Sans effet en mode jumelé.</translation></message>
+    <message><source>Above this current the board lowers the motor's speed and latches an over-limit bit. Use accelerate commands with it: set commands bypass it for a moment. 0 switches it off (twin). The board may measure currents wrong by 20 % (twin). It has no effect in joint mode.</source>
+        <translation>Au-dessus de ce courant, la carte réduit la vitesse du moteur et mémorise un bit de dépassement. Utilisez avec elle les commandes d'accélération : les commandes immédiates la contournent un instant. 0 la désactive (jumeau). La carte peut se tromper de 20 % en mesurant les courants (jumeau). Sans effet en mode jumelé.</translation></message>
     <message><source>Current Limit</source>
         <translation>Limite de courant</translation></message>
     <message><source>Motor 2 Current Limit</source>
         <translation>Limite de courant moteur 2</translation></message>
     <message><source>Motor 1 Current Limit Proportionality Constant P</source>
         <translation>Constante de proportionnalité P de la limite de courant moteur 1</translation></message>
-    <message><source>How strongly the limiter responds to each count above the limit. A large value reacts fast but may make the motor pulse.</source>
-        <translation>Force de la réaction du limiteur à chaque count au-dessus de la limite. Une grande valeur réagit vite, mais peut faire tourner le moteur par à-coups.</translation></message>
+    <message><source>How strongly the limiter responds to each count above the limit. A large value reacts fast but may make the motor pulse (inferred).</source>
+        <translation>Force de la réaction du limiteur à chaque count au-dessus de la limite. Une grande valeur réagit vite, mais peut faire tourner le moteur par à-coups (déduit).</translation></message>
     <message><source>Current Limit Proportionality Constant P</source>
         <translation>Constante de proportionnalité P de la limite de courant</translation></message>
     <message><source>Motor 2 Current Limit Proportionality Constant P</source>
