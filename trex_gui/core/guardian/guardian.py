@@ -172,9 +172,9 @@ class GuardianProcess:
     def end(self) -> bool:
         is_suspended = self._is_suspended
         # One that cannot be told so takes it for the end of the program, and may stop the motors.
-        is_told = self._send("end")
+        is_notified = self._send("end")
         seconds = _BREAKING_OFF_S if self.has_acted else 0.0 if is_suspended else _ENDING_S
-        if self._process is not None and not self._ended.wait(seconds) and is_told:
+        if self._process is not None and not self._ended.wait(seconds) and is_notified:
             log.warning("the guardian process does not respond")
             self._process.kill()
             self._ended.wait(_ENDING_S)
