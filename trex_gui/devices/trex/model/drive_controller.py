@@ -207,14 +207,14 @@ class DriveController(QObject):
         in_background(self, partial(logged_stops, 0), self._report_unsent, lambda _error: None)
 
     def _report_unsent(self, found: tuple[int, list[tuple[str, StopResult]]]) -> None:
-        advice = self.tr("If a motor still turns, cut its power.")
+        cure = self.tr("If a motor still turns, cut its power.")
         _, stops = found
         if any(at >= self._armed_at and how is StopResult.CONFIRMED for at, how in stops[-1:]):
-            advice = self.tr("The guardian process stopped the motors, and the board confirmed it.")
+            cure = self.tr("The guardian process stopped the motors, and the board confirmed it.")
         elif self._connection.is_guarded:
-            advice = f"{self.tr('The guardian process sends it now.')} {advice}"
+            cure = f"{self.tr('The guardian process sends it now.')} {cure}"
         text = self.tr("The connection is not responding, so the stop could not be sent.")
-        self._notifier.error.emit(f"{text} {advice}")
+        self._notifier.error.emit(f"{text} {cure}")
 
     def _on_stopped(self, outcome: Outcome) -> None:
         if outcome.error is None:
