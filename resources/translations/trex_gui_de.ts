@@ -3776,7 +3776,7 @@ bisher {1}</translation></message>
     <message><source>&amp;Device number:</source>
         <translation>&amp;Gerätenummer:</translation></message>
     <message><source>Numbers of &amp;other devices:</source>
-        <translation>Nummern &amp;anderer Geräte:</translation></message>
+        <translation>Nu&amp;mmern anderer Geräte:</translation></message>
     <message><source>&amp;Restore defaults</source>
         <translation>Standard&amp;werte wiederherstellen</translation></message>
     <message><source>Numbers of other devices on this line, such as 0,1 (older Pololu motor and servo controllers). With one, every packet is addressed, to none of these numbers, and no other baud rate is tried.</source>

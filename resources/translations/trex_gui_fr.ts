@@ -3776,7 +3776,7 @@ avant {1}</translation></message>
     <message><source>&amp;Device number:</source>
         <translation>&amp;Numéro d'appareil :</translation></message>
     <message><source>Numbers of &amp;other devices:</source>
-        <translation>Numéros des &amp;autres appareils :</translation></message>
+        <translation>Nu&amp;méros des autres appareils :</translation></message>
     <message><source>&amp;Restore defaults</source>
         <translation>Restaurer les valeurs par &amp;défaut</translation></message>
     <message><source>Numbers of other devices on this line, such as 0,1 (older Pololu motor and servo controllers). With one, every packet is addressed, to none of these numbers, and no other baud rate is tried.</source>
