@@ -3775,7 +3775,7 @@ bisher {1}</translation></message>
         <translation>CRC-7-&amp;Polynom:</translation></message>
     <message><source>&amp;Device number:</source>
         <translation>&amp;Gerätenummer:</translation></message>
-    <message><source>Numbers of &amp;other devices:</source>
+    <message><source>Nu&amp;mbers of other devices:</source>
         <translation>Nu&amp;mmern anderer Geräte:</translation></message>
     <message><source>&amp;Restore defaults</source>
         <translation>Standard&amp;werte wiederherstellen</translation></message>

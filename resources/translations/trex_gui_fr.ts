@@ -3775,7 +3775,7 @@ avant {1}</translation></message>
         <translation>&amp;Polynôme CRC-7 :</translation></message>
     <message><source>&amp;Device number:</source>
         <translation>&amp;Numéro d'appareil :</translation></message>
-    <message><source>Numbers of &amp;other devices:</source>
+    <message><source>Nu&amp;mbers of other devices:</source>
         <translation>Nu&amp;méros des autres appareils :</translation></message>
     <message><source>&amp;Restore defaults</source>
         <translation>Restaurer les valeurs par &amp;défaut</translation></message>

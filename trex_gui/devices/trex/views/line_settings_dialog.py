@@ -65,7 +65,7 @@ class LineSettingsDialog(ReusedDialog):
         form.addRow(self.tr("CRC-7 &polynomial:"), self._polynomial)
         form.addRow(self._addressed)
         form.addRow(self.tr("&Device number:"), self._number)
-        form.addRow(self.tr("Numbers of &other devices:"), self._reserved)
+        form.addRow(self.tr("Nu&mbers of other devices:"), self._reserved)
         ui.column(intro, form, 1, buttons, into=self)
 
         self._line.valueChanged.connect(self._on_changed)
