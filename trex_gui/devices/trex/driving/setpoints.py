@@ -34,6 +34,8 @@ _CLEAN_STATUSES = 2
 One where a repeat could do harm: setting a speed at once bypasses the current limiter.
 """
 
+_CALM = 1000  # replies without damage after which setpoints are not refreshed any more
+
 _MOTORS = (1, 2)
 
 
@@ -192,9 +194,13 @@ class LineQuality:
     @property
     def is_quiet(self) -> bool:
         """Whether a clean status is sufficient confirmation."""
+        return self.is_quiet_for(QUIET)
+
+    def is_quiet_for(self, replies: int) -> bool:
+        """Whether the line has a CRC, or was not damaged while these replies came."""
         if self._has_crc or self._damaged_at is None:
             return True
-        return self.answers - self._damaged_at >= QUIET
+        return self.answers - self._damaged_at >= replies
 
     def _note_damage(self) -> None:
         if self.is_shared:
@@ -256,6 +262,7 @@ class SetpointRefresh:
         self._is_active = self._is_active or armed
         if self._quality.is_quiet:
             self._watch_auxiliary()
+        if self._quality.is_quiet_for(_CALM):
             return math.inf
         return self._sent_at + interval if self._is_active else math.inf
 
@@ -277,6 +284,10 @@ class SetpointRefresh:
             self._note_auxiliary_risk()
             idle.append(auxiliary)
         return [command for setpoint in idle for command in packets([setpoint])]
+
+    @property
+    def has_running_motors(self) -> bool:
+        return bool(self._running())
 
     def speeds(self) -> list[Command[None]]:
         """Return the packets of every motor that runs, as far as the status shows."""
