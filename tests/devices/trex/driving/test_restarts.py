@@ -1,5 +1,7 @@
 """A board that restarts while it drives: its motors stand, and no reply says so."""
 
+from functools import partial
+
 import pytest
 
 from tests.devices.trex.session.helpers import among, is_stopped, run_for, seen_at, staged
@@ -32,12 +34,15 @@ CASES = [
 
 
 def driving(
-    seconds: float, baud: int = 19200, model: str = "trex", *, begin: float = 3.0
+    seconds: float, baud: int = 19200, model: str = "trex", *, begin: float = 3.0, ramp: int = 0
 ) -> tuple[Stage, list[tuple[float, object]]]:
-    """Return a stage with a motor driven for so long, and its steps."""
+    """Return a stage with a motor driven for so long, along a ramp, and its steps."""
     stage, _ = staged(baud, model=model)
+    stage.board.eeprom.write("motor1_acceleration", ramp)
+    stage.board.power_cycle()
     stage.transport.latency = latency_of("/dev/ttyUSB0")
-    steps: list[tuple[float, object]] = [(begin, Arm()), (begin, SetMotor(1, Drive.at(38)))]
+    setpoint = SetMotor(1, Drive.at(38), accelerate=bool(ramp))
+    steps: list[tuple[float, object]] = [(begin, Arm()), (begin, setpoint)]
     steps += [(begin + beat * 0.1, Heartbeat()) for beat in range(round(seconds * 10))]
     return stage, steps
 
@@ -56,6 +61,26 @@ def test_restart_while_driving_is_found_and_disarms(
     is_said = [one.reason for one in found] == [ErrorCode.MAY_HAVE_RESTARTED]
     assert is_said or among(reports, NotResponding)
     assert rest == [True]
+
+
+@pytest.mark.parametrize("ramp", [3, 20])
+def test_restart_on_a_ramp_starts_no_motor_again(ramp: int) -> None:
+    stage, steps = driving(5.0, ramp=ramp)
+    plan(stage, [*steps, (6.0, stage.board.power_cycle)])
+    rest = seen_at(stage, 6.5, lambda: is_stopped(stage.board))
+    reports = run_for(stage, 8.0)
+    assert rest == [True]
+    assert among(reports, MotorsStopped)[0].reason is ErrorCode.MAY_HAVE_RESTARTED
+
+
+def test_current_that_comes_and_goes_is_no_restart() -> None:
+    stage, steps = driving(3.0)
+    force = stage.board.force_current
+    steps += [
+        (4.0 + step * 0.12, partial(force, 1, 0.15 if step % 2 else 0.48)) for step in range(14)
+    ]
+    plan(stage, steps)
+    assert not among(run_for(stage, 5.9), MotorsStopped)
 
 
 def test_motor_that_draws_nothing_goes_on() -> None:

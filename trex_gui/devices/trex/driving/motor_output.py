@@ -282,9 +282,7 @@ class MotorOutput:
         """Take a status that was polled; see `SetpointRetry.note_status`."""
         self.quality.note_status(latched)
         self.refresh.note_status(latched, stops_on_error=stops_on_error)
-        self.setpoints.put_back(
-            self.restart.note_status(latched, now, is_whole=is_whole, stops_on_error=stops_on_error)
-        )
+        self.restart.note_status(latched, now, is_whole=is_whole, stops_on_error=stops_on_error)
         self.retry.note_status(latched, now, is_whole=is_whole, stops_on_error=stops_on_error)
 
     # --- Stops and their outcomes -------------------------------------------------------

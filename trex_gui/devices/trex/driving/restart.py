@@ -11,16 +11,16 @@ from trex_gui.devices.trex.protocol.flags import Status, UartError
 
 _DRAWS = 3  # counts of a motor that certainly draws a current; inferred: more without load
 _SETTLING = 0.1  # seconds from a new setpoint to a current that belongs to it
-_FALLEN = 0.06  # seconds without a current that need a reason, or that show that none returns
+_FALLEN = 1.0  # seconds without a current; a robot that rolls downhill seldom draws none for longer
+_FALLEN_AFTER_LOSS = 0.06  # the same after a lost reply
 
 
 class RestartWatch:
     """Finds out whether a board restarted while it drove motors 1 and 2.
 
-    No query tells. Evidence is that no motor draws a current any more that has drawn one under its
-    setpoint, on a quiet line, with a status that gives no reason. After a lost reply that is
-    sufficient. Otherwise the robot may roll downhill: the setpoints are sent again, and the current
-    returns at once only if the board had lost them. Motors without a current give no evidence.
+    No query tells, and a setpoint that is sent again would drive a motor that stands. Evidence is
+    that no motor draws a current any more that has drawn one under its setpoint, on a quiet line,
+    with a status that gives no reason. Motors without a current give no evidence.
     """
 
     def __init__(self, quality: LineQuality) -> None:
@@ -37,11 +37,11 @@ class RestartWatch:
 
     def _end_check(self) -> None:
         self._is_reply_lost = False
-        self._fallen_at = self._repeated_at = math.inf
+        self._fallen_at = math.inf
 
     @property
     def is_checking(self) -> bool:
-        """Whether the board may have restarted; no speed is refreshed meanwhile."""
+        """Whether the board may have restarted. No speed is refreshed meanwhile."""
         return bool(self._drawing) and (self._is_reply_lost or self._fallen_at < math.inf)
 
     def note_setpoints(self, setpoints: Sequence[Setpoint], now: float) -> None:
@@ -59,8 +59,8 @@ class RestartWatch:
 
     def note_status(
         self, latched: LatchedStatus | None, now: float, *, is_whole: bool, stops_on_error: bool
-    ) -> list[SetMotor]:
-        """Decide, or return the setpoints to send again."""
+    ) -> None:
+        """Take a status that gives a reason, or that gives none."""
         if latched is not None and (
             latched.status & ~Status.UART_ERROR
             or latched.uart & UartError.TIMEOUT
@@ -68,18 +68,11 @@ class RestartWatch:
         ):
             self._drawing.clear()  # this is the reason
             self._end_check()
-        if not is_whole or now - self._fallen_at < _FALLEN or self._repeated_at < now:
-            return []
-        self.has_restarted = self._is_reply_lost
-        self._repeated_at = now
-        return [] if self.has_restarted else [self._running[motor][0] for motor in self._drawing]
+        enough = _FALLEN_AFTER_LOSS if self._is_reply_lost else _FALLEN
+        self.has_restarted |= is_whole and now - self._fallen_at >= enough
 
     def note_currents(self, counts: Sequence[int], now: float) -> None:
         if any(counts[motor - 1] > NOISE_COUNTS for motor in self._drawing):
-            self.has_restarted = self._repeated_at < now
-            self._end_check()
-        elif now - self._repeated_at >= _FALLEN:
-            self._drawing.clear()
             self._end_check()
         elif self._drawing and (self._quality.is_quiet or self._is_reply_lost):
             self._fallen_at = min(self._fallen_at, now)

@@ -224,7 +224,7 @@ class SetpointRefresh:
         self._is_active = False
         self._setpoints: dict[int, Setpoint] = {}
         self.clear = self._setpoints.clear  # takes every motor for idle, braked fully
-        self._holds_speeds = False
+        self.holds_speeds = False  # until the next clean status: the board has stopped motors
         self._auxiliary_at_risk = False
         self._answers_since: int | None = None
         self._sent_at = 0.0
@@ -246,7 +246,7 @@ class SetpointRefresh:
     def note_status(self, latched: LatchedStatus | None, *, stops_on_error: bool) -> None:
         """Hold speeds until the next clean status if the board has stopped motors."""
         self.stops_on_error = stops_on_error
-        self._holds_speeds = latched is not None and (
+        self.holds_speeds = latched is not None and (
             stops_motors(latched.status, errors_stop=stops_on_error) or stops_motors(latched.uart)
         )
         if latched is not None and latched.uart and stops_on_error:  # no bit that noise added
@@ -291,7 +291,7 @@ class SetpointRefresh:
 
     def speeds(self) -> list[Command[None]]:
         """Return the packets of every motor that runs, as far as the status shows."""
-        running = [] if self._holds_speeds or self._is_held() else self._running()
+        running = [] if self.holds_speeds or self._is_held() else self._running()
         return [each for one in running for each in packets([replace(one, accelerate=True)])]
 
     def _running(self) -> list[Setpoint]:
