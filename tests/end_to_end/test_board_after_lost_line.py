@@ -110,3 +110,29 @@ def test_another_model_at_the_line_warns_until_the_window_is_closed(
     assert window.program.device_manager.unconfirmed_stop == warning, "the exit code follows it"
     window.click("closeUnstopped")
     assert not window.window.isVisible()
+
+
+def test_danger_stays_in_front_until_the_stop_is_confirmed(
+    window: WindowDriver, start_simulator: StartSimulator
+) -> None:
+    first, second = start_simulator(), start_simulator()
+    window.connect(first.url)
+    lose(window, first)
+    notifier = window.device.notifier
+    grave = "Motor 1 may still be turning."
+    for put_in_front in (
+        lambda: notifier.info.emit("Saved."),
+        lambda: notifier.error.emit("Not saved."),
+        notifier.cleared.emit,
+    ):
+        put_in_front()
+        assert window.text("bannerText").startswith(grave)
+    second.do("line unplug")
+    window.connect_port(window.program.ports.add_typed(second.url))
+    window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
+    first.do("line plug")
+    window.click("stopButton")
+    window.wait(lambda: not window.device.may_move)
+    assert window.device.settings is not None
+    assert window.device.settings.url == first.url, "not at the port that was tried last"
+    window.wait_for_text("bannerText", "The board is back.")

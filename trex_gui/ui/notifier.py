@@ -69,6 +69,11 @@ def remedies_of(error: BaseException, *, may_be_found: bool = False) -> Remedies
     return (Remedy.PLUG_IN if error.is_missing else Remedy.RECONNECT,)
 
 
+def never() -> bool:
+    """Return false: a danger message that the next message replaces."""
+    return False
+
+
 class Notifier(QObject):
     """Carries messages to one window, which shows the newest."""
 
@@ -89,6 +94,7 @@ class Notifier(QObject):
         super().__init__(parent)
         # What its window shows, as the banner keeps it: the message, and whether it is an error.
         self.shown = ""
+        self.danger_lasts: Callable[[], bool] = never
         self.shows_problem = False
         self.delayed_info.connect(self.info, Qt.ConnectionType.QueuedConnection)
         self.delayed_error.connect(self.error, Qt.ConnectionType.QueuedConnection)
@@ -107,10 +113,11 @@ class Notifier(QObject):
         self.error.emit(text)
         self.remedies_offered.emit(remedies)
 
-    def warn(self, text: str, remedies: Remedies) -> None:
-        """Emit a `danger` with buttons."""
+    def warn(self, text: str, remedies: Remedies = (), lasts: Callable[[], bool] = never) -> None:
+        """Emit a `danger` with buttons; no other message replaces it while it `lasts`."""
         self.danger.emit(text)
         self.remedies_offered.emit(remedies)
+        self.danger_lasts = lasts
 
     def ask(self, text: str, *answers: Answer) -> None:
         """Emit an `info` with a button for each answer."""

@@ -7,7 +7,15 @@ from PySide6.QtCore import QEvent, QObject, Qt, Signal, Slot
 from PySide6.QtGui import QGuiApplication, QKeyEvent, QMoveEvent, QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView, QApplication, QFrame, QPushButton, QWidget
 
-from trex_gui.ui.notifier import Answer, ConnectWith, CopyCommand, Notifier, Remedies, Remedy
+from trex_gui.ui.notifier import (
+    Answer,
+    ConnectWith,
+    CopyCommand,
+    Notifier,
+    Remedies,
+    Remedy,
+    never,
+)
 from trex_gui.ui.theme.icons import set_sign
 from trex_gui.ui.theme.style import use_theme_style
 from trex_gui.ui.theme.theme import fill, follow_theme
@@ -78,6 +86,7 @@ class Banner(_MessageRow):
         self._help_topic = help_topic
         self._notifier = notifier
         self._offered: Remedies = ()
+        self._is_left_out = False  # the newest message, because a danger lasts
         self._help = ui.button(
             self, "bannerHelp", self.tr("Help"), default=False, on_click=self._on_help_clicked
         )
@@ -97,37 +106,50 @@ class Banner(_MessageRow):
 
     @Slot(str)
     def show_problem(self, text: str) -> None:
-        self._show_sign("warning")
-        self._show(text, is_problem=True)
+        if not self._keeps_danger():
+            self._show_sign("warning")
+            self._show(text, is_problem=True)
 
     @Slot(str)
     def show_danger(self, text: str) -> None:
         """Show a text in the colours of the stop button."""
+        self._is_left_out = False
         set_sign(self._sign, "warning", "stop_text", 4)
         self._show(text, is_problem=True, is_danger=True)
 
     @Slot(str)
     def show_news(self, text: str) -> None:
-        self._show_sign("info")
-        self._show(text)
+        if not self._keeps_danger():
+            self._show_sign("info")
+            self._show(text)
+
+    def _keeps_danger(self) -> bool:
+        """Return whether another message is only logged, and its buttons are left out."""
+        self._is_left_out = self._notifier is not None and self._notifier.danger_lasts()
+        return self._is_left_out
 
     @Slot(object)
     def _on_resolved(self, remedy: Remedy) -> None:
-        if remedy in self._offered:
+        if remedy in self._offered and not self._keeps_danger():
             self.clear()
 
     @Slot()
     def _on_cleared(self) -> None:
-        if Remedy.REPORT not in self._offered or Remedy.STOP_THEM in self._offered:
+        is_over = Remedy.REPORT not in self._offered or Remedy.STOP_THEM in self._offered
+        if is_over and not self._keeps_danger():
             self.clear()
 
     @Slot()
     def clear(self) -> None:
+        if self._notifier is not None:
+            self._notifier.danger_lasts = never
         self._show("")
 
     @Slot(object)
     def show_remedies(self, remedies: Remedies) -> None:
         """Add buttons to the message that is shown."""
+        if self._is_left_out:
+            return
         self._offered = remedies
         for remedy in remedies:
             match remedy:

@@ -11,6 +11,7 @@ from trex_gui.core.plugin import DevicePlugin
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.translation import Number, tr
 from trex_gui.core.transport.settings import PortSettings
+from trex_gui.devices.trex.driving.board_reasons import NOISE_COUNTS
 from trex_gui.devices.trex.model.demo import DemoBoard
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.loss_while_driven import LossWhileDriven
@@ -87,7 +88,8 @@ class TrexController(DeviceController[ConnectionSettings]):
         self.changed.emit()
 
     def connect_to(self, port: Port) -> None:
-        self._last = port
+        if not self.may_move:  # else that is where the motors are
+            self._last = port
         self.device.motors.adapter = "" if port.adapter is None else port.adapter.key
         super().connect_to(port)
 
@@ -189,14 +191,14 @@ class TrexController(DeviceController[ConnectionSettings]):
         device = self.device
         if self.link is ConnectionState.DISCONNECTED:
             return bool(self.unconfirmed_stop)
-        is_at_rest = (
-            self.link is ConnectionState.CONNECTED
-            and device.telemetry.serial_controls
-            and not self.is_armed
-            and not self.may_move
-            and not any(device.telemetry.motor_currents or ())  # driven by another program
+        noise = NOISE_COUNTS * device.telemetry.ampere
+        return (
+            self.link is not ConnectionState.CONNECTED
+            or self.is_armed
+            or self.may_move
+            # driven by another program, or by sticks
+            or any(amps > noise for amps in device.telemetry.motor_currents or ())
         )
-        return not is_at_rest
 
     def press_stop(self) -> None:
         self.device.press_stop()
@@ -206,10 +208,9 @@ class TrexController(DeviceController[ConnectionSettings]):
         """Connect again to stop what may still turn: that is the first thing then sent."""
         device = self.device
         if not self.may_move or self._last is None:
-            device.notifier.warn(device.driving.lost_board, ())
+            device.warn(device.driving.lost_board)
             return
-        text = self.tr("Trying to reach the board to stop it …")
-        device.notifier.danger.emit(f"{device.loss_text} {text}")
+        device.warn(self.tr("Trying to reach the board to stop it …"))
         self.connect_to(self.ports.now(self._last) or self._last)
 
     def stop_because(self, reason: str) -> str:

@@ -58,7 +58,7 @@ from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.event_log import EventKind
-from trex_gui.ui.notifier import Notifier, Remedy
+from trex_gui.ui.notifier import Notifier, Remedies, Remedy
 from trex_gui.ui.runtime import now
 from trex_gui.ui.translations import error_text
 
@@ -257,6 +257,11 @@ class Device(QObject):
         """Warning about motors that may be turning without a connection."""
         return f"{turning_text(self.driving.driven)} {self.silence_remedy}"
 
+    def warn(self, cause: str, remedies: Remedies = ()) -> None:
+        """Show the `loss_text` and its cause until a stop is confirmed."""
+        text = f"{self.loss_text} {cause}"
+        self.notifier.warn(text, remedies, lambda: self.may_stop_matter)
+
     @property
     def serial_timeout_s(self) -> float | None:
         """Seconds of silence after which the board stops its motors; 0: never; `None`: unknown."""
@@ -425,7 +430,7 @@ class Device(QObject):
         text = error_text(error)
         self.request_failed.emit(text)
         if self.may_move:
-            self.notifier.warn(f"{self.loss_text} {text}", remedies_for(error))
+            self.warn(text, remedies_for(error))
         else:
             self.notifier.report(text, remedies_for(error))
 
@@ -539,7 +544,7 @@ class Device(QObject):
         self._forget_quality()
         if self.may_move:
             text = self.tr("The board does not respond; the stop is being repeated.")
-            self.notifier.danger.emit(f"{self.loss_text} {text}")
+            self.warn(text)
 
     def _give_up_apply(self, reason: str) -> None:
         """Write nothing, if the snapshot is still being saved."""

@@ -24,6 +24,7 @@ from trex_gui.devices.trex.driving.requests import (
     is_idle,
     setpoints_in,
 )
+from trex_gui.devices.trex.driving.timeout_stop import turning_text
 from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.model.telemetry import Telemetry
@@ -38,7 +39,7 @@ from trex_gui.devices.trex.session.messages import Connected, ReadReason, SendPa
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.files import in_background
-from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.notifier import Notifier, never
 from trex_gui.ui.runtime import new_timer, now
 
 AfterStop = Callable[[StudioError | None], None]
@@ -204,17 +205,20 @@ class DriveController(QObject):
     @Slot()
     def _on_stop_not_sent(self) -> None:
         """Warn that the session does not respond; its guardian, which gets no heartbeat, stops."""
-        in_background(self, partial(logged_stops, 0), self._report_unsent, lambda _error: None)
+        text = self.tr("The connection is not responding, so the stop could not be sent.")
+        parts = [turning_text(self.driven), self.tr("Cut the power."), text]
+        if self._connection.is_guarded:
+            parts.append(self.tr("The guardian process sends it now."))
+        self._notifier.warn(" ".join(parts), lasts=lambda: self.may_move)
+        in_background(self, partial(logged_stops, 0), self._report_guardian, lambda _error: None)
 
-    def _report_unsent(self, found: tuple[int, list[tuple[str, StopResult]]]) -> None:
-        cure = self.tr("If a motor still turns, cut its power.")
+    def _report_guardian(self, found: tuple[int, list[tuple[str, StopResult]]]) -> None:
         _, stops = found
         if any(at >= self._armed_at and how is StopResult.CONFIRMED for at, how in stops[-1:]):
-            cure = self.tr("The guardian process stopped the motors, and the board confirmed it.")
-        elif self._connection.is_guarded:
-            cure = f"{self.tr('The guardian process sends it now.')} {cure}"
-        text = self.tr("The connection is not responding, so the stop could not be sent.")
-        self._notifier.error.emit(f"{text} {cure}")
+            self._notifier.danger_lasts = never
+            self._notifier.info.emit(
+                self.tr("The guardian process stopped the motors, and the board confirmed it.")
+            )
 
     def _on_stopped(self, outcome: Outcome) -> None:
         if outcome.error is None:
@@ -350,7 +354,7 @@ class DriveController(QObject):
                     "one that was driven."
                 )
             text = text.format(_name_of(self._board), _port_of(self._board))
-            self._notifier.error.emit(f"{text} {self.lost_board}")
+            self._notifier.warn(f"{text} {self.lost_board}", lasts=lambda: bool(self._lost))
         lost, settings = self._lost_with, self._connection.settings
         if lost is None or self.may_move or not self._is_connected:
             return

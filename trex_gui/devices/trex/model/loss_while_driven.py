@@ -3,10 +3,13 @@
 from PySide6.QtCore import QObject, Slot
 
 from trex_gui.core.translation import Number
-from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop, TimeoutTrial
+from trex_gui.devices.trex.client.telemetry import LatchedStatus
+from trex_gui.devices.trex.driving.timeout_stop import TimeoutTrial
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.devices.trex.settings.board_records import utc_now
 from trex_gui.ui.notifier import Answer
 from trex_gui.ui.runtime import now
@@ -17,8 +20,10 @@ _MARGIN_S = 1.0  # between the timeout and the moment at which a user sees that 
 class LossWhileDriven(QObject):
     """Reports the confirmed stop, and asks whether the serial timeout had stopped the motor.
 
-    The answer is saved for the board. Only the user can tell: the first thing that the program
-    sends to a board that is back is a stop. A simulated board is not asked about.
+    It asks where the board has latched the timeout, so that neither its power was cut nor a stop
+    had arrived. Only the user can tell, since the first thing that is sent to a board that is back
+    is a stop. The answer is saved for the board, in place of an earlier one. A simulated board is
+    not asked about.
     """
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
@@ -26,16 +31,24 @@ class LossWhileDriven(QObject):
         self._device = device
         self._lost_at: float | None = None
         self._lost_with: ConnectionSettings | None = None
+        self._has_shutdown = False  # when it was lost
+        self._silent_for: float | None = None  # seconds, if that may have stopped the motors
+        self._has_timed_out = False
 
         device.connection.not_responding.connect(self._on_lost)
         device.connection.line_closed.connect(self._on_lost)
         device.driving.confirmed.connect(self._on_confirmed)
         device.connection.ready.connect(self._on_confirmed)  # it may be confirmed before
+        device.sampled.connect(self._on_sampled)
 
     @Slot()
     def _on_lost(self) -> None:
-        if self._device.driving.driven and self._lost_at is None:
-            self._lost_at, self._lost_with = now(), self._device.settings
+        device = self._device
+        if device.driving.driven and self._lost_at is None:
+            self._lost_at, self._lost_with = now(), device.settings
+            shutdown = device.parameters.stored_of(ParameterKey.UART_ERROR_SHUTDOWN)
+            self._has_shutdown, self._silent_for = bool(shutdown), None
+            self._has_timed_out = False
 
     @Slot()
     def _on_confirmed(self) -> None:
@@ -45,22 +58,33 @@ class LossWhileDriven(QObject):
         self._lost_at, lost, here = None, self._lost_with, device.settings
         if lost is None or here is None or lost.url != here.url:
             return  # perhaps another board, of which `driving` warns
+        device.notifier.info.emit(self.tr("The board is back. It has confirmed the stop."))
         seconds = now() - lost_at
-        is_open = device.timeout_stop in {TimeoutStop.DOUBTFUL, TimeoutStop.EXPECTED}
-        waited = seconds > (device.serial_timeout_s or 0) + _MARGIN_S
-        if here.name or not is_open or not waited:
-            device.notifier.info.emit(self.tr("The board is back. It has confirmed the stop."))
+        if not here.name and seconds > (device.serial_timeout_s or 0) + _MARGIN_S:
+            self._silent_for = seconds
+            self._ask()
+
+    @Slot(object)
+    def _on_sampled(self, batch: Batch) -> None:
+        statuses = (one for one in batch.samples if isinstance(one, LatchedStatus))
+        if any(one.uart & UartError.TIMEOUT for one in statuses):
+            self._has_timed_out = True
+            self._ask()
+
+    def _ask(self) -> None:
+        if self._silent_for is None or not self._has_timed_out:
             return
         text = self.tr(
             "The board is back. It has confirmed the stop. For {0:.0f} s it received nothing: did "
             "its Serial Timeout stop the motor meanwhile?"
-        )
-        device.notifier.ask(
-            text.format(Number(seconds)),
+        ).format(Number(self._silent_for))
+        self._silent_for = None
+        self._device.notifier.ask(
+            text,
             Answer("timeoutWorked", self.tr("It stopped"), lambda: self._save(stopped=True)),
             Answer("timeoutFailed", self.tr("It kept turning"), lambda: self._save(stopped=False)),
         )
 
     def _save(self, *, stopped: bool) -> None:
-        shutdown = self._device.parameters.stored_of(ParameterKey.UART_ERROR_SHUTDOWN) == 1
-        self._device.memory.record_trial(TimeoutTrial(stopped, shutdown, utc_now()))
+        trial = TimeoutTrial(stopped, self._has_shutdown, utc_now())
+        self._device.memory.record_trial(trial)

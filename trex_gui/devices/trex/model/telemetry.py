@@ -90,7 +90,7 @@ class Telemetry(QObject):
         self.samples = 0
         self._is_seen = True
         self._text_at = -math.inf
-        self._ampere = 1.0
+        self.ampere = 1.0
         self._motors = motors
 
     @cached_property
@@ -105,7 +105,7 @@ class Telemetry(QObject):
         """Start with an empty history for a board with this current unit (A a count)."""
         self.currents.clear()
         self.inputs.clear()
-        self._ampere = ampere_per_count
+        self.ampere = ampere_per_count
         self.forget()
 
     def forget(self) -> None:
@@ -124,7 +124,7 @@ class Telemetry(QObject):
                 case Remapped(values=values):
                     self.remapped = values
                 case Currents(time=time, counts=(first, second)):
-                    self.motor_currents = first * self._ampere, second * self._ampere
+                    self.motor_currents = first * self.ampere, second * self.ampere
                     setpoints = (self._setpoint(motor) for motor in (1, 2))
                     channels = self.remapped or _UNKNOWN
                     self.currents.append(time, *self.motor_currents, *setpoints, *channels)

@@ -178,15 +178,9 @@ class ActionBar(QWidget):
     @Slot()
     def _on_changed(self) -> None:
         motors, pending = self._device.motors, self._device.draft.pending > 0
-        lost_board = bool(self._device.driving.lost_board)
         fault = recent_fault_text(self._device)
-        alarming = (
-            bool(fault)
-            or motors.armed
-            or self._device.may_move
-            or self._is_beyond_reach
-            or lost_board
-        )
+        may_matter = self._device.may_stop_matter
+        alarming = bool(fault) or motors.armed or may_matter or self._is_beyond_reach
         self._state.show_note(
             " ".join(filter(None, (fault, self._state_text()))),
             alarming=alarming,
@@ -198,8 +192,8 @@ class ActionBar(QWidget):
     @property
     def _is_out_of_reach(self) -> bool:
         """Whether motors may be turning, and no stop can be sent to them."""
-        lost = {ConnectionState.DISCONNECTED, ConnectionState.NOT_RESPONDING}
-        return self._device.may_stop_matter and self._device.link in lost
+        reached = {ConnectionState.CONNECTED, ConnectionState.DISCONNECTING}
+        return self._device.may_stop_matter and self._device.link not in reached
 
     @property
     def _is_beyond_reach(self) -> bool:
@@ -217,9 +211,7 @@ class ActionBar(QWidget):
         if self._device.may_move:
             if self._is_out_of_reach:
                 return self._device.loss_text
-            if link in {ConnectionState.CONNECTED, ConnectionState.DISCONNECTING}:
-                return self.tr("Stopping …")
-            return self.tr("Unknown: motors may still turn. The stop is being repeated.")
+            return self.tr("Stopping …")
         if self._device.driving.lost_board:
             return self.tr("The board driven before may still turn its motors. Cut their power.")
         if self._is_beyond_reach:

@@ -79,7 +79,9 @@ class ArmDialog(QDialog):
 
     @Slot()
     def _on_applied(self) -> None:
-        if self._device.timeout_stop.is_reliable:
+        if not self.isVisible():
+            return
+        if self._device.timeout_stop not in {TimeoutStop.OFF, TimeoutStop.DOUBTFUL}:
             self._device.motors.arm()
             self.close()
         else:

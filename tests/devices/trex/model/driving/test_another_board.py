@@ -30,7 +30,8 @@ class DrivenBoard:
         self.qtbot = qtbot
         self.errors: list[str] = []
         self.controller = new_controller(device)
-        device.notifier.error.connect(self.errors.append)
+        for said in (device.notifier.error, device.notifier.danger):
+            said.connect(self.errors.append)
         self.connect(board.url)
         self.drive(board)
 

@@ -29,7 +29,7 @@ class LostBoard:
     def _on_offered(self, remedies: Remedies) -> None:
         self.answers = {each.name: each for each in remedies if isinstance(each, Answer)}
 
-    def lose(self, *, name: str = "", seconds: float = OUTAGE_S) -> None:
+    def lose(self, *, name: str = "", seconds: float = OUTAGE_S, power: str = "") -> None:
         motors, qtbot = self.device.motors, self.qtbot
         assert isinstance(qtbot, VirtualQtBot)
         settings = ConnectionSettings(self.board.url, name=name)
@@ -40,10 +40,13 @@ class LostBoard:
         qtbot.waitUntil(lambda: self.board.show()["motors"][0]["direction"] == "forward")
         self.board.do("line unplug")
         qtbot.waitUntil(lambda: self.device.link is ConnectionState.DISCONNECTED)
+        if power:
+            self.board.do(power)
         qtbot.runtime.advance(seconds)
         self.board.do("line plug")
         self.device.connect_to(settings)
         qtbot.waitUntil(lambda: bool(self.news))
+        qtbot.runtime.advance(1.0)
 
 
 @pytest.fixture
@@ -66,14 +69,18 @@ def test_answer_about_the_timeout_is_remembered_for_the_board(
     lost.answers[answer].then()
     assert lost.device.timeout_stop is known
 
-    lost.news.clear()
     lost.lose()
-    assert lost.news == ["The board is back. It has confirmed the stop."]
+    lost.answers["timeoutWorked"].then()
+    assert lost.device.timeout_stop is TimeoutStop.TRIED, "the newest answer counts"
 
 
-@pytest.mark.parametrize(("name", "seconds"), [("Demo", OUTAGE_S), ("", 1.0)])
+@pytest.mark.parametrize(
+    ("name", "seconds", "power"),
+    [("Demo", OUTAGE_S, ""), ("", 1.0, ""), ("", OUTAGE_S, "power cycle")],
+    ids=["simulated", "too short", "power was cut"],
+)
 def test_nothing_is_asked_after_an_outage_that_shows_nothing(
-    lost: LostBoard, name: str, seconds: float
+    lost: LostBoard, name: str, seconds: float, power: str
 ) -> None:
-    lost.lose(name=name, seconds=seconds)
+    lost.lose(name=name, seconds=seconds, power=power)
     assert lost.news == ["The board is back. It has confirmed the stop."]
