@@ -42,6 +42,8 @@ def test_window_reconnects_to_the_same_adapter_only(
     window.motors.set_speed(1, 60)
     window.wait(lambda: board.show()["motors"][0]["direction"] == "forward")
     listed.clear()
+    said: list[str] = []
+    window.device.notifier.info.connect(said.append)
     board.do("line unplug")
     window.wait_for_text("bannerText", f"The line to {board.url} is gone.")
     assert window.has("bannerReconnect")
@@ -53,7 +55,8 @@ def test_window_reconnects_to_the_same_adapter_only(
     virtual_time.ports["/dev/ttyUSB1"] = virtual_time.ports[board.url]
     listed.append(adapter("/dev/ttyUSB1", "A500001"))
     window.wait(lambda: device.link is ConnectionState.CONNECTED)
-    window.wait_for_text("bannerText", "1 earlier change still pending.")
+    window.wait_for_text("bannerText", "The board is back. It has confirmed the stop.")
+    assert any(text.startswith("1 earlier change still pending.") for text in said)
     assert not window.motors.armed
     assert window.motors.board.endswith("-0403:6001-A500001"), "its speed ceiling is found again"
     assert board.show()["motors"][0]["direction"] == "brake"

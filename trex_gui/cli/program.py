@@ -11,7 +11,6 @@ from trex_gui import __version__
 from trex_gui.composition import PLUGINS
 from trex_gui.core.command_io import TROUBLE, standard_streams
 from trex_gui.core.plugin import CommandInfo, Lazy
-from trex_gui.core.transport.driven import driven_boards
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
@@ -137,6 +136,8 @@ def main() -> None:
     Data goes to standard output, messages go to standard error. Exit codes: 0 success, 1 failure
     of the device or a file, 2 wrong usage. Of diff and audit: 0 equal, 1 different, 2 failure.
     """
+    from trex_gui.core.transport.driven import driven_boards  # noqa: PLC0415 - not for --help
+
     driven_boards()  # logs those that were left running
 
 

@@ -61,7 +61,8 @@ class MotorsPage(WindowDriver):
     # --- Arm and stop -------------------------------------------------------------------
 
     def arm(self) -> None:
-        """Click Run motor as soon as it is offered."""
+        """Click Run motor as soon as it is offered, on a board that is armed as it is."""
+        self.motors.remember_arming_without_timeout()
         self.wait(self.button("motorsRunButton").isEnabled)
         self.click("motorsRunButton")
         self.wait(self.pad.isEnabled)

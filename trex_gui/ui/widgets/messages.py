@@ -194,7 +194,9 @@ class Banner(_MessageRow):
         self._remove_buttons()
         self._offered = ()
         if self._notifier is not None:
-            self._notifier.shown, self._notifier.shows_problem = text, is_problem
+            # A danger is no reason to connect to nothing: what connects stops the motors.
+            self._notifier.shown = text
+            self._notifier.shows_problem = is_problem and not is_danger
         fill(self, "stop" if is_danger else "")
         ui.set_bold(self._text, is_danger)
         self._dismiss.setAutoRaise(not is_danger)  # its flat text is hardly legible on red

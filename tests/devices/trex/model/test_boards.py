@@ -266,12 +266,12 @@ def test_held_controls_and_answers_are_not_handed_to_the_next_board(make: Make) 
     learning = Learning(device)
     setup = RobotSetup(device, learning)
     pulses = setup.pulses
-    gamepad.switch_on()
 
     def runs(number: int) -> bool:
         return any(motor["direction"] != "brake" for motor in stand.show(number)["motors"])
 
     def hold_gamepad() -> None:
+        gamepad.switch_on()  # for each board anew
         stand.wait(lambda: gamepad.text.startswith("Hold"))
         pads.press(4)
         stand.wait(lambda: gamepad.request.drives)

@@ -500,6 +500,7 @@ def test_unconfirmed_stop_blocks_learning(learning: LearningDialog, fault: str) 
 
     learning.simulator.do("line mute off")
     learning.simulator.do("line noise 0")
+    learning.wait(lambda: not learning.device.may_move)  # the stop that is repeated is confirmed
     learning.wait(lambda: learning.device.link is ConnectionState.CONNECTED)
     learning.click("learnAgainButton")
     learning.wait_for_head("Release every stick")

@@ -48,7 +48,7 @@ class RestartWatch:
         """Note setpoints that are sent, perhaps again."""
         for one in setpoints:
             known, _ = self._running.get(one.motor, (None, now))
-            if isinstance(one, SetMotor) and one != known:
+            if isinstance(one, SetMotor) and one.motor in {1, 2} and one != known:
                 self._drawing.discard(one.motor)
                 self._running[one.motor] = one, math.inf if is_idle(one) else now + _SETTLING
 

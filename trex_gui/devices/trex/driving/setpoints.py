@@ -34,7 +34,7 @@ _CLEAN_STATUSES = 2
 One where a repeat could do harm: setting a speed at once bypasses the current limiter.
 """
 
-_CALM = 1000  # replies without damage after which setpoints are not refreshed any more
+_REFRESHED = 1000  # replies without damage after which setpoints are not refreshed any more
 
 _MOTORS = (1, 2)
 
@@ -262,7 +262,7 @@ class SetpointRefresh:
         self._is_active = self._is_active or armed
         if self._quality.is_quiet:
             self._watch_auxiliary()
-        if self._quality.is_quiet_for(_CALM):
+        if self._quality.is_quiet_for(_REFRESHED):
             return math.inf
         return self._sent_at + interval if self._is_active else math.inf
 

@@ -49,6 +49,7 @@ TOPICS = {
     "reviewDialog": "settings.md#edit-review-apply",
     "settingsEditor": "settings.md#settings-files",
     "setupDialog": "first_steps.md#set-up-the-robot",
+    "armDialog": "safety.md#does-the-serial-timeout-stop-your-motors",
     "wireDialog": "settings.md#limits-that-are-inferred",
 }
 """Topics by object names."""
