@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from PySide6.QtCore import QObject, Qt, QTimer, Signal, Slot
 
 from trex_gui.core.translation import tr
+from trex_gui.core.transport.driven import driven_boards
 from trex_gui.system.signals import SignalWatch
 from trex_gui.ui.notifier import Remedy
 from trex_gui.ui.program import Program
@@ -118,13 +119,13 @@ class SafetySupervisor(QObject):
     def report_unconfirmed_stop(self) -> bool:
         """Write to the console, once the line is closed, if no stop was confirmed.
 
-        The window may be gone. Return whether that is so.
+        The window may be gone. Return whether that is so, or a board was left running before.
         """
         text = self._program.device_manager.unconfirmed_stop
         if text and sys.stderr is not None:  # a program with a window has none on Windows
             sys.stderr.write(f"{text}\n")
             sys.stderr.flush()
-        return bool(text)
+        return bool(text or driven_boards())
 
     def _on_exit(self) -> None:
         """Stop the motors and end: `sys.exit` was called in a slot or an event handler.

@@ -109,8 +109,8 @@
         <translation>Messwerte von {0} in den Datensätzen {1} bis {2} sind verloren: {3}.</translation></message>
     <message><source>The column {0} is computed.</source>
         <translation>Die Spalte {0} ist berechnet.</translation></message>
-    <message><source>The motors of the {0} at {1}, driven since {2}, were left running. They are stopped now, and the board has confirmed that.</source>
-        <translation>Die Motoren des Boards ({0}) an {1}, angesteuert seit {2}, liefen noch. Jetzt sind sie gestoppt, und das Board hat das bestätigt.</translation></message>
+    <message><source>The motors of the {0} at {1}, driven since {2}, were left running. The board that is there now has confirmed a stop. If a motor still turns, cut its power.</source>
+        <translation>Die Motoren des Boards ({0}) an {1}, angesteuert seit {2}, liefen noch. Das Board, das jetzt dort ist, hat einen Stopp bestätigt. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
     <message><source>The motors have to be stopped first.</source>
         <translation>Die Motoren müssen zuerst gestoppt werden.</translation></message>
     <message><source>another line of this program</source>

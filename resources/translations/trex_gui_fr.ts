@@ -109,8 +109,8 @@
         <translation>Des échantillons de {0} parmi les éléments {1} à {2} sont perdus : {3}.</translation></message>
     <message><source>The column {0} is computed.</source>
         <translation>La colonne {0} est calculée.</translation></message>
-    <message><source>The motors of the {0} at {1}, driven since {2}, were left running. They are stopped now, and the board has confirmed that.</source>
-        <translation>Les moteurs de la carte {0} sur {1}, pilotée depuis {2}, étaient restés en marche. Ils sont maintenant arrêtés, et la carte l'a confirmé.</translation></message>
+    <message><source>The motors of the {0} at {1}, driven since {2}, were left running. The board that is there now has confirmed a stop. If a motor still turns, cut its power.</source>
+        <translation>Les moteurs de la carte {0} sur {1}, pilotée depuis {2}, étaient restés en marche. La carte qui s'y trouve maintenant a confirmé un arrêt. Si un moteur tourne encore, coupez son alimentation.</translation></message>
     <message><source>The motors have to be stopped first.</source>
         <translation>Il faut d'abord arrêter les moteurs.</translation></message>
     <message><source>another line of this program</source>

@@ -69,7 +69,7 @@ def test_window_reconnects_to_the_same_adapter_only(
     window.wait(lambda: device.link is ConnectionState.DISCONNECTED)
     board.do("line plug")
     window.wait(lambda: device.link is ConnectionState.CONNECTED)
-    window.wait_for_text("bannerText", "Connected again to /dev/ttyUSB1. No motor was started.")
+    window.wait(lambda: "Connected again to /dev/ttyUSB1. No motor was started." in logged)
 
     # It is listed, and does not work: one attempt, and the next when it was away.
     board.do("line unplug")

@@ -5,13 +5,17 @@ import signal
 import sys
 import threading
 from collections.abc import Iterator
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
+from tests.core.transport.test_driven import left
 from trex_gui.supervisor import (
     ExceptionWatch,
+    SafetySupervisor,
     StopBroadcaster,
     SuspendDetector,
     slept_so_far,
@@ -41,6 +45,14 @@ def test_stop_is_sent_in_calling_thread_and_reported_in_gui(
         assert sent_from, "before the window has heard of it"
     assert sent_from != [threading.get_ident()]
     assert reports.args == ["why"]
+
+
+def test_board_that_is_left_running_counts_as_an_unconfirmed_stop() -> None:
+    manager = SimpleNamespace(unconfirmed_stop="")
+    watching: Any = SimpleNamespace(_program=SimpleNamespace(device_manager=manager))
+    assert not SafetySupervisor.report_unconfirmed_stop(watching)
+    left("/dev/ttyNONE")
+    assert SafetySupervisor.report_unconfirmed_stop(watching)
 
 
 def test_stop_raised_by_a_report_is_sent_but_not_reported(

@@ -1,15 +1,19 @@
 """What the window says at its start of the guardian and of the last run."""
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from pytestqt.qtbot import QtBot
 
+from tests.core.transport.test_driven import left
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
 from trex_gui.core.guardian.log import log_file
-from trex_gui.core.transport.driven import driven_file, driven_note
-from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.files import background
+from trex_gui.ui.last_run import report_last_run, stop_left_running
+from trex_gui.ui.notifier import Notifier
 
 
 @pytest.mark.parametrize(
@@ -60,11 +64,7 @@ def test_board_that_was_left_running_is_reported_first_until_it_is_stopped(
     window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
     url = "/dev/ttyNONE"
-    file = driven_file(url)
-    file.parent.mkdir(parents=True)
-    note = driven_note("TReX 1.2", PortSettings(url, SerialFormat(19200)))
-    stop = "stop: d07f7ff000 84 1 1 0 0.05"
-    file.write_text(f"{note}{stop}\nsince: 2026-11-28 12:00:00\nguardian: 999999\n")
+    file = left(url)
     danger = "Motors may still be turning: no stop of the TReX 1.2 at /dev/ttyNONE"
     window.program.report_last_run(has_crashed=True)
     window.wait_for_text("bannerText", danger)
@@ -77,7 +77,50 @@ def test_board_that_was_left_running_is_reported_first_until_it_is_stopped(
     file.unlink()
     window.click("bannerStop")
     window.wait_for_files()
-    window.program.report_last_run()
+    assert not window.has("bannerText")
+
+
+class Said(list[tuple[str, str]]):
+    """What a notifier without a window says: the kind and the text of each message."""
+
+    def __init__(self, qtbot: QtBot) -> None:
+        self.notifier = Notifier()
+        for kind in ("info", "error", "danger"):
+            getattr(self.notifier, kind).connect(lambda text, kind=kind: self.append((kind, text)))
+        self._qtbot = qtbot
+
+    def after(self, work: Callable[[Notifier], None]) -> list[tuple[str, str]]:
+        self.clear()
+        work(self.notifier)
+        self._qtbot.waitUntil(lambda: not background)
+        return list(self)
+
+
+def test_every_board_that_was_left_running_is_tried_and_said(qtbot: QtBot) -> None:
+    left("/dev/ttyNONE1")
+    left("/dev/ttyNONE2")
+    [(kind, text)] = Said(qtbot).after(stop_left_running)
+    assert kind == "danger"
+    dangers, errors = text.splitlines()[:2], text.splitlines()[2:]
+    for lines, start in ((dangers, "Motors may still be turning"), (errors, "There is no port")):
+        assert [line.startswith(start) for line in lines] == [True, True]
+        assert all(f"/dev/ttyNONE{number}" in "".join(lines) for number in (1, 2))
+
+
+def test_unconfirmed_stop_is_said_beside_a_board_that_runs_and_once_without_it(
+    qtbot: QtBot,
+) -> None:
+    file = left("/dev/ttyNONE")
+    log_file().write_text("2026-11-23 12:03:05 unconfirmed: Text.\n", encoding="utf-8")
+    said = Said(qtbot)
+    for _ in range(2):  # a connection that begins clears the first one
+        [(kind, text)] = said.after(report_last_run)
+        assert kind == "danger"
+        assert text.splitlines()[1].endswith("If a motor still turns, cut its power.")
+    file.unlink()
+    [(kind, text)] = said.after(report_last_run)
+    assert (kind, text.count("\n")) == ("error", 0)
+    assert said.after(report_last_run) == []
 
 
 def test_proper_end_is_not_reported(window: WindowDriver) -> None:

@@ -1,11 +1,12 @@
 """A message at the start: the last run did not end properly, or the guardian stopped motors."""
 
+from functools import partial
 from pathlib import Path
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.guardian.log import StopResult, logged_stops
 from trex_gui.core.translation import tr, tr_noop
-from trex_gui.core.transport.driven import DrivenBoard, driven_boards
+from trex_gui.core.transport.driven import DrivenBoard, driven_boards, port_of
 from trex_gui.core.transport.serial_port import SerialTransport
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier, Remedy
@@ -25,21 +26,21 @@ _STOPS = {
 }
 
 
-def report_last_run(notifier: Notifier, *, has_crashed: bool = False) -> None:
+def report_last_run(notifier: Notifier, errors: str = "", *, has_crashed: bool = False) -> None:
     """Report boards that were left running, stops in the guardian's log, or else a crash.
 
-    Each stop is reported once; it may be one of `trexcmd`. All offer a report for support.
+    Stops, perhaps of `trexcmd`, are said once, or with each board. `errors`: why boards still run.
     """
     store = Preferences()
     seen = store.integer(_SEEN, 0, 0, 2**31 - 1)
 
     def report(found: tuple[int, list[tuple[str, StopResult]], dict[Path, DrivenBoard]]) -> None:
         size, stops, boards = found
-        if store.integer(_SEEN, 0, 0, 2**31 - 1) != seen:
+        if store.integer(_SEEN, 0, 0, 2**31 - 1) != seen and not (boards or errors):
             return  # another call has reported them
-        if size != seen:
+        if size != seen and not boards:
             store.set(_SEEN, size)
-        texts = [board.text() for board in boards.values()]
+        texts = [*(board.text() for board in boards.values()), *errors.splitlines()]
         for result, text in _STOPS.items():
             if times := [time for time, found in stops if found is result]:
                 texts.append(tr(text).format(", ".join(times)))
@@ -50,9 +51,11 @@ def report_last_run(notifier: Notifier, *, has_crashed: bool = False) -> None:
                     "support says where."
                 )
             )
+        notifier.resolved.emit(Remedy.STOP_THEM)
         if texts:
-            is_problem = boards or any(found is StopResult.UNCONFIRMED for _, found in stops)
-            (notifier.error if is_problem else notifier.info).emit("\n".join(texts))
+            is_problem = errors or any(found is StopResult.UNCONFIRMED for _, found in stops)
+            said = notifier.error if is_problem else notifier.info
+            (notifier.danger if boards else said).emit("\n".join(texts))
             notifier.remedies_offered.emit((Remedy.STOP_THEM,) * bool(boards) + (Remedy.REPORT,))
 
     in_background(notifier, lambda: (*logged_stops(seen), driven_boards()), report, lambda _: None)
@@ -61,11 +64,14 @@ def report_last_run(notifier: Notifier, *, has_crashed: bool = False) -> None:
 def stop_left_running(notifier: Notifier) -> None:
     """Open the port of each board that was left running, which stops it, and report the result."""
 
-    def stop() -> None:
-        for board in driven_boards().values():
-            SerialTransport(board.settings).close()
+    def stop() -> str:
+        errors = []
+        for file, board in driven_boards().items():
+            try:
+                SerialTransport(port_of(file, board)).close()
+            except StudioError as error:
+                errors.append(str(error).removeprefix(board.text()).strip())
+        return "\n".join(errors)
 
-    def failed(error: StudioError) -> None:
-        notifier.report(str(error), (Remedy.STOP_THEM,))
-
-    in_background(notifier, stop, lambda _: report_last_run(notifier), failed)
+    report = partial(report_last_run, notifier)
+    in_background(notifier, stop, report, lambda error: report(str(error)))

@@ -293,6 +293,22 @@ def test_silent_board_gets_the_stop_repeated_until_the_session_is_back(ends: End
     assert logged(guardian) is StopResult.REPEATED
 
 
+def test_guardian_whose_write_is_blocked_has_time_to_break_off(
+    ends: Ends, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    guardian = started(ends[0])
+    guardian.has_acted = True
+    waits: list[float] = []
+
+    def wait(seconds: float) -> bool:
+        waits.append(seconds)
+        return True
+
+    monkeypatch.setattr(guardian._ended, "wait", wait)
+    guardian.end()
+    assert waits[0] > process._GIVE_UP_S
+
+
 def test_echo_is_not_taken_for_the_status(ends: Ends) -> None:
     board = Board(ends[1])
     echo = STOP.packets + STOP.query

@@ -3,23 +3,29 @@
 import fcntl
 import logging
 import os
+import queue
 import signal
 import sys
 import time
 from pathlib import Path
 
 import pytest
+import serial
 from serial.tools import list_ports
 from serial.tools.list_ports_common import ListPortInfo
 
 from tests.support.simulator import StartSimulator
-from trex_gui.core.guardian.guardian import GuardianProcess, SharedPort, StopSequence
+from trex_gui.core.errors import PortUnavailable
+from trex_gui.core.guardian.guardian import GuardianProcess, SharedPort, StopSequence, _message
 from trex_gui.core.guardian.log import StopResult, logged_stops
+from trex_gui.core.guardian.process import StopMessage, keep_file
+from trex_gui.core.transport import serial_port
 from trex_gui.core.transport.driven import (
     driven_at,
     driven_boards,
     driven_file,
     driven_note,
+    port_of,
 )
 from trex_gui.core.transport.serial_port import SerialTransport
 from trex_gui.core.transport.settings import Parity, PortSettings, SerialFormat
@@ -42,28 +48,69 @@ def left(url: str, line: SerialFormat = LINE) -> Path:
 def test_board_is_found_at_its_port_only() -> None:
     assert driven_boards() == {}
     left("socket://robot:4000")
-    board = driven_at("socket://robot:4000")
+    board = driven_at(driven_file("socket://robot:4000"))
     assert board is not None
     assert board.settings == PortSettings("socket://robot:4000", LINE)
     stop = bytes.fromhex("d07f7ff000"), b"\x84", 1, 1, False, 0.05
-    assert board.stop == StopSequence(*stop, driven_note("TReX 1.2", board.settings))
-    assert driven_at("socket://robot:4001") is None
+    note = f"{driven_note('TReX 1.2', board.settings)}since: 2026-11-28 12:00:00\n"
+    assert board.stop == StopSequence(*stop, note)
+    assert driven_at(driven_file("socket://robot:4001")) is None
     assert board.text().startswith("Motors may still be turning")
 
 
 def test_adapter_is_found_at_another_port(monkeypatch: pytest.MonkeyPatch) -> None:
-    def plug(device: str) -> None:
+    def plug(device: str, number: str = "A10KX7YZ") -> None:
         port = ListPortInfo(device)
-        port.vid, port.pid, port.serial_number = 0x0403, 0x6001, "A10KX7YZ"
+        port.vid, port.pid, port.serial_number = 0x0403, 0x6001, number
         monkeypatch.setattr(list_ports, "comports", lambda: [port])
 
     plug("/dev/ttyUSB0")
-    left("/dev/ttyUSB0")
+    file = left("/dev/ttyUSB0")
     plug("/dev/ttyUSB1")
-    board = driven_at("/dev/ttyUSB1")
+    board = driven_at(driven_file("/dev/ttyUSB1"))
     assert board is not None
     assert board.settings.url == "/dev/ttyUSB0"
-    assert driven_at("/dev/ttyUSB0") is None
+    assert driven_at(driven_file("/dev/ttyUSB0")) is None
+    assert port_of(file, board) == PortSettings("/dev/ttyUSB1", LINE)
+    plug("/dev/ttyUSB0", "another")
+    with pytest.raises(PortUnavailable, match=r"ttyUSB0 is gone\. Plug it in"):
+        port_of(file, board)
+
+
+@pytest.mark.filterwarnings("ignore::ResourceWarning")  # the process ends with its file open
+def test_later_attempt_to_stop_keeps_the_time_since_which_the_board_was_driven() -> None:
+    file = left("/dev/ttyUSB0")
+    found = driven_boards()
+    notes: queue.Queue[bytes | None] = queue.Queue()
+    notes.put(StopMessage(_message(found[file].stop).split()[1:]).note)
+    notes.put(None)
+    keep_file(str(file), notes, lambda: None)
+    assert driven_boards() == found
+    assert file.read_text().count("since: ") == 1
+
+
+def test_port_that_fails_at_the_stop_is_closed_and_said_to_be_left_running(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def fail(_line: SerialTransport, _data: bytes) -> None:
+        raise PortUnavailable("It is gone.")
+
+    left("loop://")
+    monkeypatch.setattr(SerialTransport, "write", fail)
+    port = serial.serial_for_url("loop://")
+    monkeypatch.setattr(serial_port, "_open", lambda *_: port)
+    with pytest.raises(PortUnavailable, match=r"^Motors may still be turning.* It is gone\.$"):
+        SerialTransport(PortSettings("loop://"))
+    assert not port.is_open
+
+
+def test_guardian_that_replaces_another_one_asks_for_no_ports(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    transport = SerialTransport(PortSettings("loop://"))
+    monkeypatch.delattr(serial_port, "driven_file")
+    transport.start_guardian(60.0)
+    transport.close()
 
 
 def test_board_of_a_living_program_was_not_left() -> None:
@@ -108,7 +155,7 @@ def test_opening_a_port_stops_the_board_that_was_left_running_there(
         transport.close()
     assert not file.exists()
     assert logged_stops(0)[1][-1][1] is StopResult.CONFIRMED
-    assert "They are stopped now" in caplog.records[-1].getMessage()
+    assert "The board that is there now has confirmed a stop." in caplog.records[-1].getMessage()
 
 
 @pytest.mark.realtime

@@ -21,7 +21,7 @@ log = logging.getLogger(__name__)
 HEARTBEAT_INTERVAL = 0.1
 """Longest time in seconds between two heartbeats while motors may be moving."""
 
-_ENDING_S, _BREAKING_OFF_S = 0.5, 2.0  # seconds to end, and to end while it stops the motors
+_ENDING_S, _BREAKING_OFF_S = 0.5, 6.0  # seconds to end, and to end while a stop blocks for 5
 _MOST_UNREAD, _UNREAD_S = 3, 0.25
 """Messages that a suspended process leaves unread, for so many seconds; it counts as lost."""
 
@@ -181,7 +181,7 @@ class GuardianProcess:
         return self._is_confirmed
 
     def _send(self, message: str) -> bool:
-        """Send a message; return whether that was possible. Kill nothing."""
+        """Send a message and return whether that was possible. Kill nothing."""
         process = self._process
         with self._writing:
             if process is None or process.stdin is None or self._ended.is_set():

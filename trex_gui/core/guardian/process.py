@@ -248,7 +248,7 @@ class StopMessage:
 def keep_file(path: str, notes: "queue.Queue[bytes | None]", written: Callable[[], object]) -> None:
     """Write each note into a locked file. An empty note removes it, and `None` is the end.
 
-    Runs in a thread of its own: a slow disk delays no stop. What fails is tried again.
+    Runs in a thread: a slow disk delays no stop. What fails is repeated. A note may have `since`.
     """
     file: FileIO | None = None
     last = b""
@@ -262,7 +262,7 @@ def keep_file(path: str, notes: "queue.Queue[bytes | None]", written: Callable[[
                     fcntl.flock(opened, fcntl.LOCK_EX)
                 file, since = opened, time.strftime("since: %Y-%m-%d %H:%M:%S\n")
             if file is not None and note != last:
-                end = f"{since}guardian: {os.getpid()}\n".encode()
+                end = f"{'' if b'since: ' in note else since}guardian: {os.getpid()}\n".encode()
                 file.seek(0)
                 file.truncate(file.write(note and note + end))
                 last = note

@@ -16,22 +16,23 @@ from typing import NamedTuple
 
 from serial.tools import list_ports
 
-from trex_gui.core.errors import PortFault
+from trex_gui.core.errors import PortFault, PortUnavailable
 from trex_gui.core.files import data_folder, open_ordinary
 from trex_gui.core.guardian.guardian import StopSequence
+from trex_gui.core.guardian.process import StopMessage
 from trex_gui.core.run_file import is_locked
 from trex_gui.core.translation import tr, tr_noop
 from trex_gui.core.transport.adapters import Adapter
 from trex_gui.core.transport.settings import Parity, PortSettings, SerialFormat
 
 _STOPPED = tr_noop(
-    "The motors of the {0} at {1}, driven since {2}, were left running. They are stopped now, and "
-    "the board has confirmed that."
+    "The motors of the {0} at {1}, driven since {2}, were left running. The board that is there "
+    "now has confirmed a stop. If a motor still turns, cut its power."
 )
 
 
 class DrivenBoard(NamedTuple):
-    """Contents of a file; `since` is local time as text."""
+    """Contents of a file. `since` is local time as text."""
 
     board: str
     settings: PortSettings
@@ -66,21 +67,28 @@ def driven_boards() -> dict[Path, DrivenBoard]:
     return boards
 
 
-def driven_at(url: str) -> DrivenBoard | None:
-    """Return the board that was left running at this port or its adapter; the caller stops it."""
+def driven_at(file: Path) -> DrivenBoard | None:
+    """Return the board that was left running at the port of this file. The caller stops it."""
     boards = driven_boards()
-    file = driven_file(url) if boards else Path()
     _woken.pop(file, None)
     return boards.get(file)
 
 
 def driven_file(url: str) -> Path:
-    """Return the file of a port; that of an adapter is the same at every port."""
-    key = url if "://" in url else os.path.realpath(url)
+    """Return the file of a port. That of an adapter is the same at every port."""
+    key = url if "://" in url else os.path.realpath(url.replace("\0", ""))  # no name has that
     for port in () if "://" in url else list_ports.comports():
         if os.path.realpath(port.device) == key and (adapter := Adapter.of(port)) is not None:
             key = adapter.key
     return data_folder() / "driven" / f"{re.sub(r'[^A-Za-z0-9.]+', '-', key)[-100:]}.txt"
+
+
+def port_of(file: Path, board: DrivenBoard) -> PortSettings:
+    """Return how the board of a file is reached. Its adapter may have another name now."""
+    for url in (board.settings.url, *(port.device for port in list_ports.comports())):
+        if driven_file(url) == file:
+            return PortSettings(url, board.settings.line)
+    raise PortUnavailable(tr(PortFault.GONE.value).format(board.settings.url), is_missing=True)
 
 
 def _find(found: dict[Path, DrivenBoard]) -> None:
@@ -88,14 +96,12 @@ def _find(found: dict[Path, DrivenBoard]) -> None:
         with suppress(OSError, ValueError):
             with open_ordinary(path) as file:
                 lines = file.read(4096).decode(errors="replace").splitlines()
-            name, url, line, stop, since, number = (line.partition(": ")[2] for line in lines)
+            name, number, line, url, since, stop = (one.partition(": ")[2] for one in sorted(lines))
             baud, parity, stop_bits = line.split()
             settings = PortSettings(url, SerialFormat(int(baud), Parity(parity), int(stop_bits)))
-            packets, query, *rest = stop.split()
-            size, mask, echo, seconds = map(float, rest)
-            both, note = (bytes.fromhex(packets), bytes.fromhex(query)), driven_note(name, settings)
-            sequence = StopSequence(*both, int(size), int(mask), bool(echo), seconds, note)
-            board = DrivenBoard(name, settings, sequence, since)
+            note = f"{driven_note(name, settings)}since: {since}\n"
+            sequence = vars(StopMessage([*stop.split(), ""])) | {"note": note}
+            board = DrivenBoard(name, settings, StopSequence(**sequence), since)
             if not is_locked(path):
                 found[path] = board
             elif all(

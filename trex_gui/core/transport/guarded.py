@@ -100,7 +100,7 @@ class GuardedTransport:
             self._beat_at = now
 
     def _replace_lost_guardian(self, sequence: StopSequence | None) -> None:
-        """Start another guardian at once; without one in time let the motors be stopped."""
+        """Start another guardian at once. Without one in time let the motors be stopped."""
         if self._guardian.is_ready:
             self._was_ready, self._ready_by = True, None
         elif self._was_ready and self._ready_by is None:

@@ -146,24 +146,27 @@ class _Rfc2217Port(rfc2217.Serial):
 
 class SerialTransport:
     def __init__(self, settings: PortSettings, clock: Callable[[], float] = time.monotonic) -> None:
-        self._url = settings.url
-        self._name = settings.label
+        self._url, self._name = settings.url, settings.label
         self.clock = clock
-        left = driven_at(settings.url)  # first: it wakes a guardian that has the port
-        try:
-            self._port = _open(settings, clock)
-        except PortUnavailable as error:
-            if left is not None:  # danger first
-                error.args = (f"{left.text()} {error}",)
-            raise
-        log.debug("opened %s", settings.text())
         self._guardian: GuardianProcess | None = None
         self.latency = latency_of(settings.url)
         # The rate behind a plain network port is set at its other end.
         self.is_configurable = not settings.url.startswith("socket://")
-        if left is not None:
-            self._stop(left)
-            self.reconfigure(settings.line)
+        file = driven_file(settings.url)
+        self._file = file if self._name == self._url else None  # not the demo's
+        left = driven_at(file)  # first: it wakes a guardian that has the port
+        try:
+            self._port = _open(settings, clock)
+            log.debug("opened %s", settings.text())
+            if left is not None:
+                self._stop(left)
+                self.reconfigure(settings.line)
+        except PortUnavailable as error:
+            with contextlib.suppress(AttributeError):  # it was not opened
+                self.close()
+            if left is not None:  # danger first
+                error.args = (f"{left.text()} {error}",)
+            raise
 
     def _stop(self, left: DrivenBoard) -> None:
         """Stop the motors that another program has left running, and let a guardian confirm it."""
@@ -244,8 +247,7 @@ class SerialTransport:
             time.sleep(seconds)
 
     def start_guardian(self, silence: float) -> Guardian:
-        file = driven_file(self._url) if self._name == self._url else None  # not the demo's
-        self._guardian = GuardianProcess(_shared(self._port), silence, file)
+        self._guardian = GuardianProcess(_shared(self._port), silence, self._file)
         if isinstance(self._port, _Rfc2217Port):
             self._port.guardian = self._guardian
         return self._guardian
