@@ -186,3 +186,10 @@ def test_missing_value_is_shown_as_not_given(table: ComparisonTable) -> None:
     table.show_comparison(compare(BEFORE, little), "Now", "File")
     assert index(table, "motor_mode", ComparisonColumn.AFTER).data() == "not given"
     assert ticked(table) == {"serial_timeout"}
+
+
+def test_markup_is_shown_as_it_is_written(table: ComparisonTable) -> None:
+    table.set_outcomes({"serial_timeout": "no <b>reply</b>"})
+    cell = index(table, "serial_timeout", ComparisonColumn.OUTCOME)
+    assert cell.data() == "no <b>reply</b>"
+    assert "&lt;b&gt;" in cell.data(Qt.ItemDataRole.ToolTipRole)
