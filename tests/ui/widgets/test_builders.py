@@ -48,6 +48,24 @@ def test_spin_box_reads_no_separator_as_that_of_thousands(qtbot: QtBot, language
         assert box.text() == f"{expected} = 0.7 °/s", "what is read is what is shown"
 
 
+@pytest.mark.parametrize("language", ["en", "de"])
+def test_point_and_comma_separate_decimals_in_every_language(qtbot: QtBot, language: str) -> None:
+    page = QWidget()
+    qtbot.addWidget(page)
+    box = builders.double_spin_box(page, "box", "Box", 0.5, 5000, decimals=2, suffix=" A")
+    box.setLocale(QLocale(language))
+    for typed, expected in (("2,4", 2.4), ("3.6", 3.6), ("4,", 4), ("1500", 1500)):
+        box.selectAll()
+        QTest.keyClicks(box, typed)
+        QTest.keyClick(box, Qt.Key.Key_Return)
+        assert box.value() == expected
+    for pasted in ("1,500", "1.500", "1.000,5", "0.25", "0,25"):  # the last are too low
+        box.selectAll()
+        box.lineEdit().insert(pasted)
+        QTest.keyClick(box, Qt.Key.Key_Return)
+        assert box.value() == 1500
+
+
 @pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
 def test_list_of_combo_box_has_the_background_of_lists(qtbot: QtBot, qapp: QApplication) -> None:
     theme().install(qapp)

@@ -1,10 +1,11 @@
 """Functions that create a named widget with its usual properties, and layouts from their items."""
 
+import re
 from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from itertools import pairwise
 from math import inf
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from PySide6.QtCore import QEvent, QLocale, QObject, SignalInstance
 from PySide6.QtGui import (
@@ -359,6 +360,13 @@ def spin_box(
     return made
 
 
+class DecimalSpinBox(QDoubleSpinBox):
+    """Takes a point and a comma for the decimal separator, and neither for that of thousands."""
+
+    def validate(self, text: str, position: int) -> Any:
+        return super().validate(re.sub("[.,]", self.locale().decimalPoint(), text), position)
+
+
 def double_spin_box(
     parent: QWidget,
     name: str,
@@ -373,7 +381,7 @@ def double_spin_box(
     on_change: Handler | None = None,
 ) -> QDoubleSpinBox:
     """Create what `spin_box` does, for numbers with decimals; it shows `lowest`."""
-    made = named(QDoubleSpinBox(parent), name, accessible=accessible, tip=tip)
+    made = named(DecimalSpinBox(parent), name, accessible=accessible, tip=tip)
     made.setDecimals(decimals)
     made.setRange(lowest, highest)
     made.setSingleStep(step)
