@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QCheckBox, QDialog, QLineEdit, QPushButton
+from PySide6.QtWidgets import QCheckBox, QDialog, QLineEdit, QPushButton, QSpinBox
 
 from tests.support.program import trex
 from tests.support.window import WindowDriver
@@ -88,6 +88,11 @@ def test_other_devices_on_the_line_require_an_address(window: WindowDriver) -> N
     assert field.text() == "0, 30"
     assert dialog.find(QCheckBox, "addressedBox").isChecked()
     assert not dialog.is_enabled("addressedBox")
+    dialog.find(QSpinBox, "deviceNumberField").setValue(30)
+    QTest.keyClick(dialog.root, Qt.Key.Key_Return)
+    assert dialog.text("lineClash") == "The board needs a number that no other device has."
+    assert not controller.settings.reserved
+    dialog.find(QSpinBox, "deviceNumberField").setValue(7)
     QTest.keyClick(dialog.root, Qt.Key.Key_Return)
     window.wait(lambda: not window.has("lineSettingsDialog"))
     assert controller.settings.reserved == {0, 30}

@@ -235,8 +235,9 @@ class DeviceScanner(QObject):
         }
         if not is_demo:
             settings = PortSettings(port.url, timeouts=self._timeouts)
-            is_shared = SHARED in self.line[1] and not self._only_recall
-            reach = self.line if is_shared else (port.device, port.settings)
+            known = port.device, port.settings
+            is_other = self._only_recall and (port.device != self.line[0] or SHARED in known[1])
+            reach = self.line if SHARED in self.line[1] and not is_other else known
             return ScanJob(settings, probers, *reach)
         simulator = self._simulators[port.device]
         settings = PortSettings(simulator.url, name=simulator.label, timeouts=self._timeouts)

@@ -67,6 +67,49 @@ def test_search_keeps_to_a_line_that_other_devices_share(
         assert sent == bytes.fromhex("80 07 01")
         assert "Other devices share the line" in scanner.findings[0].text
         sent.clear()
+        scanner.start([ports.now(port) or port], only_recall=True)  # found by a compact packet
+        until(partial(scanner_is_idle, scanner))
+        assert sent == bytes.fromhex("80 07 01")
+        sent.clear()
+
+
+def test_numbers_of_other_devices_outlast_the_choice_of_a_port(
+    connector: TrexController, ports: Ports
+) -> None:
+    reserved = frozenset({0, 7})
+    shared = ConnectionSettings("", LineSettings(57600), 9, reserved=reserved)
+    connector.set_settings(shared)
+    for name, number, expected in (
+        ("/dev/ttyA", None, shared),  # a compact packet would reach the others
+        ("/dev/ttyB", 7, shared),  # so would this number
+        ("/dev/ttyC", 8, ConnectionSettings("", device_number=8, reserved=reserved)),
+    ):
+        port = ports.add_typed(name)
+        ports.lead_to(port, "trex", ConnectionSettings("", device_number=number).packed)
+        connector.choose(ports.now(port) or port)
+        assert connector.settings == expected
+
+
+def test_stored_number_of_another_device_opens_no_port(
+    connector: TrexController,
+    quick_simulator: SimulatedDevice,
+    device: Device,
+    ports: Ports,
+    until: Until,
+) -> None:
+    assert isinstance(quick_simulator, VirtualSimulator)
+    sent = bytearray()
+    quick_simulator.on_write = sent.extend
+    shared = ConnectionSettings("", LineSettings(57600), 7, reserved=frozenset({7}))
+    connector.set_settings(shared)
+    controller = new_controller(device, ports)
+    assert controller.settings == shared
+    failures: list[str] = []
+    device.notifier.error.connect(failures.append)
+    controller.connect_to(ports.add_typed(quick_simulator.url))
+    until(lambda: bool(failures))
+    assert failures == ["The board needs a number that no other device has."]
+    assert not sent
 
 
 @pytest.mark.parametrize(

@@ -103,7 +103,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         self.connect_to(port)
 
     def take_packed(self, settings: str) -> None:
-        with suppress(BadRequest):  # whoever has edited the file gets those in use
+        with suppress(BadRequest):  # an edited file, or a packet for others: those in use stay
             self.set_settings(self.settings.unpacked(settings))
 
     @Slot()
@@ -136,17 +136,17 @@ class TrexController(DeviceController[ConnectionSettings]):
         number = store.integer(_NUMBER, -1, -1, 127)
         polynomial = store.integer(_POLYNOMIAL, self._default.polynomial, 0, 255)
         try:
-            settings = replace(
+            return replace(
                 self._default,
                 line=LineSettings.from_wire(wire),
                 device_number=None if number < 0 else number,
                 polynomial=check_polynomial(polynomial),
-                reserved=numbers_in(store.text(_RESERVED)),
+                reserved=numbers_in(
+                    store.text(_RESERVED)
+                ),  # with that of the board no port is opened
             )
-            _ = settings.framing
         except ValueError:
             return self._default
-        return settings
 
     @property
     def quality(self) -> LineQuality:

@@ -49,9 +49,9 @@ class ConnectionSettings(PortSettings):
         return f"{reach} {self.polynomial:02X}{shared}"
 
     def unpacked(self, text: str) -> "ConnectionSettings":
-        """Return these settings with what `packed` has returned; BadRequest for another text."""
+        """Return what was packed, or BadRequest. These `reserved` numbers stay if it has none."""
         try:
-            reach, _, reserved = text.partition(SHARED)
+            reach, is_shared, reserved = text.partition(SHARED)
             baud, detection, stop_bits, number, polynomial = reach.split(" ")
             line = LineSettings(int(baud), Detection[detection], int(stop_bits))
             is_possible = line.baud in baud_rates() and line.stop_bits in {1, 2}
@@ -60,7 +60,7 @@ class ConnectionSettings(PortSettings):
                 line=line,
                 device_number=None if int(number) == -1 else int(number),
                 polynomial=check_polynomial(int(polynomial, 16)),
-                reserved=numbers_in(reserved),
+                reserved=numbers_in(reserved) if is_shared else self.reserved,
             )
             _ = settings.framing
         except (KeyError, ValueError) as error:

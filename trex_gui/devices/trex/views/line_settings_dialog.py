@@ -6,11 +6,13 @@ from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtGui import QRegularExpressionValidator
 from PySide6.QtWidgets import QDialogButtonBox, QFormLayout, QLineEdit, QWidget
 
+from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings, numbers_in
 from trex_gui.devices.trex.protocol.line_settings import Detection
 from trex_gui.devices.trex.views.pages.parameters.editors import LineSettingsEditor
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
+from trex_gui.ui.widgets.labels import Note
 
 _NUMBERS = r"((\d|[1-9]\d|1[01]\d|12[0-7])(, *|$))*"  # 0 to 127
 
@@ -66,7 +68,8 @@ class LineSettingsDialog(ReusedDialog):
         form.addRow(self._addressed)
         form.addRow(self.tr("&Device number:"), self._number)
         form.addRow(self.tr("Nu&mbers of other devices:"), self._reserved)
-        ui.column(intro, form, 1, buttons, into=self)
+        self._clash = ui.named(Note(0, self), "lineClash")
+        ui.column(intro, form, self._clash, 1, buttons, into=self)
 
         self._line.valueChanged.connect(self._on_changed)
         self._addressed.toggled.connect(self._on_changed)
@@ -99,6 +102,11 @@ class LineSettingsDialog(ReusedDialog):
             device_number=self._number.value() if self._addressed.isChecked() else None,
             reserved=numbers_in(self._reserved.text()),
         )
+        try:
+            _ = settings.framing
+        except BadRequest as error:
+            self._clash.show_note(str(error), alarming=True)
+            return
         self.chosen.emit(settings)
         self.accept()
 
