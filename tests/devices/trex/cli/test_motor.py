@@ -4,6 +4,7 @@ import signal
 import subprocess
 import sys
 from collections.abc import Sequence
+from dataclasses import replace
 
 import pytest
 
@@ -15,6 +16,10 @@ from tests.support.virtual_time import VirtualRuntime
 from trex_gui.core.transport.guarded import GuardedTransport
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings
+from trex_gui.devices.trex.driving.timeout_stop import TimeoutTrial
+from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.settings.board_records import BoardRecords, utc_now
+from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 
 
 def run_motor(
@@ -152,11 +157,34 @@ def test_motor_command_warns_of_a_timeout_that_may_not_stop(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     run = ("motor", "1", "5", "--seconds", "0.01")
-    assert "Serial Timeout is off" in trexcmd(*run).stderr
-    quick_simulator.do("eeprom serial_timeout 5")
     quick_simulator.do("eeprom uart_error_shutdown 0")
     quick_simulator.do("power cycle")
-    assert "UART-Error Shutdown is off (twin), so the motor may keep" in trexcmd(*run).stderr
+    errors = trexcmd(*run).stderr
+    assert "Serial Timeout is off" in errors
+    shutdown = "`trexcmd set uart_error_shutdown on`."
+    assert f'Remedy: `trexcmd set serial_timeout "0.5 s"` and {shutdown}' in errors
+    quick_simulator.do("eeprom serial_timeout 5")
+    quick_simulator.do("power cycle")
+    errors = trexcmd(*run).stderr
+    assert "UART-Error Shutdown is off (twin), so the motor may keep" in errors
+    assert f"Remedy: {shutdown}" in errors
+
+
+def test_motor_command_trusts_no_timeout_that_has_failed(
+    trexcmd: RunCommand, start: StartCommand, quick_simulator: SimulatedDevice
+) -> None:
+    assert trexcmd("set", "serial_timeout", "0.5 s").exit_code == 0
+    records, board = BoardRecords(), BoardIdentity(device_table().model("trex"), "1.2", 7)
+    record = records.load(board)
+    assert record is not None
+    trial = TimeoutTrial(stopped=False, shutdown=True, time=utc_now())
+    records.save(board, replace(record, trial=trial))
+    command = run_motor_1(start, quick_simulator)
+    quick_simulator.do("line unplug")
+    _, errors = command.communicate()
+    assert "Serial Timeout did not stop the motors of this board when it was tried" in errors
+    assert "Remedy" not in errors
+    assert "Motor 1 may still be turning. Cut the power." in errors
 
 
 def test_motor_command_feeds_short_serial_timeout(

@@ -20,6 +20,7 @@ from trex_gui.core.host import host
 from trex_gui.core.session import Close, Closed, Outcome
 from trex_gui.core.transport.linux_ports import holder_of
 from trex_gui.core.transport.serial_port import Transport
+from trex_gui.devices.trex.cli.changes import remembered
 from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
 from trex_gui.devices.trex.client.reading import DeviceState, query
 from trex_gui.devices.trex.client.telemetry import Control, LatchedStatus, StatusReader
@@ -37,6 +38,7 @@ from trex_gui.devices.trex.driving.requests import (
     packets,
 )
 from trex_gui.devices.trex.driving.timeout_stop import (
+    TimeoutStop,
     remedy_for_silence,
     timeout_stop,
     turning_text,
@@ -59,6 +61,7 @@ from trex_gui.devices.trex.session.messages import (
     SendPacket,
 )
 from trex_gui.devices.trex.session.session import TrexSession
+from trex_gui.devices.trex.settings.document import settings_of
 
 _SLICE = 0.02  # longest wait in seconds without a look at signals
 
@@ -112,6 +115,11 @@ def run_motors(
 STOP_ID = 0
 """Number of the stop at the end; orders have others."""
 
+_CAUSES = {
+    TimeoutStop.OFF: "Serial Timeout is off",
+    TimeoutStop.DOUBTFUL: "UART-Error Shutdown is off (twin)",
+    TimeoutStop.FAILED: "Serial Timeout did not stop the motors of this board when it was tried",
+}
 _UNCONFIRMED = "The stop is not confirmed. If a motor still turns, cut its power."
 
 
@@ -186,6 +194,7 @@ class _Run:
         self._transport = transport
         self._requests: deque[Request] = deque()
         self._state: DeviceState | None = None
+        self._silence = TimeoutStop.OFF
         self._now = 0.0
         self._end = math.inf
         self._heartbeat_at = math.inf
@@ -277,16 +286,17 @@ class _Run:
             return
         if joint and any(isinstance(one, SetMotor) and one.motor == 2 for one in self._orders):
             say("Warning: in joint mode both drivers work as motor 1; motor 2 is ignored.")
-        if not timeout_stop(state.parameters).is_reliable:
+        self._silence = timeout_stop(state.parameters, remembered(settings_of(state)).trial)
+        if not self._silence.is_reliable:
             program = "" if self._is_guarded else ", and also if this program is killed"
-            verb, cause = ("keeps", "Serial Timeout is off")
-            command = 'trexcmd set serial_timeout "0.5 s"'
-            if state.serial_timeout:
-                verb, cause = ("may keep", "UART-Error Shutdown is off (twin)")
-                command = "trexcmd set uart_error_shutdown on"
+            verb = "may keep" if self._silence is TimeoutStop.DOUBTFUL else "keeps"
+            is_on = state.parameters.get(ParameterKey.UART_ERROR_SHUTDOWN)
+            shutdown = "" if is_on else "`trexcmd set uart_error_shutdown on`"
+            timeout = "" if state.serial_timeout else '`trexcmd set serial_timeout "0.5 s"`'
+            remedy = " and ".join(filter(None, (timeout, shutdown)))
             say(
-                f"Warning: {cause}, so the motor {verb} running if the cable or this computer "
-                f"fails{program}. `{command}` switches it on."
+                f"Warning: {_CAUSES[self._silence]}, so the motor {verb} running if the cable or "
+                f"this computer fails{program}.{remedy and f' Remedy: {remedy}.'}"
             )
 
     def _take_status(self, latched: LatchedStatus) -> None:
@@ -316,8 +326,7 @@ class _Run:
             text, state = str(error), self._state
             if self._is_running and isinstance(error, PortUnavailable) and state is not None:
                 motors = {one.motor for one in self._orders if not isinstance(one, SendPacket)}
-                timeout = f"{state.serial_timeout:g} s"
-                remedy = remedy_for_silence(timeout_stop(state.parameters), timeout)
+                remedy = remedy_for_silence(self._silence, f"{state.serial_timeout:g} s")
                 text = f"{turning_text(motors)} {remedy} {text}"
             raise CommandFailed(text) from error
         if self._is_running:
