@@ -1309,8 +1309,8 @@
         <translation>Prüflauf von Motor {0}: {1}</translation></message>
     <message><source>Motor {0} drew {1:.2f} A, more than the abort current of {2:g} A.</source>
         <translation>Motor {0} nahm {1:.2f} A auf, mehr als den Abbruchstrom von {2:g} A.</translation></message>
-    <message><source>The board's serial timeout stopped the motors.</source>
-        <translation>Das serielle Timeout des Boards hat die Motoren gestoppt.</translation></message>
+    <message><source>The board received nothing within its Serial Timeout.</source>
+        <translation>Das Board hat innerhalb seines seriellen Timeouts nichts empfangen.</translation></message>
     <message><source>The driver of motor {0} reported a fault.</source>
         <translation>Der Treiber von Motor {0} hat einen Fehler gemeldet.</translation></message>
     <message><source>No current was read for {0:g} s.</source>
@@ -1461,14 +1461,14 @@
         <translation>wird gemessen …</translation></message>
     <message><source>good: {0:.1f} % of the requests of the last {1:.0f} s answered</source>
         <translation>gut: {0:.1f} % der Anfragen der letzten {1:.0f} s beantwortet</translation></message>
-    <message><source>Trying to reach the board to stop it …</source>
-        <translation>Es wird versucht, das Board zu erreichen, um es zu stoppen …</translation></message>
     <message><source>{0}. The stop is not confirmed: {1} If a motor still turns, cut its power.</source>
         <translation>{0}. Der Stopp ist nicht bestätigt: {1} Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
     <message><source>{0}. No board is connected that could be stopped, and motors may still turn: cut their power.</source>
         <translation>{0}. Es ist kein Board verbunden, das sich stoppen ließe, und die Motoren können sich noch drehen: Trennen Sie die Motorversorgung.</translation></message>
     <message><source>{0}: noisy; shorten cable, check ground</source>
         <translation>{0}: gestört; Kabel kürzen, Masse prüfen</translation></message>
+    <message><source>Trying to reach the board to stop it …</source>
+        <translation>Es wird versucht, das Board zu erreichen, um es zu stoppen …</translation></message>
     <message><source>Line: good</source>
         <translation>Leitung: gut</translation></message>
     <message><source>{0:.1f} % lost</source>
@@ -1519,8 +1519,6 @@
         <translation>Die Leitung ist wieder gut</translation></message>
     <message><source>Reading again failed. {0}</source>
         <translation>Erneutes Lesen fehlgeschlagen. {0}</translation></message>
-    <message><source>If a motor still turns, cut its power.</source>
-        <translation>Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
     <message><source>The connection is not responding, so the stop could not be sent.</source>
         <translation>Die Verbindung reagiert nicht, daher konnte der Stopp nicht gesendet werden.</translation></message>
     <message><source>No stop is known to have reached the {0} that was driven at {1}: another board responded. If its motor still turns, cut its power.</source>
@@ -1529,14 +1527,16 @@
         <translation>Das Board hat innerhalb seines seriellen Timeouts nichts empfangen, daher wurden die Motoren gestoppt.</translation></message>
     <message><source>The board stopped its motors because of an error on the line ({0}): UART-Error Shutdown is set.</source>
         <translation>Das Board hat seine Motoren wegen eines Fehlers auf der Leitung ({0}) gestoppt: „Abschaltung bei UART-Fehlern“ ist eingestellt.</translation></message>
-    <message><source>The guardian process stopped the motors, and the board confirmed it.</source>
-        <translation>Der Wächterprozess hat die Motoren gestoppt, und das Board hat das bestätigt.</translation></message>
     <message><source>Another board responds now: {0}, at {1}.</source>
         <translation>Jetzt antwortet ein anderes Board: {0}, an {1}.</translation></message>
     <message><source>The line to {0} was lost before a stop was confirmed. The board at this port has confirmed one; if it is another board, cut the power of the first.</source>
         <translation>Die Leitung zu {0} brach ab, bevor ein Stopp bestätigt war. Das Board an diesem Port hat einen bestätigt; falls es ein anderes Board ist, trennen Sie die Motorversorgung des ersten.</translation></message>
     <message><source>The connection is not responding.</source>
         <translation>Die Verbindung reagiert nicht.</translation></message>
+    <message><source>The guardian process sends it now.</source>
+        <translation>Der Wächterprozess sendet ihn jetzt.</translation></message>
+    <message><source>The guardian process stopped the motors, and the board confirmed it.</source>
+        <translation>Der Wächterprozess hat die Motoren gestoppt, und das Board hat das bestätigt.</translation></message>
     <message><source>{0} The motors were stopped. Press Run motor to continue.</source>
         <translation>{0} Die Motoren wurden gestoppt. Klicken Sie auf „Motor freigeben“, um fortzufahren.</translation></message>
     <message><source>{0} A stop was sent but is not confirmed yet.</source>
@@ -1549,8 +1549,6 @@
         <translation>Serielle Befehle erreichen die Motoren nicht mehr.</translation></message>
     <message><source>A setting of the board changed, so the motors were stopped.</source>
         <translation>Eine Einstellung des Boards hat sich geändert, daher wurden die Motoren gestoppt.</translation></message>
-    <message><source>The guardian process sends it now.</source>
-        <translation>Der Wächterprozess sendet ihn jetzt.</translation></message>
     <message><source>The board was restarted, so the motors were stopped.</source>
         <translation>Das Board wurde neu gestartet, daher wurden die Motoren gestoppt.</translation></message>
     <message><source>{0} Doubtful: the line is noisy and has no CRC.</source>
@@ -1913,10 +1911,10 @@
         <translation>Nur „aus“ wurde gesehen. Stellen Sie den Schalter in die andere Stellung.</translation></message>
     <message><source>Full output reached. Release it: at rest the output must be 0, but it is {0}.</source>
         <translation>Voller Ausgang erreicht. Lassen Sie ihn los: In Ruhe muss der Ausgang 0 sein, er ist aber {0}.</translation></message>
-    <message><source>The board is back. It has confirmed the stop. For {0:.0f} s it received nothing: did its Serial Timeout stop the motor meanwhile?</source>
-        <translation>Das Board ist wieder da. Es hat den Stopp bestätigt. {0:.0f} s lang hat es nichts empfangen: Hat sein serielles Timeout den Motor inzwischen gestoppt?</translation></message>
     <message><source>The board is back. It has confirmed the stop.</source>
         <translation>Das Board ist wieder da. Es hat den Stopp bestätigt.</translation></message>
+    <message><source>The board is back. It has confirmed the stop. For {0:.0f} s it received nothing: did its Serial Timeout stop the motor meanwhile?</source>
+        <translation>Das Board ist wieder da. Es hat den Stopp bestätigt. {0:.0f} s lang hat es nichts empfangen: Hat sein serielles Timeout den Motor inzwischen gestoppt?</translation></message>
     <message><source>It stopped</source>
         <translation>Er hat gestoppt</translation></message>
     <message><source>It kept turning</source>
@@ -2773,8 +2771,8 @@
         <translation>Es gibt nicht angewendete Änderungen.</translation></message>
     <message><source>&amp;Apply settings</source>
         <translation>Einstellungen an&amp;wenden</translation></message>
-    <message><source>Unknown: motors may still turn. The stop is being repeated.</source>
-        <translation>Unbekannt: Die Motoren können sich noch drehen. Der Stopp wird wiederholt.</translation></message>
+    <message><source>Stopping …</source>
+        <translation>Wird gestoppt …</translation></message>
     <message><source>The board driven before may still turn its motors. Cut their power.</source>
         <translation>Die Motoren des zuvor angesteuerten Boards können sich noch drehen. Trennen Sie dessen Motorversorgung.</translation></message>
     <message><source>Channels control the motors: Stop does not affect them.</source>
@@ -2789,8 +2787,6 @@
         <translation>Die geänderten Parameter ins Board schreiben (Strg+Enter)</translation></message>
     <message><source>Armed. Drive them on the Motors page.</source>
         <translation>Freigegeben. Gefahren wird auf der Seite „Motoren“.</translation></message>
-    <message><source>Stopping …</source>
-        <translation>Wird gestoppt …</translation></message>
     <message><source>Write &amp;{0} s</source>
         <translation>&amp;{0} s schreiben</translation></message>
     <message><source>Write a serial timeout of {0} s</source>
@@ -3423,8 +3419,8 @@
         <translation>5 Vorrang</translation></message>
     <message><source>A weak battery sags when the motors start, and the board resets</source>
         <translation>Eine schwache Batterie bricht ein, wenn die Motoren anlaufen, und das Board startet neu</translation></message>
-    <message><source>Unplugged, the port disappears and motors keep running unless Serial Timeout is set</source>
-        <translation>Abgezogen verschwindet der Port, und die Motoren laufen weiter, wenn kein serielles Timeout gesetzt ist</translation></message>
+    <message><source>Unplugged, the port is gone: Serial Timeout and UART-Error Shutdown should stop motors</source>
+        <translation>Abgezogen verschwindet der Port: Serielles Timeout und „Abschaltung bei UART-Fehlern“ sollten die Motoren stoppen</translation></message>
     <message><source>The wire from SO is broken: the board executes commands, no reply arrives</source>
         <translation>Die Leitung von SO ist unterbrochen: Das Board führt Befehle aus, keine Antwort kommt an</translation></message>
     <message><source>This share of the bytes is corrupted in either direction; CRC detects them</source>

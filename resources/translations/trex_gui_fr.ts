@@ -1309,8 +1309,8 @@
         <translation>Essai au banc du moteur {0} : {1}</translation></message>
     <message><source>Motor {0} drew {1:.2f} A, more than the abort current of {2:g} A.</source>
         <translation>Le moteur {0} a consommé {1:.2f} A, plus que le courant d'interruption de {2:g} A.</translation></message>
-    <message><source>The board's serial timeout stopped the motors.</source>
-        <translation>Le délai série de la carte a arrêté les moteurs.</translation></message>
+    <message><source>The board received nothing within its Serial Timeout.</source>
+        <translation>La carte n'a rien reçu pendant son « Délai série ».</translation></message>
     <message><source>The driver of motor {0} reported a fault.</source>
         <translation>Le driver du moteur {0} a signalé un défaut.</translation></message>
     <message><source>No current was read for {0:g} s.</source>
@@ -1461,14 +1461,14 @@
         <translation>mesure en cours …</translation></message>
     <message><source>good: {0:.1f} % of the requests of the last {1:.0f} s answered</source>
         <translation>bonne : {0:.1f} % des requêtes des {1:.0f} dernières secondes ont reçu une réponse</translation></message>
-    <message><source>Trying to reach the board to stop it …</source>
-        <translation>Tentative de joindre la carte pour l'arrêter …</translation></message>
     <message><source>{0}. The stop is not confirmed: {1} If a motor still turns, cut its power.</source>
         <translation>{0}. L'arrêt n'est pas confirmé : {1} Si un moteur tourne encore, coupez son alimentation.</translation></message>
     <message><source>{0}. No board is connected that could be stopped, and motors may still turn: cut their power.</source>
         <translation>{0}. Aucune carte n'est connectée qui puisse être arrêtée, et les moteurs peuvent encore tourner : coupez leur alimentation.</translation></message>
     <message><source>{0}: noisy; shorten cable, check ground</source>
         <translation>{0} : bruitée ; raccourcir le câble, vérifier la masse</translation></message>
+    <message><source>Trying to reach the board to stop it …</source>
+        <translation>Tentative de joindre la carte pour l'arrêter …</translation></message>
     <message><source>Line: good</source>
         <translation>Liaison : bonne</translation></message>
     <message><source>{0:.1f} % lost</source>
@@ -1519,8 +1519,6 @@
         <translation>La liaison est de nouveau bonne</translation></message>
     <message><source>Reading again failed. {0}</source>
         <translation>La relecture a échoué. {0}</translation></message>
-    <message><source>If a motor still turns, cut its power.</source>
-        <translation>Si un moteur tourne encore, coupez son alimentation.</translation></message>
     <message><source>The connection is not responding, so the stop could not be sent.</source>
         <translation>La connexion ne répond pas ; l'ordre d'arrêt n'a donc pas pu être envoyé.</translation></message>
     <message><source>No stop is known to have reached the {0} that was driven at {1}: another board responded. If its motor still turns, cut its power.</source>
@@ -1529,14 +1527,16 @@
         <translation>La carte n'a rien reçu pendant son « Délai série » ; les moteurs ont donc été arrêtés.</translation></message>
     <message><source>The board stopped its motors because of an error on the line ({0}): UART-Error Shutdown is set.</source>
         <translation>La carte a arrêté ses moteurs à cause d'une erreur sur la liaison ({0}) : « Arrêt sur erreur UART » est activé.</translation></message>
-    <message><source>The guardian process stopped the motors, and the board confirmed it.</source>
-        <translation>Le processus gardien a arrêté les moteurs et la carte l'a confirmé.</translation></message>
     <message><source>Another board responds now: {0}, at {1}.</source>
         <translation>Une autre carte répond maintenant : {0}, sur {1}.</translation></message>
     <message><source>The line to {0} was lost before a stop was confirmed. The board at this port has confirmed one; if it is another board, cut the power of the first.</source>
         <translation>La liaison avec {0} a été perdue avant la confirmation d'un arrêt. La carte de ce port en a confirmé un ; si c'est une autre carte, coupez l'alimentation de la première.</translation></message>
     <message><source>The connection is not responding.</source>
         <translation>La connexion ne répond pas.</translation></message>
+    <message><source>The guardian process sends it now.</source>
+        <translation>Le processus gardien l'envoie maintenant.</translation></message>
+    <message><source>The guardian process stopped the motors, and the board confirmed it.</source>
+        <translation>Le processus gardien a arrêté les moteurs et la carte l'a confirmé.</translation></message>
     <message><source>{0} The motors were stopped. Press Run motor to continue.</source>
         <translation>{0} Les moteurs ont été arrêtés. Cliquez sur « Activer les moteurs » pour continuer.</translation></message>
     <message><source>{0} A stop was sent but is not confirmed yet.</source>
@@ -1549,8 +1549,6 @@
         <translation>Les commandes série n'atteignent plus les moteurs.</translation></message>
     <message><source>A setting of the board changed, so the motors were stopped.</source>
         <translation>Un réglage de la carte a changé ; les moteurs ont donc été arrêtés.</translation></message>
-    <message><source>The guardian process sends it now.</source>
-        <translation>Le processus gardien l'envoie maintenant.</translation></message>
     <message><source>The board was restarted, so the motors were stopped.</source>
         <translation>La carte a été redémarrée ; les moteurs ont donc été arrêtés.</translation></message>
     <message><source>{0} Doubtful: the line is noisy and has no CRC.</source>
@@ -1913,10 +1911,10 @@
         <translation>Seule la position inactive a été vue. Mettez l'interrupteur dans son autre position.</translation></message>
     <message><source>Full output reached. Release it: at rest the output must be 0, but it is {0}.</source>
         <translation>Sortie maximale atteinte. Relâchez : au repos, la sortie doit être 0, mais elle est {0}.</translation></message>
-    <message><source>The board is back. It has confirmed the stop. For {0:.0f} s it received nothing: did its Serial Timeout stop the motor meanwhile?</source>
-        <translation>La carte est de retour. Elle a confirmé l'arrêt. Pendant {0:.0f} s, elle n'a rien reçu : son « Délai série » a-t-il arrêté le moteur entre-temps ?</translation></message>
     <message><source>The board is back. It has confirmed the stop.</source>
         <translation>La carte est de retour. Elle a confirmé l'arrêt.</translation></message>
+    <message><source>The board is back. It has confirmed the stop. For {0:.0f} s it received nothing: did its Serial Timeout stop the motor meanwhile?</source>
+        <translation>La carte est de retour. Elle a confirmé l'arrêt. Pendant {0:.0f} s, elle n'a rien reçu : son « Délai série » a-t-il arrêté le moteur entre-temps ?</translation></message>
     <message><source>It stopped</source>
         <translation>Il s'est arrêté</translation></message>
     <message><source>It kept turning</source>
@@ -2773,8 +2771,8 @@
         <translation>Il y a des modifications non appliquées.</translation></message>
     <message><source>&amp;Apply settings</source>
         <translation>Appli&amp;quer les réglages</translation></message>
-    <message><source>Unknown: motors may still turn. The stop is being repeated.</source>
-        <translation>Inconnu : les moteurs tournent peut-être encore. L'ordre d'arrêt est répété.</translation></message>
+    <message><source>Stopping …</source>
+        <translation>Arrêt en cours …</translation></message>
     <message><source>The board driven before may still turn its motors. Cut their power.</source>
         <translation>Les moteurs de la carte pilotée auparavant tournent peut-être encore. Coupez leur alimentation.</translation></message>
     <message><source>Channels control the motors: Stop does not affect them.</source>
@@ -2789,8 +2787,6 @@
         <translation>Écrire les paramètres modifiés dans la carte (Ctrl+Entrée)</translation></message>
     <message><source>Armed. Drive them on the Motors page.</source>
         <translation>Moteurs activés. Pilotez-les sur la page Moteurs.</translation></message>
-    <message><source>Stopping …</source>
-        <translation>Arrêt en cours …</translation></message>
     <message><source>Write &amp;{0} s</source>
         <translation>Écrire &amp;{0} s</translation></message>
     <message><source>Write a serial timeout of {0} s</source>
@@ -3423,8 +3419,8 @@
         <translation>5 priorité</translation></message>
     <message><source>A weak battery sags when the motors start, and the board resets</source>
         <translation>La tension d'une batterie faible chute au démarrage des moteurs, et la carte redémarre</translation></message>
-    <message><source>Unplugged, the port disappears and motors keep running unless Serial Timeout is set</source>
-        <translation>Débranché, le port disparaît et les moteurs continuent de tourner sauf si « Délai série » est réglé</translation></message>
+    <message><source>Unplugged, the port is gone: Serial Timeout and UART-Error Shutdown should stop motors</source>
+        <translation>Débranché, le port disparaît : « Délai série » et « Arrêt sur erreur UART » devraient arrêter les moteurs</translation></message>
     <message><source>The wire from SO is broken: the board executes commands, no reply arrives</source>
         <translation>Le fil de SO est coupé : la carte exécute les commandes, aucune réponse n'arrive</translation></message>
     <message><source>This share of the bytes is corrupted in either direction; CRC detects them</source>

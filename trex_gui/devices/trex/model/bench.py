@@ -237,7 +237,7 @@ class Bench(QObject):
         if sample.status & MOTOR_FAULTS[motor]:
             self.abort(self.tr("The driver of motor {0} reported a fault.").format(motor))
         elif sample.uart & UartError.TIMEOUT:
-            self.abort(self.tr("The board's serial timeout stopped the motors."))
+            self.abort(self.tr("The board received nothing within its Serial Timeout."))
         elif self._ends_at_limit and sample.status & OVER_LIMITS[motor]:
             self.abort(self.tr("Motor {0} exceeded its current limit.").format(motor))
 

@@ -142,19 +142,17 @@ def _new_line(link: ConnectionSettings, settings: Settings) -> str:
 
 def _warning(settings: Settings) -> str:
     spec = settings.specs[ParameterKey.SERIAL_TIMEOUT]
+    shutdown = settings.specs[ParameterKey.UART_ERROR_SHUTDOWN]
     wire = settings.parameters.get(spec.key)
     goes_on = "Motors keep running when the program that started them ends or crashes"
     if wire is None:
-        return f"{goes_on}, unless {spec.name} is set on the board."
+        return f"{goes_on}, unless {spec.name} and {shutdown.name} (twin) are set on the board."
     where = f"{spec.name} (parameter {hexadecimal(spec.number)})"
+    switch = f"{shutdown.name} (parameter {hexadecimal(shutdown.number)}; twin)"
     if wire == 0:
-        return f"{goes_on}: these settings switch {where} off. Set it to have them stopped."
-    shutdown = settings.specs[ParameterKey.UART_ERROR_SHUTDOWN]
+        return f"{goes_on}: these settings switch {where} off. It and {switch} should stop them."
     if not settings.parameters.get(shutdown.key):
-        return (
-            f"{goes_on}, perhaps also with {where} at {spec.text(wire)}: that may need "
-            f"{shutdown.name} (parameter {hexadecimal(shutdown.number)}; twin)."
-        )
+        return f"{goes_on}, perhaps also with {where} at {spec.text(wire)}: it may need {switch}."
     return (
         f"With these settings motors should stop when the board has heard nothing for "
         f"{spec.text(wire)}: {where}. Without it they would keep running when a program ends or "

@@ -420,7 +420,7 @@ def _add_motor_row(number: int, board: DemoBoard, rows: BoardRows) -> None:
 def _cable_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRows:
     texts = CableTexts(
         plugged=tr(
-            "Unplugged, the port disappears and motors keep running unless Serial Timeout is set"
+            "Unplugged, the port is gone: Serial Timeout and UART-Error Shutdown should stop motors"
         ),
         mute=tr("The wire from SO is broken: the board executes commands, no reply arrives"),
         noise=tr("This share of the bytes is corrupted in either direction; CRC detects them"),

@@ -185,9 +185,11 @@ def test_header_names_board_and_warns_of_running_motors(language: Language) -> N
     assert f"Written by TReX Studio {__version__} for a TReX Jr with firmware 1.2" in head()
     assert "mode jumper" in head()
     assert "keep running" in head()
-    assert "unless Serial Timeout is set on the board" in head()
-    assert "switch Serial Timeout (parameter 0x07) off" in head(serial_timeout=0)
-    assert "may need UART-Error Shutdown" in head(serial_timeout=15, uart_error_shutdown=0)
+    assert "unless Serial Timeout and UART-Error Shutdown (twin) are set on the board" in head()
+    off = head(serial_timeout=0)
+    assert "switch Serial Timeout (parameter 0x07) off" in off
+    assert "UART-Error Shutdown (parameter 0x08; twin) should stop them" in off
+    assert "it may need UART-Error Shutdown" in head(serial_timeout=15, uart_error_shutdown=0)
     assert "heard nothing for 1.5 s" in head(serial_timeout=15, uart_error_shutdown=1)
 
 
