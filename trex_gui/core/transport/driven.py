@@ -92,7 +92,10 @@ def port_of(file: Path, board: DrivenBoard) -> PortSettings:
 
 
 def _find(found: dict[Path, DrivenBoard]) -> None:
-    for path in (data_folder() / "driven").glob("*.txt"):
+    paths: list[Path] = []
+    with suppress(OSError):  # the name of the data folder may be too long
+        paths += (data_folder() / "driven").glob("*.txt")
+    for path in paths:
         with suppress(OSError, ValueError):
             with open_ordinary(path) as file:
                 lines = file.read(4096).decode(errors="replace").splitlines()
