@@ -22,8 +22,7 @@ if TYPE_CHECKING:
 
 log = logging.getLogger(__name__)
 
-_FIRST_PAINT_MS = 100
-"""Milliseconds in which the window is painted for the first time."""
+_FIRST_PAINT_MS = 100  # milliseconds in which the window is painted for the first time
 
 
 def _seconds(text: str) -> float:

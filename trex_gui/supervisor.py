@@ -27,11 +27,9 @@ log = logging.getLogger(__name__)
 UNCONFIRMED_STOP = 1
 """Exit code if motors may still turn: they were driven and no stop was confirmed."""
 
-INTERNAL_ERROR = 1
-"""Exit code if the interpreter ends while the event loop runs."""
+INTERNAL_ERROR = 1  # exit code if the interpreter ends while the event loop runs
 
-_AGAIN_S = 1.0
-"""Seconds within which the same internal error is caused by reporting the first."""
+_AGAIN_S = 1.0  # seconds within which the same internal error is caused by reporting the first
 
 _INTERVAL_MS = 500
 _LEAST_S = 1.0

@@ -6,8 +6,7 @@ import re
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr, with_decimal_point
 
-DECIMAL = r"[-+]?(?:\d+(?:[.,]\d*)?|[.,]\d+)"
-"""Pattern of a number that `decimal` reads."""
+DECIMAL = r"[-+]?(?:\d+(?:[.,]\d*)?|[.,]\d+)"  # pattern of a number that `decimal` reads
 
 _QUANTITY = re.compile(rf"\s*({DECIMAL})\s*(.*?)\s*")
 _PREFIXES = {"µ": 1e-6, "μ": 1e-6, "u": 1e-6, "m": 1e-3, "k": 1e3, "": 1.0}

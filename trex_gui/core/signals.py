@@ -24,8 +24,7 @@ ENDING = (
 Left out are those of faults (SIGSEGV), whose handlers must not run Python, and those that Python
 ignores (SIGPIPE)."""
 
-SUSPENDING = "SIGTSTP"
-"""Ctrl-Z: the program is suspended, and motors must not turn meanwhile."""
+SUSPENDING = "SIGTSTP"  # Ctrl-Z: the program is suspended, and motors must not turn meanwhile
 
 FROM_TERMINAL = ("SIGTTIN", "SIGTTOU")
 """Signals for reading from or writing to a terminal in the background.

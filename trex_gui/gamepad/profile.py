@@ -14,8 +14,7 @@ REST = 0.05
 Inferred: sticks settle within a few hundredths of where they were.
 """
 
-FAR = 0.5
-"""How far an axis must move, of its way to an end, to be the one that the user means."""
+FAR = 0.5  # how far an axis must move, of its way to an end, to be the one that the user means
 
 
 def shape(value: float, dead_zone: float, expo: float) -> float:
@@ -32,8 +31,7 @@ def shape(value: float, dead_zone: float, expo: float) -> float:
 
 
 class Style(Enum):
-    MIXED = "mixed"
-    """One axis is forward, the other turns."""
+    MIXED = "mixed"  # one axis is forward, the other turns
     TANK = "tank"
     """Each axis drives one motor, as the levers of a tank: the first the left one, motor 1."""
 
@@ -143,13 +141,10 @@ def _part(found: object, most: float) -> float:
 class Waits(Enum):
     """What a gamepad has to do before it drives."""
 
-    REST = auto()
-    """A stick was not at rest yet."""
-    RELEASE = auto()
-    """The button that is to be held was down all along."""
+    REST = auto()  # a stick was not at rest yet
+    RELEASE = auto()  # the button that is to be held was down all along
     HOLD = auto()
-    MOVE = auto()
-    """No button need be held: a stick has to leave its middle."""
+    MOVE = auto()  # no button need be held: a stick has to leave its middle
     NOTHING = auto()
 
 

@@ -13,16 +13,12 @@ from trex_gui.core.transport.settings import PortSettings
 class Remedy(Enum):
     """What a button in a message does."""
 
-    FIND = auto()
-    """Look for a board whose line settings are unknown."""
-    RECONNECT = auto()
-    """Connect again to the port that was used last."""
+    FIND = auto()  # look for a board whose line settings are unknown
+    RECONNECT = auto()  # connect again to the port that was used last
     PLUG_IN = auto()
     """The same, where the port is missing: the message is over as soon as it is plugged in."""
-    SET_UP_CRC = auto()
-    """Let the board detect errors on the line."""
-    CHECK_BOARD = auto()
-    """Show what to look at on a board that does not respond."""
+    SET_UP_CRC = auto()  # let the board detect errors on the line
+    CHECK_BOARD = auto()  # show what to look at on a board that does not respond
     STOP_THEM = auto()
     """Stop the motors that another program has left running: the message is shown until then."""
     REPORT = auto()

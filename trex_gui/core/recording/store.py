@@ -54,8 +54,7 @@ _NOT_READ = tr_noop("It cannot be read: {0}.")
 _DAMAGED = tr_noop("It is damaged: {0}.")
 _ENDED = "ended_utc_s"
 
-_Content = tuple[str, bool]
-"""SQL type of a column, and whether it may be NULL."""
+_Content = tuple[str, bool]  # SQL type of a column, and whether it may be NULL
 
 ExportRow = tuple[float, int, tuple[Value, ...]]
 """Time from the start (s), index of the kind, values of its exported columns."""

@@ -9,8 +9,7 @@ from trex_gui.core.translation import tr
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import SerialFormat
 
-_READY_S = 1.0
-"""Seconds to wait for the guardian to be ready, which takes some hundredths."""
+_READY_S = 1.0  # seconds to wait for the guardian to be ready, which takes some hundredths
 
 _REPLACED_S = 0.4
 """Seconds in which a lost guardian is replaced; or else the next heartbeat stops the motors."""

@@ -15,8 +15,7 @@ from trex_gui.core.translation import tr
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
-SEARCH = "search: "
-"""Begins the meaning of what a search for devices sent."""
+SEARCH = "search: "  # begins the meaning of what a search for devices sent
 
 _MOST_EVENTS = 50_000  # kept for a late reader: at 1,000 a second, nearly a minute
 

@@ -26,8 +26,7 @@ _LAST_PROBES = 5
 """How often the default settings are probed after everything else, the other likely ones once: a
 line may have swallowed a reply, or several. On a silent line that takes two seconds more."""
 
-NUMBERS = 128
-"""Device numbers that a board can have, from 0 on."""
+NUMBERS = 128  # device numbers that a board can have, from 0 on
 
 _QIK = frozenset({b"1", b"2"})
 """Replies of a Pololu qik, for which 81 asks for its firmware version.
@@ -35,8 +34,7 @@ _QIK = frozenset({b"1", b"2"})
 Ref: qik 2s9v1 User's Guide 5.a, qik 2s12v10 User's Guide 5.b.
 """
 
-_SHOWN = 12
-"""Longest excerpt, in bytes, of an unknown reply."""
+_SHOWN = 12  # longest excerpt, in bytes, of an unknown reply
 
 
 def attempts(*, full: bool = False) -> Iterator[Attempt]:

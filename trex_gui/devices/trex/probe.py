@@ -36,8 +36,7 @@ motor; 81 4E likewise."""
 _PROBE = GetSignature().opcode.to_bytes()
 _NAME = b"TReX"
 
-_LOADER = b"?"
-"""What a board that waits for new firmware sends behind the echo of each byte."""
+_LOADER = b"?"  # what a board that waits for new firmware sends behind the echo of each byte
 
 
 def checksum(polynomial: int) -> int:

@@ -40,8 +40,7 @@ from trex_gui.ui.widgets.placement import resize_with_font
 _RESIZED_MS = 150
 _SPACE = 14  # pixels above headings
 _TOPIC = Qt.ItemDataRole.UserRole
-_WHOLE = "whole"
-"""Fragment of the address of a picture that is shown in full size."""
+_WHOLE = "whole"  # fragment of the address of a picture that is shown in full size
 
 _SHOWN = {".md", ".png", ".py"}
 """Files that the help shows itself: a desktop may run a program instead."""

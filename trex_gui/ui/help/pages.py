@@ -7,8 +7,7 @@ from functools import cache
 
 from trex_gui.core.resource_files import resource
 
-INDEX = "README.md"
-"""The page that lists the others in their order."""
+INDEX = "README.md"  # the page that lists the others in their order
 
 _LEAST_OF_MESSAGE = 12
 """Characters of a heading that is looked for in what was typed: shorter ones are common words."""

@@ -21,8 +21,7 @@ from trex_gui.ui.theme.focus_frame import FocusFrame
 Scheme = Literal["system", "light", "dark", "high_contrast"]
 SCHEMES: tuple[Scheme, ...] = ("system", "light", "dark", "high_contrast")
 
-FONT_SIZES = (90, 100, 110, 125, 150, 175)
-"""Percent of the system's font size."""
+FONT_SIZES = (90, 100, 110, 125, 150, 175)  # percent of the system's font size
 
 _SCHEME, _FONT_SIZE = "window/scheme", "window/font_size"
 

@@ -112,8 +112,7 @@ def run_motors(
     run.conclude()
 
 
-STOP_ID = 0
-"""Number of the stop at the end; orders have others."""
+STOP_ID = 0  # number of the stop at the end; orders have others
 
 _CAUSES = {
     TimeoutStop.OFF: "Serial Timeout is off",

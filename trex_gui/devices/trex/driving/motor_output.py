@@ -38,25 +38,18 @@ STOP_RETRY_INTERVAL = 0.25  # seconds after which an unconfirmed stop is sent ag
 class Arming(Enum):
     """Which motor commands pass."""
 
-    INITIAL = auto()
-    """All; the motors were neither armed nor stopped yet."""
-    ARMED = auto()
-    """All, as long as heartbeats come."""
-    DISARMED = auto()
-    """No setpoints, but single commands."""
-    LOCKED_OUT = auto()
-    """None, for a time or until the motors are armed."""
-    UNREACHABLE = auto()
-    """None, and arming has no effect: the board does not respond."""
+    INITIAL = auto()  # all; the motors were neither armed nor stopped yet
+    ARMED = auto()  # all, as long as heartbeats come
+    DISARMED = auto()  # no setpoints, but single commands
+    LOCKED_OUT = auto()  # none, for a time or until the motors are armed
+    UNREACHABLE = auto()  # none, and arming has no effect: the board does not respond
 
 
 class Motion(Enum):
     """Whether a motor may be moving."""
 
-    STOPPED = auto()
-    """No motor was driven since the last confirmed stop."""
-    DRIVEN = auto()
-    """A motor may be moving as commanded."""
+    STOPPED = auto()  # no motor was driven since the last confirmed stop
+    DRIVEN = auto()  # a motor may be moving as commanded
     STOP_UNCONFIRMED = auto()
     """A motor may be moving although a stop was sent; the stop is repeated."""
 
@@ -71,18 +64,15 @@ class OutputEvent(Enum):
     SETPOINT_SENT = auto()
     DIRECT_COMMAND_SENT = auto()
     STOP_CONFIRMED = auto()
-    STOP_CLEAN_BUT_NOISY = auto()
-    """Clean statuses followed the stop, but the line damages bytes."""
+    STOP_CLEAN_BUT_NOISY = auto()  # clean statuses followed the stop, but the line damages bytes
     STOP_NOT_ANSWERED = auto()
 
 
 class Action(Enum):
     START_WATCHDOG = auto()
     EXTEND_LOCKOUT = auto()
-    DROP_SETPOINTS = auto()
-    """Drop those that are queued, unconfirmed or refreshed."""
-    FAIL_NOISY_STOPS = auto()
-    """Report the stops that wait for a quiet line as unconfirmed."""
+    DROP_SETPOINTS = auto()  # drop those that are queued, unconfirmed or refreshed
+    FAIL_NOISY_STOPS = auto()  # report the stops that wait for a quiet line as unconfirmed
 
 
 _ARM = (Action.START_WATCHDOG,)

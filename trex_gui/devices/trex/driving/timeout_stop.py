@@ -20,16 +20,11 @@ _TIMEOUT, _SHUTDOWN = ParameterKey.SERIAL_TIMEOUT, ParameterKey.UART_ERROR_SHUTD
 class TimeoutStop(Enum):
     """Expected effect of a silent line on the motors."""
 
-    OFF = auto()
-    """The serial timeout is off: they keep turning."""
-    DOUBTFUL = auto()
-    """UART-Error Shutdown is off: they may keep turning."""
-    EXPECTED = auto()
-    """Both are set: they should stop."""
-    TRIED = auto()
-    """They stopped when the cable was pulled."""
-    FAILED = auto()
-    """They did not stop when the cable was pulled."""
+    OFF = auto()  # the serial timeout is off: they keep turning
+    DOUBTFUL = auto()  # UART-Error Shutdown is off: they may keep turning
+    EXPECTED = auto()  # both are set: they should stop
+    TRIED = auto()  # they stopped when the cable was pulled
+    FAILED = auto()  # they did not stop when the cable was pulled
 
     @property
     def is_reliable(self) -> bool:

@@ -27,10 +27,8 @@ class BoardStep(Enum):
     REVIEWED = auto()
     WRITING = auto()
     WRITTEN = auto()
-    FAILED = auto()
-    """Not read, not written, or not verified; see `BoardPlan.problem`."""
-    SKIPPED = auto()
-    """It was not its turn any more when an error or the user ended the work."""
+    FAILED = auto()  # not read, not written, or not verified; see `BoardPlan.problem`
+    SKIPPED = auto()  # it was not its turn any more when an error or the user ended the work
 
 
 _UNFINISHED = {BoardStep.WAITING, BoardStep.READING, BoardStep.WRITING}

@@ -35,8 +35,7 @@ class Presence(Enum):
     SILENT = auto()
     UNREADABLE = auto()
     """Something replies that cannot be read: several boards may have this number."""
-    UNKNOWN = auto()
-    """It was not asked since the line was opened; it was there before."""
+    UNKNOWN = auto()  # it was not asked since the line was opened; it was there before
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +48,7 @@ class LineBoard:
 
 
 Done = Callable[[StudioError | None], None]
-"""Gets `None`, or why another board was not selected."""
+Done = Callable[[StudioError | None], None]  # gets `None`, or why another board was not selected
 
 
 class BoardList(QObject):

@@ -83,8 +83,7 @@ def pwm_keys(key: str) -> tuple[str, ...]:
     return (key,)
 
 
-FULL_SPEED_S = 12.7
-"""Seconds to full speed (127) at one speed step in 100 ms."""
+FULL_SPEED_S = 12.7  # seconds to full speed (127) at one speed step in 100 ms
 
 _FASTEST = 127  # the highest wire value of an acceleration
 

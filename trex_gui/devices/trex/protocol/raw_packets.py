@@ -19,8 +19,7 @@ from trex_gui.devices.trex.protocol.framing import (
     PacketParser,
 )
 
-MOST_BYTES = 256
-"""Bytes that are sent at once; the longest packet has 14."""
+MOST_BYTES = 256  # bytes that are sent at once; the longest packet has 14
 
 _MOTOR_OPCODES = frozenset(opcode for opcode, cls in COMMANDS.items() if cls.moves)
 

@@ -121,11 +121,9 @@ class ReadReason(Enum):
     OPENED = auto()
     RETURNED = auto()
     RESTARTED = auto()
-    SETTING_CHANGED = auto()
-    """The board was restarted, or another program wrote to it."""
+    SETTING_CHANGED = auto()  # the board was restarted, or another program wrote to it
     RELOADED = auto()
-    SELECTED = auto()
-    """Another board on the line is addressed from now on."""
+    SELECTED = auto()  # another board on the line is addressed from now on
 
     @property
     def power_cycled(self) -> bool:

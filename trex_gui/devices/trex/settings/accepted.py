@@ -12,8 +12,7 @@ from trex_gui.devices.trex.protocol.device_table import HIGHEST_WIRE
 
 log = logging.getLogger(__name__)
 
-Accepted = Mapping[str, frozenset[int]]
-"""Wire values by parameter."""
+Accepted = Mapping[str, frozenset[int]]  # wire values by parameter
 
 
 class AcceptedValues:

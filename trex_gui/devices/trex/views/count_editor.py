@@ -26,8 +26,7 @@ from trex_gui.ui.units import units
 from trex_gui.ui.widgets.builders import plain
 from trex_gui.ui.widgets.painted import never_mirror
 
-BARE = re.compile(rf"\s*{DECIMAL}\s*")
-"""A number without a unit."""
+BARE = re.compile(rf"\s*{DECIMAL}\s*")  # a number without a unit
 
 
 class UnitSpinBox(QSpinBox):

@@ -32,8 +32,7 @@ BoardRows = Rows[DemoSnapshot]
 _MAX_LOAD = 30.0  # A, before the stall current is known
 _LOWEST, _HIGHEST = 4.0, 16.0  # V; below about 6 a TReX resets
 
-_STEPS = {InputSource.RC: 1, InputSource.ANALOG: 100}
-"""Slider positions per µs, and per V."""
+_STEPS = {InputSource.RC: 1, InputSource.ANALOG: 100}  # slider positions per µs, and per V
 
 _SINGLE_STEP = {InputSource.RC: 10, InputSource.ANALOG: 5}
 

@@ -33,8 +33,7 @@ from trex_gui.ui.widgets.messages import Banner, InlinePrompt, MessageRoom
 from trex_gui.ui.widgets.placement import restore_geometry, save_geometry
 
 _MOST_KEPT = 999_999
-_WIDEST = 34
-"""The initial width of a column, in characters."""
+_WIDEST = 34  # the initial width of a column, in characters
 
 
 class HistoryDialog(ReusedDialog):

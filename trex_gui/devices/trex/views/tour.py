@@ -11,8 +11,7 @@ from trex_gui.ui.tour import Do, Tour
 SETUP_STEPS = ("driver", "jumpers", "sticks", "motors", "limits", "review")
 """Those of a robot that is driven with one stick, in their order."""
 
-_HOLD_S = 1.2
-"""A stick that is held longer than a second is at an end."""
+_HOLD_S = 1.2  # a stick that is held longer than a second is at an end
 
 
 def tour_steps(tour: Tour, controller: TrexController) -> Iterator[Do]:

@@ -18,8 +18,7 @@ from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, channels
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.ui.runtime import new_timer, now
 
-Counts = tuple[int | None, ...]
-"""Raw counts of channels 1-5; `None` without a valid signal."""
+Counts = tuple[int | None, ...]  # raw counts of channels 1-5; `None` without a valid signal
 
 _STALLED_AFTER = 1.0  # seconds without a measurement after which the inputs are reported as stalled
 _TICK_MS = 200

@@ -18,8 +18,7 @@ _ASIDE = {InputSource.RC: 250, InputSource.ANALOG: 102}
 _MUCH = FULL_SCALE // 2  # output at that place above which it is a warning
 
 
-_Found = tuple[ProblemKind, str, tuple[object, ...]]
-"""Kind, variant and values of a problem."""
+_Found = tuple[ProblemKind, str, tuple[object, ...]]  # kind, variant and values of a problem
 
 
 @dataclass(frozen=True, slots=True)

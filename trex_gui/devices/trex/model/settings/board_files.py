@@ -16,8 +16,7 @@ from trex_gui.ui.workers.file_worker import Done, FileTask, ProgressCallback
 
 log = logging.getLogger(__name__)
 
-_DELAY_MS = 500
-"""Milliseconds of changes that a crash may lose."""
+_DELAY_MS = 500  # milliseconds of changes that a crash may lose
 
 _CLOSING_MS = 1000
 

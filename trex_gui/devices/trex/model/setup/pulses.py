@@ -17,11 +17,9 @@ Inferred: 20 % turns most geared motors whose wheels are free, and a robot that 
 floor all the same moves a few centimetres. 30 % is for motors that it did not turn.
 """
 
-PULSE = 0.4
-"""Seconds for which the motor is driven; long enough to see which way it turns."""
+PULSE = 0.4  # seconds for which the motor is driven; long enough to see which way it turns
 
-PAUSE = 0.6
-"""Seconds at rest between two pulses."""
+PAUSE = 0.6  # seconds at rest between two pulses
 
 
 class MotorPulses(QObject):

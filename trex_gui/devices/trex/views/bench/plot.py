@@ -21,11 +21,9 @@ from trex_gui.ui.widgets.labels import LegendKey
 from trex_gui.ui.widgets.painted import Painted
 
 _SPEED_REACH = 134.0
-_AFTER = 0.6
-"""Seconds shown after the end of a test."""
+_AFTER = 0.6  # seconds shown after the end of a test
 
-_MIN_CURRENT = 2.0
-"""A; the current axis reaches at least that far."""
+_MIN_CURRENT = 2.0  # A; the current axis reaches at least that far
 
 _MAX_SECONDS_LABELS = 8
 _MAX_CURRENT_LABELS = 4

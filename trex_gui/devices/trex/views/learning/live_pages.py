@@ -28,8 +28,7 @@ _BAR_GROWS = 0.5
 """Share of its least width by which a bar is longer before text gets a place beside it."""
 
 _TEXT_WIDTH = 26
-_TEST_TEXT_WIDTH = 20
-"""Characters of the text beside a bar before it wraps."""
+_TEST_TEXT_WIDTH = 20  # characters of the text beside a bar before it wraps
 
 
 def _channel_label(channel: int, parent: QWidget) -> QLabel:

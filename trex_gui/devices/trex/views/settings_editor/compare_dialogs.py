@@ -22,8 +22,7 @@ from trex_gui.ui.widgets.builders import button, column, label, named, no_mnemon
 from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.placement import resize_with_font
 
-_NAMED = 3
-"""How many settings or findings are listed before the rest is only counted."""
+_NAMED = 3  # how many settings or findings are listed before the rest is only counted
 
 _NO_LIMIT = (1 << 24) - 1
 

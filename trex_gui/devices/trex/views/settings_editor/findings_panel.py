@@ -16,8 +16,7 @@ from trex_gui.ui.widgets.builders import button, column, flat_table, label, plai
 
 _LINE = Qt.ItemDataRole.UserRole
 _COLOURS = {"error": "danger", "warning": "warning", "info": "info"}
-_WIDEST = {0: 20, 1: 7, 2: 34}
-"""Characters, by column."""
+_WIDEST = {0: 20, 1: 7, 2: 34}  # characters, by column
 
 
 def line_of_key(text: str, key: str) -> int | None:

@@ -16,11 +16,9 @@ from trex_gui.devices.trex.model.calibration_moves import Handle
 from trex_gui.ui.plotting.axes import spread
 from trex_gui.ui.theme.theme import theme
 
-GRIP = 6.0
-"""Half the width of a grip in pixels."""
+GRIP = 6.0  # half the width of a grip in pixels
 
-_REACH = 9.0
-"""Pixels beside a handle at which the mouse still grabs it."""
+_REACH = 9.0  # pixels beside a handle at which the mouse still grabs it
 
 _MAIN = (Handle.MINIMUM, Handle.NEUTRAL, Handle.MAXIMUM)
 _EDGES = (Handle.DEADBAND_LOW, Handle.DEADBAND_HIGH)

@@ -21,14 +21,12 @@ from trex_gui.ui.theme.theme import scaled_font, theme
 from trex_gui.ui.widgets.behaviour import PressMonitor
 from trex_gui.ui.widgets.painted import Painted, Painter
 
-_STRAIGHT = 0.06
-"""Share of the travel within which a direction counts as zero."""
+_STRAIGHT = 0.06  # share of the travel within which a direction counts as zero
 
 _KNOB = 13
 _MARGIN = 2  # pixels between the frame and a word
 _USUAL_SIDE = 210  # pixels
-_LARGEST_SHARE = 0.4
-"""Share of its parent's width that it takes at most."""
+_LARGEST_SHARE = 0.4  # share of its parent's width that it takes at most
 
 
 class DrivePad(Painted):

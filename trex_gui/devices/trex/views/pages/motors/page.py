@@ -28,11 +28,9 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import only_when_visible
 from trex_gui.ui.widgets.labels import LinkLabel, Note, Sign
 
-_AUXILIARY = 3
-"""Number of the auxiliary motor among the controls: that of its channel."""
+_AUXILIARY = 3  # number of the auxiliary motor among the controls: that of its channel
 
-_UNLIMITED = 16_777_215
-"""The height of widgets without a limit, QWIDGETSIZE_MAX in C++."""
+_UNLIMITED = 16_777_215  # the height of widgets without a limit, QWIDGETSIZE_MAX in C++
 
 _USUAL_COUNTS = 100
 """Current in counts that the bars show without a limit: 15 A, on a Jr 4 A, as bench tests allow."""

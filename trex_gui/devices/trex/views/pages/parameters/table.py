@@ -21,8 +21,7 @@ from trex_gui.ui.widgets.builders import button, column, label, named, row
 from trex_gui.ui.widgets.labels import LinkLabel
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
-_PANEL = 33
-"""Least width of the texts beside the table, in average characters."""
+_PANEL = 33  # least width of the texts beside the table, in average characters
 
 
 class ParameterTable(QWidget):
