@@ -54,7 +54,7 @@ def timeout_stop(parameters: Mapping[str, int], trial: TimeoutTrial | None = Non
     """Return what is expected of a board that stores these wire values."""
     if not parameters.get(_TIMEOUT):
         return TimeoutStop.OFF
-    shutdown = bool(parameters.get(_SHUTDOWN))
+    shutdown = bool(parameters.get(_SHUTDOWN, 0) & 1)  # a mask on the twin, bit 0 for the line
     if trial is not None and trial.applies(shutdown=shutdown):
         return TimeoutStop.TRIED if trial.stopped else TimeoutStop.FAILED
     return TimeoutStop.EXPECTED if shutdown else TimeoutStop.DOUBTFUL

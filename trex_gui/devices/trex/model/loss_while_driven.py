@@ -46,8 +46,8 @@ class LossWhileDriven(QObject):
         device = self._device
         if device.driving.driven and self._lost_at is None:
             self._lost_at, self._lost_with = now(), device.settings
-            shutdown = device.parameters.stored_of(ParameterKey.UART_ERROR_SHUTDOWN)
-            self._has_shutdown, self._silent_for = bool(shutdown), None
+            shutdown = device.parameters.stored_of(ParameterKey.UART_ERROR_SHUTDOWN) or 0
+            self._has_shutdown, self._silent_for = bool(shutdown & 1), None
             self._has_timed_out = False
 
     @Slot()
