@@ -168,9 +168,10 @@ class ComparisonTable(QAbstractTableModel):
             return None
         row = self._rows[index.row()]
         match role:
-            case Qt.ItemDataRole.DisplayRole | Qt.ItemDataRole.ToolTipRole:
-                text = self._cells(row)[index.column()]
-                return text if role == Qt.ItemDataRole.DisplayRole else plain(text)
+            case Qt.ItemDataRole.DisplayRole:
+                return self._cells(row)[index.column()]
+            case Qt.ItemDataRole.ToolTipRole:
+                return plain(self._cells(row)[index.column()])
             case Qt.ItemDataRole.CheckStateRole if self._is_tickable(index):
                 is_cleared = row.key in self._cleared
                 return Qt.CheckState.Unchecked if is_cleared else Qt.CheckState.Checked
