@@ -289,10 +289,9 @@ class _Run:
         if not self._silence.is_reliable:
             program = "" if self._is_guarded else ", and also if this program is killed"
             verb = "may keep" if self._silence is TimeoutStop.DOUBTFUL else "keeps"
-            is_on = state.parameters.get(ParameterKey.UART_ERROR_SHUTDOWN)
-            shutdown = "" if is_on else "`trexcmd set uart_error_shutdown on`"
-            timeout = "" if state.serial_timeout else '`trexcmd set serial_timeout "0.5 s"`'
-            remedy = " and ".join(filter(None, (timeout, shutdown)))
+            wanted = {"serial_timeout": '"0.5 s"', "uart_error_shutdown": "on"}.items()
+            missing = [f"`trexcmd set {k} {v}`" for k, v in wanted if not state.parameters.get(k)]
+            remedy = " and ".join(missing)
             say(
                 f"Warning: {_CAUSES[self._silence]}, so the motor {verb} running if the cable or "
                 f"this computer fails{program}.{remedy and f' Remedy: {remedy}.'}"
