@@ -47,7 +47,6 @@ class LineBoard:
     presence: Presence
 
 
-Done = Callable[[StudioError | None], None]
 Done = Callable[[StudioError | None], None]  # gets `None`, or why another board was not selected
 
 
