@@ -121,8 +121,8 @@ class RunButton(QPushButton):
     @Slot()
     def _on_changed(self) -> None:
         """Give the focus to the stop button: arrow keys may change the next widget."""
-        if self._motors.armed and self.hasFocus():
-            window = self.window()
+        window = self.window()
+        if self._motors.armed and window.focusWidget() is self:  # also behind a dialog
             for stop in window.findChildren(StopButton):
                 if stop.window() is window:
                     stop.setFocus()
