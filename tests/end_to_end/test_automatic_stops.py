@@ -114,11 +114,12 @@ def test_stop_stays_unconfirmed_while_board_does_not_reply(
         f"{LOCKED}. The stop was sent, but the board does not confirm it. If a motor still turns, "
         "cut its power."
     )
-    wait_for_banner(window, causes, unconfirmed)
+    window.wait(lambda: unconfirmed in causes.reports)
+    window.wait(lambda: causes.banner.startswith("Motor 1 may still be turning."))
     assert not [text for text in causes.reports if "were stopped" in text]
     assert window.device.may_move
     quick_simulator.do("line mute off")
-    wait_for_banner(window, causes, stopped(LOCKED))
+    window.wait(lambda: stopped(LOCKED) in causes.reports)
     window.wait(lambda: not window.device.may_move)
     assert is_stopped(quick_simulator)
 
@@ -131,8 +132,8 @@ def test_stop_stays_unconfirmed_while_board_does_not_reply(
     out_of_reach = (
         "No board is connected that could be stopped, and motors may still turn: cut their power."
     )
-    wait_for_banner(window, causes, f"{LOCKED}. {out_of_reach}")
-    assert len(causes.reports) == 1
+    window.wait(lambda: causes.reports == [f"{LOCKED}. {out_of_reach}"])
+    assert causes.banner.startswith("Motor 1 may still be turning.")
 
 
 def test_stop_stays_unconfirmed_when_board_is_unplugged(

@@ -45,6 +45,7 @@ from trex_gui.core.translation import use_translations
 from trex_gui.devices.trex.bench.files import to_csv
 from trex_gui.devices.trex.bench.run import End
 from trex_gui.devices.trex.protocol.flags import CHANNELS
+from trex_gui.devices.trex.views.arm_dialog import ArmDialog
 from trex_gui.devices.trex.views.bench.dialog import BenchDialog
 from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter
 from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
@@ -371,6 +372,8 @@ def test_trex(pseudo_window: WindowDriver, tmp_path: Path, monkeypatch: pytest.M
     window.trigger("help")
     found.show(window.help)
     open_wire_dialog(window)
+    found.look_at_dialogs(window.window)
+    ArmDialog(window.device, window.window.tr("Writing …"), 0.5, window.window).open()
     found.look_at_dialogs(window.window)
     set_up = window.open_page("motorsPage").button("gamepadSetUpButton")
     set_up.setEnabled(True)  # without a gamepad

@@ -142,10 +142,10 @@ def test_stop_is_repeated_until_confirmed(stage: Stage) -> None:
         stage.line.faults.to_drop_sent = number
 
     stage.script.at(1.0, SetMotor(1, Drive.at(80)))
-    for step in range(100):  # a byte of each packet is lost, for two seconds
-        stage.script.at(1.5 + step * 0.02, lambda: corrupt(2))
+    for step in range(40):  # packets lose bytes, for two seconds
+        stage.script.at(1.5 + step * 0.05, lambda: corrupt(2))
     stage.script.at(3.6, Stop(2))
-    run_for(stage, 6.5)
+    run_for(stage, 8.0)
     assert outcomes(stage.reports)[2].error is None
     assert is_stopped(stage.board)
 
