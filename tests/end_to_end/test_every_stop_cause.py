@@ -382,7 +382,7 @@ def test_guardian_stops_motors_on_a_port_that_the_session_lost(
     window.provoke("close_the_descriptor")
     wait_until_stopped(quick_simulator, "closed descriptor")
     window.provoke("close")
-    assert_guardian_confirms(window, "The program lost the line")
+    assert_guardian_confirms(window, "The program requested a stop")
 
 
 def test_guardian_stops_motors_while_the_line_hangs(
