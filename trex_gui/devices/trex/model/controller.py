@@ -208,7 +208,9 @@ class TrexController(DeviceController[ConnectionSettings]):
         """Connect again to stop what may still turn: that is the first thing then sent."""
         device = self.device
         if not self.may_move or self._last is None:
-            device.warn(device.driving.lost_board)
+            # The serial timeout that is known may be that of another board.
+            text = device.driving.lost_board or device.loss_text
+            device.notifier.warn(text, lasts=lambda: device.may_stop_matter)
             return
         device.warn(self.tr("Trying to reach the board to stop it …"))
         self.connect_to(self.ports.now(self._last) or self._last)

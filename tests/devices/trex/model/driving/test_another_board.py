@@ -221,3 +221,12 @@ def test_setting_that_another_program_writes_stops_motors_without_claiming_a_res
     assert links[1:] == [
         "A setting changed: the board was restarted, or another program wrote to it"
     ]
+
+
+def test_stop_promises_nothing_of_a_board_that_was_lost(driven: DrivenBoard, start: Start) -> None:
+    """What is known of the serial timeout is that of the board which answered instead."""
+    driven.exchange(start("--model", "trexjr"))
+    driven.device.disconnect_line()
+    driven.wait(lambda: driven.device.link is ConnectionState.DISCONNECTED)
+    driven.controller.press_stop()
+    assert driven.errors[-1] == runs_on(driven)
