@@ -3299,6 +3299,8 @@
         <translation>{0} ist kein gültiger Wert. {1}</translation></message>
     <message><source>Enter 0 to {0}, such as 1500 µs, 1.5 ms or 3750 counts.</source>
         <translation>Geben Sie 0 bis {0} ein, etwa 1500 µs, 1,5 ms oder 3750 Counts.</translation></message>
+    <message><source>The nearest that the board can store is {0}.</source>
+        <translation>Am nächsten, was das Board speichern kann, liegt {0}.</translation></message>
     <message><source>blink {0}/s</source>
         <translation>blinkt {0}/s</translation></message>
     <message><source>alternate {0}/s</source>

@@ -3299,6 +3299,8 @@
         <translation>{0} n'est pas une valeur valide. {1}</translation></message>
     <message><source>Enter 0 to {0}, such as 1500 µs, 1.5 ms or 3750 counts.</source>
         <translation>Entrez 0 à {0}, par exemple 1500 µs, 1,5 ms ou 3750 counts.</translation></message>
+    <message><source>The nearest that the board can store is {0}.</source>
+        <translation>La valeur la plus proche que la carte peut enregistrer est {0}.</translation></message>
     <message><source>blink {0}/s</source>
         <translation>clignote {0}/s</translation></message>
     <message><source>alternate {0}/s</source>

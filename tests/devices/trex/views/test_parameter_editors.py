@@ -5,7 +5,13 @@ from collections.abc import Iterator
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QComboBox, QSpinBox, QToolButton, QWidget
+from PySide6.QtWidgets import (
+    QApplication,
+    QComboBox,
+    QSpinBox,
+    QToolButton,
+    QWidget,
+)
 from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.views.parameters import ParametersDriver
@@ -371,3 +377,24 @@ def test_parameter_not_given_takes_only_confirmed_values(parameters: ParametersD
     type_number(parameters.open_with_mouse("device_number"), "9")
     parameters.wait(lambda: len(parameters.model.pending) == 2)
     assert dict(parameters.model.pending) == {"ignored_channels": 5, "device_number": 9}
+
+
+@pytest.mark.parametrize(
+    ("key", "typed", "said"),
+    [
+        ("serial_timeout", "1.24", ["1.2 s"]),
+        ("serial_timeout", "1240 ms", ["1.2 s"]),
+        ("serial_timeout", "1200 ms", []),
+        ("motor1_pwm_maximum", "9 kHz", ["9191 Hz"]),
+        ("motor1_acceleration", "9", ["6.3 s to full speed"]),
+        ("motor1_acceleration", "11 per 100 ms", []),
+    ],
+)
+def test_a_value_between_two_says_which_one_is_stored(
+    parameters: ParametersDriver, key: str, typed: str, said: list[str]
+) -> None:
+    sentences: list[str] = []
+    parameters.model.rounded.connect(sentences.append)
+    type_number(parameters.open_with_keys(key), typed)
+    parameters.wait_for_no_editor(key)
+    assert sentences == [f"The nearest that the board can store is {each}." for each in said]

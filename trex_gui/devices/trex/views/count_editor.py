@@ -1,6 +1,8 @@
 """Spin boxes that show and take their number in several units, and a delegate for tables."""
 
+import math
 import re
+from contextlib import suppress
 
 from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtGui import (
@@ -14,7 +16,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QLineEdit, QSpinBox, QStyledItemDelegate, QWidget
 
-from trex_gui.core.decimals import DECIMAL, AmbiguousNumber
+from trex_gui.core.decimals import DECIMAL, AmbiguousNumber, quantity
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import with_decimal_point
 from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED, read_count
@@ -51,7 +53,9 @@ class UnitSpinBox(QSpinBox):
         set_icon(self._problem, "warning", "danger")
         self.lineEdit().addAction(self._problem, QLineEdit.ActionPosition.LeadingPosition)
         self._problem.setVisible(False)  # only now: Qt shows what was hidden when it was added
+        self._typed = ""
         self.lineEdit().textChanged.connect(self._on_text_changed)
+        self.lineEdit().textEdited.connect(self._on_typed)
         units().changed.connect(self._on_units_changed)
 
     @property
@@ -68,6 +72,22 @@ class UnitSpinBox(QSpinBox):
     def _on_text_changed(self) -> None:
         if self.problem and self.hasAcceptableInput():
             self._mark("")
+
+    @Slot(str)
+    def _on_typed(self, text: str) -> None:
+        self._typed = text
+
+    @property
+    def rounding(self) -> str:
+        """Which value was taken for one that was typed; empty if that one."""
+        stored = self.textFromValue(self.value())
+        number, unit, *_ = f"{stored} ".split(" ")
+        with suppress(BadRequest):
+            wanted, taken = quantity(self._typed, unit), quantity(number, unit)
+            is_taken = self.parse(self._typed) == self.value()
+            if is_taken and wanted and taken and not math.isclose(wanted, taken):
+                return self.tr("The nearest that the board can store is {0}.").format(stored)
+        return ""
 
     @Slot()
     def _on_units_changed(self) -> None:

@@ -99,6 +99,7 @@ class ParameterModel(QAbstractTableModel):
 
     pending_changed = Signal(int)  # the number of edits
     rejected = Signal(str)  # why an edit was rejected, for the user
+    rounded = Signal(str)  # which value an edit has become, for the user
 
     def __init__(self, parent: QObject | None = None, undo: QUndoStack | None = None) -> None:
         super().__init__(parent)

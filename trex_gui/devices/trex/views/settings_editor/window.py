@@ -93,6 +93,7 @@ class SettingsEditor(QMainWindow):
         self._text.checked.connect(self._on_checked)
         self._text.repaired.connect(self._on_repaired)
         document.draft.parameters.rejected.connect(self._banner.show_problem)
+        document.draft.parameters.rounded.connect(self._banner.show_news)
         self._findings.line_chosen.connect(self._on_line_chosen)
         self._findings.accepted.connect(self._linter.accept)
         device.link_changed.connect(self._update_actions)

@@ -57,6 +57,7 @@ class ParametersPage(QWidget):
         column(top, (self.table, 1), into=self)
 
         self._model.rejected.connect(self._notice.setText)
+        self._model.rounded.connect(self._notice.setText)
         self._model.modelReset.connect(self._on_changed)
         device.draft.pending_changed.connect(self._on_changed)
         device.applied.connect(self._on_applied)

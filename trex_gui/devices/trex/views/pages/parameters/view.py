@@ -124,6 +124,8 @@ class ParameterDelegate(UnitDelegate):
     def setModelData(self, editor: QWidget, model: QAbstractItemModel, index: Index) -> None:
         if not editor.property(_UNTOUCHED):
             model.setData(index, cast("Editor", editor).value(), Qt.ItemDataRole.EditRole)
+            if isinstance(editor, UnitSpinBox) and editor.rounding:
+                self._model.rounded.emit(editor.rounding)
 
     def updateEditorGeometry(
         self, editor: QWidget, option: QStyleOptionViewItem, index: Index
