@@ -68,7 +68,7 @@ class LineSettingsDialog(ReusedDialog):
         form.addRow(self._addressed)
         form.addRow(self.tr("&Device number:"), self._number)
         form.addRow(self.tr("Nu&mbers of other devices:"), self._reserved)
-        self._clash = ui.named(Note(0, self), "lineClash")
+        self._clash = ui.named(Note(2, self), "lineClash")
         ui.column(intro, form, self._clash, 1, buttons, into=self)
 
         self._line.valueChanged.connect(self._on_changed)

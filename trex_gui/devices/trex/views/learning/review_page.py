@@ -64,8 +64,8 @@ class ChannelForm(QWidget):
         was_reversed = Muted(
             self.tr("was reversed") if channel.reversed_now else self.tr("was not reversed"), self
         )
-        self._turned = ui.named(Note(0, self), f"learnReversal{number}")
-        self._problem = ui.named(Note(0, self), f"learnProblem{number}")
+        self._turned = ui.named(Note(1, self), f"learnReversal{number}")
+        self._problem = ui.named(Note(1, self), f"learnProblem{number}")
         self._reasons = ui.named(Muted("", self), f"learnReasons{number}")
 
         grid = ui.grid(self._values, margins=0, spacing=(12, 4), stretch=[(2, 1)])

@@ -53,7 +53,7 @@ class DefaultsDialog(ReusedDialog):
             ),
             wrap=True,
         )
-        self._taken = named(Note(0, self), "boardResetNumberTaken")
+        self._taken = named(Note(2, self), "boardResetNumberTaken")
         self._sure = button(
             self,
             "boardResetSureButton",

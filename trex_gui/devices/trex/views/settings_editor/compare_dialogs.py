@@ -50,7 +50,7 @@ class LoadDialog(ReusedDialog):
         self._settings, self._read_findings = document.settings, document.findings
 
         self._head = label(self, "loadHead", wrap=True)
-        self._trouble = named(Note(0, self), "loadTrouble")
+        self._trouble = named(Note(2, self), "loadTrouble")
         self._findings = named(FindingsPanel(self, with_lines=False), "loadFindings")
         self._conversion = ConversionView(self)
         self._view = ComparisonView(self)
@@ -223,7 +223,7 @@ class CompareDialog(ReusedDialog):
         self._other_name = other_name
         self._settings: Settings | None = None
 
-        self._trouble = named(Note(0, self), "compareTrouble")
+        self._trouble = named(Note(2, self), "compareTrouble")
         self._view = ComparisonView(self)
         self._take = button(self, "takeValuesButton", icon="edited", on_click=self._on_take_clicked)
         close = button(
