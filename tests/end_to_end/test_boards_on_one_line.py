@@ -85,7 +85,7 @@ def test_boards_on_one_line(
     # A reset would give it a number that is taken.
     window.trigger("defaults")
     defaults = window.dialog("defaultsDialog")
-    assert not defaults.has("boardResetNumberTaken")
+    assert not defaults.text("boardResetNumberTaken")
     defaults.click("boardResetButton")
     assert "It gets device number 7, which another board" in defaults.text("boardResetNumberTaken")
     defaults.click("defaultsCancelButton")

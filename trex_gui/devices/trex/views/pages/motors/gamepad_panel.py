@@ -50,7 +50,7 @@ class GamepadPanel(ui.GroupBox):
             accessible=self.tr("Set up the gamepad"),
             on_click=self._on_set_up_clicked,
         )
-        self._state = ui.named(Note(2, self), "gamepadState")
+        self._state = ui.named(Note(0, self), "gamepadState")
         self._state.setTextInteractionFlags(
             Qt.TextInteractionFlag.TextSelectableByMouse
             | Qt.TextInteractionFlag.TextSelectableByKeyboard
