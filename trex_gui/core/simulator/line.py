@@ -151,7 +151,7 @@ class Station(Protocol):
 class _Frame:
     """A byte on its way to the host from `start` to `end` (s), sent at the bit rate `baud`.
 
-    It is lost unless `is_alive` at its end: its sender has lost power.
+    It is lost unless `is_alive` at its end: its sender has lost power, and does nothing `then`.
     """
 
     start: float
@@ -160,6 +160,7 @@ class _Frame:
     sender: SerialFormat
     baud: float
     is_alive: Callable[[], bool]
+    then: Callable[[], object]
     collided: bool = False
 
     def is_in_step_with(self, other: "_Frame") -> bool:
@@ -174,6 +175,10 @@ class _Frame:
         index = int((moment - self.start) * self.baud)
         bits = levels(self.value, self.sender)
         return bits[index] if 0 <= index < len(bits) and moment >= self.start else 1
+
+
+def _nothing() -> None:
+    pass
 
 
 class SimulatedLine:
@@ -315,10 +320,17 @@ class SimulatedLine:
     def byte_time_of(self, station: Station) -> float:
         return station.line_format.bits_per_byte / station.baud if self.paced else 0.0
 
-    def transmit(self, byte: int, station: Station, is_alive: Callable[[], bool]) -> None:
+    def transmit(
+        self,
+        byte: int,
+        station: Station,
+        is_alive: Callable[[], bool],
+        then: Callable[[], object] = _nothing,
+    ) -> None:
         """Begin a byte of a station; it is lost if `is_alive` is false at its end."""
-        end = self.now + self.byte_time_of(station)
-        self._put(_Frame(self.now, end, byte, station.line_format, station.baud, is_alive))
+        now, baud, sender = self.timeline.now, station.baud, station.line_format
+        end = now + (sender.bits_per_byte / baud if self.paced else 0.0)
+        self._put(_Frame(now, end, byte, sender, baud, is_alive, then))
 
     def arrive(self, byte: int, begun: float) -> None:
         arriving = self.faults.on_way_to_host(byte, begun)
@@ -351,7 +363,7 @@ class SimulatedLine:
 
     def _put_at_host_rate(self, byte: int, end: float) -> None:
         if self.paced:
-            self._put(_Frame(self.now, end, byte, *self._host_receiver(), lambda: True))
+            self._put(_Frame(self.now, end, byte, *self._host_receiver(), lambda: True, _nothing))
         else:
             self.arrive(byte, self.now)
 
@@ -366,6 +378,7 @@ class SimulatedLine:
             self.faults.counters["collisions"] += 1
             if len(others) == 1 and not others[0].collided and frame.is_in_step_with(others[0]):
                 others[0].value &= frame.value
+                self.timeline.at(frame.end, frame.then, frame.is_alive)
                 return
             for each in (*others, frame):
                 if not each.collided:
@@ -376,12 +389,15 @@ class SimulatedLine:
 
     def _end(self, frame: _Frame) -> None:
         self._frames.remove(frame)
+        is_alive = frame.is_alive()
         if not frame.collided:
-            if frame.is_alive():
+            if is_alive:
                 self.arrive(frame.value, frame.start)
         elif not any(other.collided for other in self._frames):
             collided, self._collided = self._collided, []
             self._resolve([each for each in collided if each.is_alive()])
+        if is_alive:
+            frame.then()
 
     def _resolve(self, frames: Sequence[_Frame]) -> None:
         if not frames:

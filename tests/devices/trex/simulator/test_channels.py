@@ -6,10 +6,9 @@ from itertools import pairwise
 import pytest
 
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
-from trex_gui.devices.trex.simulator.channels import Channels, Signal, SignalKind
+from trex_gui.devices.trex.simulator.channels import TICK, Channels, Signal, SignalKind
 
 RC, ANALOG = InputSource.RC, InputSource.ANALOG
-TICK = 0.0025
 PERIOD = 8
 """Ticks in which each input is renewed once."""
 
@@ -17,7 +16,7 @@ PERIOD = 8
 def ticks(channels: Channels, count: int) -> list[tuple[int | None, ...]]:
     seen = []
     for _ in range(count):
-        channels.advance(TICK)
+        channels.tick()
         seen.append(channels.raw)
     return seen
 
@@ -34,7 +33,7 @@ def analog() -> Channels:
 
 def test_rc_channels_have_no_pulse_at_power_up(rc: Channels) -> None:
     assert rc.raw == (None,) * 5
-    assert all(rc.silence[channel] == math.inf for channel in CHANNELS)
+    assert all(rc.silence(channel) == math.inf for channel in CHANNELS)
 
 
 def test_analog_channels_read_zero_until_first_average(analog: Channels) -> None:
@@ -48,7 +47,7 @@ def test_power_up_forgets_measured_pulses(rc: Channels) -> None:
     ticks(rc, PERIOD)
     rc.begin(RC)
     assert rc.raw == (None,) * 5
-    assert rc.silence[1] == math.inf
+    assert rc.silence(1) == math.inf
     ticks(rc, PERIOD)
     assert rc.raw[0] == 3000
 
@@ -70,7 +69,7 @@ def test_each_channel_updates_every_20_ms(channel: int, source: InputSource) -> 
     for tick in range(400):
         before = channels.raw[channel - 1]
         channels.signals[channel] = Signal.from_counts(500 + 4 * tick, source)
-        channels.advance(TICK)
+        channels.tick()
         if channels.raw[channel - 1] != before:
             changes.append(tick)
         if source is ANALOG and 500 + 4 * tick > 1000:
@@ -96,7 +95,7 @@ def test_bad_pulse_invalidates_channel_at_next_pulse(rc: Channels) -> None:
     seen = ticks(rc, PERIOD)
     assert seen[0][3] == 3750
     assert seen[-1] == (3750, 3750, 3750, None, 3750)
-    assert rc.silence[4] > rc.silence[1]
+    assert rc.silence(4) > rc.silence(1)
 
 
 def test_good_pulse_after_bad_pulses_restores_channel(rc: Channels) -> None:
@@ -106,7 +105,7 @@ def test_good_pulse_after_bad_pulses_restores_channel(rc: Channels) -> None:
     assert rc.raw[:1] == (None,)
     ticks(rc, PERIOD)
     assert rc.raw[:1] == (3000,)
-    assert rc.silence[1] < PERIOD * TICK
+    assert rc.silence(1) < PERIOD * TICK
 
 
 @pytest.mark.parametrize("text", ["silent", "2.5V", "1500us lost 1"])
@@ -114,13 +113,13 @@ def test_good_pulse_after_bad_pulses_restores_channel(rc: Channels) -> None:
 def test_silent_channel_keeps_its_value_for_100_ms(rc: Channels, channel: int, text: str) -> None:
     rc.signals[channel] = Signal.pulses(1200)
     ticks(rc, PERIOD)
-    last_pulse = rc.silence[channel]
+    last_pulse = rc.silence(channel)
     rc.signals[channel] = Signal.parse(text, RC)
     kept = [raw[channel - 1] for raw in ticks(rc, 60)]
     frozen = kept.count(3000)
     assert kept == [3000] * frozen + [None] * (60 - frozen)
     assert last_pulse + frozen * TICK == pytest.approx(0.1, abs=1.5 * TICK)
-    assert rc.silence[channel] == pytest.approx(last_pulse + 0.15)
+    assert rc.silence(channel) == pytest.approx(last_pulse + 0.15)
 
 
 def test_occasional_lost_pulses_hardly_affect_channel(rc: Channels) -> None:

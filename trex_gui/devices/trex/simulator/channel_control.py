@@ -123,7 +123,7 @@ class ChannelControl:
             return False  # inferred: unmeasured channels neither override nor end safe-start
         self.override = self.setup.is_switched(5, self._channels.raw[4])
         if self._mode is Mode.RC and any(
-            self._channels.silence[channel] > _SIGNAL_REQUIRED_WITHIN for channel in self._required
+            self._channels.silence(channel) >= _SIGNAL_REQUIRED_WITHIN for channel in self._required
         ):
             self.safe_start = True
         elif self.safe_start:

@@ -152,16 +152,14 @@ SIGNAL_LOST_AFTER = 0.1
 """Seconds without a pulse until the value is 0xFFFF. The command documentation says 100 ms, the
 User's Guide about 150 ms; the former is taken."""
 
-_PERIOD_TICKS = 8  # ticks of 2.5 ms in which every input is measured once: 50 Hz, RC and analog
+TICK = 0.0025  # seconds of a simulation step
+_PERIOD_TICKS = 8  # ticks in which every input is measured once: 50 Hz, RC and analog
 _SAMPLES_A_TICK = 2
 """An analog value is the mean of 16 conversions. Inferred: spread over the period."""
 
 
 class Channels:
-    """The inputs, each measured 50 times a second; pulses arrive one after the other.
-
-    `silence`: seconds since the last good pulse of each channel, infinite when there was none.
-    """
+    """The inputs, each measured 50 times a second; pulses arrive one after the other."""
 
     def __init__(self, source: InputSource, seed: int = 0) -> None:
         self._random = Random(seed)  # noqa: S311 - noise, not secrets
@@ -176,24 +174,26 @@ class Channels:
         self.source = source
         unknown = 0 if source is InputSource.ANALOG else None
         self._raw: dict[int, int | None] = dict.fromkeys(CHANNELS, unknown)
-        self.silence = dict.fromkeys(CHANNELS, math.inf)
-        self._no_pulse = dict.fromkeys(CHANNELS, math.inf)
+        self._pulse_ticks = dict.fromkeys(CHANNELS, -math.inf)  # of the last pulse, good or not
+        self._good_ticks = dict.fromkeys(CHANNELS, -math.inf)
         self._converted = dict.fromkeys(CHANNELS, 0)
         self._ticks = 0
-        self._age = 0.0
 
     @property
     def has_settled(self) -> bool:
         """Whether each channel has had time to show a signal."""
-        return self._age > SIGNAL_LOST_AFTER
+        return self._ticks * TICK >= SIGNAL_LOST_AFTER
 
-    def advance(self, seconds: float) -> None:
+    def silence(self, channel: int) -> float:
+        """Return the seconds since the last good pulse, infinite when there was none."""
+        return (self._ticks - self._good_ticks[channel]) * TICK
+
+    def tick(self) -> None:
         self._ticks += 1
-        self._age += seconds
         if self.source is InputSource.ANALOG:
             self._convert()
-        else:
-            self._catch_pulses(seconds)
+        elif (channel := self._ticks % _PERIOD_TICKS) in self.signals:
+            self._catch_pulse(channel, self.signals[channel])
 
     def _convert(self) -> None:
         is_due = self._ticks % _PERIOD_TICKS == 0
@@ -205,19 +205,20 @@ class Channels:
                 self._raw[channel] = (self._converted[channel] + samples // 2) // samples
                 self._converted[channel] = 0
 
-    def _catch_pulses(self, seconds: float) -> None:
-        for channel, signal in self.signals.items():
-            self.silence[channel] += seconds
-            self._no_pulse[channel] += seconds
-            if self._ticks % _PERIOD_TICKS == channel and signal.has_pulse(self._random):
-                self._no_pulse[channel] = 0.0
-                self._raw[channel] = signal.pulse(self._random)
-                if self._raw[channel] is not None:
-                    self.silence[channel] = 0.0
-            elif self._no_pulse[channel] > SIGNAL_LOST_AFTER:
-                self._raw[channel] = None
+    def _catch_pulse(self, channel: int, signal: Signal) -> None:
+        if signal.has_pulse(self._random):
+            self._pulse_ticks[channel] = self._ticks
+            self._raw[channel] = signal.pulse(self._random)
+            if self._raw[channel] is not None:
+                self._good_ticks[channel] = self._ticks
 
     @property
     def raw(self) -> tuple[int | None, ...]:
         """The raw counts of channels 1-5; `None` where the board replies 0xFFFF."""
-        return tuple(self._raw.values())
+        if self.source is InputSource.ANALOG:
+            return tuple(self._raw.values())
+        oldest = self._ticks - SIGNAL_LOST_AFTER / TICK
+        return tuple(
+            raw if self._pulse_ticks[channel] > oldest else None
+            for channel, raw in self._raw.items()
+        )

@@ -4,6 +4,7 @@ Ref: TReX 1.0 command documentation; Pololu TReX User's Guide 4, 5.
 """
 
 from collections import Counter
+from functools import cache
 
 from trex_gui.core.simulator.timeline import EPSILON
 from trex_gui.devices.trex.protocol.calibration import Calibration
@@ -12,7 +13,7 @@ from trex_gui.devices.trex.protocol.flags import InputSource, Mode, Status, Uart
 from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
 from trex_gui.devices.trex.simulator.boot_modes import BootMode, boot_mode
 from trex_gui.devices.trex.simulator.channel_control import ChannelControl
-from trex_gui.devices.trex.simulator.channels import Channels
+from trex_gui.devices.trex.simulator.channels import TICK, Channels
 from trex_gui.devices.trex.simulator.memory import Eeprom, Memory
 from trex_gui.devices.trex.simulator.motors import (
     FULL_SPEED,
@@ -26,12 +27,23 @@ from trex_gui.devices.trex.simulator.physics import DriverOutput, Machine
 
 MODE_JUMPERS = ("serial", "rc", "analog")
 
-TICK = 0.0025  # seconds of a simulation step; it divides every period below
 _UPDATE_TICKS = 4  # motors and safety, 100 times a second
 _CURRENT_TICKS = {InputSource.RC: 5, InputSource.ANALOG: 8}  # readings, 80 or 50 times a second
 
 _COASTING = DriverOutput()
 
+_MOTOR_KEYS = tuple(
+    tuple(
+        parameter.of(number)
+        for parameter in (
+            MotorParameter.ACCELERATION,
+            MotorParameter.BRAKE_DURATION,
+            MotorParameter.CURRENT_LIMIT,
+            MotorParameter.CURRENT_LIMIT_P,
+        )
+    )
+    for number in (1, 2)
+)
 _FAULT = (Status.MOTOR1_FAULT, Status.MOTOR2_FAULT)
 _OVER_LIMIT = (Status.MOTOR1_OVER_LIMIT, Status.MOTOR2_OVER_LIMIT)
 _COUNTERS = (
@@ -186,10 +198,10 @@ class Board:
     def _tick(self) -> None:
         self._ticks += 1
         if self.powered:
-            self.channels.advance(TICK)
+            self.channels.tick()
             if self._ticks % _UPDATE_TICKS == 0:
                 self._update()
-        self.machine.advance(TICK, [_drive(motor) for motor in self.motors])
+        self.machine.advance(TICK, [_drive(each.direction, each.speed) for each in self.motors])
         self._watch_supply()
         if self.powered and self._ticks % _CURRENT_TICKS[self.mode.source] == 0:
             for physics in self.physics:
@@ -226,14 +238,8 @@ class Board:
         self.aux.update(self.memory.active[ParameterKey.AUX_ACCELERATION])
 
     def _motor_settings(self, number: int) -> MotorSettings:
-        active = self.memory.active
-        limit = active[MotorParameter.CURRENT_LIMIT.of(number)]
-        return MotorSettings(
-            acceleration=active[MotorParameter.ACCELERATION.of(number)],
-            brake_duration=active[MotorParameter.BRAKE_DURATION.of(number)],
-            current_limit=0 if self.memory.is_joint else limit,
-            limit_gain=active[MotorParameter.CURRENT_LIMIT_P.of(number)],
-        )
+        settings = MotorSettings(*map(self.memory.active.__getitem__, _MOTOR_KEYS[number - 1]))
+        return settings._replace(current_limit=0) if self.memory.is_joint else settings
 
     # Channels
 
@@ -306,11 +312,12 @@ class Board:
                 self.serial.status |= flag
 
 
-def _drive(motor: Motor) -> DriverOutput:
+@cache
+def _drive(direction: MotorDirection, speed: int) -> DriverOutput:
     """Return the drive of a motor; inferred: duty is speed / 127."""
-    if not motor.speed:
+    if not speed:
         return _COASTING
-    share = motor.speed / FULL_SPEED
-    if motor.direction is MotorDirection.BRAKE:
+    share = speed / FULL_SPEED
+    if direction is MotorDirection.BRAKE:
         return DriverOutput(brake=share)
-    return DriverOutput(share if motor.direction is MotorDirection.FORWARD else -share)
+    return DriverOutput(share if direction is MotorDirection.FORWARD else -share)

@@ -170,13 +170,13 @@ class BoardStation:
         self.board.counters["bytes_sent"] += 1
         if self._output is not None:
             self._output.receive(byte, self.line_format, self.baud, paced=True)
+        elif line.host is not None and self._format_error(line.host):
+            byte = line.faults.garble(byte)
+        if self._output is not None or line.is_grounded:
+            end = line.now + line.byte_time_of(self)
+            line.timeline.at(end, self._transmit, self._still_up())
         else:
-            if line.host is not None and self._format_error(line.host):
-                byte = line.faults.garble(byte)
-            if not line.is_grounded:
-                line.transmit(byte, self, self._still_up())
-        end = line.now + line.byte_time_of(self)
-        line.timeline.at(end, self._transmit, self._still_up())
+            line.transmit(byte, self, self._still_up(), then=self._transmit)
 
     def _arrive_sampled(
         self, boot: int, byte: int, _error: ReceiveError | None, begun: float
