@@ -12,6 +12,7 @@ from shiboken6 import Shiboken
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import SettingsError, save
 from trex_gui.core.translation import tr
+from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import now
 from trex_gui.ui.workers.file_worker import FileWorker, ProgressCallback
 
@@ -81,6 +82,13 @@ def in_background(
     Neither is called once the owner is destroyed. A disk that hangs blocks nothing else.
     """
     start_in_background(owner, lambda _progress: work(), then, failed)
+
+
+def save_in_background(
+    owner: QObject, work: Callable[[], object], notifier: Notifier, saved: str
+) -> None:
+    """Run work that writes a file, then report `saved` or why it was not written."""
+    in_background(owner, work, lambda _: notifier.info.emit(saved), notifier.report_error)
 
 
 def start_in_background(

@@ -13,14 +13,12 @@ from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtGui import QGuiApplication, QShowEvent, QTextCursor
 from PySide6.QtWidgets import QPlainTextEdit, QWidget
 
-from trex_gui.core.errors import StudioError
 from trex_gui.core.files import save
 from trex_gui.ui.event_log import Event, EventLog
-from trex_gui.ui.files import in_background
+from trex_gui.ui.files import save_in_background
 from trex_gui.ui.help.messages import MessageHelp
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import now
-from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.behaviour import only_when_visible
@@ -211,12 +209,4 @@ class LogPage(QWidget):
         file_questions.remember_folder(path)
         text = "".join(f"{line}\n" for line in self._lines)
         saved = self.tr("The log was written to {0}.").format(path)
-        in_background(
-            self,
-            partial(save, path, text),
-            lambda _: self._notifier.info.emit(saved),
-            self._on_not_saved,
-        )
-
-    def _on_not_saved(self, error: StudioError) -> None:
-        self._notifier.error.emit(error_sentence(error))
+        save_in_background(self, partial(save, path, text), self._notifier, saved)

@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject, Qt, Signal, Slot
 
 from trex_gui.core.errors import InternalError, PortUnavailable
 from trex_gui.core.transport.settings import PortSettings
+from trex_gui.ui.translations import error_sentence
 
 
 class Remedy(Enum):
@@ -108,6 +109,9 @@ class Notifier(QObject):
         """Emit an `error` with buttons."""
         self.error.emit(text)
         self.remedies_offered.emit(remedies)
+
+    def report_error(self, error: BaseException) -> None:
+        self.error.emit(error_sentence(error))
 
     def warn(self, text: str, remedies: Remedies = (), lasts: Callable[[], bool] = never) -> None:
         """Emit a `danger` with buttons; no other message replaces it while it `lasts`."""

@@ -14,12 +14,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.core.errors import StudioError
 from trex_gui.core.report import ReportFile, make_report, save_report, suggested_name
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.theme.theme import fixed_font, follow_theme
-from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.behaviour import ReusedDialog
@@ -82,7 +80,7 @@ class ReportDialog(ReusedDialog):
         self._text.clear()
         self._enable()
         self.show_in_front()
-        in_background(self, partial(make_report, parts), self._show, self._on_failed)
+        in_background(self, partial(make_report, parts), self._show, self._notifier.report_error)
 
     def _show(self, files: tuple[ReportFile, ...]) -> None:
         self._list.clear()
@@ -126,16 +124,9 @@ class ReportDialog(ReusedDialog):
     def save(self, path: Path) -> None:
         file_questions.remember_folder(path)
         saved = self.tr("The report was written to {0}.").format(path)
-        in_background(
-            self,
-            partial(save_report, path, self._chosen),
-            lambda _: self._on_saved(saved),
-            self._on_failed,
-        )
+        work = partial(save_report, path, self._chosen)
+        in_background(self, work, lambda _: self._on_saved(saved), self._notifier.report_error)
 
     def _on_saved(self, text: str) -> None:
         self.close()
         self._notifier.info.emit(text)
-
-    def _on_failed(self, error: StudioError) -> None:
-        self._notifier.error.emit(error_sentence(error))

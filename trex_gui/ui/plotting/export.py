@@ -17,11 +17,10 @@ from PySide6.QtGui import QFont, QFontMetricsF, QImage, QPainter, QPalette, QPen
 from PySide6.QtSvg import QSvgGenerator
 from PySide6.QtWidgets import QMenu, QToolButton, QWidget
 
-from trex_gui.core.errors import StudioError
 from trex_gui.core.files import save
 from trex_gui.core.recording.export import csv_cell
 from trex_gui.core.translation import tr
-from trex_gui.ui.files import in_background, save_picture
+from trex_gui.ui.files import save_in_background, save_picture
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.plotting.history import Floats
 from trex_gui.ui.plotting.marks import charge_text, value_text
@@ -30,7 +29,6 @@ from trex_gui.ui.plotting.traces import TraceInfo, Traces
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.builders import action
 from trex_gui.ui.widgets.painted import Painter
@@ -158,10 +156,7 @@ class ExportButton(QToolButton):
         else:
             work = partial(save, path, picture)
         text = self.tr("The picture was written to {0}.").format(path)
-        in_background(self, work, lambda _: self._notifier.info.emit(text), self._on_not_written)
-
-    def _on_not_written(self, error: StudioError) -> None:
-        self._notifier.error.emit(error_sentence(error))
+        save_in_background(self, work, self._notifier, text)
 
     def finish(self) -> None:
         """Cancel a table that is being written, without waiting for a disk that hangs."""

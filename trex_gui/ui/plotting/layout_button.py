@@ -8,10 +8,9 @@ from PySide6.QtCore import QPoint, QSize, Qt, Slot
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QFileDialog, QMenu, QToolButton, QWidget
 
-from trex_gui.core.errors import StudioError
 from trex_gui.core.files import load, save
 from trex_gui.core.translation import tr
-from trex_gui.ui.files import in_background
+from trex_gui.ui.files import in_background, save_in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.plotting.figures import swatch
 from trex_gui.ui.plotting.layout_file import (
@@ -25,7 +24,6 @@ from trex_gui.ui.plotting.plot import TracePlot
 from trex_gui.ui.plotting.traces import TraceInfo
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.builders import action
 
@@ -148,7 +146,7 @@ class LayoutButton(QToolButton):
             self._use(layout)
             self._notifier.info.emit(self.tr("The layout of {0} is shown.").format(path.name))
 
-        in_background(self, work, use, self._on_failed)
+        in_background(self, work, use, self._notifier.report_error)
 
     def _ask_and_save(self) -> None:
         proposal = file_questions.last_folder() / f"plot_layout{_SUFFIX}"
@@ -162,15 +160,8 @@ class LayoutButton(QToolButton):
         """Write how the plot is shown to a file, beside the window's thread."""
         file_questions.remember_folder(path)
         saved = self.tr("The layout was saved in {0}.").format(path)
-        in_background(
-            self,
-            partial(save, path, write_layout(self._layout())),
-            lambda _: self._notifier.info.emit(saved),
-            self._on_failed,
-        )
-
-    def _on_failed(self, error: StudioError) -> None:
-        self._notifier.error.emit(error_sentence(error))
+        work = partial(save, path, write_layout(self._layout()))
+        save_in_background(self, work, self._notifier, saved)
 
     def _filter(self) -> str:
         return self.tr("Plot layouts (*{0})").format(_SUFFIX)

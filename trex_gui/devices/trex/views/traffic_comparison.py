@@ -6,11 +6,9 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Slot
 from PySide6.QtWidgets import QFileDialog, QWidget
 
-from trex_gui.core.errors import StudioError
 from trex_gui.devices.trex.replay import RecordedTraffic
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
-from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets.file_questions import last_folder
 
 
@@ -30,7 +28,8 @@ class TrafficComparison(QObject):
             self.compare(Path(path))
 
     def compare(self, path: Path) -> None:
-        in_background(self, partial(_first_difference, path), self._report, self._on_failed)
+        work = partial(_first_difference, path)
+        in_background(self, work, self._report, self._notifier.report_error)
 
     def _report(self, found: tuple[int, tuple[int, str, str, str] | None]) -> None:
         count, difference = found
@@ -40,9 +39,6 @@ class TrafficComparison(QObject):
             return
         text = self.tr("First difference, line {0}: {1}. The simulated board: {2} ({3}).")
         self._notifier.error.emit(text.format(*difference))
-
-    def _on_failed(self, error: StudioError) -> None:
-        self._notifier.error.emit(error_sentence(error))
 
 
 def _first_difference(path: Path) -> tuple[int, tuple[int, str, str, str] | None]:
