@@ -339,17 +339,12 @@ class FindDialog(ReusedDialog):
         )
         menu = QMenu(button)
         for choice in choices:
-            action = menu.addAction(choice.text)
-            action.triggered.connect(partial(self._connect, finding, choice.review))
+            connect = partial(self._connect, finding, choice.review)
+            menu.addAction(ui.action(menu, "", choice.text, on_trigger=connect))
         button.setMenu(menu)
         return button
 
-    def _connect(
-        self,
-        finding: ScanFinding,
-        then: Callable[[], object] | None = None,
-        _checked: bool = False,
-    ) -> None:
+    def _connect(self, finding: ScanFinding, then: Callable[[], object] | None = None) -> None:
         if finding.found is None:
             return
         port = self._ports.lead_to(finding.port, finding.device)

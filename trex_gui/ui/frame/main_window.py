@@ -332,16 +332,14 @@ class MainWindow(QMainWindow):
         menu, files = self._recent_menu, self.recent.entries
         menu.clear()
         for number, file in enumerate(files, start=1):
-            action = menu.addAction(f"&{number} {ui.no_mnemonic(file.title)}")
+            text, then = f"&{number} {ui.no_mnemonic(file.title)}", partial(self.open_recent, file)
+            action = ui.action(menu, "", text, on_trigger=then)
             action.setToolTip(ui.plain(str(file.path)))
-            action.triggered.connect(partial(self._on_recent_chosen, file))
+            menu.addAction(action)
         menu.addSeparator()
         clear = menu.addAction(self.tr("&Clear list"))
         clear.triggered.connect(self.recent.clear, Qt.ConnectionType.QueuedConnection)
         menu.setEnabled(bool(files))
-
-    def _on_recent_chosen(self, file: RecentFile, _checked: bool = False) -> None:
-        self.open_recent(file)
 
     def _file_kinds(self) -> list[tuple[str, FileKind]]:
         return [(space.key, kind) for space in self._workspaces for kind in space.file_kinds]

@@ -259,11 +259,7 @@ def fill_menu_bar(
                 icon=entry.icon,
                 shortcut=entry.shortcut,
                 checkable=entry.checkable,
-                on_trigger=partial(_call_without_state, entry.slot),
+                on_trigger=entry.slot,
             )
             menu.addAction(actions[key])
     return actions
-
-
-def _call_without_state(slot: Callable[[], object], _checked: bool = False) -> None:
-    slot()

@@ -100,7 +100,7 @@ class ExportButton(QToolButton):
     def _on_light_toggled(self, light: bool) -> None:
         self._store.set(_LIGHT, light)
 
-    def _ask(self, kind: str, whole: bool, _checked: bool = False) -> None:
+    def _ask(self, kind: str, whole: bool) -> None:
         kinds = self.tr("Tables (*.csv)") if kind == "csv" else self.tr("Pictures (*.{0})")
         name = self._name
         if self._is_live:

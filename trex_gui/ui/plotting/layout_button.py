@@ -85,11 +85,11 @@ class LayoutButton(QToolButton):
             ("layoutSaveAction", self.tr("&Save layout…"), self._ask_and_save),
             ("layoutResetAction", self.tr("&Reset layout"), partial(self._use, None)),
         ):
-            menu.addAction(action(self, name, text, on_trigger=partial(_call, slot)))
+            menu.addAction(action(self, name, text, on_trigger=slot))
 
     def offer_window(self, show: Callable[[], object]) -> None:
         """Let the user show the same plot in a window of its own."""
-        self._window.triggered.connect(partial(_call, show))
+        self._window.triggered.connect(lambda _checked: show())
         self._window.setVisible(True)
 
     @Slot()
@@ -105,10 +105,11 @@ class LayoutButton(QToolButton):
         """Return a menu of colours for one curve."""
         menu = QMenu(trace.label, parent)
         for name, color in COLORS.items():
-            entry = action(menu, f"color_{trace.name}_{name}", color_text(name), checkable=True)
+            choose = partial(self._plot.set_color, trace.name, color)
+            key = f"color_{trace.name}_{name}"
+            entry = action(menu, key, color_text(name), checkable=True, on_trigger=choose)
             entry.setIcon(QIcon(swatch(theme().color(color), QSize(14, 14))))
             entry.setChecked(trace.color == color)
-            entry.triggered.connect(partial(_call, partial(self._choose, trace.name, name)))
             menu.addAction(entry)
         return menu
 
@@ -117,9 +118,6 @@ class LayoutButton(QToolButton):
         menu = self.colors_of(trace, self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         menu.popup(place)
-
-    def _choose(self, name: str, color: str) -> None:
-        self._plot.set_color(name, COLORS[color])
 
     # --- Files --------------------------------------------------------------------------
 
@@ -165,7 +163,3 @@ class LayoutButton(QToolButton):
 
     def _filter(self) -> str:
         return self.tr("Plot layouts (*{0})").format(_SUFFIX)
-
-
-def _call(slot: Callable[[], object], _checked: bool = False) -> None:
-    slot()

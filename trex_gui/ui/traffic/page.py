@@ -131,7 +131,7 @@ class TrafficPage(QWidget):
                 text,
                 shortcut=shortcut,
                 context=context,
-                on_trigger=lambda _checked=False: slot(),
+                on_trigger=slot,
             )
         )
 

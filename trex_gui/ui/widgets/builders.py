@@ -144,6 +144,7 @@ class ConfirmButton(QPushButton):
 
 
 Handler = Callable[..., object] | SignalInstance  # what a signal is connected to
+Trigger = Callable[[], object]  # what an action does, checked or not
 Part = QWidget | QLayout
 Item = Part | int | tuple[Part, int] | tuple[Part, int, Qt.AlignmentFlag]
 """A part of a layout, with its stretch and alignment; a number is empty room of that stretch."""
@@ -455,7 +456,7 @@ def action(
     shortcut: QKeySequence | QKeySequence.StandardKey | str = "",
     context: Qt.ShortcutContext = Qt.ShortcutContext.WindowShortcut,
     checkable: bool = False,
-    on_trigger: Handler | None = None,
+    on_trigger: Trigger | None = None,
 ) -> QAction:
     """Create an action; a widget that shall have its shortcut needs `addAction` as well."""
     made = QAction(QIcon(), text, parent)
@@ -465,7 +466,8 @@ def action(
     made.setCheckable(checkable)
     if icon:
         set_icon(made, icon)
-    _connect(made.triggered, on_trigger)
+    if on_trigger is not None:
+        made.triggered.connect(lambda _checked: on_trigger())
     return made
 
 

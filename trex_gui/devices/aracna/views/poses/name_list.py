@@ -56,7 +56,7 @@ class NameList(QListView):
         model.dataChanged.connect(self._on_data_changed)
         self._update_actions()
 
-    def _action(self, text: str, shortcut: str, slot: ui.Handler, icon: str = "") -> QAction:
+    def _action(self, text: str, shortcut: str, slot: ui.Trigger, icon: str = "") -> QAction:
         context = Qt.ShortcutContext.WidgetShortcut
         action = ui.action(
             self, "", text, icon=icon, shortcut=shortcut, context=context, on_trigger=slot

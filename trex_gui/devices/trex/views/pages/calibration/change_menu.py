@@ -24,7 +24,7 @@ from trex_gui.ui.files import in_background
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets import file_questions
-from trex_gui.ui.widgets.builders import Handler, action, plain
+from trex_gui.ui.widgets.builders import Trigger, action, plain
 
 
 class ChangeMenu(QMenu):
@@ -69,7 +69,7 @@ class ChangeMenu(QMenu):
         )
 
     @staticmethod
-    def _add(menu: QMenu, name: str, text: str, handler: Handler, icon: str = "") -> QAction:
+    def _add(menu: QMenu, name: str, text: str, handler: Trigger, icon: str = "") -> QAction:
         made = action(menu, name, text, icon=icon, on_trigger=handler)
         menu.addAction(made)
         return made
@@ -90,7 +90,7 @@ class ChangeMenu(QMenu):
             equal.setEnabled(not reason)
             equal.setToolTip(plain(reason))
 
-    def _copy_to(self, channels: Sequence[int], _checked: bool = False) -> None:
+    def _copy_to(self, channels: Sequence[int]) -> None:
         calibrations = self._device.calibrations
         wanted = calibrations.shown(self._channel)
         if wanted is None or wanted.problem():
@@ -101,7 +101,7 @@ class ChangeMenu(QMenu):
                 if channel != self._channel:
                     calibrations.edit(channel, wanted)
 
-    def _make_symmetric(self, larger: bool, _checked: bool = False) -> None:
+    def _make_symmetric(self, larger: bool) -> None:
         calibrations = self._device.calibrations
         shown = calibrations.shown(self._channel)
         if shown is not None and not shown.problem() and self._equals[larger].isEnabled():
