@@ -186,14 +186,8 @@ class ConnectionBar(QWidget):
         self._unless_busy(connect)
 
     @Slot()
-    def find_board(self) -> None:
-        self._open_search(at_once=False)
-
-    def find_now(self) -> None:
-        """Search the port that is shown."""
-        self._open_search(at_once=True)
-
-    def _open_search(self, *, at_once: bool) -> None:
+    def find_board(self, *, at_once: bool = False) -> None:
+        """Open the search; `at_once`: of the port that is shown."""
         if self._dialog is None:
             self._dialog = FindDialog(
                 self._manager, self._ports, self._unless_busy, self._line_choices, self.window()

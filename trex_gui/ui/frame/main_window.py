@@ -114,7 +114,7 @@ class MainWindow(QMainWindow):
         self.question = InlinePrompt(frame)  # for questions of the window and of the workspaces
         self._stack = QStackedWidget(frame)
         banner = Banner(frame, notifier, self._topic_of)
-        banner.chosen.connect(self._on_remedy_chosen)
+        banner.chosen.connect(self.apply_remedy)
         banner.help_wanted.connect(self.show_help)
         messages = MessageRoom(frame, self.question, banner, lines=1)
         below = ui.column(messages, (self._stack, 1), spacing=0)
@@ -179,7 +179,7 @@ class MainWindow(QMainWindow):
         self._connection.connecting.connect(self._notifier.cleared)
         self._connection.choice_changed.connect(self._on_actions_changed)
         self._connection.line_settings_requested.connect(self._edit_line_settings)
-        self._connection.remedy_chosen.connect(self._on_remedy_chosen)
+        self._connection.remedy_chosen.connect(self.apply_remedy)
         self._connection.interruption_wanted.connect(self._on_interruption_wanted)
         self._manager.changed.connect(self._on_link_changed)
         self._manager.current_changed.connect(self._on_device_changed)
@@ -197,16 +197,6 @@ class MainWindow(QMainWindow):
 
     def connect_to(self, port: Port) -> None:
         self._connection.connect_to(port)
-
-    @Slot(object)
-    def connect_with(self, remedy: ConnectWith) -> None:
-        """Connect with other settings to the port that is shown."""
-        self._connection.connect_with(remedy)
-
-    @Slot()
-    def find_now(self) -> None:
-        """Search the port that is shown."""
-        self._connection.find_now()
 
     @property
     def pages(self) -> QTabWidget:
@@ -418,12 +408,13 @@ class MainWindow(QMainWindow):
         self._workspace.log.add(text, is_problem=is_problem)
 
     @Slot(object)
-    def _on_remedy_chosen(self, remedy: Remedy | ConnectWith) -> None:
+    def apply_remedy(self, remedy: Remedy | ConnectWith) -> None:
+        """Do what a button in a message offers."""
         match remedy:
             case ConnectWith():
-                self.connect_with(remedy)
+                self._connection.connect_with(remedy)
             case Remedy.FIND:
-                self.find_now()
+                self._connection.find_board(at_once=True)
             case Remedy.RECONNECT | Remedy.PLUG_IN:
                 self._connection.reconnect()
             case Remedy.CHECK_BOARD:

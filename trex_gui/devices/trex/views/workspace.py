@@ -54,7 +54,7 @@ from trex_gui.ui.frame.workspace import (
     Workspace,
 )
 from trex_gui.ui.log import LogPage
-from trex_gui.ui.notifier import Answer
+from trex_gui.ui.notifier import Answer, Remedy
 from trex_gui.ui.translations import error_sentence, local_time
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
@@ -321,8 +321,8 @@ class TrexWorkspace(Workspace):
         from trex_gui.devices.trex.views.check_board import CheckBoardDialog  # noqa: PLC0415
 
         dialog = CheckBoardDialog(self._device, self._wiring, self._frame)
-        dialog.find_requested.connect(self._frame.find_now)
-        dialog.connect_requested.connect(self._frame.connect_with)
+        dialog.find_requested.connect(lambda: self._frame.apply_remedy(Remedy.FIND))
+        dialog.connect_requested.connect(self._frame.apply_remedy)
         return dialog
 
     def _check_board(self) -> None:
