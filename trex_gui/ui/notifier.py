@@ -96,9 +96,9 @@ class Notifier(QObject):
         self.delayed_info.connect(self.info, Qt.ConnectionType.QueuedConnection)
         self.delayed_error.connect(self.error, Qt.ConnectionType.QueuedConnection)
         self.delayed_report.connect(self.report, Qt.ConnectionType.QueuedConnection)
-        self.info.connect(self._log_news)
-        self.error.connect(self._log_problem)
-        self.danger.connect(self._log_problem)
+        self.info.connect(lambda text: self.logged.emit(text, False))
+        self.error.connect(lambda text: self.logged.emit(text, True))
+        self.danger.connect(lambda text: self.logged.emit(text, True))
 
     def log_also(self, other: "Notifier") -> None:
         """Log the messages of another place in the program."""
@@ -123,11 +123,3 @@ class Notifier(QObject):
         """Emit an `info` with a button for each answer."""
         self.info.emit(text)
         self.remedies_offered.emit(answers)
-
-    @Slot(str)
-    def _log_news(self, text: str) -> None:
-        self.logged.emit(text, False)
-
-    @Slot(str)
-    def _log_problem(self, text: str) -> None:
-        self.logged.emit(text, True)

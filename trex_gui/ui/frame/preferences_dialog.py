@@ -44,14 +44,14 @@ class PreferencesDialog(ReusedDialog):
             "schemeBox",
             self.tr("Theme"),
             items=[(names[scheme], scheme) for scheme in SCHEMES],
-            on_activate=self._on_scheme_chosen,
+            on_activate=lambda index: choose_scheme(SCHEMES[index]),
         )
         self._font_size = ui.combo_box(
             self,
             "fontSizeBox",
             self.tr("Font size"),
             items=[(self.tr("{0} %").format(percent), percent) for percent in FONT_SIZES],
-            on_activate=self._on_font_size_chosen,
+            on_activate=lambda index: choose_font_size(FONT_SIZES[index]),
         )
         self._language = ui.combo_box(
             self,
@@ -160,14 +160,6 @@ class PreferencesDialog(ReusedDialog):
         self.resize(width, self.heightForWidth(width))
         if self.isVisible():
             self.setGeometry(fitted(self.geometry(), self.screen().availableGeometry()))
-
-    @Slot(int)
-    def _on_scheme_chosen(self, index: int) -> None:
-        choose_scheme(SCHEMES[index])
-
-    @Slot(int)
-    def _on_font_size_chosen(self, index: int) -> None:
-        choose_font_size(FONT_SIZES[index])
 
     @Slot(int)
     def _on_language_chosen(self, index: int) -> None:
