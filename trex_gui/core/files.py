@@ -44,19 +44,13 @@ class Severity(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """An error or warning about a settings file; `key` is spelt as in the file.
+    """An error or warning about a settings file; `key` is spelt as in the file."""
 
-    Attributes:
-        line: counted from 1; `None` for the file as a whole.
-        message: what was expected, and what was found instead.
-        code: the kind of finding, for programs; empty for errors of the file system.
-    """
-
-    line: int | None
+    line: int | None  # counted from 1; `None` for the file as a whole
     key: str | None
-    message: str
+    message: str  # what was expected, and what was found instead
     severity: Severity = Severity.ERROR
-    code: str = ""
+    code: str = ""  # the kind of finding, for programs; empty for errors of the file system
 
     def __str__(self) -> str:
         parts = [

@@ -23,10 +23,8 @@ def crash_file() -> Path:
 class RunFile:
     """The file of this process, which takes the stack of each thread if it crashes.
 
-    Without a folder that can be written there is none, and no crash is noticed.
-
-    Attributes:
-        found_crash: a run before this one did not end properly; its file is `crash_file` now.
+    Without a folder that can be written there is none, and no crash is noticed. `found_crash`: a
+    run before this one did not end properly; its file is `crash_file` now.
     """
 
     def __init__(self) -> None:

@@ -40,15 +40,10 @@ class Outcome:
 
 @dataclass(frozen=True, slots=True)
 class Closed:
-    """Report, the last one: the session has ended and the port is free.
+    """Report, the last one: the session has ended and the port is free."""
 
-    Attributes:
-        error: reason why the line was lost; `None` after `Close`.
-        may_move: motors were driven and no stop has been confirmed since.
-    """
-
-    error: StudioError | None
-    may_move: bool = False
+    error: StudioError | None  # reason why the line was lost; `None` after `Close`
+    may_move: bool = False  # motors were driven and no stop has been confirmed since
 
 
 class Condition(AbstractContextManager[bool], Protocol):

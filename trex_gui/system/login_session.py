@@ -29,16 +29,11 @@ too many does no harm."""
 
 
 class SessionEvents(QObject):
-    """Listens on the system and the session bus, if there are any.
+    """Listens on the system and the session bus, if there are any."""
 
-    Signals:
-        leaving: the user cannot see the window any more, or soon; the reason to stop, a clause
-            without a full stop.
-        sleeping: the computer is about to sleep (after `leaving`), or has woken up.
-    """
-
+    # The user cannot see the window any more, or soon. The reason is a clause without a period.
     leaving = Signal(str)
-    sleeping = Signal(bool)
+    sleeping = Signal(bool)  # the computer is about to sleep (after `leaving`), or has woken up
 
     def __init__(
         self,

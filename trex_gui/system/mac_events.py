@@ -112,13 +112,9 @@ def _typed(function: Any, result: Any, *arguments: Any) -> Any:
 
 
 class MacEvents(QObject):
-    """Tells when to stop, and lets the computer sleep once the stop is confirmed.
+    """Tells when to stop, and lets the computer sleep once the stop is confirmed."""
 
-    Signals:
-        leaving: the user cannot see the window any more, or soon; the reason to stop, a clause
-            without a full stop.
-    """
-
+    # The user cannot see the window any more, or soon. The reason is a clause without a period.
     leaving = Signal(str)
 
     def __init__(

@@ -58,12 +58,9 @@ class SignalWatch(QObject):
 
     `act` and `rest` are called in a separate thread, before anything else. They must not block.
     A signal that is ignored from the beginning (`nohup`) stays ignored.
-
-    Signals:
-        caught: the number of the signal; in the thread of the receiver.
     """
 
-    caught = Signal(int)
+    caught = Signal(int)  # the number of the signal; in the thread of the receiver
 
     def __init__(
         self,

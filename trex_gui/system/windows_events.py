@@ -44,13 +44,9 @@ class _Filter(QAbstractNativeEventFilter):
 
 
 class WindowsEvents(QObject):
-    """Sees the messages of every window of the program.
+    """Sees the messages of every window of the program."""
 
-    Signals:
-        leaving: the user cannot see the window any more, or soon; the reason to stop, a clause
-            without a full stop.
-    """
-
+    # The user cannot see the window any more, or soon. The reason is a clause without a period.
     leaving = Signal(str)
 
     def __init__(self, parent: QObject | None = None) -> None:

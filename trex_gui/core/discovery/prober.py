@@ -11,18 +11,13 @@ from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
 @dataclass(frozen=True, slots=True)
 class ScanProgress:
-    """Progress of a scan: `done` of `total` probes; `line` is the next one's.
-
-    Attributes:
-        number: the device number that is probed, once a board has responded.
-        kind: name of the kind of device that is probed for.
-    """
+    """Progress of a scan: `done` of `total` probes; `line` is the next one's."""
 
     done: int
     total: int
     line: SerialFormat
-    number: int | None = None
-    kind: str = ""
+    number: int | None = None  # the device number that is probed, once a board has responded
+    kind: str = ""  # name of the kind of device that is probed for
 
 
 class Evidence(IntEnum):

@@ -46,21 +46,14 @@ _KEPT = 48  # unsolicited bytes that are kept for the diagnosis
 
 @dataclass(slots=True)
 class PortScan:
-    """Result of the scan of one port.
+    """Result of the scan of one port."""
 
-    Attributes:
-        device: key of the kind that was found; empty if none was.
-        found: the devices, all of that kind.
-        diagnoses: what was received if none was found, the strongest evidence first.
-        is_fault: whether an internal error ended it; `error` says so.
-    """
-
-    device: str = ""
-    found: Sequence[FoundDevice] = ()
-    diagnoses: list[Diagnosis] = field(default_factory=list)
+    device: str = ""  # key of the kind that was found; empty if none was
+    found: Sequence[FoundDevice] = ()  # the devices, all of that kind
+    diagnoses: list[Diagnosis] = field(default_factory=list)  # what was received, strongest first
     error: StudioError | None = None
     cancelled: bool = False
-    is_fault: bool = False
+    is_fault: bool = False  # whether an internal error ended it; `error` says so
 
     @property
     def lines(self) -> list[str]:

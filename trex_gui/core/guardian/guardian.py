@@ -28,38 +28,23 @@ _MOST_UNREAD, _UNREAD_S = 3, 0.25
 
 @dataclass(frozen=True, slots=True)
 class StopSequence:
-    """How the motors are stopped right now.
+    """How the motors are stopped right now."""
 
-    Attributes:
-        packets: what stops every motor.
-        query: asks for the status.
-        reply_size: bytes of its reply.
-        error_mask: bits of its first byte that report errors on the line.
-        has_echo: whether everything sent comes back before the reply.
-        seconds: how long one round takes at most.
-        note: lines about the board, for the file that says that its motors may be moving.
-    """
-
-    packets: bytes
-    query: bytes
-    reply_size: int
-    error_mask: int
-    has_echo: bool
-    seconds: float
-    note: str = ""
+    packets: bytes  # what stops every motor
+    query: bytes  # asks for the status
+    reply_size: int  # bytes of its reply
+    error_mask: int  # bits of its first byte that report errors on the line
+    has_echo: bool  # whether everything sent comes back before the reply
+    seconds: float  # how long one round takes at most
+    note: str = ""  # lines about the board, for the file that says that its motors may be moving
 
 
 @dataclass(frozen=True, slots=True)
 class SharedPort:
-    """An open port for a child process.
+    """An open port for a child process."""
 
-    Attributes:
-        kind: `serial`, `socket` or `telnet`.
-        number: its file descriptor; on Windows a handle.
-    """
-
-    kind: str
-    number: int
+    kind: str  # `serial`, `socket` or `telnet`
+    number: int  # its file descriptor; on Windows a handle
 
 
 class Guardian(Protocol):

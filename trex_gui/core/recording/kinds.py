@@ -79,23 +79,18 @@ class SampleKind:
     """One kind of sample and its table.
 
     Attributes:
-        type: class of the records.
-        pack: returns the values of a record in the order of `columns`.
         unpack: makes a record of its time and these values; raises ValueError, KeyError or
             TypeError where they are damaged.
-        held: whether a CSV row repeats the last values until they change.
-        partial: whether NULL leaves a held value unchanged.
-        clears: kinds whose held values are unknown after this one.
     """
 
     name: str
-    type: type[Any]
+    type: type[Any]  # class of the records
     columns: tuple[Column, ...]
-    pack: Callable[[Any], Sequence[Value]]
+    pack: Callable[[Any], Sequence[Value]]  # the values of a record in the order of `columns`
     unpack: Callable[..., Any]
-    held: bool = False
-    partial: bool = False
-    clears: frozenset[str] = frozenset()
+    held: bool = False  # whether a CSV row repeats the last values until they change
+    partial: bool = False  # whether NULL leaves a held value unchanged
+    clears: frozenset[str] = frozenset()  # kinds whose held values are unknown after this one
 
     @property
     def exported(self) -> tuple[str, ...]:

@@ -236,16 +236,11 @@ def _generated(name: str, expression: str, digits: int) -> str:
 
 
 class Recording(Generic[HeaderT, RecordT]):
-    """A recording opened read-only; belongs to one thread at a time.
-
-    Attributes:
-        count: number of the last record; records count from 1.
-        problems: missing and unreadable parts, as sentences.
-    """
+    """A recording opened read-only; belongs to one thread at a time."""
 
     def __init__(self, path: Path, fmt: RecordingFormat[HeaderT]) -> None:
         self.path = path
-        self.problems: list[str] = []
+        self.problems: list[str] = []  # missing and unreadable parts, as sentences
         self.format = fmt
         if path.suffix.lower() == ".csv":
             raise self._error(
@@ -274,7 +269,7 @@ class Recording(Generic[HeaderT, RecordT]):
                 self.header = self._read_header()
                 self.kinds = tuple(fmt.kinds(self.header))
                 self._check_tables()
-                self.count = self._last_record()
+                self.count = self._last_record()  # number of the last record; records count from 1
                 self._valid_types = defaultdict[tuple[str, ...], set[tuple[type, ...]]](set)
         except BaseException:
             self.close()

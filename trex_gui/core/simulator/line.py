@@ -27,29 +27,19 @@ _LINE_END = ord("\n")
 
 
 class WireFaults:
-    """Faults of a wire, and counters of the bytes on it.
-
-    Attributes:
-        mute: whether nothing reaches the host.
-        noise: probability that a byte is corrupted.
-        delay: seconds by which bytes to the host are late.
-        to_drop, to_drop_sent: number of bytes to lose next, to and from the host.
-        to_corrupt, to_double: number of bytes to the host to corrupt, or to send twice, next.
-        to_cut: number of bytes to the host after which the rest of a text line is lost.
-        errors: errors with which the next bytes from the host reach the device.
-    """
+    """Faults of a wire, and counters of the bytes on it."""
 
     def __init__(self, seed: int, noisy_bits: int) -> None:
         """`noisy_bits` is 8 when noise affects data bits, 9 when the stop bit as well."""
-        self.mute = False
+        self.mute = False  # whether nothing reaches the host
         self.plugged = True
-        self.noise = 0.0
-        self.delay = 0.0
-        self.to_drop = 0
-        self.to_drop_sent = 0
-        self.to_corrupt = 0
-        self.to_double = 0
+        self.noise = 0.0  # probability that a byte is corrupted
+        self.delay = 0.0  # seconds by which bytes to the host are late
+        self.to_drop = self.to_drop_sent = 0  # number of bytes to lose next, to and from the host
+        self.to_corrupt = self.to_double = 0  # number to corrupt, or to send twice, to the host
+        # Number of bytes to the host after which the rest of a text line is lost.
         self.to_cut: int | None = None
+        # Errors with which the next bytes from the host reach the device.
         self.errors: deque[ReceiveError] = deque()
         self.counters: Counter[str] = Counter(
             dict.fromkeys(("sent", "received", "dropped", "corrupted", "garbled", "collisions"), 0)
@@ -188,8 +178,6 @@ class SimulatedLine:
     begin together arrive as their AND; of other overlapping bytes the host samples the levels.
 
     Attributes:
-        echo: whether bytes from the host come back, as on an RS-232 connector.
-        paced: whether bytes take time.
         host: how the host's port is set; `None` for a host set like the first station.
     """
 
@@ -198,8 +186,8 @@ class SimulatedLine:
     def __init__(
         self, *, echo: bool = False, paced: bool = True, seed: int = 0, noisy_bits: int = 8
     ) -> None:
-        self.echo = echo
-        self.paced = paced
+        self.echo = echo  # whether bytes from the host come back, as on an RS-232 connector
+        self.paced = paced  # whether bytes take time
         self.host: SerialFormat | None = None
         self.faults = WireFaults(seed, noisy_bits)
         self.timeline = Timeline(self._advance_stations)

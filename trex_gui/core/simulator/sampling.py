@@ -60,15 +60,11 @@ class Receiver:
     """The receiving half of a UART: a falling edge begins a byte, then each bit is sampled once.
 
     As in real UARTs, only the first stop bit is checked. The wire is high between bytes.
-
-    Attributes:
-        baud: bit rate.
-        known_until: seconds up to which the level of the wire is known.
     """
 
     def __init__(self, line: SerialFormat, baud: float, now: float = 0.0) -> None:
-        self.known_until = now
-        self.baud = baud
+        self.known_until = now  # seconds up to which the level of the wire is known
+        self.baud = baud  # bit rate
         self._bit = 1 / baud
         self._parity = line.parity
         self._bits_per_byte = 1 + _DATA_BITS + (line.parity in _PARITIES) + 1

@@ -30,19 +30,13 @@ class TrafficDirection(Enum):
 
 @dataclass(frozen=True, slots=True)
 class TrafficEvent:
-    """Bytes on the line, or something that happened to it.
+    """Bytes on the line, or something that happened to it."""
 
-    Attributes:
-        time: seconds on the line's clock; received bytes may have waited in the port before.
-        text: what happened to the line, for the user.
-        settings: settings of the line from here on, if they changed.
-    """
-
-    time: float
+    time: float  # seconds on the line's clock; received bytes may have waited in the port before
     direction: TrafficDirection
     data: bytes = b""
-    text: str = ""
-    settings: PortSettings | None = None
+    text: str = ""  # what happened to the line, for the user
+    settings: PortSettings | None = None  # settings of the line from here on, if they changed
 
 
 @dataclass(slots=True)
@@ -163,31 +157,20 @@ class Decoded:
 
 @dataclass(slots=True, eq=False)
 class Transaction:
-    """One row: a request and its reply, or something that happened to the line.
+    """One row: a request and its reply, or something that happened to the line."""
 
-    Attributes:
-        number: counts the rows from 1.
-        time: when it was sent, else when the first byte was received; seconds on the line's clock.
-        note: what happened to the line; then no bytes were sent or received.
-        ended: when the last byte was received, on the same clock; `None` if none was.
-        echo: whether everything sent comes back; `None`: not known yet.
-        is_routine: whether it is one of the polls that the program repeats all the time.
-        is_search: whether it is of a search for devices, in which most probes have no reply.
-        words: its meaning, once it was decoded; see `Decoder.decoded`.
-    """
-
-    number: int
-    time: float
+    number: int  # counts the rows from 1
+    time: float  # when it was sent, else its first byte received; seconds on the line's clock
     sent: bytes = b""
     received: bytes = b""
-    note: str = ""
+    note: str = ""  # what happened to the line; then no bytes were sent or received
     settings: PortSettings | None = None
-    echo: bool | None = None
-    is_routine: bool = False
-    ended: float | None = None
+    echo: bool | None = None  # whether everything sent comes back; `None`: not known yet
+    is_routine: bool = False  # whether it is one of the polls that the program repeats all the time
+    ended: float | None = None  # when the last byte was received; `None` if none was
     is_over: bool = False
-    is_search: bool = False
-    words: Decoded | None = None
+    is_search: bool = False  # of a search for devices, in which most probes have no reply
+    words: Decoded | None = None  # its meaning, once it was decoded; see `Decoder.decoded`
 
     @property
     def seconds(self) -> float | None:

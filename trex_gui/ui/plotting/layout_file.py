@@ -36,17 +36,11 @@ def color_name(color: str) -> str:
 
 @dataclass(frozen=True, slots=True)
 class PlotLayout:
-    """How a plot is shown.
+    """How a plot is shown."""
 
-    Attributes:
-        seconds: how much time is shown.
-        top: where the left axis ends, in its unit; 0 if it fits what is shown.
-        curves: those that are drawn, and the name of the colour of each, as in `COLORS`.
-    """
-
-    seconds: float
-    top: float
-    curves: Mapping[str, str]
+    seconds: float  # how much time is shown
+    top: float  # where the left axis ends, in its unit; 0 if it fits what is shown
+    curves: Mapping[str, str]  # those that are drawn, and the colour of each, as in `COLORS`
 
 
 def write_layout(layout: PlotLayout) -> str:

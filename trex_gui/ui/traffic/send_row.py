@@ -12,19 +12,12 @@ from trex_gui.ui.widgets.labels import Note, Sign
 
 @dataclass(frozen=True, slots=True)
 class SendPreview:
-    """What typed bytes mean.
+    """What typed bytes mean."""
 
-    Attributes:
-        text: for the user; empty if nothing was typed, or no bytes.
-        details: the same, for a tool tip, where `text` is shortened.
-        blocker: why they cannot be sent now, for the user; empty if they can.
-        is_risky: whether they move something or change what is stored.
-    """
-
-    text: str = ""
-    blocker: str = ""
-    is_risky: bool = False
-    details: str = ""
+    text: str = ""  # for the user; empty if nothing was typed, or no bytes
+    blocker: str = ""  # why they cannot be sent now, for the user; empty if they can
+    is_risky: bool = False  # whether they move something or change what is stored
+    details: str = ""  # the same, for a tool tip, where `text` is shortened
 
 
 class PacketSender(Protocol):

@@ -52,9 +52,6 @@ class CommandSession:
     """An open line to a robot that has responded.
 
     CommandFailed: the line is lost, or the robot waits for a motor or rejects the request.
-
-    Attributes:
-        faults: what went wrong, as sentences.
     """
 
     robot: Connected
@@ -68,7 +65,7 @@ class CommandSession:
             settings, self._inbox, self._reports.put, self._host.open_transport
         )
         self._is_connected = False
-        self.faults: list[str] = []
+        self.faults: list[str] = []  # what went wrong, as sentences
 
     def __enter__(self) -> Self:
         """Connect; CommandFailed if that fails or was interrupted."""

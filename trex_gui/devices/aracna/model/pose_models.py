@@ -126,18 +126,14 @@ class StepColumn(IntEnum):
 
 
 class StepTable(QAbstractTableModel):
-    """The steps of one sequence or gait; edits go to the library, gaits are read-only.
-
-    Attributes:
-        item: the sequence or gait; it may be gone from the library.
-    """
+    """The steps of one sequence or gait; edits go to the library, gaits are read-only."""
 
     shown = Signal()  # another item is shown, or its steps have changed
 
     def __init__(self, library: Library, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._library = library
-        self.item: ItemKey | None = None
+        self.item: ItemKey | None = None  # the sequence or gait; it may be gone from the library
         self.steps: tuple[SequenceStep, ...] = ()
         self._notes: dict[int, str] = {}
         self._running: int | None = None

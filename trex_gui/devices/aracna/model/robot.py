@@ -53,20 +53,11 @@ class Robot(DeviceConnection[PortSettings]):
 
     Positions and speeds are tuples with one value for each motor, motor 0 first, in the servo's
     units. `reported` reaches its listeners after the report was taken into `state`.
-
-    Signals:
-        link_changed: `link` and `status`; `changed` has been emitted before.
-        halted: the user has stopped everything; pressed controls must be released.
-        rejected: why a command was not carried out; also sent to the notifier.
-
-    Attributes:
-        speeds: for the next motion.
-        speeds_chosen: the user has chosen them.
     """
 
-    link_changed = Signal()
-    halted = Signal()
-    rejected = Signal(str)
+    link_changed = Signal()  # `link` and `status`; `changed` has been emitted before
+    halted = Signal()  # the user has stopped everything; pressed controls must be released
+    rejected = Signal(str)  # why a command was not carried out; also sent to the notifier
 
     def __init__(
         self,
@@ -82,8 +73,8 @@ class Robot(DeviceConnection[PortSettings]):
         self.dragging = False
         self.limits = JointLimits(self)
         self.targets = Targets(self.limits, self)
-        self.speeds = (FIRST_SPEED,) * MOTORS
-        self.speeds_chosen = False
+        self.speeds = (FIRST_SPEED,) * MOTORS  # for the next motion
+        self.speeds_chosen = False  # the user has chosen them
         self.events = EventLog(self, clock=clock)
         self._rate = Rate()
         self._pending_moves = 0

@@ -66,32 +66,22 @@ class Rate:
 
 @dataclass(slots=True)
 class RobotState:
-    """The newest of everything; times are on the session's clock.
-
-    Attributes:
-        present: position of each motor; `None` where unknown.
-        goals: sent last.
-        moving: the `.c` that is not answered yet.
-        uncertain: whether a motion that is no longer observed may still be running.
-        unobserved_until: when such a motion should end; kept when it is over.
-        led: whether the debug LED is on; `None` until the robot was asked to switch it.
-        step: the running step; `None` before the first.
-    """
+    """The newest of everything; times are on the session's clock."""
 
     motors: int
     version: int | None = None
-    present: tuple[int | None, ...] = ()
-    goals: tuple[int, ...] | None = None
-    moving: Moving | None = None
+    present: tuple[int | None, ...] = ()  # position of each motor; `None` where unknown
+    goals: tuple[int, ...] | None = None  # sent last
+    moving: Moving | None = None  # the `.c` that is not answered yet
     moved: Moved | None = None
     awaited_motor: int = 0
     stuck: Stuck | None = None
-    uncertain: bool = False
-    unobserved_until: float | None = None
+    uncertain: bool = False  # whether a motion that is no longer observed may still be running
+    unobserved_until: float | None = None  # when such a motion should end; kept when it is over
     speeds: SpeedsHeld | None = None
-    led: bool | None = None
+    led: bool | None = None  # of the debug LED; `None` until the robot was asked to switch it
     play: Play | None = None
-    step: StepBegun | None = None
+    step: StepBegun | None = None  # the running step; `None` before the first
     stats: LineStats = field(default_factory=LineStats)
 
     def __post_init__(self) -> None:

@@ -55,18 +55,13 @@ class GaitStage:
 
 @dataclass(frozen=True, slots=True)
 class Gait:
-    """Stages one after the other, at least one.
-
-    Attributes:
-        cyclic: it can repeat: the first stage starts in the last pose.
-        ours: the robot's authors do not have it.
-    """
+    """Stages one after the other, at least one."""
 
     name: str
     stages: tuple[GaitStage, ...]
     about: str = ""
-    cyclic: bool = True
-    ours: bool = False
+    cyclic: bool = True  # it can repeat: the first stage starts in the last pose
+    ours: bool = False  # the robot's authors do not have it
 
     @property
     def steps(self) -> tuple[SequenceStep, ...]:

@@ -89,14 +89,13 @@ class Project:
         resolutions: positions that each servo distinguishes; as many as there are motors.
         poses, sequences: in the order of the file, with unique names. Sequences may name poses that
             are not defined.
-        rest: other lines as they are; they are written back at the end.
     """
 
     name: str = "Aracna"
     resolutions: tuple[int, ...] = (RESOLUTION,) * MOTORS
     poses: tuple[Pose, ...] = ()
     sequences: tuple[Sequence, ...] = ()
-    rest: tuple[str, ...] = ()
+    rest: tuple[str, ...] = ()  # other lines as they are; they are written back at the end
     line_end: str = "\n"
 
     @property

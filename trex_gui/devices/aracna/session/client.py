@@ -104,19 +104,14 @@ CommandEvent = Answered | PartialReply | LateReply | ReplyLost | Voided
 
 
 class AracnaClient:
-    """Talks over an open line at the robot's line settings.
-
-    Attributes:
-        motors: how many values a command has; 0 before the first `.q` reply.
-        received: the first bytes that arrived, for a diagnosis.
-    """
+    """Talks over an open line at the robot's line settings."""
 
     def __init__(self, transport: Transport, settings: PortSettings) -> None:
         self.transport = transport
         self.settings = settings.at(LINE)
-        self.motors = 0
+        self.motors = 0  # how many values a command has; 0 before the first `.q` reply
         self.pending: SentCommand | None = None
-        self.received = b""
+        self.received = b""  # the first bytes that arrived, for a diagnosis
         self.stats = LineStats()
         self._unrecognized = b""
         self._reader = Reader()

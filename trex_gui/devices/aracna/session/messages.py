@@ -118,22 +118,15 @@ Request = (
 
 @dataclass(frozen=True, slots=True)
 class LineStats:
-    """Counts since the robot's first reply; reported once a second at most, when they change.
+    """Counts since the robot's first reply; reported once a second at most, when they change."""
 
-    Attributes:
-        requests: commands sent, including a pending one.
-        corrupted: commands whose reply was lost or unusable.
-        unrecognized: lines that are no reply of an Aracna.
-        slowest: the longest round trip in seconds, motions excluded.
-    """
-
-    requests: int = 0
+    requests: int = 0  # commands sent, including a pending one
     replies: int = 0
     timeouts: int = 0
-    corrupted: int = 0
-    unrecognized: int = 0
+    corrupted: int = 0  # commands whose reply was lost or unusable
+    unrecognized: int = 0  # lines that are no reply of an Aracna
     restarts: int = 0
-    slowest: float = 0.0
+    slowest: float = 0.0  # the longest round trip in seconds, motions excluded
 
     @property
     def finished(self) -> tuple[int, ...]:

@@ -34,12 +34,10 @@ class RobotStation:
     while the last two bytes of a reply are still leaving.
 
     Attributes:
-        held: bytes received while the program was busy.
-        keeps_last: which byte is kept when more than three arrive: the last, as in the chip's
-            data sheet (a new byte replaces the one in the shift register), or the third.
-            Observed: only with the last one does a `.v` sent in reaction to `.h` restart the
-            firmware over and over.
-        bytes_missed: bytes that were not kept.
+        keeps_last: which byte is kept when more than three arrive: the last, as in the chip's data
+            sheet (a new byte replaces the one in the shift register), or the third. Observed: only
+            with the last one does a `.v` sent in reaction to `.h` restart the firmware over and
+            over.
     """
 
     line_format = OWN
@@ -48,9 +46,9 @@ class RobotStation:
     def __init__(self, firmware: Firmware, line: SimulatedLine, *, keeps_last: bool = True) -> None:
         self.firmware = firmware
         self.powered = False
-        self.held: deque[int] = deque()
+        self.held: deque[int] = deque()  # bytes received while the program was busy
         self.keeps_last = keeps_last
-        self.bytes_missed = 0
+        self.bytes_missed = 0  # bytes that were not kept
         self._line = line
         self._program: Program | None = None
         self._is_waiting = False

@@ -29,30 +29,22 @@ class Servo:
     """One servo.
 
     Attributes:
-        position: in units; a fraction while it moves.
-        goal: the last goal it accepted, 0-1023.
-        speed: speed register, 0-1023; 0 is the highest speed.
-        torque: whether it holds; off from power-up to the first goal.
         alive: whether it responds. A dead servo stops, and continues its motion when it is alive
             again (assumed).
-        blocked: whether something holds it: then it stays "moving" until it is free.
-        load: share of its speed that it loses, 0-1.
-        lag: seconds between a goal and the moving flag, for tests.
-        to_fail: number of reads of a register that fail next.
     """
 
     def __init__(self, position: float = 512, margin: int = MARGIN) -> None:
-        self.position = float(position)
-        self.goal = round(position)
-        self.speed = 0
-        self.torque = False
+        self.position = float(position)  # in units; a fraction while it moves
+        self.goal = round(position)  # the last goal it accepted, 0-1023
+        self.speed = 0  # speed register, 0-1023; 0 is the highest speed
+        self.torque = False  # whether it holds; off from power-up to the first goal
         self.powered = True
         self.alive = True
-        self.blocked = False
-        self.load = 0.0
+        self.blocked = False  # whether something holds it: then it stays "moving" until it is free
+        self.load = 0.0  # share of its speed that it loses, 0-1
         self.margin = margin
-        self.lag = 0.0
-        self.to_fail: Counter[Register] = Counter()
+        self.lag = 0.0  # seconds between a goal and the moving flag, for tests
+        self.to_fail: Counter[Register] = Counter()  # number of reads of a register that fail next
         self._since_goal = math.inf
 
     # Bus

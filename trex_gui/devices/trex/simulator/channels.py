@@ -40,17 +40,12 @@ _WITHOUT_VALUE = {
 
 @dataclass(frozen=True, slots=True)
 class Signal:
-    """Signal at one input: µs for pulses, V for a voltage.
-
-    Attributes:
-        noise: standard deviation of each pulse or conversion.
-        lost: share of missing pulses, 0-1.
-    """
+    """Signal at one input: µs for pulses, V for a voltage."""
 
     kind: SignalKind
     value: float = 0.0
-    noise: float = 0.0
-    lost: float = 0.0
+    noise: float = 0.0  # standard deviation of each pulse or conversion
+    lost: float = 0.0  # share of missing pulses, 0-1
 
     @classmethod
     def parse(cls, text: str, source: InputSource) -> "Signal":

@@ -61,21 +61,8 @@ _COUNTERS = (
 class Board:
     """One controller with its motors, receiver and jumpers, switched on.
 
-    Attributes:
-        mode_jumper: `serial` (no jumper), `rc` or `analog`; read at power-up.
-        mix, so_ground: whether these jumpers are set; `mix` is read all the time.
-        now, powered_at: seconds since the start, and the moment of the last power-up.
-        is_starved: whether it is switched on, but the battery is too low.
-        boots: number of power-ups.
-        mode: as read at power-up.
-        serial: serial motor control, and the latched bits.
-        sticks: channel motor control, with serial override and safe-start.
-        timeout_needs_shutdown: whether the serial timeout stops motors only with UART-Error
-            Shutdown set. CMD10 names no condition; the twin, a qik 2s12v10, has this one.
-        boot_mode: selected by jumpers at power-up; `None` in normal operation.
-        receiving: whether a packet is incomplete (it lights a LED).
-        unknown_reply: sent when an unknown parameter is read, beside the format error.
-        rejection_is_error: whether a rejected write is a format error, too.
+    `serial` is its serial motor control, with the latched bits; `sticks` is that of the channels,
+    with serial override and safe-start.
     """
 
     def __init__(
@@ -89,6 +76,8 @@ class Board:
         seed: int = 0,
         timeout_needs_shutdown: bool = False,
     ) -> None:
+        # Whether the serial timeout stops motors only with UART-Error Shutdown set. CMD10 names no
+        # condition; the twin, a qik 2s12v10, has this one.
         self.timeout_needs_shutdown = timeout_needs_shutdown
         self.eeprom = eeprom if eeprom is not None else Eeprom(model)
         self.model = self.eeprom.model
@@ -96,19 +85,19 @@ class Board:
         self.memory = Memory(self.eeprom, firmware)
         if mode not in MODE_JUMPERS:
             raise ValueError(f"the mode jumper is {', '.join(MODE_JUMPERS)}, not {mode!r}")
-        self.mode_jumper = mode
-        self.mix = mix
+        self.mode_jumper = mode  # one of `MODE_JUMPERS`, read at power-up
+        self.mix = mix  # whether this jumper is set; read all the time
         self.so_ground = False
-        self.now = self.powered_at = 0.0
+        self.now = self.powered_at = 0.0  # seconds since the start
         self.powered = False
-        self.boots = 0
-        self.unknown_reply = b""
-        self.rejection_is_error = False
+        self.boots = 0  # number of power-ups
+        self.unknown_reply = b""  # to reading an unknown parameter, beside the format error
+        self.rejection_is_error = False  # whether a rejected write is a format error, too
         self.channels = Channels(InputSource.RC, seed)
         self.machine = Machine(self.model.key, self.model.current_unit, seed)
         self.physics = self.machine.motors
         self._jumpers_at_first = (mode, mix)
-        self.is_starved = False
+        self.is_starved = False  # whether it is switched on, but the battery is too low
         self.counters: Counter[str] = Counter(dict.fromkeys(_COUNTERS, 0))
         self._ticks = 0
         self.power_on()
@@ -129,7 +118,7 @@ class Board:
         self.mode = jumpers.get(self.mode_jumper, self.memory.serial_source)
         self.channels.begin(self.mode.source)
         self._forget()
-        self.boot_mode: BootMode | None = boot_mode(self)
+        self.boot_mode: BootMode | None = boot_mode(self)  # `None` in normal operation
 
     def power_off(self) -> None:
         """Switch off: the motors coast, an unfinished write is lost."""
@@ -169,7 +158,7 @@ class Board:
             in_control=self.powered and self.mode.is_serial,
         )
         self.sticks = ChannelControl(self.channels, self.memory, self.mode)
-        self.receiving = False
+        self.receiving = False  # whether a packet is incomplete, which lights a LED
 
     @property
     def is_running(self) -> bool:
@@ -229,7 +218,7 @@ class Board:
         self.serial.check_timeout(
             self.now,
             self.memory.active[ParameterKey.SERIAL_TIMEOUT],
-            shut_down=self._shuts_down or not self.timeout_needs_shutdown,
+            shut_down=self._stops_on_timeout,
         )
         self._latch_faults()
         for index, (motor, physics) in enumerate(zip(self.motors, self.physics, strict=True)):
@@ -255,7 +244,7 @@ class Board:
             self.now,
             timeout,
             in_control=self.sticks.watch(),
-            shut_down=self._shuts_down or not self.timeout_needs_shutdown,
+            shut_down=self._stops_on_timeout,
         )
         if self.serial.in_control:
             return
@@ -276,6 +265,10 @@ class Board:
     @property
     def _shuts_down(self) -> bool:
         return bool(self.memory.active[ParameterKey.UART_ERROR_SHUTDOWN])
+
+    @property
+    def _stops_on_timeout(self) -> bool:
+        return self._shuts_down or not self.timeout_needs_shutdown
 
     def set_parameter(self, number: int, value: int) -> ResultCode:
         return self._checked(self.memory.set(number, value, self.mode))

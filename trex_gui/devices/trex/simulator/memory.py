@@ -229,16 +229,14 @@ class Memory:
     Parameters 0x7B-0x7F take effect after a power cycle, the others when their write ends.
 
     Attributes:
-        active: active parameters by key.
         line_settings, baud: active settings of the serial line, and its real bit rate.
-        writes: number of finished writes.
-        accepted: by key, the highest value that this firmware takes beyond the inferred limits,
-            and the bits that it stores.
+        accepted: by key, the highest value that this firmware takes beyond the inferred limits, and
+            the bits that it stores.
     """
 
     def __init__(self, eeprom: Eeprom, firmware: str) -> None:
         self.parameters = parameters_of(eeprom.model.key, firmware)
-        self.writes = 0
+        self.writes = 0  # number of finished writes
         self.accepted: dict[str, tuple[int, int]] = {}
         self.eeprom = eeprom
         self._firmware = firmware
@@ -249,7 +247,7 @@ class Memory:
     def load(self) -> None:
         self.lose_write()
         self.eeprom.reset_if_pending()
-        self.active = self.stored()
+        self.active = self.stored()  # active parameters by key
         self.line_settings = LineSettings.from_wire(self.active[ParameterKey.UART_SETTINGS])
         self.baud = self.line_settings.real_baud(self._firmware)
 

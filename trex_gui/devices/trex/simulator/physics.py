@@ -15,27 +15,16 @@ HIGHEST_READING = 255
 
 @dataclass(frozen=True, slots=True)
 class Constants:
-    """Battery and motors of a board of one model.
+    """Battery and motors of a board of one model."""
 
-    Attributes:
-        battery: V without load.
-        battery_resistance: ohm, with cables.
-        brown_out: V below which the board resets.
-        resistance: ohm, of a motor with its driver and wires.
-        back_emf: V s/rad of a motor; the same figure in N m/A is its torque.
-        inertia: kg m2, of rotor and gears as seen from the rotor.
-        free: A that a motor draws without load: its own friction and that of its gears.
-        light_load: A that it draws when it drives a robot on a flat floor.
-    """
-
-    battery: float
-    battery_resistance: float
-    brown_out: float
-    resistance: float
-    back_emf: float
-    inertia: float
-    free: float
-    light_load: float
+    battery: float  # V without load
+    battery_resistance: float  # ohm, with cables
+    brown_out: float  # V below which the board resets
+    resistance: float  # ohm, of a motor with its driver and wires
+    back_emf: float  # V s/rad of a motor; the same figure in N m/A is its torque
+    inertia: float  # kg m2, of rotor and gears as seen from the rotor
+    free: float  # A that a motor draws without load: its own friction and that of its gears
+    light_load: float  # A that it draws when it drives a robot on a flat floor
 
     @property
     def stall(self) -> float:
@@ -73,20 +62,11 @@ _NOISE_COUNTS = 0.3
 
 
 class MotorPhysics:
-    """One motor with its load, its driver's fault state and its current sensor.
-
-    Attributes:
-        load: current in A when running; dry friction, the same at all speeds.
-        load_at_first: the load after `factory_reset`.
-        forced: current in A that the sensor reports; `None` for the real one.
-        fault: whether the driver has shut down.
-        speed: rad/s, positive forward.
-        reading: the last measurement in counts of 0x8D, 0-255.
-    """
+    """One motor with its load, its driver's fault state and its current sensor."""
 
     def __init__(self, constants: Constants, current_unit: float, seed: int) -> None:
         self.constants = constants
-        self.load_at_first = constants.free
+        self.load_at_first = constants.free  # the load after `factory_reset`
         self._unit = current_unit
         self._random = random.Random(seed)  # noqa: S311 - noise, not secrets
         self._charge = 0.0  # A s since the last measurement
@@ -94,10 +74,10 @@ class MotorPhysics:
         self.factory_reset()
 
     def factory_reset(self) -> None:
-        self.load = self.load_at_first
-        self.forced: float | None = None
-        self.fault = False
-        self.speed = 0.0
+        self.load = self.load_at_first  # A when running; dry friction, the same at all speeds
+        self.forced: float | None = None  # A that the sensor reports; `None` for the real current
+        self.fault = False  # whether the driver has shut down
+        self.speed = 0.0  # rad/s, positive forward
         self.clear_reading()
 
     def current_at(self, volts: float) -> float:
@@ -136,7 +116,7 @@ class MotorPhysics:
             counts = mean / self._unit + self._random.gauss(0, _NOISE_COUNTS)
         else:
             counts = 0.0
-        self.reading = max(0, min(HIGHEST_READING, round(counts)))
+        self.reading = max(0, min(HIGHEST_READING, round(counts)))  # the last one, counts of 0x8D
 
     def clear_reading(self) -> None:
         """Discard the measurement: no power, or no current sensing."""
