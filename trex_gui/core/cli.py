@@ -187,7 +187,24 @@ timeout_option = click.option(
     metavar="S",
     help="Seconds added to the deadline of every reply.",
 )
+seconds_option = click.option(
+    "--seconds",
+    type=FiniteRange(0, min_open=True),
+    metavar="S",
+    help="Duration; without it, until Ctrl-C.",
+)
 json_option = click.option("--json", "as_json", is_flag=True, help="JSON instead of text.")
+
+
+def all_options(*options: Callable[[FunctionT], FunctionT]) -> Callable[[FunctionT], FunctionT]:
+    """Return a decorator that adds options, listed in this order."""
+
+    def add(function: FunctionT) -> FunctionT:
+        for option in reversed(options):
+            function = option(function)
+        return function
+
+    return add
 
 
 def traffic_option(

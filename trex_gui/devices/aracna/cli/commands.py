@@ -8,6 +8,7 @@ from trex_gui.core.cli import (
     CommandFailed,
     FiniteRange,
     Interruption,
+    all_options,
     json_option,
     port_option,
     print_json,
@@ -29,8 +30,10 @@ from trex_gui.devices.aracna.session.messages import Play
 
 _POSITION = click.IntRange(0, 1023)
 
-_traffic_option = traffic_option(
-    Lazy("trex_gui.devices.aracna.session.traffic_decoder:AracnaDecoder")
+_line_options = all_options(
+    port_option,
+    timeout_option,
+    traffic_option(Lazy("trex_gui.devices.aracna.session.traffic_decoder:AracnaDecoder")),
 )
 _no_limits_option = click.option(
     "--no-limits",
@@ -49,9 +52,7 @@ def aracna() -> None:
 
 
 @aracna.command()
-@port_option
-@timeout_option
-@_traffic_option
+@_line_options
 @json_option
 def query(port: str | None, extra_timeout: float, *, as_json: bool) -> None:
     """Show the firmware version and the number of motors. Moves nothing."""
@@ -65,9 +66,7 @@ def query(port: str | None, extra_timeout: float, *, as_json: bool) -> None:
 
 
 @aracna.command()
-@port_option
-@timeout_option
-@_traffic_option
+@_line_options
 @click.argument("state", type=click.Choice(["on", "off"]))
 def led(state: str, port: str | None, extra_timeout: float) -> None:
     """Switch the debug LED of the board: it shows which robot is on this port. Moves nothing.
@@ -79,9 +78,7 @@ def led(state: str, port: str | None, extra_timeout: float) -> None:
 
 
 @aracna.command()
-@port_option
-@timeout_option
-@_traffic_option
+@_line_options
 @click.argument("values", metavar="SPEED...", nargs=-1, required=True, type=_POSITION)
 def speeds(values: tuple[int, ...], port: str | None, extra_timeout: float) -> None:
     """Set the speed of every motor: one value for all, or one for each.
@@ -98,9 +95,7 @@ def speeds(values: tuple[int, ...], port: str | None, extra_timeout: float) -> N
 
 
 @aracna.command()
-@port_option
-@timeout_option
-@_traffic_option
+@_line_options
 @click.argument("values", metavar="[POSITION...]", nargs=-1, type=_POSITION)
 @click.option("--pose", "name", metavar="NAME", help="A pose of --file, or a built-in one.")
 @click.option("--file", type=FileName(), metavar="FILE", help="Pose file (.ppr) with the pose.")
@@ -149,9 +144,7 @@ def pose(
 
 
 @aracna.command()
-@port_option
-@timeout_option
-@_traffic_option
+@_line_options
 @click.argument("file", type=FileName())
 @click.option("--sequence", "name", metavar="NAME", help="Which one, if the file has several.")
 @click.option("--rounds", type=click.IntRange(1), show_default="1")

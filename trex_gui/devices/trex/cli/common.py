@@ -10,8 +10,8 @@ import click
 from click.shell_completion import CompletionItem
 
 from trex_gui.core.cli import (
-    FunctionT,
     ProgressLine,
+    all_options,
     hexadecimal,
     port_option,
     refusals,
@@ -75,7 +75,7 @@ polynomial_option = click.option(
     help="CRC-7 polynomial, 80 to FF.",
 )
 _RESERVE = "Numbers of other devices on the line, such as 0,1; implies --protocol expanded."
-_LINK_OPTIONS = (
+link_options = all_options(
     port_option,
     click.option(
         "--baud",
@@ -119,12 +119,6 @@ _LINK_OPTIONS = (
     timeout_option,
     traffic_option(Lazy("trex_gui.devices.trex.session.traffic_decoder:TrexDecoder")),
 )
-
-
-def link_options(function: FunctionT) -> FunctionT:
-    for option in reversed(_LINK_OPTIONS):
-        function = option(function)
-    return function
 
 
 def link_settings(options: Mapping[str, Any], url: str | None = None) -> ConnectionSettings:

@@ -3,11 +3,12 @@
 import math
 from collections import deque
 from collections.abc import Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 import click
 
-from trex_gui.core.cli import CommandFailed, FiniteRange, Interruption, refusals, say
+from trex_gui.core.cli import CommandFailed, Interruption, refusals, say, seconds_option
 from trex_gui.core.errors import (
     BadReply,
     BadRequest,
@@ -71,12 +72,7 @@ _SLICE = 0.02  # longest wait in seconds without a look at signals
 @click.argument("which", metavar="1|2|aux", type=click.Choice(["1", "2", "aux"]))
 @click.argument("speed", type=int)
 @click.option("--accelerate", is_flag=True, help="Use the acceleration set in the board.")
-@click.option(
-    "--seconds",
-    type=FiniteRange(0, min_open=True),
-    metavar="S",
-    help="Duration; without it, until Ctrl-C.",
-)
+@seconds_option
 @click.option("--brake", is_flag=True, help="Brake; SPEED is the braking duty, 0 to 127.")
 def motor(
     which: str,
@@ -173,6 +169,7 @@ def _setpoint(which: str, speed: int, *, accelerate: bool, brake: bool) -> Setpo
     return setpoint
 
 
+@dataclass(slots=True)
 class _Run:
     """Drives motors through a session on the same thread, as its inbox and its listener.
 
@@ -180,30 +177,23 @@ class _Run:
     the motors, and old error bits are read.
     """
 
-    def __init__(
-        self,
-        orders: Sequence[Setpoint | SendPacket],
-        seconds: float,
-        interrupted: Interruption,
-        transport: Transport,
-    ) -> None:
-        self._orders = orders
-        self._seconds = seconds
-        self._interrupted = interrupted
-        self._transport = transport
-        self._requests: deque[Request] = deque()
-        self._state: DeviceState | None = None
-        self._silence = TimeoutStop.OFF
-        self._now = 0.0
-        self._end = math.inf
-        self._heartbeat_at = math.inf
-        self._is_running = False
-        self._is_ending = False
-        self._is_guarded = False
-        self._lost_control = 0
-        self._reason: str | None = None
-        self._stop_error: StudioError | None = None
-        self._line_error: StudioError | None = None
+    _orders: Sequence[Setpoint | SendPacket]
+    _seconds: float
+    _interrupted: Interruption
+    _transport: Transport
+    _requests: deque[Request] = field(default_factory=deque)
+    _state: DeviceState | None = None
+    _silence: TimeoutStop = TimeoutStop.OFF
+    _now: float = 0.0
+    _end: float = math.inf
+    _heartbeat_at: float = math.inf
+    _is_running: bool = False
+    _is_ending: bool = False
+    _is_guarded: bool = False
+    _lost_control: int = 0
+    _reason: str | None = None
+    _stop_error: StudioError | None = None
+    _line_error: StudioError | None = None
 
     # --- The inbox ----------------------------------------------------------------------
 

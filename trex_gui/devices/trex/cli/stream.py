@@ -12,17 +12,14 @@ from typing import Any, TextIO
 import click
 from click.core import ParameterSource
 
-from trex_gui.core.cli import CommandFailed, FiniteRange, Interruption, say
+from trex_gui.core.cli import CommandFailed, FiniteRange, Interruption, say, seconds_option
 from trex_gui.core.command_io import FileName
 from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.core.texts import counted
 from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import agreed
-from trex_gui.devices.trex.client.telemetry import (
-    ModeSample,
-    StatusReader,
-)
+from trex_gui.devices.trex.client.telemetry import ModeSample, StatusReader
 from trex_gui.devices.trex.protocol.commands import GetMode
 from trex_gui.devices.trex.recording import MeasurementTable, Row
 from trex_gui.devices.trex.session.polling import Schedule, poll, rates
@@ -49,12 +46,7 @@ def _read_separator(_context: click.Context, _option: click.Parameter, text: str
     metavar="FILE|-",
     help="File for the CSV; - is standard output, the default.",
 )
-@click.option(
-    "--seconds",
-    type=FiniteRange(0, min_open=True),
-    metavar="S",
-    help="Duration; without it, until Ctrl-C.",
-)
+@seconds_option
 @click.option(
     "--interval",
     type=FiniteRange(0),
