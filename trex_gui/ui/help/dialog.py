@@ -23,7 +23,6 @@ from PySide6.QtWidgets import (
     QDialogButtonBox,
     QListWidget,
     QListWidgetItem,
-    QSplitter,
     QTextBrowser,
     QWidget,
 )
@@ -76,23 +75,16 @@ class HelpDialog(ReusedDialog):
         )
         self._list.setWordWrap(True)
         self._list.setSpacing(2)
-        self._text = _Browser(self)
-        back = ui.button(
-            self,
-            "helpBack",
-            self.tr("&Back"),
-            icon="undo",
-            default=False,
-            on_click=self._text.backward,
-        )
-        forward = ui.button(
-            self,
-            "helpForward",
-            self.tr("&Forward"),
-            icon="redo",
-            default=False,
-            on_click=self._text.forward,
-        )
+        self._text = text = _Browser(self)
+        steps = []
+        for name, title, icon, step, available in (
+            ("helpBack", self.tr("&Back"), "undo", text.backward, text.backwardAvailable),
+            ("helpForward", self.tr("&Forward"), "redo", text.forward, text.forwardAvailable),
+        ):
+            button = ui.button(self, name, title, icon=icon, default=False, on_click=step)
+            button.setEnabled(False)
+            available.connect(button.setEnabled)
+            steps.append(button)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close, self)
         close = buttons.button(QDialogButtonBox.StandardButton.Close)
         close.setObjectName("helpClose")
@@ -101,19 +93,9 @@ class HelpDialog(ReusedDialog):
 
         left = QWidget(self)
         ui.column(self._search, (self._list, 1), into=left, margins=0)
-        splitter = QSplitter(Qt.Orientation.Horizontal, self)
-        splitter.addWidget(left)
-        splitter.addWidget(self._text)
-        splitter.setStretchFactor(1, 1)
+        splitter = ui.splitter(self, "", Qt.Orientation.Horizontal, (left, 0), (text, 1))
         splitter.setSizes([230, 950])
-        splitter.setChildrenCollapsible(False)
-        ui.column((splitter, 1), ui.row(back, forward, 1, buttons, margins=0), into=self)
-        for button, available in (
-            (back, self._text.backwardAvailable),
-            (forward, self._text.forwardAvailable),
-        ):
-            button.setEnabled(False)
-            available.connect(button.setEnabled)
+        ui.column((splitter, 1), ui.row(*steps, 1, buttons, margins=0), into=self)
         self._search.textChanged.connect(self._fill)
         self._list.currentItemChanged.connect(self._on_chosen)
         self._text.sourceChanged.connect(self._select)

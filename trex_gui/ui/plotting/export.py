@@ -90,15 +90,11 @@ class ExportButton(QToolButton):
             self, "exportLightAction", self.tr("Pictures on a &light background"), checkable=True
         )
         self._light.setChecked(self._store.flag(_LIGHT, default=True))
-        self._light.toggled.connect(self._on_light_toggled)
+        self._light.toggled.connect(partial(self._store.set, _LIGHT))
         self.menu().addAction(self._light)
 
     def _add(self, name: str, text: str, kind: str, whole: bool = False) -> None:
         self.menu().addAction(action(self, name, text, on_trigger=partial(self._ask, kind, whole)))
-
-    @Slot(bool)
-    def _on_light_toggled(self, light: bool) -> None:
-        self._store.set(_LIGHT, light)
 
     def _ask(self, kind: str, whole: bool) -> None:
         kinds = self.tr("Tables (*.csv)") if kind == "csv" else self.tr("Pictures (*.{0})")

@@ -47,7 +47,7 @@ class TracePanel(QWidget):
             "currentsWindow",
             self.tr("Time shown"),
             items=[(self._length_text(seconds), seconds) for seconds in _WINDOWS],
-            on_activate=self._on_window_chosen,
+            on_activate=lambda index: self._choose_window(_WINDOWS[index]),
         )
         window_label = label(self, text=self.tr("Show the &last"), buddy=self._window)
         self._top = combo_box(
@@ -56,7 +56,7 @@ class TracePanel(QWidget):
             self.tr("Range of the currents"),
             items=[(self.tr("automatic"), 0), *((f"0–{amps} A", amps) for amps in _TOPS)],
             tip=self.tr("A fixed range keeps plots comparable; peaks above it are cut off"),
-            on_activate=self._on_top_chosen,
+            on_activate=lambda index: self._choose_top((0, *_TOPS)[index]),
         )
         top_label = label(self, text=self.tr("Ran&ge"), buddy=self._top)
         self._pause = button(
@@ -158,17 +158,9 @@ class TracePanel(QWidget):
             return self.tr("{n} min").format(n=f"{Number(seconds / 60):.3g}")
         return self.tr("{n} h").format(n=f"{Number(seconds / 3600):.3g}")
 
-    @Slot(int)
-    def _on_window_chosen(self, index: int) -> None:
-        self._choose_window(self._window.itemData(index))
-
     def _choose_window(self, seconds: float) -> None:
         self._store.set(f"{self._key}window", seconds)
         self.plot.set_window(seconds)
-
-    @Slot(int)
-    def _on_top_chosen(self, index: int) -> None:
-        self._choose_top(self._top.itemData(index))
 
     def _choose_top(self, amps: float) -> None:
         self._store.set(f"{self._key}top", amps)

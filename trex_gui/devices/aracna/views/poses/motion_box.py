@@ -74,7 +74,7 @@ class MotionBox(ui.GroupBox):
             spacing=4,
         )
 
-        new.clicked.connect(self._on_new_clicked)
+        new.clicked.connect(lambda: self._list.choose_and_edit(library.add_sequence()))
         self._add.clicked.connect(self._on_add_clicked)
         self._remove.clicked.connect(self._steps.remove)
         self._up.clicked.connect(lambda: self._steps.shift(-1))
@@ -127,10 +127,6 @@ class MotionBox(ui.GroupBox):
     def _on_table_shown(self) -> None:
         self._update_buttons()
         self.shown.emit()
-
-    @Slot()
-    def _on_new_clicked(self) -> None:
-        self._list.choose_and_edit(self._library.add_sequence())
 
     @Slot()
     def _on_add_clicked(self) -> None:
