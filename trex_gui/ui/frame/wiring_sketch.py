@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.ui.theme.theme import follow_theme, theme
@@ -58,7 +58,6 @@ class WiringSketch(Painted):
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
         painter = Painter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         line = self.fontMetrics().height()
         box = QRectF(0.5, 1.5 * line, self._box_width(), 6 * line)
         board = box.translated(self.width() - box.width() - 1, 0)

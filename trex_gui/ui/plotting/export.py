@@ -204,7 +204,7 @@ def with_heading(picture: QImage, heading: str) -> QImage:
     image = QImage((QSize(size.width(), size.height() + _HEADING_HEIGHT) * ratio), picture.format())
     image.setDevicePixelRatio(ratio)
     image.fill(theme().color("window"))
-    with Painter(image) as painter:
+    with Painter(image, smooth=False) as painter:
         _paint_heading(painter, heading)
         painter.drawImage(QPoint(0, _HEADING_HEIGHT), picture)
     return image
@@ -228,7 +228,7 @@ def draw_picture(
         if not as_svg:
             image = QImage(SIZE * _SCALE, QImage.Format.Format_RGB32)
             image.setDevicePixelRatio(_SCALE)
-            with Painter(image) as painter:
+            with Painter(image, smooth=False) as painter:
                 _paint(painter, plot, heading, _LINE_WIDTH * _SCALE)
             return image
         buffer = QBuffer()
@@ -237,7 +237,7 @@ def draw_picture(
         generator.setSize(SIZE)
         generator.setViewBox(QRectF(0, 0, SIZE.width(), SIZE.height()))
         generator.setTitle(heading)
-        with Painter(generator) as painter:
+        with Painter(generator, smooth=False) as painter:
             _paint(painter, plot, heading, _LINE_WIDTH)
         return bytes(buffer.data().data())
 

@@ -4,7 +4,7 @@ import math
 from collections.abc import Collection, Sequence
 
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QHelpEvent, QMouseEvent, QPainter, QPaintEvent, QPalette
+from PySide6.QtGui import QHelpEvent, QMouseEvent, QPaintEvent, QPalette
 from PySide6.QtWidgets import QLabel, QSizePolicy, QToolTip, QWidget
 
 from trex_gui.core.translation import Number, tr
@@ -95,7 +95,6 @@ class EventMarks(Painted):
         lefts = _left_ends([x for x, _ in self.marks], widths, self.width())
         hidden = len(words) - len(lefts)
         with Painter(self) as painter:
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             for row, left in enumerate(lefts, hidden):
                 x, marked = self.marks[row]
                 painter.setPen(theme().color(EVENT_COLORS[marked.kind]))
@@ -167,7 +166,6 @@ class CurveTags(Painted):
             return
         color = theme().color
         with Painter(self) as painter:
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             for (_, name), centre in zip(ends, centres, strict=True):
                 box = QRectF(1, centre - height / 2, self.width() - 2, height)
                 painter.setPen(Qt.PenStyle.NoPen)

@@ -231,7 +231,7 @@ class Bar(Painted):
         if key != self._static_key:
             self._static = self._draw_static(track)
             self._static_key = key
-        with Painter(self) as painter:
+        with Painter(self, smooth=False) as painter:
             painter.drawPixmap(0, 0, self._static)
             if self.state is BarState.LIVE:
                 self._paint_live(painter, track)
@@ -244,7 +244,7 @@ class Bar(Painted):
         pixmap.fill(Qt.GlobalColor.transparent)
         color = theme().color
         live = self.state is BarState.LIVE
-        with Painter(pixmap) as painter:
+        with Painter(pixmap, smooth=False) as painter:
             painter.fillRect(track, color("track" if live else "track_off"))
             if self.state is BarState.NO_SIGNAL:
                 self._paint_hatch(painter, track)

@@ -3,13 +3,13 @@
 import re
 
 from PySide6.QtCore import QPointF, QSize, Qt, Slot
-from PySide6.QtGui import QHideEvent, QPainter, QPaintEvent, QPen, QShowEvent
+from PySide6.QtGui import QHideEvent, QPaintEvent, QPen, QShowEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.builders import label, plain, row
-from trex_gui.ui.widgets.painted import Painted
+from trex_gui.ui.widgets.painted import Painted, Painter
 
 _FRAME_MS = 40
 _FAST = 8.0  # flashes a second of a fast flash
@@ -57,8 +57,7 @@ class Lamp(Painted):
         color = theme().color
         radius = min(self.width(), self.height()) / 2 - 1.5
         middle = QPointF(self.width() / 2, self.height() / 2)
-        with QPainter(self) as painter:
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        with Painter(self) as painter:
             painter.setPen(QPen(color(self._color if self.lit else "track_edge"), 1.5))
             painter.setBrush(color(self._color if self.lit else "track_off"))
             painter.drawEllipse(middle, radius, radius)

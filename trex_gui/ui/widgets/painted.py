@@ -13,11 +13,12 @@ def never_mirror(target: QWidget | QGraphicsWidget | QPainter) -> None:
 
 
 class Painter(QPainter):
-    """Painter that does not follow the direction of the application."""
+    """Painter that does not follow the direction of the application; edges are smooth."""
 
-    def __init__(self, device: QPaintDevice) -> None:
+    def __init__(self, device: QPaintDevice, *, smooth: bool = True) -> None:
         super().__init__(device)
         never_mirror(self)
+        self.setRenderHint(QPainter.RenderHint.Antialiasing, smooth)
 
 
 class Painted(QWidget, Spoken):

@@ -60,7 +60,6 @@ class PaintedSlider(QSlider, Spoken):
         handle = self.style().subControlRect(slider, option, part, self)
         option.subControls = part
         with Painter(self) as painter:
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             self.paint_groove(painter, handle)
             self.style().drawComplexControl(slider, option, painter, self)
             self.paint_below(painter, handle)

@@ -1,7 +1,7 @@
 """The dock of the Demo Aracna: a simulated robot that can be operated like a real one."""
 
 from PySide6.QtCore import QPointF, QRectF, QSize
-from PySide6.QtGui import QAccessible, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QAccessible, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QStyle, QWidget
 
 from trex_gui.core.translation import Number, tr
@@ -257,7 +257,6 @@ class ServoGauge(Painted):
         enabled = self.isEnabled()
         middle = self.height() / 2
         with Painter(self) as painter:
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             painter.setPen(QPen(color("track_edge")))
             painter.setBrush(color("track" if enabled else "track_off"))
             left, right = self._x_of(0), self._x_of(HIGHEST)

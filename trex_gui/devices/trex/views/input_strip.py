@@ -84,7 +84,7 @@ class InputStrip(Painted):
         del event
         color = theme().color
         box = QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5)
-        with Painter(self) as painter:
+        with Painter(self, smooth=False) as painter:
             painter.fillRect(box, color("plot_background" if self.lines else "track_off"))
             if self.lines:
                 painter.setClipRect(box)

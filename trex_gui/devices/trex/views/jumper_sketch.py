@@ -95,7 +95,6 @@ class JumperSketch(Painted):
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
         with Painter(self) as painter:
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             line, boards = self.fontMetrics().height(), max(len(self._boards), 1)
             width = (self.width() - (boards - 1) * line) / boards
             height = self.height() - 1.7 * line - 1

@@ -178,7 +178,6 @@ class RobotDrawing(Painted):
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
         with Painter(self) as painter:
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             solid = self._solid()
             self._paint_body(painter)
             for index, leg in enumerate(solid):

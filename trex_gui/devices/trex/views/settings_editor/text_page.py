@@ -286,4 +286,4 @@ class _Numbers(QWidget):
         self.setAccessibleName(self.tr("Line numbers"))
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        self._text.paint_numbers(Painter(self), event.rect())
+        self._text.paint_numbers(Painter(self, smooth=False), event.rect())

@@ -198,7 +198,6 @@ class DrivePad(Painted):
         color = theme().color
         active = self.isEnabled()
         with Painter(self) as painter:
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             focus = self.hasFocus() and active
             painter.setPen(QPen(color("highlight" if focus else "track_edge"), 2 if focus else 1))
             painter.setBrush(color("track" if active else "track_off"))
