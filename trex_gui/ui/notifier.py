@@ -49,7 +49,8 @@ class Answer:
     then: Callable[[], object]
 
 
-Remedies = tuple[Remedy | CopyCommand | ConnectWith | Answer, ...]
+AnyRemedy = Remedy | CopyCommand | ConnectWith | Answer
+Remedies = tuple[AnyRemedy, ...]
 
 
 def remedies_of(error: BaseException, *, may_be_found: bool = False) -> Remedies:

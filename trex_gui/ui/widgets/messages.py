@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QAbstractItemView, QApplication, QFrame, QPushButt
 
 from trex_gui.ui.notifier import (
     Answer,
+    AnyRemedy,
     ConnectWith,
     CopyCommand,
     Notifier,
@@ -65,9 +66,6 @@ class _MessageRow(QFrame):
             button.setParent(None)
             button.deleteLater()  # later: this may be called by its click
 
-    def _show_sign(self, name: str) -> None:
-        set_sign(self._sign, name, name, 4)
-
 
 class Banner(_MessageRow):
     """Shows the newest message of a notifier, or of its owner; hidden while there is none."""
@@ -107,21 +105,18 @@ class Banner(_MessageRow):
     @Slot(str)
     def show_problem(self, text: str) -> None:
         if not self._keeps_danger():
-            self._show_sign("warning")
-            self._show(text, is_problem=True)
+            self._show(text, "warning")
 
     @Slot(str)
     def show_danger(self, text: str) -> None:
         """Show a text in the colours of the stop button."""
         self._is_left_out = False
-        set_sign(self._sign, "warning", "stop_text", 4)
-        self._show(text, is_problem=True, is_danger=True)
+        self._show(text, "warning", is_danger=True)
 
     @Slot(str)
     def show_news(self, text: str) -> None:
         if not self._keeps_danger():
-            self._show_sign("info")
-            self._show(text)
+            self._show(text, "info")
 
     def _keeps_danger(self) -> bool:
         """Return whether another message is only logged, and its buttons are left out."""
@@ -178,9 +173,7 @@ class Banner(_MessageRow):
     def _on_help_clicked(self) -> None:
         self.help_wanted.emit(self._help_topic(self.text))
 
-    def _on_chosen(
-        self, button: QPushButton, remedy: Remedy | CopyCommand | ConnectWith | Answer
-    ) -> None:
+    def _on_chosen(self, button: QPushButton, remedy: AnyRemedy) -> None:
         if isinstance(remedy, CopyCommand):
             QGuiApplication.clipboard().setText(remedy.command)
             button.setText(self.tr("Copied"))
@@ -190,13 +183,15 @@ class Banner(_MessageRow):
         else:
             self.chosen.emit(remedy)
 
-    def _show(self, text: str, *, is_problem: bool = False, is_danger: bool = False) -> None:
+    def _show(self, text: str, sign: str = "", *, is_danger: bool = False) -> None:
         self._remove_buttons()
         self._offered = ()
         if self._notifier is not None:
             # A danger is no reason to connect to nothing: what connects stops the motors.
             self._notifier.shown = text
-            self._notifier.shows_problem = is_problem and not is_danger
+            self._notifier.shows_problem = sign == "warning" and not is_danger
+        if text:
+            set_sign(self._sign, sign, "stop_text" if is_danger else sign, 4)
         fill(self, "stop" if is_danger else "")
         ui.set_bold(self._text, is_danger)
         self._dismiss.setAutoRaise(not is_danger)  # its flat text is hardly legible on red
@@ -271,7 +266,7 @@ class InlinePrompt(_MessageRow):
             self, "questionCancel", self.tr("Cancel"), default=False, on_click=self.withdraw
         )
         self._layout.addWidget(self._cancel)
-        self._show_sign("warning")
+        set_sign(self._sign, "warning", "warning", 4)
 
     def ask(
         self,
