@@ -80,18 +80,10 @@ def scan_port(
 ) -> PortScan:
     """Look for devices of every kind on a port; end with the first that responds.
 
-    Never raises: whatever goes wrong on one port, the next can still be scanned.
-
-    Args:
-        settings: the port and its timeouts; its line settings are ignored.
-        probers: by key of the kind, the most common first.
-        first: key of the kind that the port is known to have.
-        packed: the packed settings at which a device of this kind was found before.
-        only_recall: probe these settings, and nothing else.
-        full: try everything, however long it takes.
-        progress: called before each probe.
-        cancelled: called before each probe.
-        open_wire: opens the port.
+    Never raises: whatever goes wrong on one port, the next can still be scanned. The line settings
+    of `settings` are ignored. `probers` are by key of the kind, the most common first; `first` is
+    the kind that the port is known to have, found there with the `packed` settings, and
+    `only_recall` probes no others. `progress` and `cancelled` are called before each probe.
     """
     result = PortScan()
     opened = next((info.announces_at for info in probers.values() if info.announces_at), FLUSH_LINE)

@@ -182,12 +182,9 @@ class Span:
     """A part of the time axis, in seconds; while `live` it follows the newest sample."""
 
     def __init__(self, length: float = 30.0) -> None:
-        self.length = length
-        self._end = 0.0
-        self._oldest = 0.0
-        self._newest = 0.0
+        self.length = self._live_length = length
+        self._end = self._oldest = self._newest = 0.0
         self.live = True
-        self._live_length = length
 
     @property
     def start(self) -> float:

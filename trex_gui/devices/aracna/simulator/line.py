@@ -173,16 +173,9 @@ class AracnaLine(SimulatedLine):
     ) -> None:
         """Switch a robot on.
 
-        Args:
-            motors: number of motors.
-            paced: whether bytes take time on the wire.
-            seed: for the noise.
-            version: of the firmware; by default 0 with two motors and else 1.
-            positions: of the servos, 0-1023; by default all are centred.
-            margin: units from its goal at which a servo stops.
-            reports_motors: whether `.q` reports their number; before 22 Sep 2012 it did not.
-            boot_loader: seconds before each `.h`.
-            keeps_last: see `RobotStation`.
+        Its firmware has by default the `version` 0 with two motors and else 1, and its servos the
+        `positions` of their centre. A servo stops within `margin` units of its goal. Before 22 Sep
+        2012 `.q` did not report the number of motors. `boot_loader`: seconds before each `.h`.
         """
         super().__init__(paced=paced, seed=seed)
         if positions is None:
