@@ -19,13 +19,7 @@ from PySide6.QtGui import (
     QTextFrameFormat,
     QTextTable,
 )
-from PySide6.QtWidgets import (
-    QDialogButtonBox,
-    QListWidget,
-    QListWidgetItem,
-    QTextBrowser,
-    QWidget,
-)
+from PySide6.QtWidgets import QDialogButtonBox, QListWidget, QListWidgetItem, QTextBrowser, QWidget
 
 from trex_gui.core.resource_files import resource
 from trex_gui.ui.help.pages import anchor_of, pages, search

@@ -4,14 +4,8 @@ from collections.abc import Callable, Iterator
 from functools import wraps
 from typing import TypeVar
 
-from PySide6.QtCore import (
-    QEvent,
-    QObject,
-    Qt,
-    Signal,
-    Slot,
-)
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QTransform
+from PySide6.QtCore import QEvent, QObject, Qt, Signal, Slot
+from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QTransform, QWheelEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractItemView,
@@ -267,6 +261,18 @@ class HoldButton(QPushButton):
 
 
 WidgetT = TypeVar("WidgetT", bound=QWidget)
+
+
+def focused_wheel(turn: Callable[[WidgetT, QWheelEvent], None]) -> Callable[..., None]:
+    """Return a `wheelEvent` that turns a widget only if it has the focus, else the page scrolls."""
+
+    def wheel_event(widget: WidgetT, event: QWheelEvent) -> None:
+        if widget.hasFocus():
+            turn(widget, event)
+        else:
+            event.ignore()
+
+    return wheel_event
 
 
 def only_when_visible(slot: Callable[[WidgetT], None]) -> Callable[[WidgetT], None]:

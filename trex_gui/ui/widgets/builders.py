@@ -17,7 +17,6 @@ from PySide6.QtGui import (
     QShortcut,
     QShowEvent,
     Qt,
-    QWheelEvent,
 )
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -52,7 +51,7 @@ from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.style import use_theme_style
 from trex_gui.ui.theme.theme import follow_theme, theme, tint
 from trex_gui.ui.units import units
-from trex_gui.ui.widgets.behaviour import clear_corner, name_headers
+from trex_gui.ui.widgets.behaviour import clear_corner, focused_wheel, name_headers
 from trex_gui.ui.widgets.painted import never_mirror
 
 
@@ -70,6 +69,8 @@ class ComboBox(QComboBox):
     The wheel changes it only while it has the focus; otherwise the page scrolls.
     """
 
+    wheelEvent = focused_wheel(QComboBox.wheelEvent)
+
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -81,12 +82,6 @@ class ComboBox(QComboBox):
         self.view().setPalette(palette)
         self.view().window().setBackgroundRole(QPalette.ColorRole.Base)
         super().showPopup()
-
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        if self.hasFocus():
-            super().wheelEvent(event)
-        else:
-            event.ignore()
 
 
 class RedButton(QPushButton):

@@ -1,19 +1,12 @@
 """Sliders: a painted groove, one that reports being held, one with a rest position."""
 
 from PySide6.QtCore import QRect, QSignalBlocker, QSize, Qt, Signal, Slot
-from PySide6.QtGui import (
-    QAccessible,
-    QMouseEvent,
-    QPainter,
-    QPaintEvent,
-    QPen,
-    QWheelEvent,
-)
+from PySide6.QtGui import QAccessible, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QLabel, QSlider, QStyle, QStyleOptionSlider, QWidget
 
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.accessible import Spoken, SpokenRange
-from trex_gui.ui.widgets.behaviour import PressMonitor
+from trex_gui.ui.widgets.behaviour import PressMonitor, focused_wheel
 from trex_gui.ui.widgets.painted import Painter, never_mirror
 
 
@@ -167,11 +160,7 @@ class StickSlider(PaintedSlider):
     def minimumSizeHint(self) -> QSize:
         return QSize(40, super().minimumSizeHint().height())
 
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        if self.hasFocus():
-            super().wheelEvent(event)
-        else:
-            event.ignore()
+    wheelEvent = focused_wheel(QSlider.wheelEvent)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         if event.button() is Qt.MouseButton.LeftButton:

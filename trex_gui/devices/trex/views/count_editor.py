@@ -5,15 +5,7 @@ import re
 from contextlib import suppress
 
 from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt, Signal, Slot
-from PySide6.QtGui import (
-    QAction,
-    QKeyEvent,
-    QPainter,
-    QPaintEvent,
-    QPen,
-    QValidator,
-    QWheelEvent,
-)
+from PySide6.QtGui import QAction, QKeyEvent, QPainter, QPaintEvent, QPen, QValidator
 from PySide6.QtWidgets import QLineEdit, QSpinBox, QStyledItemDelegate, QWidget
 
 from trex_gui.core.decimals import DECIMAL, AmbiguousNumber, quantity
@@ -25,6 +17,7 @@ from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.units import units
+from trex_gui.ui.widgets.behaviour import focused_wheel
 from trex_gui.ui.widgets.builders import plain
 from trex_gui.ui.widgets.painted import never_mirror
 
@@ -182,12 +175,7 @@ class CountEditor(UnitSpinBox):
         super().stepBy(steps)
         self.stepping = False
 
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        """Change the value only while it has the focus; else scroll what is behind."""
-        if self.hasFocus():
-            super().wheelEvent(event)
-        else:
-            event.ignore()
+    wheelEvent = focused_wheel(QSpinBox.wheelEvent)
 
     @property
     def other_text(self) -> str:

@@ -3,13 +3,14 @@
 from collections.abc import Sequence
 
 from PySide6.QtCore import QPointF, QRect, QSignalBlocker, QSize, Qt, QTimer, Slot
-from PySide6.QtGui import QFocusEvent, QKeyEvent, QPainter, QPen, QPolygonF, QWheelEvent
+from PySide6.QtGui import QFocusEvent, QKeyEvent, QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import QSpinBox, QWidget
 
 from trex_gui.devices.aracna.model.texts import speed_text
 from trex_gui.devices.aracna.protocol.joints import HIGHEST, Limits
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.behaviour import focused_wheel
 from trex_gui.ui.widgets.sliders import PressSlider
 
 _WEDGE = 7
@@ -112,12 +113,7 @@ class SpeedBox(QSpinBox):
         self.valueChanged.connect(self.update_suffix)
         self.update_suffix()
 
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        """Use the wheel only with the focus: otherwise it scrolls the page."""
-        if self.hasFocus():
-            super().wheelEvent(event)
-        else:
-            event.ignore()
+    wheelEvent = focused_wheel(QSpinBox.wheelEvent)
 
     @Slot()
     def update_suffix(self) -> None:
