@@ -16,25 +16,16 @@ _NOISE_COUNTS = 2  # counts from which a reading is a current; one alone may be 
 
 @dataclass(frozen=True, slots=True)
 class Figures:
-    """The figures of a test; `None` where the readings are not sufficient.
+    """The figures of a test; `None` where the readings are not sufficient."""
 
-    Attributes:
-        peak: highest reading, A.
-        mean: A, from the first setpoint until the motor began to brake.
-        charge: mAh, in the same time.
-        steady: A at the end of the first constant setpoint.
-        settled: s from the first setpoint until the current came within a share of `steady`, or
-            two counts where that is more, and stayed there: an inrush passes the steady
-            current on its way up.
-        delay: s from the first setpoint to the first reading that is a current.
-    """
-
-    peak: float | None = None
-    mean: float | None = None
-    charge: float | None = None
-    steady: float | None = None
+    peak: float | None = None  # highest reading, A
+    mean: float | None = None  # A, from the first setpoint until the motor began to brake
+    charge: float | None = None  # mAh, in the same time
+    steady: float | None = None  # A at the end of the first constant setpoint
+    # s from the first setpoint until the current came within a share of `steady`, or two counts
+    # where that is more, and stayed there: an inrush passes the steady current on its way up
     settled: float | None = None
-    delay: float | None = None
+    delay: float | None = None  # s from the first setpoint to the first reading that is a current
 
 
 def figures(run: Run, band: float = BAND) -> Figures:

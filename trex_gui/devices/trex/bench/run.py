@@ -38,20 +38,14 @@ _TITLES = {
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Profile:
-    """A speed for each moment of a test.
+    """A speed for each moment of a test."""
 
-    Attributes:
-        shape: step: the speed at once, then constant. Ramp: rises linearly for one `period`,
-            then constant. Reverse: half a period forward, half backward, repeatedly. Sine.
-        speed: the highest speed, -127 to 127 and not 0; negative starts backward.
-        duration: seconds in all.
-        period: seconds; see `shape`.
-    """
-
+    # Step: the speed at once, then constant. Ramp: rises linearly for one `period`, then constant.
+    # Reverse: half a period forward, half backward, repeatedly. Sine.
     shape: Shape = Shape.STEP
-    speed: int = 40
-    duration: float = 3.0
-    period: float = 1.0
+    speed: int = 40  # the highest speed, -127 to 127 and not 0; negative starts backward
+    duration: float = 3.0  # seconds in all
+    period: float = 1.0  # seconds; see `shape`
 
     def __post_init__(self) -> None:
         """Raise `ValueError` with the limits if a value is outside them."""

@@ -67,23 +67,18 @@ class Counters:
 
 
 class TrexClient:
-    """Runs transactions on one line.
-
-    Attributes:
-        echo: whether everything sent comes back, as on the RS-232 side of the board.
-        keepalive_while_waiting: whether to send a null command while waiting for a late reply,
-            so that the board's serial timeout does not stop motors that are driven.
-        settings: how the line was opened, with the board's present number.
-    """
+    """Runs transactions on one line."""
 
     def __init__(
         self, transport: Transport, settings: ConnectionSettings, *, echo: bool = False
     ) -> None:
-        self.echo = echo
+        self.echo = echo  # whether everything sent comes back, as on the RS-232 side of the board
+        # Whether to send a null command while waiting for a late reply, so that the board's serial
+        # timeout does not stop motors that are driven
         self.keepalive_while_waiting = False
         self.counters = Counters()
         self.transport = transport
-        self.settings = settings
+        self.settings = settings  # how the line was opened, with the board's present number
         self._free_at = transport.clock()
         self._is_unanswered = False
         self._stop_sequence: tuple[ConnectionSettings, bool, StopSequence] | None = None

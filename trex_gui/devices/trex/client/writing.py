@@ -292,16 +292,7 @@ class _Route(Enum):
 
 @dataclass(slots=True)
 class _Work:
-    """Writes one value after the other.
-
-    Attributes:
-        before: what the board stored before, if that is to be checked.
-        fatal_error: why nothing more is attempted.
-        doubtful: indexes of the results whose write was repeated or failed.
-        repeated: how often writes were repeated or failed: no more settings can have changed.
-        unknown: keys whose write failed: they have any value.
-        has_sent: whether any write was sent.
-    """
+    """Writes one value after the other."""
 
     request: Requester
     specs: ParameterSet
@@ -310,13 +301,14 @@ class _Work:
     has_crc: bool
     cancelled: Callable[[], bool]
     stored: Callable[[WriteResult], None]
-    before: DeviceState | None
+    before: DeviceState | None  # what the board stored before, if that is to be checked
     results: list[WriteResult] = field(default_factory=list)
-    fatal_error: StudioError | None = None
+    fatal_error: StudioError | None = None  # why nothing more is attempted
+    # Indexes of the results whose write was repeated or failed
     doubtful: list[int] = field(default_factory=list)
-    repeated: int = 0
-    unknown: set[str] = field(default_factory=set)
-    has_sent: bool = False
+    repeated: int = 0  # how often writes were repeated or failed: no more settings can have changed
+    unknown: set[str] = field(default_factory=set)  # keys whose write failed: they have any value
+    has_sent: bool = False  # whether any write was sent
     _sent: int = 0
     _has_failed: bool = False  # a transaction, since the board was last checked
     _number: int | None = None  # that the board stores; `None` if that is not known

@@ -30,30 +30,18 @@ _NO_ERROR = UartError(0)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BoardInputs:
-    """What a board reports that decides whether its motors run.
-
-    Attributes:
-        by_serial: whether serial commands reach the motors.
-        joint: whether both drivers work as one motor now.
-        safe_start: what keeps safe-start from ending, see `safe_start_reasons`.
-        is_held: whether safe-start may hold the motors: the board has no flag for it.
-        faults, over_limit: motors whose driver shut down recently, or whose current passed its
-            limit.
-        uart: recent UART errors.
-        error_shutdown: whether the board is set to stop the motors at a UART error.
-        timeout: the board's serial timeout as text.
-    """
+    """What a board reports that decides whether its motors run."""
 
     mode: Mode = Mode.SERIAL_RC
-    by_serial: bool = True
-    joint: bool = False
-    safe_start: tuple[Reason, ...] = ()
-    is_held: bool = False
-    faults: tuple[int, ...] = ()
-    over_limit: tuple[int, ...] = ()
-    uart: UartError = _NO_ERROR
-    error_shutdown: bool = False
-    timeout: str = "off"
+    by_serial: bool = True  # whether serial commands reach the motors
+    joint: bool = False  # whether both drivers work as one motor now
+    safe_start: tuple[Reason, ...] = ()  # why it does not end, see `safe_start_reasons`
+    is_held: bool = False  # whether safe-start may hold the motors: the board has no flag for it
+    faults: tuple[int, ...] = ()  # motors whose driver shut down recently
+    over_limit: tuple[int, ...] = ()  # motors whose current passed its limit recently
+    uart: UartError = _NO_ERROR  # recent UART errors
+    error_shutdown: bool = False  # whether the board is set to stop the motors at a UART error
+    timeout: str = "off"  # the board's serial timeout as text
 
     @property
     def lacks_signal(self) -> bool:

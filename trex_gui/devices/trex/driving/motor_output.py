@@ -123,15 +123,7 @@ _MOTION: Mapping[tuple[Motion, OutputEvent], tuple[Motion, tuple[Action, ...]]] 
 
 
 class MotorOutput:
-    """What the motors of one board are commanded to do, and whether they may be moving.
-
-    Attributes:
-        arming, motion: the state.
-        stops: requested stops that were not sent yet.
-        setpoints: the newest queued setpoint of each motor.
-        retry: the unconfirmed setpoints.
-        quality: whether the line damages bytes.
-    """
+    """What the motors of one board are commanded to do, and whether they may be moving."""
 
     def __init__(
         self,
@@ -143,14 +135,14 @@ class MotorOutput:
         """`report` receives the outcome of every stop, each `StopSent` and `MotorsStopped`."""
         self.arming = Arming.INITIAL
         self.motion = Motion.DRIVEN if may_move else Motion.STOPPED
-        self.stops: list[Stop] = []
-        self.setpoints = SetpointSlots()
-        self.quality = LineQuality()
+        self.stops: list[Stop] = []  # requested stops that were not sent yet
+        self.setpoints = SetpointSlots()  # the newest queued setpoint of each motor
+        self.quality = LineQuality()  # whether the line damages bytes
         self.restart = RestartWatch(self.quality)
         self.refresh = SetpointRefresh(self.quality, lambda: self.restart.is_checking)
         self._report = report
         self._timeouts = timeouts or Timeouts()
-        self.retry = SetpointRetry()
+        self.retry = SetpointRetry()  # the unconfirmed setpoints
         self._sent_at = 0.0
         self._heartbeat_at = -math.inf
         self._lockout_end = -math.inf

@@ -55,24 +55,17 @@ class Arm:
     While they are armed, polling keeps the board's serial timeout from expiring. Without a
     `Heartbeat` or a setpoint for `Timeouts.heartbeat` seconds the motors are stopped and
     `MotorsStopped` is reported.
-
-    Attributes:
-        selection: the `Connected.selection` of the board that is meant; for any other one it has
-            no effect.
     """
 
+    # The `Connected.selection` of the board that is meant; for any other one it has no effect
     selection: int = 0
 
 
 @dataclass(frozen=True, slots=True)
 class Heartbeat:
-    """The window that armed the motors still responds; due every `HEARTBEAT_INTERVAL` seconds.
+    """The window that armed the motors still responds; due every `HEARTBEAT_INTERVAL` seconds."""
 
-    Attributes:
-        sent: on the line's clock; `None`: when it is received.
-    """
-
-    sent: float | None = None
+    sent: float | None = None  # on the line's clock; `None`: when it is received
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,15 +75,10 @@ class StopSent:
 
 @dataclass(frozen=True, slots=True)
 class MotorsStopped:
-    """The motors were stopped automatically, or an unconfirmed stop was confirmed at last.
+    """The motors were stopped automatically, or an unconfirmed stop was confirmed at last."""
 
-    Attributes:
-        reason: why they were stopped; `None` for a late confirmation.
-        confirmed: whether the board's status confirmed the stop.
-    """
-
-    reason: ErrorCode | None
-    confirmed: bool
+    reason: ErrorCode | None  # why they were stopped; `None` for a late confirmation
+    confirmed: bool  # whether the board's status confirmed the stop
 
 
 Setpoint = SetMotor | SetAuxiliary

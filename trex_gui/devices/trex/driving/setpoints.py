@@ -68,13 +68,10 @@ class SetpointRetry:
     """Sends unconfirmed setpoints again until a status confirms them.
 
     Motor packets have no reply: a clean status that was read after one confirms it.
-
-    Attributes:
-        due: when to send them again, on the line's clock.
     """
 
     def __init__(self) -> None:
-        self.due = math.inf
+        self.due = math.inf  # when to send them again, on the line's clock
         self._set_at = 0.0
         self._unconfirmed: list[Setpoint] = []
         self._repeated = 0
@@ -159,14 +156,11 @@ class LineQuality:
     A clean status confirms that the board latched no error, not that it received the packet that
     was sent: without a CRC, one bit makes C0 7F (brake) into C2 7F (full speed forward), or 86 1F
     (a query) into C6 1F (a quarter forward). But such a line damages other bytes too, which shows.
-
-    Attributes:
-        answers: whole replies since the line was opened.
-        is_shared: whether another process uses the line too: what fails meanwhile is no damage.
     """
 
     def __init__(self) -> None:
-        self.answers = 0
+        self.answers = 0  # whole replies since the line was opened
+        # Whether another process uses the line too: what fails meanwhile is no damage
         self.is_shared = False
         self._has_crc = False
         self._is_observed = False

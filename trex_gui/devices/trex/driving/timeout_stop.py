@@ -33,17 +33,11 @@ class TimeoutStop(Enum):
 
 @dataclass(frozen=True, slots=True)
 class TimeoutTrial:
-    """Result of pulling the cable of a driven board, as its user saw it.
+    """Result of pulling the cable of a driven board, as its user saw it."""
 
-    Attributes:
-        stopped: whether the motors stopped by themselves.
-        shutdown: whether UART-Error Shutdown was set.
-        time: in UTC.
-    """
-
-    stopped: bool
-    shutdown: bool
-    time: datetime
+    stopped: bool  # whether the motors stopped by themselves
+    shutdown: bool  # whether UART-Error Shutdown was set
+    time: datetime  # in UTC
 
     def applies(self, *, shutdown: bool) -> bool:
         """Return whether it tells what happens with this UART-Error Shutdown."""

@@ -36,21 +36,15 @@ _UNFINISHED = {BoardStep.WAITING, BoardStep.READING, BoardStep.WRITING}
 
 @dataclass(frozen=True, slots=True)
 class BoardPlan:
-    """What is done with one board.
+    """What is done with one board."""
 
-    Attributes:
-        number: its device number, which it keeps.
-        changes: what differs from what it stores; `None` before it was read.
-        problem: why it was not read or written, for the user.
-        findings: what the rules say about its settings with these changes.
-        doubts: the changes beyond inferred limits, of which only the board can tell.
-    """
-
-    number: int
+    number: int  # its device number, which it keeps
     step: BoardStep = BoardStep.WAITING
-    changes: Comparison | None = None
-    problem: str = ""
+    changes: Comparison | None = None  # what differs from what it stores; `None` before it was read
+    problem: str = ""  # why it was not read or written, for the user
+    # What the rules say about its settings with these changes
     findings: tuple[LintFinding, ...] = ()
+    # The changes beyond inferred limits, of which only the board can tell
     doubts: tuple[str, ...] = ()
 
     @property
@@ -69,12 +63,6 @@ class ApplyToBoards(QObject):
     board that is being written is written to its end. Before each board is written a snapshot is
     saved, and it is compared with what was reviewed. In the end the board that was selected at
     first is selected again.
-
-    Attributes:
-        plans: one for each board.
-        is_running: whether boards are being read or written.
-        is_writing: whether boards are, or were, written rather than only read.
-        was_stopped: whether *Stop* has ended the work.
     """
 
     changed = Signal()  # `plans` or `is_running`
@@ -84,8 +72,10 @@ class ApplyToBoards(QObject):
         super().__init__(parent)
         self._boards = boards
         self._device = device
-        self.plans: tuple[BoardPlan, ...] = ()
-        self.is_running = self.is_writing = self.was_stopped = False
+        self.plans: tuple[BoardPlan, ...] = ()  # one for each board
+        self.is_running = False  # whether boards are being read or written
+        self.is_writing = False  # whether boards are, or were, written rather than only read
+        self.was_stopped = False  # whether *Stop* has ended the work
         self._wanted: Settings | None = None
         self._home: int | None = None  # the board that was selected at first
         self._is_cancelled = False

@@ -56,12 +56,6 @@ class BoardList(QObject):
     Boards are told apart by device number. They are found by asking for each number who has it,
     which moves and clears nothing. Once several are known, commands carry the number of the
     selected one: without a number they would reach every board.
-
-    Attributes:
-        boards: by number; of the last line that was open, or of an earlier scan of it.
-        scanned: how many numbers were asked; `None` while no scan runs.
-        is_selecting: whether another board is being selected.
-        is_asking: whether the reply to a question is awaited.
     """
 
     changed = Signal()  # any attribute, or what the properties return
@@ -69,11 +63,12 @@ class BoardList(QObject):
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._device = device
+        # By number; of the last line that was open, or of an earlier scan of it
         self.boards: tuple[LineBoard, ...] = ()
-        self.scanned: int | None = None
-        self.is_selecting = False
+        self.scanned: int | None = None  # how many numbers were asked; `None` while no scan runs
+        self.is_selecting = False  # whether another board is being selected
         self._url = ""
-        self.is_asking = False
+        self.is_asking = False  # whether the reply to a question is awaited
         self._next = 0  # which board is asked next whether it responds
         self._presence = new_timer(self, _PRESENCE_MS, self._on_presence_due)
         device.link_changed.connect(self._on_link_changed)

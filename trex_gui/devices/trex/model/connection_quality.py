@@ -38,18 +38,13 @@ class _Mark:
 
 
 class ConnectionQuality:
-    """Judges a line by what its session counts.
-
-    Attributes:
-        is_noisy: `None` until enough was measured.
-        lost: share of transactions without a reply or with a corrupted one, as last judged.
-        seconds: how long was judged, 10 or more; less at first.
-        rate: transactions a second in that time; 0 until it is known.
-    """
+    """Judges a line by what its session counts."""
 
     def __init__(self) -> None:
-        self.is_noisy: bool | None = None
-        self.lost = self.seconds = self.rate = 0.0
+        self.is_noisy: bool | None = None  # `None` until enough was measured
+        self.lost = 0.0  # share of transactions without a reply or with a corrupted one
+        self.seconds = 0.0  # how long was judged, 10 or more; less at first
+        self.rate = 0.0  # transactions a second in that time; 0 until it is known
         self._marks = deque[_Mark]()
         self._failures = 0  # transactions that failed, as last reported
         self._failed_at = -math.inf

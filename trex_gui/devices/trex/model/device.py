@@ -66,16 +66,7 @@ _TIMEOUT = ParameterKey.SERIAL_TIMEOUT
 
 
 class Device(QObject):
-    """One board, or none.
-
-    Attributes:
-        draft: what the board stores, and its edits.
-        edit_backup: the edits of boards, over the end of the program.
-        memory: what this computer keeps of the board: what was applied last, and its notes.
-        history: what boards stored before each Apply.
-        events: what happened since the line was opened, on the clock of `telemetry`.
-        state: what was read from the board; `None` while none is connected.
-    """
+    """One board, or none."""
 
     # `link`, `status`, `settings`, `may_move`, `applying`, `is_saving_snapshot` or `can_apply`
     link_changed = Signal()
@@ -92,11 +83,12 @@ class Device(QObject):
         self.motors = Motors(self)
         self.telemetry = Telemetry(self.motors, self)
         self.errors = ErrorLog(self)
-        self.draft = SettingsDraft(self)
+        self.draft = SettingsDraft(self)  # what the board stores, and its edits
         self.parameters = self.draft.parameters
         self.calibrations = self.draft.calibrations
         self.mix_jumper = MixJumper(self.draft, self.telemetry, self)
-        self.history = SettingsHistory()
+        self.history = SettingsHistory()  # what boards stored before each Apply
+        # What this computer keeps: edits over the end of the program; what was applied last, notes
         self.edit_backup = EditBackup(self.draft, parent=self)
         self.memory = BoardMemory(self.draft.notes, parent=self)
         self._accepted = AcceptedMemory(self.parameters, self)
@@ -105,8 +97,9 @@ class Device(QObject):
         self.driving = DriveController(
             self.motors, self.telemetry, self.connection, self.notifier, self
         )
+        # What happened since the line was opened, on the clock of `telemetry`
         self.events = BoardEvents(self.motors, self.connection, self)
-        self.state: DeviceState | None = None
+        self.state: DeviceState | None = None  # as read; `None` while no board is connected
         self.quality = ConnectionQuality()
         self._url = ""  # of the board that was read last
         self._replaced: list[Path] = []  # files of other boards, renamed since the last reading

@@ -49,21 +49,12 @@ AfterStop = Callable[[StudioError | None], None]
 class DriveController(QObject):
     """Connects the motors' setpoints to the connection with the board.
 
-    Attributes:
-        may_move: whether motors were driven and no stop was confirmed since, connected or not. A
-            board that was not read since the line was opened or quiet may be another one: what it
-            confirms does not count.
-        driven: the motors (3 is the auxiliary) that were given a speed since the last confirmed
-            stop, as far as this program knows.
-        reaches_several: whether commands have no number, and several boards are on the line.
-
-    Signals:
-        confirmed: a stop was; `may_move` is true if a setpoint was sent meanwhile.
-        reach_changed: `reaches_several`.
+    A board that was not read since the line was opened or quiet may be another one: what it
+    confirms does not count.
     """
 
-    confirmed = Signal()
-    reach_changed = Signal()
+    confirmed = Signal()  # a stop was; `may_move` is true if a setpoint was sent meanwhile
+    reach_changed = Signal()  # `reaches_several`
 
     def __init__(
         self,
@@ -74,7 +65,8 @@ class DriveController(QObject):
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
-        self.may_move = False
+        self.may_move = False  # whether they were driven and no stop was confirmed since
+        # Motors (3 is the auxiliary) that were given a speed since then, as far as known here
         self.driven: set[int] = set()
         self._notifier = notifier
         self._motors = motors
@@ -82,7 +74,7 @@ class DriveController(QObject):
         self._connection = connection
         self._lost_with: ConnectionSettings | None = None  # the line behind which motors may turn
         self._board: Connected | None = None  # the board at the line, as far as it is known
-        self.reaches_several = False
+        self.reaches_several = False  # whether commands without a number reach several boards
         self._was_read = False  # since the line was opened
         self._is_identified = False  # and since it was quiet: `_board` is at the line
         self._lost: list[Connected] = []  # boards that were driven before another one answered

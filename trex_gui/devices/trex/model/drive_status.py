@@ -27,26 +27,17 @@ _CLOSED = ConnectionState.DISCONNECTED
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DriveInputs:
-    """What the decision depends on.
+    """What the decision depends on."""
 
-    Attributes:
-        board: what the board reports; `None` while that is unknown.
-        may_move: whether motors were driven and no stop was confirmed since.
-        driven: those motors, as far as they are known.
-        lost_board: a warning about a board that may still be driven, with another one at the line.
-        silence_remedy: what to do if the board is lost while it is driven.
-        reaches_several: whether a command would reach several boards.
-        locked_for: seconds.
-    """
-
-    board: BoardInputs | None = None
+    board: BoardInputs | None = None  # what the board reports; `None` while that is unknown
     link: ConnectionState = ConnectionState.CONNECTED
-    may_move: bool = False
-    driven: frozenset[int] = frozenset()
+    may_move: bool = False  # whether motors were driven and no stop was confirmed since
+    driven: frozenset[int] = frozenset()  # those motors, as far as they are known
+    # A warning about a board that may still be driven, with another one at the line
     lost_board: str = ""
-    silence_remedy: str = ""
-    reaches_several: bool = False
-    locked_for: float = 0.0
+    silence_remedy: str = ""  # what to do if the board is lost while it is driven
+    reaches_several: bool = False  # whether a command would reach several boards
+    locked_for: float = 0.0  # seconds
     is_available: bool = True
     armed: bool = False
     stop_reason: str = ""

@@ -177,13 +177,7 @@ _NAMED = 3  # written settings that an event names; the rest are counted
 
 
 class BoardEvents(EventLog):
-    """Stops, Apply, faults, and lost and restored connections of one board.
-
-    Attributes:
-        connected_at: on `clock`; `None` while no board is connected.
-        restarts: how often the board was seen to have restarted since then.
-        returns: how often it responded again after it was silent.
-    """
+    """Stops, Apply, faults, and lost and restored connections of one board."""
 
     def __init__(
         self,
@@ -197,8 +191,9 @@ class BoardEvents(EventLog):
         self._motors = motors
         self._seen: dict[str, float] = {}
         self._was_read = False  # since the line was opened
-        self.connected_at: float | None = None
-        self.restarts = self.returns = 0
+        self.connected_at: float | None = None  # on `clock`; `None` while no board is connected
+        self.restarts = 0  # how often the board was seen to have restarted since then
+        self.returns = 0  # how often it responded again after it was silent
         motors.stop_requested.connect(self._on_stop_requested)
         connection.device_read.connect(self._on_read)
         connection.not_responding.connect(self._on_not_responding)

@@ -49,58 +49,39 @@ class Motors(QObject):
     `holder` with each setpoint. Until it releases them all other setpoints are ignored, and its own
     are ignored afterwards. Setpoints outside their range raise `BadRequest`.
 
-    Signals:
-        arming_changed: `armed` or `stop_reason`.
-        setpoints_changed: what `drive`, `auxiliary` and `text` return.
-        options_changed: `board`, `ceiling`, `linked` or `release_brake`.
-        board_changed: another board, for which inputs that drive have to be switched on anew.
-        lockout_changed: `locked_for` began, passed another second, or ended.
-        requested: a `SetMotor`, a `SetAuxiliary`, or a `SetMotors` if both motors start at once.
-        stop_requested: everything has to stop now; emitted before any other signal of a stop.
-
-    Attributes:
-        accelerate: whether speeds follow the board's ramp (accelerate) or apply at once (set).
-        lockout: seconds without arming after `press_stop`, 0 to 10.
-
-    Changed by methods only:
-        is_available: whether serial commands can drive a board; `locked_for` may still forbid it.
-        stop_reason: why the motors were stopped last; empty if the user pressed stop.
-        holder: the name of the control that has acquired the motors; empty if none has.
-        auxiliary: the setpoint of the auxiliary motor, 0-127.
-        board: what the ceiling is remembered for; empty before the first board was read.
-        adapter: what tells the next board from one that is alike; empty if nothing does.
-        is_first_drive: whether no ceiling was ever chosen for this board.
-        ceiling: the greatest speed that is sent, 1-127; greater setpoints are limited to it.
-        ceiling_in_force: the `ceiling`, or a lower one that was in force when the motors were
-            acquired: raising it would speed up motors under a stick that is paused.
-        linked: whether a setpoint of one motor applies to both.
-        release_brake: the brake duty when a momentary control is released, 0 (coast) to 127.
+    Methods change its attributes, except `accelerate`, `lockout` and `adapter`.
     """
 
-    arming_changed = Signal()
+    arming_changed = Signal()  # `armed` or `stop_reason`
     availability_changed = Signal()
-    setpoints_changed = Signal()
+    setpoints_changed = Signal()  # what `drive`, `auxiliary` and `text` return
     holder_changed = Signal()
-    options_changed = Signal()
+    options_changed = Signal()  # `board`, `ceiling`, `linked` or `release_brake`
+    # Another board, for which inputs that drive have to be switched on anew
     board_changed = Signal()
-    lockout_changed = Signal()
+    lockout_changed = Signal()  # `locked_for` began, passed another second, or ended
+    # A `SetMotor`, a `SetAuxiliary`, or a `SetMotors` if both motors start at once
     requested = Signal(object)
-    stop_requested = Signal()
+    stop_requested = Signal()  # everything has to stop now; before any other signal of a stop
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
+        # Whether speeds follow the board's ramp (accelerate) or apply at once (set)
         self.accelerate = True
-        self.lockout = remembered_lockout()
+        self.lockout = remembered_lockout()  # seconds without arming after `press_stop`, 0 to 10
         self.armed = False
-        self.is_available = False
-        self.stop_reason = ""
-        self.holder = ""
-        self.auxiliary = 0
-        self.board = self.adapter = ""
-        self.is_first_drive = True
-        self.ceiling = self.ceiling_in_force = FIRST_CEILING
-        self.linked = False
-        self.release_brake = FULL_SCALE
+        self.is_available = False  # whether serial commands can drive; see also `locked_for`
+        self.stop_reason = ""  # why the motors were stopped last; empty if the user pressed stop
+        self.holder = ""  # the name of the control that has acquired the motors; empty if none has
+        self.auxiliary = 0  # the setpoint of the auxiliary motor, 0-127
+        self.board = ""  # what the ceiling is remembered for; empty before one was read
+        self.adapter = ""  # what tells the next board from one that is alike; empty: nothing
+        self.is_first_drive = True  # whether no ceiling was ever chosen for this board
+        self.ceiling = FIRST_CEILING  # greatest speed that is sent, 1-127
+        # The one when the motors were acquired, if lower: no stick that is paused speeds them up
+        self.ceiling_in_force = FIRST_CEILING
+        self.linked = False  # whether a setpoint of one motor applies to both
+        self.release_brake = FULL_SCALE  # duty when a momentary control ends, 0 (coast) to 127
         self._drives: dict[int, Drive] = {}
         self._held: set[int] = set()
         self._locked_until = -math.inf

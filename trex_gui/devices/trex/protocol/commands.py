@@ -32,26 +32,17 @@ ReplyT_co = TypeVar("ReplyT_co", covariant=True)
 
 
 class Command(ABC, Generic[ReplyT_co]):
-    """One command; subclasses are frozen dataclasses.
-
-    Attributes:
-        opcodes: every command byte that this class covers.
-        data_size: data bytes behind the command byte; the CRC byte is not counted.
-        fixed_reply: bytes of the reply where every reply has the same size.
-        moves: whether it may set a motor moving or stop one.
-        seconds_to_answer: how long the board works before it replies, without the time on the
-            wire.
-        has_crc: whether its packet carries a CRC byte when CRC is enabled.
-    """
+    """One command; subclasses are frozen dataclasses."""
 
     __slots__ = ()
 
-    opcodes: ClassVar[Sequence[int]]
-    data_size: ClassVar[int] = 0
-    fixed_reply: ClassVar[int] = 0
-    moves: ClassVar[bool] = False
+    opcodes: ClassVar[Sequence[int]]  # every command byte that this class covers
+    data_size: ClassVar[int] = 0  # data bytes behind the command byte; the CRC byte is not counted
+    fixed_reply: ClassVar[int] = 0  # bytes of the reply where every reply has the same size
+    moves: ClassVar[bool] = False  # whether it may set a motor moving or stop one
+    # How long the board works before it replies, without the time on the wire
     seconds_to_answer: ClassVar[float] = 0.0
-    has_crc: ClassVar[bool] = True
+    has_crc: ClassVar[bool] = True  # whether its packet carries a CRC byte when CRC is enabled
 
     @property
     def opcode(self) -> int:

@@ -49,16 +49,12 @@ EXPANDED_START = 0x80
 
 @dataclass(frozen=True, slots=True)
 class Framing:
-    """How packets are wrapped; BadRequest if a number is outside its range.
+    """How packets are wrapped; BadRequest if a number is outside its range."""
 
-    Attributes:
-        device_number: 0-127 for expanded ("Pololu") packets to one board of several; `None`
-            for compact packets, which every board on the line obeys.
-        polynomial: 0x80-0xFF if each packet and each reply ends in a CRC-7; else `None`.
-    """
-
+    # 0-127 for expanded ("Pololu") packets to one board of several; `None` for compact packets,
+    # which every board on the line obeys
     device_number: int | None = None
-    polynomial: int | None = None
+    polynomial: int | None = None  # 0x80-0xFF if packets and replies end in a CRC-7; else `None`
 
     def __post_init__(self) -> None:
         if self.device_number is not None:

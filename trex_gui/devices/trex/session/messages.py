@@ -133,22 +133,16 @@ class ReadReason(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Connected:
-    """A board responds and was read; reported again whenever everything is read.
-
-    Attributes:
-        echo: whether everything sent comes back: the RS-232 side of the board.
-        settings: how the line is set and the board addressed now.
-        may_move: whether motors were driven and no stop was confirmed since.
-        port_rates: the baud rates that this computer's port supports; `None`: unknown.
-        selection: id of the `SelectBoard` that chose this board; 0 for that of the line's opening.
-    """
+    """A board responds and was read; reported again whenever everything is read."""
 
     state: DeviceState
-    echo: bool
+    echo: bool  # whether everything sent comes back: the RS-232 side of the board
     occasion: ReadReason
-    settings: ConnectionSettings
-    may_move: bool = False
+    settings: ConnectionSettings  # how the line is set and the board addressed now
+    may_move: bool = False  # whether motors were driven and no stop was confirmed since
+    # The baud rates that this computer's port supports; `None`: unknown
     port_rates: frozenset[int] | None = None
+    # Id of the `SelectBoard` that chose this board; 0 for that of the line's opening
     selection: int = 0
 
 

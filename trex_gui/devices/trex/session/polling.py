@@ -59,19 +59,14 @@ class Topic(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class PolledValue:
-    """How one topic is polled.
-
-    Attributes:
-        rate: times a second; `analog_rate`: with analog inputs, if it differs.
-        unwatched: times a second while nothing shows or records samples and no motor moves, if it
-            differs.
-        sample: makes its sample of a time and the reply; `None`: `StatusReader` reads it.
-    """
+    """How one topic is polled."""
 
     query: Command[Any]
-    rate: float
+    rate: float  # times a second; `analog_rate`: with analog inputs, if it differs
+    # Makes its sample of a time and the reply; `None`: `StatusReader` reads it
     sample: Callable[[float, Any], Sample] | None
     analog_rate: float | None = None
+    # Times a second while nothing shows or records samples and no motor moves, if it differs
     unwatched: float | None = None
 
 

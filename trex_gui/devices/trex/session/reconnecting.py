@@ -31,22 +31,17 @@ Where wires touch, requests that come back can pass for measurements and go on w
 
 
 class LivenessMonitor:
-    """Counts failed transactions, and probes for a board that does not respond.
-
-    Attributes:
-        silent: whether the board has stopped responding.
-        retry_at: when to look for it again, on the line's clock.
-        candidates: settings at which to look for it, too.
-    """
+    """Counts failed transactions, and probes for a board that does not respond."""
 
     def __init__(self, timeouts: Timeouts) -> None:
-        self.silent = False
-        self.retry_at = 0.0
+        self.silent = False  # whether the board has stopped responding
+        self.retry_at = 0.0  # when to look for it again, on the line's clock
         self._retry = timeouts.retry
         self._failures = 0
         self._failures_of: Counter[Topic] = Counter()
         self._has_probed = False
         self._places: deque[ConnectionSettings] = deque()
+        # Settings at which to look for it, too
         self.candidates: tuple[ConnectionSettings, ...] = ()
 
     def expect(self, candidates: tuple[ConnectionSettings, ...]) -> None:

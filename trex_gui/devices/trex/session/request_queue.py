@@ -23,13 +23,7 @@ from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
 
 
 class TrexRequestQueue:
-    """Sorts requests: those for the motors go to the motor output, the others wait in order.
-
-    Attributes:
-        is_closing: whether a `Close` came.
-        is_watched: whether anything shows or records samples.
-        selection: id of the `SelectBoard` that chose the present board; 0 before the first.
-    """
+    """Sorts requests: those for the motors go to the motor output, the others wait in order."""
 
     def __init__(
         self,
@@ -40,8 +34,9 @@ class TrexRequestQueue:
         clock: Callable[[], float],
     ) -> None:
         self.jobs: deque[Job] = deque()
-        self.is_closing = False
-        self.is_watched = True
+        self.is_closing = False  # whether a `Close` came
+        self.is_watched = True  # whether anything shows or records samples
+        # Id of the `SelectBoard` that chose the present board; 0 before the first
         self.selection = 0
         self._inbox = inbox
         self._output = output

@@ -29,13 +29,10 @@ _READ_AGAIN = frozenset(map(parameter_number, SAFETY_PARAMETERS))
 
 
 class TrexDecoder(Decoder):
-    """Decodes both sub-protocols, with and without CRC and echo.
-
-    Attributes:
-        board: the board on the line, once it is known: its units and parameters.
-    """
+    """Decodes both sub-protocols, with and without CRC and echo."""
 
     def __init__(self) -> None:
+        # The board on the line, once it is known: its units and parameters
         self.board: Signature | None = None
 
     def shown(self, data: bytes) -> str:

@@ -14,11 +14,7 @@ from trex_gui.ui.notifier import Answer
 
 
 class ClosePrompt(QObject):
-    """Asks whether to apply, save, keep or discard edits before the window closes.
-
-    Attributes:
-        keeps_edits: whether edits are offered when the board is connected again.
-    """
+    """Asks whether to apply, save, keep or discard edits before the window closes."""
 
     def __init__(
         self, device: Device, files: SettingsFiles, review: ReviewDialog, frame: MainWindow
@@ -29,7 +25,7 @@ class ClosePrompt(QObject):
         self._review = review
         self._frame = frame
         self._agreed: Settings | None = None  # settings shown that may be left as they are
-        self.keeps_edits = True
+        self.keeps_edits = True  # whether edits are offered when the board is connected again
         device.draft.pending_changed.connect(self._keep_edits)
 
     def may_close(self, leave: Callable[[], object]) -> bool:

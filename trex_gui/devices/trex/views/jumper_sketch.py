@@ -18,21 +18,13 @@ _ROW = 1.9  # lines from one pair of pins to the next
 
 @dataclass(frozen=True, slots=True)
 class JumperPlaces:
-    """Where the jumpers of one board are.
+    """Where the jumpers of one board are."""
 
-    Attributes:
-        title: when they are there.
-        mode: `RC`, `Analog`, or empty without the mode jumper.
-        mix: whether the mix jumper is on; `None` if that does not matter.
-        so_ground: whether the SO–G jumper is on.
-        next_one: the jumper to move now: `mode`, `mix`, `so_ground`, or none.
-    """
-
-    title: str
-    mode: str
-    mix: bool | None
-    so_ground: bool = False
-    next_one: str = ""
+    title: str  # when they are there
+    mode: str  # `RC`, `Analog`, or empty without the mode jumper
+    mix: bool | None  # whether the mix jumper is on; `None` if that does not matter
+    so_ground: bool = False  # whether the SO–G jumper is on
+    next_one: str = ""  # the jumper to move now: `mode`, `mix`, `so_ground`, or none
 
 
 class JumperSketch(Painted):

@@ -18,12 +18,9 @@ class AcceptedMemory(QObject):
     """Tells the parameters what boards have accepted, and remembers what one accepts now.
 
     A simulated board says nothing about real ones.
-
-    Signals:
-        failed: why something was not remembered, for the user.
     """
 
-    failed = Signal(str)
+    failed = Signal(str)  # why something was not remembered, for the user
 
     def __init__(self, parameters: ParameterModel, parent: QObject | None = None) -> None:
         super().__init__(parent)

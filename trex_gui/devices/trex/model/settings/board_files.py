@@ -47,17 +47,11 @@ class _Result(Generic[SavedT, FoundT]):
 
 
 class BoardFiles(QObject, Generic[SavedT, FoundT]):
-    """One file for each board: the newest content is saved, before any is read.
+    """One file for each board: the newest content is saved, before any is read."""
 
-    Signals:
-        found: the board that was asked for with `read`, and its content; `None`: no sound file.
-        failed: the `SettingsError` that keeps files from being saved; once, until it works again.
-        replaced: the `Path` to which the file of another board was renamed; see `move`.
-    """
-
-    found = Signal(object, object)
-    failed = Signal(object)
-    replaced = Signal(object)
+    found = Signal(object, object)  # the board for `read`, and its content; `None`: no sound file
+    failed = Signal(object)  # why files cannot be saved, a `SettingsError`; once until it works
+    replaced = Signal(object)  # the `Path` that the file of another board has now; see `move`
 
     def __init__(self, files: Folder[SavedT, FoundT], parent: QObject | None = None) -> None:
         super().__init__(parent)

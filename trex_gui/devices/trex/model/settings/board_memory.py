@@ -29,22 +29,11 @@ Change = Callable[[BoardRecord], BoardRecord]
 
 
 class BoardMemory(QObject):
-    """Reads the record of a board, follows what is read, written and noted, and saves it.
+    """Reads the record of a board, follows what is read, written and noted, and saves it."""
 
-    Attributes:
-        record: `None` until it was read from its file.
-        differing: the settings in which the board differs from what was applied last, the board
-            at the left; none for a simulated board, which is a new one each time.
-
-    Signals:
-        changed: `record` or `differing`.
-        failed: why nothing can be kept, for the user; once, until it works again.
-        doubted: that the record may be of another board, for the user.
-    """
-
-    changed = Signal()
-    failed = Signal(str)
-    doubted = Signal(str)
+    changed = Signal()  # `record` or `differing`
+    failed = Signal(str)  # why nothing can be kept, for the user; once, until it works again
+    doubted = Signal(str)  # that the record may be of another board, for the user
 
     def __init__(
         self,
@@ -54,7 +43,9 @@ class BoardMemory(QObject):
     ) -> None:
         super().__init__(parent)
         self._notes = notes or Notes(self)
-        self.record: BoardRecord | None = None
+        self.record: BoardRecord | None = None  # `None` until it was read from its file
+        # Settings in which the board, at the left, differs from what was applied last; none for a
+        # simulated board, which is a new one each time
         self.differing = Comparison(())
         self._records = folder or BoardRecords()
         self.files = BoardFiles[BoardRecord, BoardRecord](self._records, self)

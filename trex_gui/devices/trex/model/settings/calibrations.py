@@ -15,21 +15,16 @@ Channel = int | CalibrationKey  # a channel, 1-5, of the active input source; or
 
 
 class Calibrations(QObject):
-    """A board shows the set of its active input source only; a file may hold both sets.
-
-    Attributes:
-        source: the active one; a board accepts none for the other.
-        edited: the edits for both input sources.
-        left_out: the stored calibrations that Save leaves out of a file.
-    """
+    """A board shows the set of its active input source only; a file may hold both sets."""
 
     changed = Signal()  # a stored or an edited calibration
     pending_changed = Signal(int)  # the number of edits
 
     def __init__(self, parent: QObject | None = None, undo: QUndoStack | None = None) -> None:
         super().__init__(parent)
-        self.source = InputSource.RC
-        self.edited: dict[CalibrationKey, Calibration] = {}
+        self.source = InputSource.RC  # the active one; a board accepts none for the other
+        self.edited: dict[CalibrationKey, Calibration] = {}  # the edits for both input sources
+        # The stored calibrations that Save leaves out of a file
         self.left_out: set[CalibrationKey] = set()
         self._undo = undo or QUndoStack(self)
         self._model_key = ""

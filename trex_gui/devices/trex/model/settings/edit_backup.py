@@ -30,22 +30,16 @@ class EditBackup(QObject):
     """Saves the edits of a draft soon after each change, and offers those of an earlier run.
 
     Files are read and written in a thread.
-
-    Attributes:
-        offer: what the user has to decide about; it stays saved until then.
-
-    Signals:
-        offered: `offer` is new, or gone.
-        failed: why edits cannot be kept, for the user; once, until it works again.
     """
 
-    offered = Signal()
-    failed = Signal(str)
+    offered = Signal()  # `offer` is new, or gone
+    failed = Signal(str)  # why edits cannot be kept, for the user; once, until it works again
 
     def __init__(
         self, draft: SettingsDraft, files: EditFiles | None = None, parent: QObject | None = None
     ) -> None:
         super().__init__(parent)
+        # What the user has to decide about; it stays saved until then
         self.offer: EditOffer | None = None
         self._draft = draft
         self.files = BoardFiles[Settings, SavedEdits](files or EditFiles(), self)

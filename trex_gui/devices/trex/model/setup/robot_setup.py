@@ -36,30 +36,21 @@ class SetupStep(Enum):
 
 
 class RobotSetup(QObject):
-    """Makes pending edits only, each with `next`; every step can be skipped and left.
-
-    Attributes:
-        step: the present one of `steps`.
-        driver: who drives the robot.
-        movements: what the user saw each motor move.
-        rises: for channels 1 and 2, whether the input rises when the stick goes forward or right;
-            without the channel if not known.
-        preset: whose ramps are used; `None` keeps those of the board.
-        current_limit: wire value for both motors; `None` keeps those of the board.
-        timeout: wire value of the serial timeout.
-    """
+    """Makes pending edits only, each with `next`; every step can be skipped and left."""
 
     changed = Signal()
 
     def __init__(self, device: Device, learning: Learning, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.step = SetupStep.DRIVER
-        self.driver = Driver.ONE_STICK
-        self.movements: dict[int, Movement] = {}
+        self.step = SetupStep.DRIVER  # the present one of `steps`
+        self.driver = Driver.ONE_STICK  # who drives the robot
+        self.movements: dict[int, Movement] = {}  # what the user saw each motor move
+        # By channel, 1 and 2: whether the input rises when the stick goes forward or right
         self.rises: dict[int, bool] = {}
-        self.preset: Preset | None = None
+        self.preset: Preset | None = None  # whose ramps are used; `None` keeps those of the board
+        # Wire value for both motors; `None` keeps those of the board
         self.current_limit: int | None = None
-        self.timeout = TIMEOUT_WIRE
+        self.timeout = TIMEOUT_WIRE  # wire value of the serial timeout
         self.pulses = MotorPulses(device, self)
         self._device = device
         self._learning = learning
