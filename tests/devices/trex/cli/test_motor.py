@@ -18,7 +18,7 @@ from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.trex.driving.timeout_stop import TimeoutTrial
 from trex_gui.devices.trex.protocol.device_table import device_table
-from trex_gui.devices.trex.settings.board_records import BoardRecords, utc_now
+from trex_gui.devices.trex.settings.board_records import BoardRecords
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 
 
@@ -177,7 +177,7 @@ def test_motor_command_trusts_no_timeout_that_has_failed(
     records, board = BoardRecords(), BoardIdentity(device_table().model("trex"), "1.2", 7)
     record = records.load(board)
     assert record is not None
-    trial = TimeoutTrial(stopped=False, shutdown=True, time=utc_now())
+    trial = TimeoutTrial(stopped=False, shutdown=True)
     records.save(board, replace(record, trial=trial))
     command = run_motor_1(start, quick_simulator)
     quick_simulator.do("line unplug")

@@ -1,7 +1,5 @@
 """What is said of a serial timeout, under both hypotheses about UART-Error Shutdown."""
 
-from datetime import UTC, datetime
-
 import pytest
 
 from trex_gui.devices.trex.driving.timeout_stop import (
@@ -77,7 +75,7 @@ def test_proposed_settings_stop_the_motors_under_both_hypotheses() -> None:
 def test_trial_tells_as_much_as_follows_from_it(
     known: tuple[TimeoutStop, TimeoutStop], *, stopped: bool, tried_with: bool
 ) -> None:
-    trial = TimeoutTrial(stopped, tried_with, datetime(2026, 11, 28, tzinfo=UTC))
+    trial = TimeoutTrial(stopped, tried_with)
     for shutdown, stop in enumerate(known):
         stored = {"serial_timeout": 5, "uart_error_shutdown": shutdown}
         assert timeout_stop(stored, trial) is stop

@@ -59,12 +59,19 @@ def test_lost_settings_differ_until_they_are_applied_again_or_accepted() -> None
 def test_trial_of_the_timeout_is_in_the_file_and_survives_writing(
     tmp_path: Path, *, stopped: bool, shutdown: bool
 ) -> None:
-    trial = TimeoutTrial(stopped, shutdown, NOW)
+    trial = TimeoutTrial(stopped, shutdown)
     records = BoardRecords(tmp_path)
     records.save(BOARD, replace(EMPTY, trial=trial).after_writing(stored(), RC, (), LATER))
     loaded = records.load(BOARD)
     assert loaded is not None
     assert loaded.trial == trial
+    file = records.path(BOARD)
+    text = file.read_text(encoding="utf-8")
+    line = next(line for line in text.splitlines() if line.startswith("# serial timeout"))
+    file.write_text(text.replace(line, f"{line}, tried 2026-11-28T10:00:00+00:00"), "utf-8")
+    loaded = records.load(BOARD)
+    assert loaded is not None
+    assert loaded.trial == trial, "an earlier version wrote the time, too"
 
 
 def test_uncertain_values_are_expected_neither_old_nor_new() -> None:

@@ -8,7 +8,6 @@ pulled the cable of a driven board.
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
-from datetime import datetime
 from enum import Enum, auto
 
 from trex_gui.core.translation import tr, tr_noop
@@ -37,11 +36,6 @@ class TimeoutTrial:
 
     stopped: bool  # whether the motors stopped by themselves
     shutdown: bool  # whether UART-Error Shutdown was set
-    time: datetime  # in UTC
-
-    def applies(self, *, shutdown: bool) -> bool:
-        """Return whether it tells what happens with this UART-Error Shutdown."""
-        return shutdown in {self.shutdown, self.stopped}
 
 
 def timeout_stop(parameters: Mapping[str, int], trial: TimeoutTrial | None = None) -> TimeoutStop:
@@ -49,7 +43,8 @@ def timeout_stop(parameters: Mapping[str, int], trial: TimeoutTrial | None = Non
     if not parameters.get(_TIMEOUT):
         return TimeoutStop.OFF
     shutdown = bool(parameters.get(_SHUTDOWN, 0) & 1)  # a mask on the twin, bit 0 for the line
-    if trial is not None and trial.applies(shutdown=shutdown):
+    # One trial tells of both settings: what stops without a shutdown stops with it, too.
+    if trial is not None and shutdown in {trial.shutdown, trial.stopped}:
         return TimeoutStop.TRIED if trial.stopped else TimeoutStop.FAILED
     return TimeoutStop.EXPECTED if shutdown else TimeoutStop.DOUBTFUL
 

@@ -1,16 +1,16 @@
 """What is said once a board that was lost while it was driven has confirmed a stop."""
 
+from functools import partial
+
 from PySide6.QtCore import QObject, Slot
 
 from trex_gui.core.translation import Number
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.driving.timeout_stop import TimeoutTrial
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.session.messages import Batch
-from trex_gui.devices.trex.settings.board_records import utc_now
 from trex_gui.ui.notifier import Answer
 from trex_gui.ui.runtime import now
 
@@ -30,7 +30,7 @@ class LossWhileDriven(QObject):
         super().__init__(parent)
         self._device = device
         self._lost_at: float | None = None
-        self._lost_with: ConnectionSettings | None = None
+        self._lost_url = ""
         self._has_shutdown = False  # when it was lost
         self._silent_for: float | None = None  # seconds, if that may have stopped the motors
         self._has_timed_out = False
@@ -45,7 +45,8 @@ class LossWhileDriven(QObject):
     def _on_lost(self) -> None:
         device = self._device
         if device.driving.driven and self._lost_at is None:
-            self._lost_at, self._lost_with = now(), device.settings
+            self._lost_at = now()
+            self._lost_url = "" if device.settings is None else device.settings.url
             shutdown = device.parameters.stored_of(ParameterKey.UART_ERROR_SHUTDOWN) or 0
             self._has_shutdown, self._silent_for = bool(shutdown & 1), None
             self._has_timed_out = False
@@ -55,8 +56,8 @@ class LossWhileDriven(QObject):
         device, lost_at = self._device, self._lost_at
         if lost_at is None or device.may_stop_matter or not device.is_connected:
             return
-        self._lost_at, lost, here = None, self._lost_with, device.settings
-        if lost is None or here is None or lost.url != here.url:
+        self._lost_at, here = None, device.settings
+        if here is None or here.url != self._lost_url:
             return  # perhaps another board, of which `driving` warns
         device.notifier.info.emit(self.tr("The board is back. It has confirmed the stop."))
         seconds = now() - lost_at
@@ -79,12 +80,10 @@ class LossWhileDriven(QObject):
             "its Serial Timeout stop the motor meanwhile?"
         ).format(Number(self._silent_for))
         self._silent_for = None
+        save, shutdown = self._device.memory.record_trial, self._has_shutdown
+        worked, failed = TimeoutTrial(True, shutdown), TimeoutTrial(False, shutdown)
         self._device.notifier.ask(
             text,
-            Answer("timeoutWorked", self.tr("It stopped"), lambda: self._save(stopped=True)),
-            Answer("timeoutFailed", self.tr("It kept turning"), lambda: self._save(stopped=False)),
+            Answer("timeoutWorked", self.tr("It stopped"), partial(save, worked)),
+            Answer("timeoutFailed", self.tr("It kept turning"), partial(save, failed)),
         )
-
-    def _save(self, *, stopped: bool) -> None:
-        trial = TimeoutTrial(stopped, self._has_shutdown, utc_now())
-        self._device.memory.record_trial(trial)

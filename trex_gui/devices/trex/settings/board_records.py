@@ -35,8 +35,7 @@ _HEAD = re.compile(
 )
 _ADAPTER = re.compile(r"^# adapter: (\S+)$", re.MULTILINE)
 _TRIAL = re.compile(
-    r"^# serial timeout: (stopped the motors|failed), uart_error_shutdown (on|off), tried (\S+)$",
-    re.MULTILINE,
+    r"^# serial timeout: (stopped the motors|failed), uart_error_shutdown (on|off)\b", re.MULTILINE
 )
 _PARAMETERS = "parameters"
 _NEVER = datetime.min.replace(tzinfo=UTC)
@@ -236,10 +235,7 @@ def _text(record: BoardRecord) -> str:
     if (trial := record.trial) is not None:
         result = "stopped the motors" if trial.stopped else "failed"
         shutdown = "on" if trial.shutdown else "off"
-        lines.append(
-            f"serial timeout: {result}, uart_error_shutdown {shutdown}, "
-            f"tried {trial.time.isoformat()}"
-        )
+        lines.append(f"serial timeout: {result}, uart_error_shutdown {shutdown}")
     if record.adapter:
         lines.append(f"adapter: {record.adapter}")
     return write_settings(record.settings, title_lines=lines)
@@ -253,35 +249,21 @@ def _record(settings: Settings, text: str) -> BoardRecord:
     """Read the head; values without a line in it, or with a damaged one, are not known."""
     found: dict[str, Known] = {}
     for name, verb, stamp in _HEAD.findall(text):
-        if (time := _time(stamp)) is not None:
-            found[name] = Known(time, verb == "applied")
+        with suppress(ValueError, OverflowError):
+            time = datetime.fromisoformat(stamp).astimezone(UTC)
+            if 1970 < time.year < 9999:  # others cannot be shown in every time zone
+                found[name] = Known(time, verb == "applied")
     known = {source: found[_name(source)] for source in InputSource if _name(source) in found}
     given = {key: c for key, c in settings.calibrations.items() if key.source in known}
-    applied, adapter = found.get(_PARAMETERS), _ADAPTER.search(text)
+    applied, adapter, trial = found.get(_PARAMETERS), _ADAPTER.search(text), _TRIAL.search(text)
     parameters = {} if applied is None else settings.parameters
     return BoardRecord(
         replace(settings, parameters=parameters, calibrations=given),
         None if applied is None else applied.time,
         known,
         "" if adapter is None else adapter[1],
-        _trial(text),
+        None if trial is None else TimeoutTrial(trial[1] != "failed", trial[2] == "on"),
     )
-
-
-def _trial(text: str) -> TimeoutTrial | None:
-    found = _TRIAL.search(text)
-    time = None if found is None else _time(found[3])
-    if found is None or time is None:
-        return None
-    return TimeoutTrial(found[1] != "failed", found[2] == "on", time)
-
-
-def _time(stamp: str) -> datetime | None:
-    with suppress(ValueError, OverflowError):
-        time = datetime.fromisoformat(stamp).astimezone(UTC)
-        if 1970 < time.year < 9999:  # others cannot be shown in every time zone
-            return time
-    return None
 
 
 def utc_now() -> datetime:
