@@ -35,44 +35,41 @@ class ArmDialog(QDialog):
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(self.tr("Arm the motors"))
         self._device, self._seconds = device, seconds
-        warning = label(self, "armWarning", text, wrap=True)
-        remark = label(
-            self,
-            text=self.tr(
-                "“Arm without” is remembered for this board. Cut the power by hand then if the "
-                "cable falls out."
-            ),
-            wrap=True,
+        remark = self.tr(
+            "“Arm without” is remembered for this board. Cut the power by hand then if the "
+            "cable falls out."
         )
         self._note = named(Note(1, self), "armNote")
-        self._write = button(
-            self,
-            "writeAndArmButton",
-            self.tr("&Write {0:g} s and arm").format(Number(seconds)),
-            default=True,
-            on_click=self._on_write_clicked,
-        )
-        self._without = button(
-            self, "armWithoutButton", self.tr("Arm with&out"), on_click=self._on_without_clicked
+        write = self.tr("&Write {0:g} s and arm").format(Number(seconds))
+        self._choices = (
+            button(self, "writeAndArmButton", write, default=True, on_click=self._on_write),
+            button(self, "armWithoutButton", self.tr("Arm with&out"), on_click=self._on_without),
         )
         cancel = button(self, "cancelArmButton", self.tr("Cancel"), on_click=self.close)
-        column(warning, remark, self._note, row(1, self._write, self._without, cancel), into=self)
-        self._write.setFocus()
+        column(
+            label(self, "armWarning", text, wrap=True),
+            label(self, text=remark, wrap=True),
+            self._note,
+            row(1, *self._choices, cancel),
+            into=self,
+        )
+        self._choices[0].setFocus()
         if (layout := self.layout()) is not None:
             self.resize(_WIDTH, layout.totalHeightForWidth(_WIDTH))
 
         device.applied.connect(self._on_applied)
         device.request_failed.connect(self._on_failed)
-        device.link_changed.connect(self._on_link_changed)
+        for lost in (device.connection.line_closed, device.connection.not_responding):
+            lost.connect(self.close)
 
     @Slot()
-    def _on_write_clicked(self) -> None:
+    def _on_write(self) -> None:
         self._set_writing(True)
         self._note.show_note(self.tr("Writing …"))
         self._device.set_serial_timeout(self._seconds)
 
     @Slot()
-    def _on_without_clicked(self) -> None:
+    def _on_without(self) -> None:
         self._device.motors.remember_arming_without_timeout()
         self._device.motors.arm()
         self.close()
@@ -92,11 +89,6 @@ class ArmDialog(QDialog):
         self._set_writing(False)
         self._note.show_note(reason, alarming=True)
 
-    @Slot()
-    def _on_link_changed(self) -> None:
-        if not self._device.is_connected:
-            self.close()
-
     def _set_writing(self, writing: bool) -> None:
-        for each in (self._write, self._without):
-            each.setEnabled(not writing)
+        for choice in self._choices:
+            choice.setEnabled(not writing)
