@@ -176,16 +176,6 @@ class DriveBlocker(Enum):
         self.text = text
         self.remedy = remedy
 
-    @property
-    def is_obeyed(self) -> bool:
-        """Whether the motors follow the setpoints, if more slowly."""
-        return self.effect in {Effect.LIMITS, Effect.NOTE}
-
-    @property
-    def is_alarming(self) -> bool:
-        """Whether something is wrong, rather than not started."""
-        return self.effect in {Effect.STOPS, Effect.LIMITS}
-
 
 @dataclass(frozen=True, slots=True)
 class Reason:

@@ -30,14 +30,14 @@ from trex_gui.devices.trex.model.drive_status import (
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT
-from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameters_of
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import only_when_visible
 from trex_gui.ui.widgets.labels import Muted, Note, Sign
 from trex_gui.ui.widgets.leds import Leds
 
-_SIGNS = {
+SIGNS = {
     Effect.STOPS: ("warning", "warning"),
     Effect.BLOCKS: ("info", "info"),
     Effect.LIMITS: ("warning", "warning"),
@@ -79,7 +79,7 @@ class MotorsBox(ui.GroupBox):
                 status = statuses[row]
                 shown = f"<b>{escape(status.text)}</b> {escape(status.remedy)}".rstrip()
                 if text.text() != shown:
-                    sign.show_sign(*_SIGNS[status.blocker.effect])
+                    sign.show_sign(*SIGNS[status.blocker.effect])
                     text.setText(shown)
                     text.setAccessibleName(f"{status.text} {status.remedy}".rstrip())
         self._leds_line.setVisible(board is not None)
@@ -187,7 +187,7 @@ class StatusPage(QWidget):
             "motors": self.tr("joint: one motor")
             if self._device.is_joint
             else self.tr("two independent motors"),
-            "port": settings.name or settings.url,
+            "port": settings.label,
             "settings": f"{settings.line.text()}, {addressing}",
             "side": self.tr("RS-232 (everything sent comes back)")
             if self._device.connection.echo
@@ -201,12 +201,10 @@ class StatusPage(QWidget):
         self._on_text_due()
 
     def _runs_at_half_rate(self, state: DeviceState, settings: ConnectionSettings) -> bool:
-        firmware = state.signature.firmware
         wire = state.parameters.get(ParameterKey.UART_SETTINGS)
-        specs = parameters_of(state.signature.model.key, firmware)
-        if wire is None or wire not in specs[ParameterKey.UART_SETTINGS].valid:
+        if wire is None or wire not in state.specs[ParameterKey.UART_SETTINGS].valid:
             return False
-        return settings.line.real_baud(firmware) != settings.line.baud
+        return settings.line.real_baud(state.signature.firmware) != settings.line.baud
 
     @Slot()
     def _show_motors(self) -> tuple[DriveStatus, ...]:

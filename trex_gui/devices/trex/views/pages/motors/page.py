@@ -22,6 +22,7 @@ from trex_gui.devices.trex.views.pages.motors.drive_pad import DrivePad
 from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
 from trex_gui.devices.trex.views.pages.motors.key_driver import KeyDriver
 from trex_gui.devices.trex.views.pages.motors.options import Options, SpeedCeiling
+from trex_gui.devices.trex.views.pages.status import SIGNS
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
@@ -258,18 +259,13 @@ class MotorsPage(QWidget):
         """Show what matters most in bold, and every other reason behind it."""
         inputs = drive_inputs(self._device, is_held=self._safe_start.may_hold)
         first, *others = drive_statuses(inputs)
-        alarming = first.blocker.is_alarming
-        if alarming:
-            self._sign.show_sign("warning", "warning")
-        elif first.blocker.is_obeyed:
-            self._sign.show_sign("ok", "good")
-        else:
-            self._sign.show_sign("info", "info")
+        name, color = SIGNS[first.blocker.effect]
+        self._sign.show_sign(name, color)
         lines = [f"<b>{escape(first.text)}</b> {_plain(first.remedy)}"]
         lines += [_plain(other.text) for other in others]
         # While a control may be held, what is below must not move.
         text = (" " if self._motors.armed else "<br>").join(lines)
-        self._reason.show_note(text, alarming=alarming)
+        self._reason.show_note(text, alarming=color == "warning")
         spoken = [first.text, first.remedy, *(other.text for other in others)]
         self._reason.setAccessibleName(" ".join(filter(None, spoken)))
 
