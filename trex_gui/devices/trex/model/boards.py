@@ -285,7 +285,7 @@ class BoardList(QObject):
         self.scanned = None
         self.is_selecting = self.is_asking = False
         self._presence.stop()
-        self.boards = tuple(_as(one, Presence.UNKNOWN) for one in self.boards)
+        self.boards = tuple(replace(one, presence=Presence.UNKNOWN) for one in self.boards)
         self.changed.emit()
 
     @Slot()
@@ -297,17 +297,18 @@ class BoardList(QObject):
         if device.settings.url != self._url:
             self._url = device.settings.url
             self.boards = self._known_boards()
-        if not self.is_addressed and all(_is_unknown(one) for one in self.boards):
+        known = [one for one in self.boards if one.presence is not Presence.UNKNOWN]
+        if not self.is_addressed and not known:
             self.boards = ()  # a single board is expected
         selected, before = self.selected, self.boards
         if before and selected is not None and self.is_addressed:
-            kept = [one for one in before if one.number != selected]
-            if self.is_selecting:
-                kept = [_as(one, Presence.RESPONDING) if _is_shown(one) else one for one in kept]
-            else:  # the board has got another number
-                kept = [one for one in kept if not _is_shown(one)]
-            board = LineBoard(selected, self._signature, Presence.SELECTED)
-            self.boards = tuple(sorted([*kept, board], key=lambda one: one.number))
+            others = [one for one in before if one.number != selected]
+            boards = [one for one in others if one.presence is not Presence.SELECTED]
+            if self.is_selecting:  # else the board has got another number
+                left = (one for one in others if one.presence is Presence.SELECTED)
+                boards += (replace(one, presence=Presence.RESPONDING) for one in left)
+            boards.append(LineBoard(selected, self._signature, Presence.SELECTED))
+            self.boards = tuple(sorted(boards, key=lambda one: one.number))
             if {one.number for one in self.boards} != {one.number for one in before}:
                 self._remember()
         if self.has_several and not self._presence.isActive():
@@ -337,15 +338,3 @@ class BoardList(QObject):
         if others and self._may_ask and self.scanned is None and not self.is_asking:
             self._next = (self._next + 1) % len(others)
             self._ask(others[self._next].number)
-
-
-def _as(board: LineBoard, presence: Presence) -> LineBoard:
-    return replace(board, presence=presence)
-
-
-def _is_shown(board: LineBoard) -> bool:
-    return board.presence is Presence.SELECTED
-
-
-def _is_unknown(board: LineBoard) -> bool:
-    return board.presence is Presence.UNKNOWN
