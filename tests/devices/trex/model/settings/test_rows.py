@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt
 from pytestqt.qtbot import QtBot
 
-from trex_gui.devices.trex.model.settings.rows import renew_rows
+from trex_gui.devices.trex.model.settings.comparison_table import renew_rows
 
 Cell = tuple[int, str]
 

@@ -1,10 +1,11 @@
 """Two sets of settings as a table, with a check box for each change."""
 
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Hashable, Mapping, Sequence
 from enum import IntEnum
-from typing import Any
+from typing import Any, TypeVar
 
 from PySide6.QtCore import (
+    QAbstractItemModel,
     QAbstractTableModel,
     QModelIndex,
     QObject,
@@ -15,7 +16,6 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QFont
 
 from trex_gui.devices.trex.model.parameters.text import acceleration_text
-from trex_gui.devices.trex.model.settings.rows import renew_rows
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibration
 from trex_gui.devices.trex.protocol.parameters import ParameterKind
 from trex_gui.devices.trex.settings.comparison import (
@@ -28,6 +28,7 @@ from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.widgets.builders import plain
 
 Index = QModelIndex | QPersistentModelIndex
+RowT = TypeVar("RowT")
 
 _NONE = "–"
 
@@ -109,7 +110,6 @@ class ComparisonTable(QAbstractTableModel):
         self._announce_ticks()
 
     def tick(self, keys: Collection[str]) -> None:
-        """Tick the changes of these settings."""
         self._cleared -= set(keys)
         self._announce_ticks()
 
@@ -239,3 +239,41 @@ def _wires_text(row: ComparisonRow) -> str:
         f"{wire_text(old, _NONE)} → {wire_text(new, _NONE)}"
         for old, new in pairs or [(before, after)]
     )
+
+
+def renew_rows(
+    model: QAbstractItemModel,
+    rows: list[RowT],
+    wanted: Sequence[RowT],
+    key: Callable[[RowT], Hashable],
+) -> None:
+    """Change the `rows` of a model in place to the wanted ones, and announce only differences.
+
+    Selection, scroll position and check boxes are kept. `key` identifies a row. A different
+    order of rows that stay resets the model.
+    """
+    if not rows and not wanted:
+        return
+    keys = [key(row) for row in wanted]
+    had = [key(row) for row in rows]
+    stay = set(keys) & set(had)
+    if not rows or [k for k in had if k in stay] != [k for k in keys if k in stay]:
+        model.beginResetModel()
+        rows[:] = wanted
+        model.endResetModel()
+        return
+    nowhere = QModelIndex()
+    for place in reversed(range(len(rows))):
+        if key(rows[place]) not in stay:
+            model.beginRemoveRows(nowhere, place, place)
+            del rows[place]
+            model.endRemoveRows()
+    for place, row in enumerate(wanted):
+        if place >= len(rows) or key(rows[place]) != keys[place]:
+            model.beginInsertRows(nowhere, place, place)
+            rows.insert(place, row)
+            model.endInsertRows()
+        elif rows[place] != row:
+            rows[place] = row
+            last = model.index(place, model.columnCount() - 1)
+            model.dataChanged.emit(model.index(place, 0), last)
