@@ -76,6 +76,7 @@ class LineSettingsDialog(ReusedDialog):
         self._reserved.textChanged.connect(self._on_changed)
         buttons.accepted.connect(self._on_accepted)
         buttons.rejected.connect(self.reject)
+        buttons.button(QDialogButtonBox.StandardButton.Ok).setDefault(True)
         restore = buttons.button(QDialogButtonBox.StandardButton.RestoreDefaults)
         restore.setText(self.tr("&Restore defaults"))
         restore.clicked.connect(self._on_restore_clicked)
