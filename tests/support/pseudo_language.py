@@ -5,6 +5,7 @@ Only texts that `packaging/translations.py` extracts are translated.
 
 import re
 from collections.abc import Iterator
+from functools import cache
 
 from PySide6.QtCore import (
     QAbstractItemModel,
@@ -83,13 +84,15 @@ def pseudo(text: str) -> str:
     return f"{BEGIN}{''.join(parts)}{added}{END}"
 
 
+@cache
+def _program_texts() -> frozenset[tuple[str, str]]:
+    """Return each text and its comment."""
+    texts = load_script("translations").program_texts()
+    return frozenset((text.source, text.comment) for text in texts)
+
+
 class PseudoTranslator(QTranslator):
     """Translates what a language file would have a translation of."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        texts = load_script("translations").program_texts()
-        self._texts = {(text.source, text.comment) for text in texts}
 
     def isEmpty(self) -> bool:  # noqa: N802
         return False
@@ -98,7 +101,7 @@ class PseudoTranslator(QTranslator):
         self, context: str, source: str, disambiguation: str | None = None, n: int = -1
     ) -> str | None:
         del context
-        if (source, disambiguation or "") not in self._texts:
+        if (source, disambiguation or "") not in _program_texts():
             return None
         translated = pseudo(source)
         return translated.replace("%n", str(n)) if n >= 0 else translated

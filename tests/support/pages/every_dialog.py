@@ -1,0 +1,246 @@
+"""Every page, window and dialog of the program, opened one after the other."""
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox, QTabWidget, QWidget
+
+from tests.devices.trex.bench.runs import run_of
+from tests.support.pages.every_window import WINDOWS_WITH_STOP, open_bench, open_editor, open_plot
+from tests.support.program import aracna, trex
+from tests.support.scripts import load_script
+from tests.support.window import WindowDriver
+from trex_gui.devices.trex.bench.files import to_csv
+from trex_gui.devices.trex.bench.run import End
+from trex_gui.devices.trex.protocol.flags import CHANNELS
+from trex_gui.devices.trex.views.arm_dialog import ArmDialog
+from trex_gui.devices.trex.views.bench.dialog import BenchDialog
+from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter
+from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
+from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
+from trex_gui.devices.trex.views.tour import SETUP_STEPS
+from trex_gui.ui.plotting.layout_button import LayoutButton
+from trex_gui.ui.runtime import runtime
+
+DIALOGS = (
+    "test_sticks", "find", "check_board", "preferences", "report", "new", "power",
+    "number", "to_boards",
+)  # fmt: skip
+"""Menu entries that open a dialog."""
+
+BAD_SETTINGS = (
+    "product: TReX\nfirmware: 1.2\nserial_timeot: 5\nmotor_mode: joint\nserial_timeout: 500\n"
+    "motor1_acceleration: 127\nrc_channel_1: [1]\nmotor_mode: 1"
+)
+BAD_LAYOUT = "version = 2\n"
+QT_OF_OURS = {"newSettingsDialog", "aboutBox"}
+"""Dialogs of classes of Qt that the program fills."""
+
+
+def own_dialogs() -> set[str]:
+    """Return the names of the program's classes of dialogs."""
+    made = re.compile(r"^class (\w+)\((?:Q|Reused)Dialog\b", re.MULTILINE)
+    texts = (
+        path.read_text("utf-8")
+        for path in sorted(load_script("translations").PROGRAM.rglob("*.py"))
+    )
+    return {name for text in texts for name in made.findall(text)} - {"ReusedDialog"}
+
+
+def every_trex_window(
+    window: WindowDriver, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> Iterator[QWidget]:
+    """Yield what is shown: the main window at each page, then each other window and dialog.
+
+    A window with several pages is yielded once for each. What was yielded is closed afterwards.
+    Fails at the end if a class of dialogs was not opened.
+    """
+    opened: set[str] = set()
+    for shown in _trex_windows(window, folder, monkeypatch):
+        opened |= {type(shown).__name__, shown.objectName()}
+        yield shown
+    assert not (own_dialogs() | QT_OF_OURS) - opened
+
+
+def _trex_windows(
+    window: WindowDriver, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> Iterator[QWidget]:
+    choice = (str(folder / "a.txt"), "")
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_, **__: choice)
+    yield from _tabs(window.window, window.window.pages)
+    window.trigger("line")
+    yield from _dialogs(window.window, "line")
+    about = _about_box(window, monkeypatch)
+    yield about
+    about.close()
+    window.connect_to_demo()
+    window.device.parameters.edit("serial_timeout", 15)
+    yield from _tabs(window.window, window.window.pages)
+    for open_window in WINDOWS_WITH_STOP:
+        shown = open_window(window, folder)
+        window.wait(shown.isVisible)
+        yield shown
+        for tabs in shown.findChildren(QTabWidget):
+            yield from _tabs(shown, tabs)
+        shown.close()
+    window.device.draft.discard_edits()
+    yield from _files(window, folder)
+    yield from _learning(window)
+    yield from _setup(window)
+    yield from _bench(window, folder)
+    for key in DIALOGS:
+        window.action(key).setEnabled(True)  # whatever the board would need it for
+        window.trigger(key)
+        window.wait_for_files()
+        runtime().sleep(0.3)
+        yield from _dialogs(window.window, key)
+    window.trigger("help")
+    yield window.help
+    window.help.close()
+    _open_wire_dialog(window)
+    yield from _dialogs(window.window, "wire")
+    ArmDialog(window.device, window.window.tr("Writing …"), 0.5, window.window).open()
+    yield from _dialogs(window.window, "arm")
+    set_up = window.open_page("motorsPage").button("gamepadSetUpButton")
+    set_up.setEnabled(True)  # without a gamepad
+    set_up.click()
+    yield from _dialogs(window.window, "gamepad")
+
+
+def every_aracna_window(window: WindowDriver, folder: Path) -> Iterator[QWidget]:
+    """Yield the main window with each page of an Aracna, and with files that have errors."""
+    window.program.device_manager.switch_to("aracna", lambda: None)
+    yield window.window
+    window.connect_to_demo("aracna")
+    yield from _tabs(window.window, window.window.pages)
+    (folder / "bad.ppr").write_text("pose a 1 2\n", "utf-8")
+    for open_file in aracna(window.program).workspace.openers.values():
+        open_file(folder / "bad.ppr")
+        window.wait_for_files()
+        assert window.has("banner")
+        yield window.window
+
+
+def _tabs(window: QWidget, tabs: QTabWidget) -> Iterator[QWidget]:
+    for index in range(tabs.count()):
+        tabs.setCurrentIndex(index)
+        runtime().sleep(0.3)
+        yield window
+
+
+def _dialogs(window: QWidget, why: str) -> Iterator[QDialog]:
+    """Yield the open dialogs of a window, and close them."""
+    shown = [each for each in window.findChildren(QDialog) if each.isVisible()]
+    assert shown, why
+    for dialog in shown:
+        yield dialog
+        dialog.close()
+
+
+def _about_box(window: WindowDriver, monkeypatch: pytest.MonkeyPatch) -> QMessageBox:
+    """Open the box in place of waiting until it is closed."""
+    boxes: list[QMessageBox] = []
+
+    def show_about(parent: QWidget, title: str, text: str) -> None:
+        box = QMessageBox(QMessageBox.Icon.Information, title, text, parent=parent)
+        box.setObjectName("aboutBox")
+        box.show()
+        boxes.append(box)
+
+    monkeypatch.setattr(QMessageBox, "about", show_about)
+    window.trigger("about")
+    return boxes[0]
+
+
+def _files(window: WindowDriver, folder: Path) -> Iterator[QWidget]:
+    """Open what can be done with a settings file, and files with errors."""
+    workspace = trex(window.program).workspace
+    files, recordings = workspace.files, workspace.recordings
+    editor = open_editor(window, folder)
+    assert isinstance(editor, SettingsEditor)
+    for show in (editor.convert, editor.compare_with_board):
+        show()
+        window.wait_for_files()
+        yield from _dialogs(editor, show.__name__)
+    editor.close()
+    (folder / "bad.txt").write_text(BAD_SETTINGS, "utf-8")
+    files.edit_file(folder / "bad.txt")
+    window.wait_for_files()
+    yield from _tabs(files.editors[-1], files.editors[-1].tabs)
+    files.editors[-1].close()
+    (folder / "other.txt").write_text("product: TReX\nserial_timeout: 5\n", "utf-8")
+    files.open_file(folder / "other.txt")
+    window.wait_for_files()
+    yield from _dialogs(window.window, "settings file")
+    recordings.open_file(folder / "bad.txt")
+    window.wait_for_files()
+    assert window.has("banner")
+    yield window.window
+    plot = open_plot(window, folder)
+    (folder / "bad.toml").write_text(BAD_LAYOUT, "utf-8")
+    (layout,) = plot.findChildren(LayoutButton)
+    layout.open(folder / "bad.toml")
+    window.wait_for_files()
+    yield plot
+    plot.close()
+
+
+def _open_wire_dialog(window: WindowDriver) -> None:
+    page = window.open_page("parametersPage")
+    view = page.find(ParameterView, "parametersView")
+    rows = view.model()
+    assert isinstance(rows, ParameterFilter)
+    view.setCurrentIndex(rows.index_of("ignored_channels"))
+    page.find(QAction, "tryParameter").setEnabled(True)
+    page.find(QAction, "tryParameter").trigger()
+
+
+def _learning(window: WindowDriver) -> Iterator[QWidget]:
+    """Open each page of the dialog, as long as the sticks are moved."""
+    sticks = trex(window.program).controller.demo_board
+    window.trigger("learn")
+    learn = window.dialog("learnDialog")
+    learn.wait(lambda: learn.has("learnRestPage") and learn.is_enabled("learnNextButton"))
+    yield learn.root
+    learn.click("learnNextButton")
+    learn.wait(lambda: learn.has("learnTravelPage"))
+    for microseconds in (1850, 1150, 1500):
+        for channel in CHANNELS:
+            sticks.hold_stick(channel, microseconds)
+        runtime().sleep(1.2)
+        yield learn.root
+    learn.click("learnNextButton")
+    learn.wait(lambda: learn.has("learnReviewPage"))
+    yield learn.root
+    learn.click("learnCancelButton")
+
+
+def _setup(window: WindowDriver) -> Iterator[QWidget]:
+    """Go through the steps of the assistant."""
+    window.trigger("setup")
+    setup, steps = window.dialog("setupDialog"), 1
+    yield setup.root
+    while setup.has("setupNextButton") and setup.is_enabled("setupNextButton"):
+        setup.click("setupNextButton")
+        runtime().sleep(0.3)
+        yield setup.root
+        steps += 1
+    assert steps == len(SETUP_STEPS)
+    setup.root.close()
+
+
+def _bench(window: WindowDriver, folder: Path) -> Iterator[QWidget]:
+    """Open a bench test that has ended, and one that was aborted."""
+    bench = open_bench(window, folder)
+    assert isinstance(bench, BenchDialog)
+    readings = [(seconds / 10, 1.0 + seconds % 3) for seconds in range(20)]
+    for name, end in (("complete", End.COMPLETE), ("aborted", End.ABORTED)):
+        path = folder / f"{name}.csv"
+        path.write_text(to_csv(run_of(readings, end=end)), "utf-8")
+        bench.files.open(path)
+        window.wait_for_files()
+        yield bench
+    bench.close()
