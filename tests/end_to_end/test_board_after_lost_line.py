@@ -5,6 +5,7 @@ from PySide6.QtWidgets import QLabel
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.window import WindowDriver
 from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.runtime import runtime
 
 
 def lose(window: WindowDriver, board: SimulatedDevice) -> None:
@@ -22,12 +23,13 @@ def lose(window: WindowDriver, board: SimulatedDevice) -> None:
 def test_pages_warn_of_motors_behind_a_lost_line(
     window: WindowDriver, start_simulator: StartSimulator
 ) -> None:
+    """The timeout of both boards needs UART-Error Shutdown, which is written with it."""
     grave = "Motor 1 may still be turning."
-    for timeout, remedy in {
-        0.0: "Cut the power.",
-        0.9: "The board should stop 0.9 s after",
-    }.items():
-        board = start_simulator()
+    for timeout, remedy, goes_on in (
+        (0.0, "Cut the power.", True),
+        (0.9, "The board should stop 0.9 s after", False),
+    ):
+        board = start_simulator("--timeout-needs-shutdown=on", "--error-shutdown=off")
         window.connect(board.url)
         if timeout:
             with window.qtbot.waitSignal(window.device.applied):
@@ -42,6 +44,8 @@ def test_pages_warn_of_motors_behind_a_lost_line(
 
         assert window.text("bannerText").startswith(f"{grave} {remedy}")
         assert window.is_enabled("stopButton")
+        runtime().sleep(1.0)
+        assert (board.show()["motors"][0]["direction"] == "forward") is goes_on
 
         with window.qtbot.waitSignal(window.device.notifier.danger) as warning:
             window.click("stopButton")

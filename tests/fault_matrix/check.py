@@ -6,7 +6,7 @@ from pathlib import Path
 
 from tests.devices.trex.recording.samples import read_file
 from tests.fault_matrix.faults import FAULTS, Effect, Fault
-from tests.fault_matrix.moments import APPLYING, MOMENTS
+from tests.fault_matrix.moments import APPLYING, DRIVING, MOMENTS
 from tests.fault_matrix.scene import Scene, Stored
 from trex_gui.core.errors import StudioError
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
@@ -160,6 +160,8 @@ def run_case(scene: Scene, fault_name: str, moment_name: str, starved: Starved =
         scene.let_pass(HOLD_SECONDS)
         if not fault.hides_board:
             _check_motors(scene, fault)
+        if fault_name == "unplug" and moment_name in DRIVING:
+            _check_silence(scene)
         fault.heal(scene)
         healed = True
         scene.let_pass(HEAL_SECONDS)
@@ -192,6 +194,11 @@ def _check_motors(scene: Scene, fault: Fault) -> None:
     if fault.forges:  # a query can have become a command, until the idle motors are refreshed
         scene.window.wait(lambda: not scene.motors_turn(), SETTLE_MS)
     assert not scene.motors_turn()
+
+
+def _check_silence(scene: Scene) -> None:
+    """A board that hears nothing stops at its serial timeout, or goes on, of which `SAID` warns."""
+    assert scene.motors_turn() is scene.needs_shutdown
 
 
 def _recover(scene: Scene, fault: Fault) -> None:

@@ -212,5 +212,8 @@ MOMENTS: dict[str, Moment] = {
     "closing": Moment(_close, longest_gap=1.2),
 }
 
+DRIVING = ["driving", "closing"]
+"""When motors turn as the fault begins."""
+
 APPLYING = [name for name in MOMENTS if name.startswith("apply")]
 """When edits are written."""

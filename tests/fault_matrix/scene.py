@@ -25,6 +25,9 @@ LOOK_MS = 20
 
 SHORTEST_GAP = 0.1  # seconds
 
+SERIAL_TIMEOUT = 15
+"""Tenths of a second; shorter than a fault lasts."""
+
 Gap = tuple[float, float]
 
 Stored = dict[str, int | Calibration]
@@ -83,6 +86,8 @@ class Scene:
         targets: what the motors are to do, if the user drives.
         files: what is being written.
         foreign: what another program has written.
+        needs_shutdown: whether the serial timeout of the boards stops motors only with UART-Error
+            Shutdown, which is off then. Else that is on.
         uart_settings: what the board stored before a fault changed it.
     """
 
@@ -93,6 +98,7 @@ class Scene:
         folder: Path,
         *,
         other_boards: bool = False,
+        needs_shutdown: bool,
     ) -> None:
         self._others = (OTHER, JUNIOR) if other_boards else ()
         self.window = window
@@ -108,14 +114,21 @@ class Scene:
         self.files: list[Path] = []
         self.foreign: list[Path] = []
         self.uart_settings = 0
+        self.needs_shutdown = needs_shutdown
+        options = ["--timeout-needs-shutdown", "on" if needs_shutdown else "off"]
+        options += ["--error-shutdown", "off" if needs_shutdown else "on"]
         if other_boards:
-            options = (f"{FIRST}", f"{OTHER}", f"{JUNIOR}:trexjr")
-            self.line = start(*(word for option in options for word in ("--device", option)))
+            for device in (f"{FIRST}", f"{OTHER}", f"{JUNIOR}:trexjr"):
+                options += ["--device", device]
+            self.line = start(*options)
             self.board: SimulatedDevice = BoardOnLine(self.line, FIRST)
             for number in self._others:
+                BoardOnLine(self.line, number).do(f"eeprom serial_timeout {SERIAL_TIMEOUT}")
                 self.switch(number, "off")
         else:
-            self.line = self.board = start()
+            self.line = self.board = start(*options)
+        self.board.do(f"eeprom serial_timeout {SERIAL_TIMEOUT}")
+        self.board.do("power cycle")
         self.others_before = self.others()
         self.url = self.line.url
         self._labels = [window.root.findChild(QLabel, name) for name in LABELS]

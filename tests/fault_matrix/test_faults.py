@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.fault_matrix.cases import CASES, name_of
+from tests.fault_matrix.cases import CASES, name_of, timeout_needs_shutdown
 from tests.fault_matrix.check import always, run_case
 from tests.fault_matrix.faults import FAULTS
 from tests.fault_matrix.scene import Scene
@@ -36,8 +36,14 @@ def test_fault(
     start_simulator: StartSimulator,
     tmp_path: Path,
 ) -> None:
-    boards = FAULTS[fault].other_boards
-    run_case(Scene(window, start_simulator, tmp_path, other_boards=boards), fault, moment)
+    scene = Scene(
+        window,
+        start_simulator,
+        tmp_path,
+        other_boards=FAULTS[fault].other_boards,
+        needs_shutdown=timeout_needs_shutdown(fault, moment),
+    )
+    run_case(scene, fault, moment)
 
 
 @pytest.fixture
@@ -65,4 +71,6 @@ def test_fault_of_a_real_port(
     start_simulator: StartSimulator,
     tmp_path: Path,
 ) -> None:
-    run_case(Scene(window, start_simulator, tmp_path), fault, moment, starved=always)
+    needs_shutdown = timeout_needs_shutdown(fault, moment)
+    scene = Scene(window, start_simulator, tmp_path, needs_shutdown=needs_shutdown)
+    run_case(scene, fault, moment, starved=always)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.fault_matrix.cases import CASES, name_of
+from tests.fault_matrix.cases import CASES, name_of, timeout_needs_shutdown
 from tests.fault_matrix.check import run_case
 from tests.fault_matrix.faults import FAULTS
 from tests.fault_matrix.scene import Scene
@@ -37,6 +37,11 @@ def test_real_fault(
     tmp_path: Path,
     ruler: Ruler,
 ) -> None:
-    boards = FAULTS[fault].other_boards
-    scene = Scene(window, start_simulator, tmp_path, other_boards=boards)
+    scene = Scene(
+        window,
+        start_simulator,
+        tmp_path,
+        other_boards=FAULTS[fault].other_boards,
+        needs_shutdown=timeout_needs_shutdown(fault, moment),
+    )
     run_case(scene, fault, moment, starved=ruler.starved)

@@ -332,9 +332,11 @@ class TestFaults:
         line.plug()
         assert ask("82") == "72"
 
+    @pytest.mark.parametrize("needs_shutdown", [False, True])
     def test_serial_timeout_stops_aux_motor_on_unplugged_line(
-        self, line: TrexLine, ask: Ask
+        self, line: TrexLine, ask: Ask, *, needs_shutdown: bool
     ) -> None:
+        line.boards[0].timeout_needs_shutdown = needs_shutdown
         assert ask("AF 07 05 55 2A") == "00"
         ask("F0 7F")
         line.unplug()

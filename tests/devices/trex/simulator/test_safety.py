@@ -48,6 +48,19 @@ class TestSafety:
         assert board.serial.take_uart_errors() == UartError.TIMEOUT
         assert board.serial.take_status() == Status.UART_ERROR
 
+    @pytest.mark.parametrize(("needs_shutdown", "direction"), [(False, BRAKE), (True, FORWARD)])
+    def test_timeout_without_shutdown_is_latched_and_stops_under_one_hypothesis(
+        self, direction: MotorDirection, *, needs_shutdown: bool
+    ) -> None:
+        board = Board(timeout_needs_shutdown=needs_shutdown)
+        write(board, "uart_error_shutdown", 0)
+        write(board, "serial_timeout", 5)
+        board.note_byte()
+        board.serial.drive(1, FORWARD, 100)
+        board.advance(0.51)
+        assert board.motors[0].direction is direction
+        assert board.serial.take_uart_errors() == UartError.TIMEOUT
+
     def test_timeout_is_latched_once_per_silence(self) -> None:
         board = Board()
         write(board, "serial_timeout", 1)

@@ -4,10 +4,12 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.program import new_controller
+from tests.support.simulator import StartSimulator
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.virtual_time import VirtualQtBot
 from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.drive_status import drive_inputs
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.notifier import Answer, Remedies
@@ -16,15 +18,23 @@ OUTAGE_S = 4.0
 
 
 class LostBoard:
-    """A board that goes away for some seconds while motor 1 is driven."""
+    """A board that goes away for some seconds while motor 1 is driven.
 
-    def __init__(self, device: Device, board: VirtualSimulator, qtbot: QtBot) -> None:
-        self.device, self.board, self.qtbot = device, board, qtbot
+    `goes_on`: its serial timeout needs UART-Error Shutdown, which is off.
+    """
+
+    def __init__(
+        self, device: Device, board: VirtualSimulator, qtbot: QtBot, *, goes_on: bool
+    ) -> None:
+        self.device, self.board, self.qtbot, self.goes_on = device, board, qtbot, goes_on
         self.controller = new_controller(device)
         self.news: list[str] = []
         self.answers: dict[str, Answer] = {}
         device.notifier.info.connect(self.news.append)
         device.notifier.remedies_offered.connect(self._on_offered)
+
+    def turns(self) -> bool:
+        return bool(self.board.show()["motors"][0]["direction"] == "forward")
 
     def _on_offered(self, remedies: Remedies) -> None:
         self.answers = {each.name: each for each in remedies if isinstance(each, Answer)}
@@ -37,23 +47,29 @@ class LostBoard:
         qtbot.waitUntil(lambda: motors.is_available)
         motors.arm()
         motors.set_speed(1, 30)
-        qtbot.waitUntil(lambda: self.board.show()["motors"][0]["direction"] == "forward")
+        qtbot.waitUntil(self.turns)
         self.board.do("line unplug")
         qtbot.waitUntil(lambda: self.device.link is ConnectionState.DISCONNECTED)
         if power:
             self.board.do(power)
         qtbot.runtime.advance(seconds)
+        assert power or self.turns() is self.goes_on
         self.board.do("line plug")
         self.device.connect_to(settings)
         qtbot.waitUntil(lambda: bool(self.news))
         qtbot.runtime.advance(1.0)
 
 
-@pytest.fixture
-def lost(device: Device, quick_simulator: VirtualSimulator, qtbot: QtBot) -> LostBoard:
-    quick_simulator.do("eeprom serial_timeout 5")
-    quick_simulator.do("power cycle")
-    return LostBoard(device, quick_simulator, qtbot)
+@pytest.fixture(params=[False, True], ids=["stops", "goes on"])
+def lost(
+    request: pytest.FixtureRequest, device: Device, start_simulator: StartSimulator, qtbot: QtBot
+) -> LostBoard:
+    hypothesis = ("--timeout-needs-shutdown=on", "--error-shutdown=off") if request.param else ()
+    board = start_simulator("--unpaced", *hypothesis)
+    assert isinstance(board, VirtualSimulator)
+    board.do("eeprom serial_timeout 5")
+    board.do("power cycle")
+    return LostBoard(device, board, qtbot, goes_on=request.param)
 
 
 @pytest.mark.parametrize(
@@ -64,6 +80,7 @@ def test_answer_about_the_timeout_is_remembered_for_the_board(
     lost: LostBoard, answer: str, known: TimeoutStop
 ) -> None:
     lost.lose()
+    assert (drive_inputs(lost.device).silence_remedy == "Cut the power.") is lost.goes_on
     assert lost.news[-1].startswith("The board is back. It has confirmed the stop. For 4 s")
     lost.answers[answer].then()
     assert lost.device.timeout_stop is known
