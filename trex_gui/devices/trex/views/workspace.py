@@ -18,7 +18,6 @@ from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.drive_status import SafeStartWatch
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.linter import BoardLinter
-from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.comparison import ComparisonRow
@@ -255,11 +254,10 @@ class TrexWorkspace(Workspace):
 
     def _compare_traffic(self) -> None:
         from trex_gui.devices.trex.views.traffic_comparison import (  # noqa: PLC0415 - rarely
-            TrafficComparison,
+            compare_traffic,
         )
 
-        found = self.findChild(TrafficComparison) or TrafficComparison(self.notifier, self)
-        found.ask_and_compare()
+        compare_traffic(self.notifier, self)
 
     # --- Dialogs that are made, and imported, when they are first opened -------------------
 
@@ -295,9 +293,6 @@ class TrexWorkspace(Workspace):
         dialog.apply_requested.connect(self._review.review)
         return dialog
 
-    def _arm(self) -> None:
-        arm(self._device, self._frame)
-
     def _set_up(self) -> None:
         self._setup.open_setup()
 
@@ -311,10 +306,7 @@ class TrexWorkspace(Workspace):
 
     @Slot()
     def _apply_to_boards(self) -> None:
-        self.files.ask_for_document(self._show_changes_of_boards)
-
-    def _show_changes_of_boards(self, document: SettingsDocument) -> None:
-        self._to_boards.open_file(document)
+        self.files.ask_for_document(self._to_boards.open_file)
 
     @cached_property
     def _check(self) -> "CheckBoardDialog":
@@ -384,7 +376,7 @@ class TrexWorkspace(Workspace):
                 Entry("discard", tr("&Discard all edits"), device.draft.discard_edits, "", "clear"),
             ),
             Menu.DEVICE: (
-                Entry("run", tr("&Run motor"), self._arm, "Ctrl+R", "run"),
+                Entry("run", tr("&Run motor"), partial(arm, device, self._frame), "Ctrl+R", "run"),
                 SEPARATOR,
                 Entry(
                     "reload",
