@@ -21,7 +21,7 @@ from tests.support.accessible_names import spoken_state
 from tests.support.pages.motors import BRAKE, FULL, Gesture, MotorsPage
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WidgetDriver, WindowDriver
-from trex_gui.devices.trex.model.motors import remembered_lockout
+from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.commands import Command, DriveAuxiliary, DriveBoth, DriveMotor
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.driving import Drive
@@ -374,7 +374,7 @@ def test_lockout_after_stop_is_set_on_page_and_saved(armed: MotorsPage) -> None:
     armed.type_into("lockoutEntry", "8")
     armed.press_escape()
     assert 3 < armed.motors.locked_for <= 8, "not the three seconds from before"
-    assert remembered_lockout() == 8
+    assert Motors().lockout == 8
 
 
 # --- The ceiling ------------------------------------------------------------------------

@@ -30,15 +30,6 @@ dragged starts a motor again.
 
 LONGEST = 10.0
 
-
-def remembered_lockout() -> float:
-    return Preferences().real(_KEY, LOCKOUT, 0.0, LONGEST)
-
-
-def remember_lockout(seconds: float) -> None:
-    Preferences().set(_KEY, min(max(seconds, 0.0), LONGEST))
-
-
 _AUXILIARY = 0  # the number of the auxiliary motor beside motors 1 and 2
 
 
@@ -68,7 +59,9 @@ class Motors(QObject):
         super().__init__(parent)
         # Whether speeds follow the board's ramp (accelerate) or apply at once (set)
         self.accelerate = True
-        self.lockout = remembered_lockout()  # seconds without arming after `press_stop`, 0 to 10
+        self._store = Preferences()
+        # Seconds without arming after `press_stop`, 0 to 10
+        self.lockout = self._store.real(_KEY, LOCKOUT, 0.0, LONGEST)
         self.armed = False
         self.is_available = False  # whether serial commands can drive; see also `locked_for`
         self.stop_reason = ""  # why the motors were stopped last; empty if the user pressed stop
@@ -86,7 +79,6 @@ class Motors(QObject):
         self._held: set[int] = set()
         self._locked_until = -math.inf
         self._announced = 0
-        self._store = Preferences()
         self._lockout_timer = new_timer(self, _STEP_MS, self._on_lockout_step)
 
     @property
@@ -142,6 +134,12 @@ class Motors(QObject):
             self._store.set(self._ceiling_key, speed)
             self.is_first_drive = False
         self._limit_to(speed)
+
+    @Slot(int)
+    def set_lockout(self, seconds: float) -> None:
+        """Set and remember the `lockout`, limited to 0 to `LONGEST`."""
+        self.lockout = float(min(max(seconds, 0.0), LONGEST))
+        self._store.set(_KEY, self.lockout)
 
     @property
     def arms_without_timeout(self) -> bool:

@@ -16,7 +16,7 @@ from trex_gui.devices.trex.driving.requests import (
     SetpointRequest,
 )
 from trex_gui.devices.trex.model.momentary_drive import MomentaryDrive
-from trex_gui.devices.trex.model.motors import LOCKOUT, Motors, remember_lockout
+from trex_gui.devices.trex.model.motors import LOCKOUT, Motors
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.driving import Drive
 
@@ -260,7 +260,7 @@ def test_automatic_stop_has_no_lockout_and_gives_a_reason(armed: RequestRecorder
 
 @pytest.mark.parametrize(("chosen", "kept"), [(60.0, 10.0), (4.5, 4.5), (0.0, 0.0), (-1.0, 0.0)])
 def test_lockout_is_saved_within_its_limits(qapp: QApplication, chosen: float, kept: float) -> None:
-    remember_lockout(chosen)
+    Motors().set_lockout(chosen)
     assert Motors().lockout == kept
 
 

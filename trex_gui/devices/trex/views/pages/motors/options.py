@@ -8,7 +8,7 @@ from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QSizePolicy, QSlider, QWidget
 
 from trex_gui.core.translation import Number
-from trex_gui.devices.trex.model.motors import LONGEST, Motors, remember_lockout
+from trex_gui.devices.trex.model.motors import LONGEST, Motors
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.views.pages.motors.drive_control import SpeedEntry
 from trex_gui.ui.preferences import Preferences
@@ -217,7 +217,7 @@ class Options(ui.GroupBox):
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
 
         accelerate.toggled.connect(partial(setattr, motors, "accelerate"))
-        self._lock.chosen.connect(self._on_lock_chosen)
+        self._lock.chosen.connect(motors.set_lockout)
         motors.options_changed.connect(self._on_options_changed)
         motors.board_changed.connect(self._on_board_changed)
         motors.setpoints_changed.connect(self._show_link)
@@ -267,11 +267,6 @@ class Options(ui.GroupBox):
     def _on_brake_chosen(self, duty: int) -> None:
         self._motors.set_release_brake(duty)
         self._store.set("motors/brake", duty)
-
-    @Slot(int)
-    def _on_lock_chosen(self, seconds: int) -> None:
-        self._motors.lockout = float(seconds)
-        remember_lockout(seconds)
 
     @Slot()
     def _on_options_changed(self) -> None:
