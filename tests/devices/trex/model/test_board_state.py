@@ -98,7 +98,9 @@ def written(qtbot: QtBot, *results: WriteResult) -> SettingsDraft:
     draft = SettingsDraft()
     draft.take_state(STATE, None, power_cycled=True)
     outcome = Outcome(1, Written(results, STATE, ConnectionSettings("virtual")))
-    apply = Apply(draft, SettingsHistory(), BoardMemory(), lambda make, then: then(outcome))
+    apply = Apply(
+        draft, SettingsHistory(), BoardMemory(draft.notes), lambda make, then: then(outcome)
+    )
     with qtbot.waitSignal(apply.finished):
         apply.write(STATE, None, "test", (("motor_mode", 1),))
     return draft

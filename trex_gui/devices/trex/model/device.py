@@ -89,8 +89,8 @@ class Device(QObject):
         self.mix_jumper = MixJumper(self.draft, self.telemetry, self)
         self.history = SettingsHistory()  # what boards stored before each Apply
         # What this computer keeps: edits over the end of the program; what was applied last, notes
-        self.edit_backup = EditBackup(self.draft, parent=self)
-        self.memory = BoardMemory(self.draft.notes, parent=self)
+        self.edit_backup = EditBackup(self.draft, self)
+        self.memory = BoardMemory(self.draft.notes, self)
         self._accepted = AcceptedMemory(self.parameters, self)
         self._apply = Apply(self.draft, self.history, self.memory, self._request, self)
         self.connection = Connection(self)

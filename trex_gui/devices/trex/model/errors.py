@@ -111,12 +111,12 @@ class ErrorLog(QObject):
     def is_active(entry: ErrorEntry) -> bool:
         return now() - entry.seen_at < ACTIVE_FOR
 
-    def recent(self, motor: int, seconds: float = 3.0) -> list[ErrorEntry]:
-        """Return the entries about motor 1 or 2 that are at most `seconds` old.
+    def recent(self, motor: int) -> list[ErrorEntry]:
+        """Return the entries about motor 1 or 2 that are at most three seconds old.
 
         Serial timeouts and other UART errors concern both: they may have shut it down.
         """
-        since = now() - seconds
+        since = now() - 3.0
         return [
             entry
             for entry in self.entries

@@ -35,19 +35,14 @@ class BoardMemory(QObject):
     failed = Signal(str)  # why nothing can be kept, for the user; once, until it works again
     doubted = Signal(str)  # that the record may be of another board, for the user
 
-    def __init__(
-        self,
-        notes: Notes | None = None,
-        folder: BoardRecords | None = None,
-        parent: QObject | None = None,
-    ) -> None:
+    def __init__(self, notes: Notes, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._notes = notes or Notes(self)
+        self._notes = notes
         self.record: BoardRecord | None = None  # `None` until it was read from its file
         # Settings in which the board, at the left, differs from what was applied last; none for a
         # simulated board, which is a new one each time
         self.differing = Comparison(())
-        self._records = folder or BoardRecords()
+        self._records = BoardRecords()
         self.files = BoardFiles[BoardRecord, BoardRecord](self._records, self)
         self._board: BoardIdentity | None = None
         self._stored: Settings | None = None  # what the board stores, while it is connected

@@ -35,14 +35,12 @@ class EditBackup(QObject):
     offered = Signal()  # `offer` is new, or gone
     failed = Signal(str)  # why edits cannot be kept, for the user; once, until it works again
 
-    def __init__(
-        self, draft: SettingsDraft, files: EditFiles | None = None, parent: QObject | None = None
-    ) -> None:
+    def __init__(self, draft: SettingsDraft, parent: QObject | None = None) -> None:
         super().__init__(parent)
         # What the user has to decide about; it stays saved until then
         self.offer: EditOffer | None = None
         self._draft = draft
-        self.files = BoardFiles[Settings, SavedEdits](files or EditFiles(), self)
+        self.files = BoardFiles[Settings, SavedEdits](EditFiles(), self)
         self._board: BoardIdentity | None = None  # whose edits the draft holds
         self._is_read = False  # what was saved for it before is known
         self._has_file = False

@@ -76,17 +76,13 @@ class FindingsPanel(QWidget):
         lint_findings: Iterable[LintFinding] = (),
         *,
         text: str = "",
-        summary: str = "",
     ) -> None:
-        """List the findings of the reader, and those of the linter about the settings in `text`.
-
-        A `summary` replaces the counts.
-        """
+        """List the findings of the reader, and those of the linter about the settings in `text`."""
         before = self._shown()
         self._findings = tuple(findings)
         self._lint_findings = tuple(lint_findings)
         self._text = text
-        self._summary.setText(summary or self._count_text())
+        self._summary.setText(self._count_text())
         if before != self._shown():
             self._fill()
 
