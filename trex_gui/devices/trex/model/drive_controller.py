@@ -252,7 +252,7 @@ class DriveController(QObject):
             "No stop is known to have reached the {0} that was driven at {1}: another board "
             "responded. If its motor still turns, cut its power."
         )
-        return text.format(_name_of(self._lost[0]), _port_of(self._lost[0]))
+        return text.format(_name_of(self._lost[0]), self._lost[0].settings.label)
 
     def note_unconfirmed(self) -> None:
         """Note that a motor may be moving: a stop that somebody else requested is unconfirmed."""
@@ -329,7 +329,6 @@ class DriveController(QObject):
                 self.may_move = last.may_move or (self.may_move and not self._is_identified)
             if self.may_move and self._lost_with is None:
                 self._lost_with = self._connection.settings
-            self._unsent.stop()
         self._motors.set_available(False)
         unanswered, error = [*self._unanswered], None if last is None else last.error
         self._answer(unanswered, error or TrexError(ErrorCode.CLOSED))
@@ -345,7 +344,7 @@ class DriveController(QObject):
                     "This may be another board: {0}, at {1}, does not store the settings of the "
                     "one that was driven."
                 )
-            text = text.format(_name_of(self._board), _port_of(self._board))
+            text = text.format(_name_of(self._board), self._board.settings.label)
             self._notifier.warn(f"{text} {self.lost_board}", lasts=lambda: bool(self._lost))
         lost, settings = self._lost_with, self._connection.settings
         if lost is None or self.may_move or not self._is_connected:
@@ -356,7 +355,7 @@ class DriveController(QObject):
                 "The line to {0} was lost before a stop was confirmed. The board at this port has "
                 "confirmed one; if it is another board, cut the power of the first."
             )
-            self._notifier.error.emit(text.format(lost.name or lost.url))
+            self._notifier.error.emit(text.format(lost.label))
 
 
 def _may_be_same(one: Connected, other: Connected) -> bool:
@@ -378,10 +377,6 @@ def _name_of(board: Connected) -> str:
     if number is None:
         return name
     return tr("{0}, device {1}").format(name, number)
-
-
-def _port_of(board: Connected) -> str:
-    return board.settings.name or board.settings.url
 
 
 def why_the_board_stopped(latched: LatchedStatus, *, errors_stop: bool) -> str:

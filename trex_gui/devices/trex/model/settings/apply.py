@@ -89,7 +89,7 @@ class Apply(QObject):
         if self.running:
             return
         self.running = True
-        adapter = "" if link is None else link.name or link.url
+        adapter = "" if link is None else link.label
         stored, remarks = self._memory.with_hidden(settings_of(state))
         take = partial(self._history.take, stored, adapter=adapter, reason=reason, remarks=remarks)
 

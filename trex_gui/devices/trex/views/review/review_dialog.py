@@ -344,10 +344,10 @@ class ReviewDialog(ReusedDialog):
         if state is None or settings is None:
             return ""
         number = state.parameters.get(ParameterKey.DEVICE_NUMBER)
-        port = settings.name or settings.url
         if number is None:
-            return f"{state.signature} ({port})"
-        return self.tr("{0} (device number {1}, {2})").format(state.signature, number, port)
+            return f"{state.signature} ({settings.label})"
+        text = self.tr("{0} (device number {1}, {2})")
+        return text.format(state.signature, number, settings.label)
 
     def _foot_text(self) -> str:
         parts = [
