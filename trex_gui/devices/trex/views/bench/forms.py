@@ -14,10 +14,18 @@ from trex_gui.devices.trex.model.parameters.text import value_text
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.parameters import MotorParameter
 from trex_gui.devices.trex.views.pages.parameters.editors import Editor, editor_for
-from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.theme.theme import set_text_color
 from trex_gui.ui.widgets import builders as ui
 
 _WIDEST = "127 per 100 ms (127 ms)"
+
+
+def _form(parent: QWidget | None = None) -> QFormLayout:
+    form = QFormLayout(parent)
+    form.setContentsMargins(0, 0, 0, 0)
+    form.setVerticalSpacing(3)
+    form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+    return form
 
 
 class PlanForm(ui.GroupBox):
@@ -94,10 +102,7 @@ class PlanForm(ui.GroupBox):
         for box in (self._speed, self._duration, self._period, self._abort):
             box.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
 
-        form = QFormLayout()
-        form.setContentsMargins(0, 0, 0, 0)
-        form.setVerticalSpacing(3)
-        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        form = _form()
         form.addRow(self.tr("&Motor"), self._motor)
         form.addRow(self.tr("Pro&file"), self._shape)
         form.addRow(self.tr("Direc&tion"), self._direction)
@@ -195,6 +200,7 @@ class TuningForm(ui.GroupBox):
         self._empty.setWordWrap(True)
         self._editors = QWidget(self)  # before the button, in the order of Tab
         self._edited = ui.label(self, "benchEdited", wrap=True)
+        set_text_color(self._edited, "dirty")
         self.apply = ui.button(
             self,
             "benchApplyButton",
@@ -203,17 +209,13 @@ class TuningForm(ui.GroupBox):
             tip=self.tr("Review and write all pending edits, these included"),
             default=False,
         )
-        self._form = QFormLayout(self._editors)
-        self._form.setContentsMargins(0, 0, 0, 0)
-        self._form.setVerticalSpacing(3)
-        self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        self._form = _form(self._editors)
         ui.column(self._empty, self._editors, self._edited, 1, self.apply, into=self, spacing=4)
 
         bench.changed.connect(self._on_changed)
         device.state_changed.connect(self._on_changed)
         device.draft.pending_changed.connect(self._on_changed)
         device.link_changed.connect(self._on_changed)
-        theme().changed.connect(self._show_values)
         self._on_changed()
 
     @Slot()
@@ -258,7 +260,6 @@ class TuningForm(ui.GroupBox):
         except (BadRequest, KeyError):
             self._show_values()  # the board was disconnected meanwhile
 
-    @Slot()
     def _show_values(self) -> None:
         parameters = self._device.parameters
         edited = []
@@ -276,6 +277,3 @@ class TuningForm(ui.GroupBox):
                 )
         self._edited.setText(self.tr("Not applied: {0}").format(", ".join(edited)))
         self._edited.setVisible(bool(edited))
-        palette = self.palette()
-        palette.setColor(self._edited.foregroundRole(), theme().color("dirty"))
-        self._edited.setPalette(palette)
