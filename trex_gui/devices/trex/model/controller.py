@@ -141,9 +141,7 @@ class TrexController(DeviceController[ConnectionSettings]):
                 line=LineSettings.from_wire(wire),
                 device_number=None if number < 0 else number,
                 polynomial=check_polynomial(polynomial),
-                reserved=numbers_in(
-                    store.text(_RESERVED)
-                ),  # with that of the board no port is opened
+                reserved=numbers_in(store.text(_RESERVED)),  # with the board's no port is opened
             )
         except ValueError:
             return self._default

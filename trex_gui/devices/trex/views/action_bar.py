@@ -8,9 +8,7 @@ from PySide6.QtWidgets import QPushButton, QWidget
 
 from trex_gui.core.translation import Number
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.drive_status import (
-    recent_fault_text,
-)
+from trex_gui.devices.trex.model.drive_status import recent_fault_text
 from trex_gui.devices.trex.model.drive_texts import TimeoutWarning, timeout_warning
 from trex_gui.devices.trex.views.arm_dialog import arm
 from trex_gui.ui.devices.connection import ConnectionState

@@ -6,8 +6,6 @@ from enum import Enum, auto
 
 
 class Driver(Enum):
-    """Who drives the robot."""
-
     ONE_STICK = auto()  # the mix jumper is on: channel 2 drives, channel 1 turns
     TWO_STICKS = auto()  # the mix jumper is off: channel 1 is motor 1, channel 2 motor 2
     COMPUTER = auto()  # by serial commands
@@ -38,10 +36,6 @@ class Movement(Enum):
         left = {Movement.LEFT_FORWARD, Movement.LEFT_BACKWARD}
         return Side.LEFT if self in left else Side.RIGHT
 
-    @property
-    def is_backward(self) -> bool:
-        return self in {Movement.LEFT_BACKWARD, Movement.RIGHT_BACKWARD}
-
 
 @dataclass(frozen=True, slots=True)
 class Rewiring:
@@ -70,7 +64,8 @@ class Wiring:
         sides = [movements[motor].side for motor in (1, 2) if motor in movements]
         if set(sides) != {Side.LEFT, Side.RIGHT}:
             return None
-        backward = (seen.side for seen in movements.values() if seen.is_backward)
+        backward_seen = {Movement.LEFT_BACKWARD, Movement.RIGHT_BACKWARD}
+        backward = (seen.side for seen in movements.values() if seen in backward_seen)
         return cls(sides[0] is Side.RIGHT, frozenset(side for side in backward if side))
 
     def rewiring(self, driver: Driver) -> Rewiring:

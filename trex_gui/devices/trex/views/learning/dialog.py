@@ -253,15 +253,14 @@ class LearnDialog(ReusedDialog):
         learning, step = self._learning, self._learning.step
         waits_for_primary = self.focusWidget() in {self, self._next, self._use}
         testing = learning.is_test or self._offers_test
-        steps = [self.tr("Stop the motors")]
+        steps = [
+            self.tr("Stop the motors"),
+            self.tr("Hands off the sticks"),
+            self.tr("All sticks to all ends"),
+            self.tr("Review"),
+        ]
         if testing:
-            steps += [self.tr("Test every stick")]
-        else:
-            steps += [
-                self.tr("Hands off the sticks"),
-                self.tr("All sticks to all ends"),
-                self.tr("Review"),
-            ]
+            steps[1:] = [self.tr("Test every stick")]
         self.setWindowTitle(self.tr("Test the sticks") if testing else self.tr("Learn channels"))
         if step is not LearningStep.FAILED:
             self._place = _PLACES.get(step, int(step is LearningStep.TEST))

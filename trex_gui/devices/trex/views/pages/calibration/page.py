@@ -15,7 +15,6 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
-from trex_gui.devices.trex.settings.rules import LintFinding
 from trex_gui.devices.trex.settings.writer import calibration_text
 from trex_gui.devices.trex.views.findings_list import FindingsList
 from trex_gui.devices.trex.views.note_field import NoteField
@@ -124,7 +123,8 @@ class CalibrationPage(PlotPage):
         margins = layout.contentsMargins()
         layout.setContentsMargins(margins.left(), margins.top(), margins.right(), 2)
 
-        self._findings.follow(linter, _concerns_channels)
+        # `concern` is about the calibration that is shown; these are about the options.
+        self._findings.follow(linter, lambda found: not CHANNEL_OPTIONS.isdisjoint(found.keys))
         self._channels.chosen.connect(self._refresh)
         self._heading.source_chosen.connect(self._on_source_chosen)
         self._fields.edited.connect(self._on_edited)
@@ -411,8 +411,3 @@ class CalibrationPage(PlotPage):
                 why = channel_text.write_failure(result.error)
                 self._failures[channel] = (failed, why)
         self._show_channel()
-
-
-def _concerns_channels(finding: LintFinding) -> bool:
-    """Whether a finding is about the options; `concern` is about the calibration that is shown."""
-    return not CHANNEL_OPTIONS.isdisjoint(finding.keys)
