@@ -197,9 +197,8 @@ class LineQuality:
         return self.answers - self._damaged_at >= replies
 
     def _note_damage(self) -> None:
-        if self.is_shared:
-            return
-        self._damaged_at = self.answers
+        if not self.is_shared:
+            self._damaged_at = self.answers
 
 
 class SetpointRefresh:
@@ -224,7 +223,6 @@ class SetpointRefresh:
         self._sent_at = 0.0
 
     def note_setpoints(self, setpoints: Sequence[Setpoint], now: float) -> None:
-        """Note setpoints that are sent."""
         self._is_active = True
         self._sent_at = now
         self._setpoints.update({one.motor: one for one in setpoints})
