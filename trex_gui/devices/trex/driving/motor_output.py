@@ -322,7 +322,6 @@ class MotorOutput:
             self._noisy_until = now + self._timeouts.stop_confirmation
 
     def end_stop_retry(self) -> None:
-        """Report the result of a repeated stop."""
         if not self.may_move:
             self._end_noisy_stops(None)
             self._report(MotorsStopped(None, confirmed=True))

@@ -45,7 +45,6 @@ class RestartWatch:
         return bool(self._drawing) and (self._is_reply_lost or self._fallen_at < math.inf)
 
     def note_setpoints(self, setpoints: Sequence[Setpoint], now: float) -> None:
-        """Note setpoints that are sent, perhaps again."""
         for one in setpoints:
             known, _ = self._running.get(one.motor, (None, now))
             if isinstance(one, SetMotor) and one.motor in {1, 2} and one != known:

@@ -20,8 +20,6 @@ from trex_gui.ui.translations import error_text
 
 
 class BoardStep(Enum):
-    """How far one board is."""
-
     WAITING = auto()
     READING = auto()
     REVIEWED = auto()
@@ -36,8 +34,6 @@ _UNFINISHED = {BoardStep.WAITING, BoardStep.READING, BoardStep.WRITING}
 
 @dataclass(frozen=True, slots=True)
 class BoardPlan:
-    """What is done with one board."""
-
     number: int  # its device number, which it keeps
     step: BoardStep = BoardStep.WAITING
     changes: Comparison | None = None  # what differs from what it stores; `None` before it was read
@@ -49,7 +45,6 @@ class BoardPlan:
 
     @property
     def to_write(self) -> int:
-        """The number of settings to write."""
         return 0 if self.changes is None else self.changes.changed
 
 

@@ -86,8 +86,6 @@ class DemoLeds:
 
 @dataclass(frozen=True, slots=True)
 class DemoSnapshot:
-    """State of the simulated board."""
-
     power: bool
     mode: Mode  # as read at the last power-up
     jumpers: DemoJumpers

@@ -27,8 +27,6 @@ _CLOSED = ConnectionState.DISCONNECTED
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DriveInputs:
-    """What the decision depends on."""
-
     board: BoardInputs | None = None  # what the board reports; `None` while that is unknown
     link: ConnectionState = ConnectionState.CONNECTED
     may_move: bool = False  # whether motors were driven and no stop was confirmed since

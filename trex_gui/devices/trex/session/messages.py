@@ -116,8 +116,6 @@ Request = Job | MotorRequest | SetReconnectCandidates | SetWatched | Close
 
 
 class ReadReason(Enum):
-    """Why everything was read."""
-
     OPENED = auto()
     RETURNED = auto()
     RESTARTED = auto()

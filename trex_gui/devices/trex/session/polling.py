@@ -59,8 +59,6 @@ class Topic(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class PolledValue:
-    """How one topic is polled."""
-
     query: Command[Any]
     rate: float  # times a second; `analog_rate`: with analog inputs, if it differs
     # Makes its sample of a time and the reply; `None`: `StatusReader` reads it

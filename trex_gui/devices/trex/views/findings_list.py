@@ -63,7 +63,6 @@ class FindingsList(QWidget):
             self._fill()
 
     def set_can_accept(self, can_accept: bool) -> None:
-        """Set whether changes can be accepted."""
         if can_accept != self._can_accept:
             self._can_accept = can_accept
             self._fill()

@@ -244,7 +244,6 @@ class BenchDialog(ReusedDialog):
 
     @property
     def _before(self) -> Run | None:
-        """The test to compare with."""
         chosen, runs = self._compare.currentData(), self.bench.runs
         if isinstance(chosen, Run):
             return chosen

@@ -345,7 +345,6 @@ class SettingsEditor(QMainWindow):
         super().closeEvent(event)
 
     def close_at_once(self) -> None:
-        """Close without a question."""
         self._on_closing()
         self.hide()
         self.deleteLater()

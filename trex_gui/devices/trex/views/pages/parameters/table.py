@@ -147,8 +147,6 @@ class ParameterTable(QWidget):
 
 
 class ParameterHelp(LinkLabel):
-    """Explains a value of the table."""
-
     def __init__(self, model: ParameterModel, parent: QWidget | None = None) -> None:
         super().__init__("parameterHelp", parent)
         self._model = model
