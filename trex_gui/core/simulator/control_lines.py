@@ -25,7 +25,7 @@ class WrongUsage(ControlError):  # noqa: N818 - the reply is the usage
 
 Command = tuple[str, Callable[..., str]]
 """Usage of a command, and the function that takes each word after its name, in lower case, as an
-argument and returns the reply or raises `ControlError`."""
+argument and returns the reply or raises `ControlError`, or a `ValueError` that says why."""
 
 
 def execute(text: str, commands: Mapping[str, Command]) -> str:
@@ -44,7 +44,7 @@ def execute(text: str, commands: Mapping[str, Command]) -> str:
         return f"ok {run(*words)}".rstrip()
     except WrongUsage:
         return f"error usage: {usage}"
-    except (ControlError, StudioError) as error:
+    except (ControlError, StudioError, ValueError) as error:
         return "error " + " ".join(str(error).split())
 
 
@@ -85,18 +85,14 @@ def wire(line: SimulatedLine, *words: str) -> str:
         case ["mute", ("on" | "off") as state]:
             faults.mute = state == "on"
             return f"line mute {state}"
-        case ["drop", number]:
-            faults.to_drop = amount(number)
-            return f"bytes to lose on the way to the host: {faults.to_drop}"
+        case [("drop" | "corrupt" | "double") as fault, number]:
+            count = amount(number)
+            setattr(faults, f"to_{fault}", count)
+            verb = "lose" if fault == "drop" else fault
+            return f"bytes to {verb} on the way to the host: {count}"
         case ["drop", number, "sent"]:
             faults.to_drop_sent = amount(number)
             return f"bytes to lose on the way from the host: {faults.to_drop_sent}"
-        case ["corrupt", number]:
-            faults.to_corrupt = amount(number)
-            return f"bytes to corrupt on the way to the host: {faults.to_corrupt}"
-        case ["double", number]:
-            faults.to_double = amount(number)
-            return f"bytes to double on the way to the host: {faults.to_double}"
         case ["delay", seconds]:
             faults.delay = real(seconds, "a delay in s", _LONGEST_DELAY)
             return f"bytes to the host are {faults.delay:g} s late"

@@ -149,10 +149,8 @@ class RobotStation:
 
     def _is_still_running(self) -> Callable[[], bool]:
         """Return whether the board has not been reset since now."""
-        return partial(self._runs, self._program)
-
-    def _runs(self, program: Program | None) -> bool:
-        return self._program is program
+        program = self._program
+        return lambda: self._program is program
 
 
 class AracnaLine(SimulatedLine):

@@ -150,10 +150,7 @@ def _no_board(line: TrexLine, name: str, *_words: str) -> str:
 
 def _channel(board: Board, channel: str, value: str, *more: str) -> str:
     number = number_of(channel, CHANNELS, "a channel")
-    try:
-        signal = Signal.parse(" ".join((value, *more)), board.channels.source)
-    except ValueError as error:
-        raise ControlError(str(error)) from error
+    signal = Signal.parse(" ".join((value, *more)), board.channels.source)
     board.channels.signals[number] = signal
     return f"channel {number} gets {signal.text}"
 
@@ -228,19 +225,14 @@ def _eeprom(board: Board, key: str, value: str) -> str:
         board.eeprom.write(key, int(value, 0))
     except KeyError:
         raise ControlError(f"there is no parameter {key!r}") from None
-    except ValueError as error:
-        raise ControlError(str(error)) from error
     _require_saved(board)
     return f"{key} is {board.eeprom[key]}; power cycle to use it"
 
 
 def _accept(board: Board, key: str, highest: str, mask: str = "127") -> str:
     """Let the firmware take values beyond an inferred limit, and store some of their bits."""
-    try:
-        spec = board.memory.parameters[key]
-        limits = int(highest, 0), int(mask, 0)
-    except ValueError as error:
-        raise ControlError(str(error)) from error
+    spec = board.memory.parameters[key]
+    limits = int(highest, 0), int(mask, 0)
     if not spec.is_open(limits[0]):
         raise ControlError(f"{spec.key}: {limits[0]} is not beyond an inferred limit")
     board.memory.accepted[spec.key] = limits
