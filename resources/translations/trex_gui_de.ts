@@ -2847,20 +2847,20 @@
         <translation>{0} auf mehrere Boards anwenden</translation></message>
     <message numerus="yes"><source>%n board(s) left out; the reason is beside each.</source>
         <translation><numerusform>%n Board ausgelassen; der Grund steht daneben.</numerusform><numerusform>%n Boards ausgelassen; der Grund steht jeweils daneben.</numerusform></translation></message>
+    <message><source>“Arm without” is remembered for this board. Cut the power by hand then if the cable falls out.</source>
+        <translation>„Ohne Timeout freigeben“ wird für dieses Board gemerkt. Trennen Sie dann die Motorversorgung von Hand, wenn das Kabel herausfällt.</translation></message>
     <message><source>Arm the motors</source>
         <translation>Motoren freigeben</translation></message>
-    <message><source>Arm with&amp;out</source>
-        <translation>&amp;Ohne Timeout freigeben</translation></message>
     <message><source>Cancel</source>
         <translation>Abbrechen</translation></message>
     <message><source>Writing …</source>
         <translation>Schreiben läuft …</translation></message>
-    <message><source>“Arm without” is remembered for this board. Cut the power by hand then if the cable falls out.</source>
-        <translation>„Ohne Timeout freigeben“ wird für dieses Board gemerkt. Trennen Sie dann die Motorversorgung von Hand, wenn das Kabel herausfällt.</translation></message>
-    <message><source>The board did not store the serial timeout.</source>
-        <translation>Das Board hat das serielle Timeout nicht gespeichert.</translation></message>
     <message><source>&amp;Write {0:g} s and arm</source>
         <translation>{0:g} s &amp;schreiben und freigeben</translation></message>
+    <message><source>Arm with&amp;out</source>
+        <translation>&amp;Ohne Timeout freigeben</translation></message>
+    <message><source>The board did not store the serial timeout.</source>
+        <translation>Das Board hat das serielle Timeout nicht gespeichert.</translation></message>
     <message><source>Channel input</source>
         <translation>Kanaleingang</translation></message>
     <message><source>{value}, {distance} above neutral</source>
@@ -3583,6 +3583,12 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Messungen</translation></message>
     <message><source>Stop the motors</source>
         <translation>Motoren stoppen</translation></message>
+    <message><source>Hands off the sticks</source>
+        <translation>Knüppel loslassen</translation></message>
+    <message><source>All sticks to all ends</source>
+        <translation>Alle Knüppel in alle Endlagen</translation></message>
+    <message><source>Review</source>
+        <translation>Prüfen</translation></message>
     <message><source>Try &amp;again</source>
         <translation>&amp;Erneut versuchen</translation></message>
     <message><source>Stop the motors again and begin again.</source>
@@ -3601,12 +3607,6 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Wenn ein Kanal kein gutes Ergebnis erhält, lernen Sie seine Werte neu ein.</translation></message>
     <message><source>Test every stick</source>
         <translation>Jeden Knüppel testen</translation></message>
-    <message><source>Hands off the sticks</source>
-        <translation>Knüppel loslassen</translation></message>
-    <message><source>All sticks to all ends</source>
-        <translation>Alle Knüppel in alle Endlagen</translation></message>
-    <message><source>Review</source>
-        <translation>Prüfen</translation></message>
     <message><source>Test the sticks</source>
         <translation>Knüppel testen</translation></message>
     <message><source>The motors are stopped: co&amp;ntinue</source>
@@ -4509,6 +4509,8 @@ bisher {1}</translation></message>
         <translation>Konnte nicht bestätigt werden: {0} von {1}; noch ausstehend.</translation></message>
     <message numerus="yes"><source>%n setting(s) of the {0} will change.</source>
         <translation><numerusform>%n Einstellung des {0} wird geändert.</numerusform><numerusform>%n Einstellungen des {0} werden geändert.</numerusform></translation></message>
+    <message><source>{0} (device number {1}, {2})</source>
+        <translation>{0} (Gerätenummer {1}, {2})</translation></message>
     <message><source>Apply settings</source>
         <translation>Einstellungen anwenden</translation></message>
     <message><source>Progress of writing</source>
@@ -4543,8 +4545,6 @@ bisher {1}</translation></message>
         <translation>Kein Board antwortet. Die Änderungen bleiben erhalten.</translation></message>
     <message><source>The board will reset itself at its next start and would lose what is written now. Switch it off and on first (Device, Make stored settings active).</source>
         <translation>Das Board setzt sich bei seinem nächsten Start selbst zurück und würde verlieren, was jetzt geschrieben wird. Schalten Sie es zuerst aus und ein (Gerät, Gespeicherte Einstellungen aktivieren).</translation></message>
-    <message><source>{0} (device number {1}, {2})</source>
-        <translation>{0} (Gerätenummer {1}, {2})</translation></message>
     <message><source>Saving the board's present settings before anything is written.</source>
         <translation>Die jetzigen Einstellungen des Boards werden gesichert, bevor etwas geschrieben wird.</translation></message>
     <message><source>Writing. Each value is read back; leave the power on.</source>

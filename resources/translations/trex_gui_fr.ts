@@ -2847,20 +2847,20 @@
         <translation>Appliquer {0} à plusieurs cartes</translation></message>
     <message numerus="yes"><source>%n board(s) left out; the reason is beside each.</source>
         <translation><numerusform>%n carte omise ; la raison est indiquée à côté.</numerusform><numerusform>%n cartes omises ; la raison est indiquée à côté de chacune.</numerusform></translation></message>
+    <message><source>“Arm without” is remembered for this board. Cut the power by hand then if the cable falls out.</source>
+        <translation>« Activer sans délai » est mémorisé pour cette carte. Coupez alors l'alimentation à la main si le câble se débranche.</translation></message>
     <message><source>Arm the motors</source>
         <translation>Activer les moteurs</translation></message>
-    <message><source>Arm with&amp;out</source>
-        <translation>Activer &amp;sans délai</translation></message>
     <message><source>Cancel</source>
         <translation>Annuler</translation></message>
     <message><source>Writing …</source>
         <translation>Écriture en cours …</translation></message>
-    <message><source>“Arm without” is remembered for this board. Cut the power by hand then if the cable falls out.</source>
-        <translation>« Activer sans délai » est mémorisé pour cette carte. Coupez alors l'alimentation à la main si le câble se débranche.</translation></message>
-    <message><source>The board did not store the serial timeout.</source>
-        <translation>La carte n'a pas enregistré le délai série.</translation></message>
     <message><source>&amp;Write {0:g} s and arm</source>
         <translation>É&amp;crire {0:g} s et activer</translation></message>
+    <message><source>Arm with&amp;out</source>
+        <translation>Activer &amp;sans délai</translation></message>
+    <message><source>The board did not store the serial timeout.</source>
+        <translation>La carte n'a pas enregistré le délai série.</translation></message>
     <message><source>Channel input</source>
         <translation>Entrée de la voie</translation></message>
     <message><source>{value}, {distance} above neutral</source>
@@ -3583,6 +3583,12 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Mesures</translation></message>
     <message><source>Stop the motors</source>
         <translation>Arrêter les moteurs</translation></message>
+    <message><source>Hands off the sticks</source>
+        <translation>Lâcher les manches</translation></message>
+    <message><source>All sticks to all ends</source>
+        <translation>Tous les manches à toutes les extrémités</translation></message>
+    <message><source>Review</source>
+        <translation>Vérifier</translation></message>
     <message><source>Try &amp;again</source>
         <translation>Réess&amp;ayer</translation></message>
     <message><source>Stop the motors again and begin again.</source>
@@ -3601,12 +3607,6 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Si une voie ne donne pas un bon résultat, apprenez à nouveau ses valeurs.</translation></message>
     <message><source>Test every stick</source>
         <translation>Tester chaque manche</translation></message>
-    <message><source>Hands off the sticks</source>
-        <translation>Lâcher les manches</translation></message>
-    <message><source>All sticks to all ends</source>
-        <translation>Tous les manches à toutes les extrémités</translation></message>
-    <message><source>Review</source>
-        <translation>Vérifier</translation></message>
     <message><source>Test the sticks</source>
         <translation>Tester les manches</translation></message>
     <message><source>The motors are stopped: co&amp;ntinue</source>
@@ -4509,6 +4509,8 @@ avant {1}</translation></message>
         <translation>{0} sur {1} n'ont pas pu être vérifiés ; ils restent en attente.</translation></message>
     <message numerus="yes"><source>%n setting(s) of the {0} will change.</source>
         <translation><numerusform>%n réglage du {0} va changer.</numerusform><numerusform>%n réglages du {0} vont changer.</numerusform></translation></message>
+    <message><source>{0} (device number {1}, {2})</source>
+        <translation>{0} (numéro d'appareil {1}, {2})</translation></message>
     <message><source>Apply settings</source>
         <translation>Appliquer les réglages</translation></message>
     <message><source>Progress of writing</source>
@@ -4543,8 +4545,6 @@ avant {1}</translation></message>
         <translation>Aucune carte ne répond. Les modifications sont conservées.</translation></message>
     <message><source>The board will reset itself at its next start and would lose what is written now. Switch it off and on first (Device, Make stored settings active).</source>
         <translation>La carte va se réinitialiser à son prochain démarrage et perdrait ce qui serait écrit maintenant. Coupez et remettez d'abord son alimentation (Appareil, Rendre actifs les réglages enregistrés).</translation></message>
-    <message><source>{0} (device number {1}, {2})</source>
-        <translation>{0} (numéro d'appareil {1}, {2})</translation></message>
     <message><source>Saving the board's present settings before anything is written.</source>
         <translation>Sauvegarde des réglages actuels de la carte avant toute écriture.</translation></message>
     <message><source>Writing. Each value is read back; leave the power on.</source>
