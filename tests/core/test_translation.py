@@ -50,9 +50,9 @@ def test_parameters_and_numbers_follow_the_language() -> None:
 
 
 @pytest.mark.usefixtures("german")
-@pytest.mark.parametrize("model", ["trex", "trexjr"])
-def test_every_shown_value_can_be_typed_back(model: str) -> None:
-    for spec in parameters_of(model, "1.2").readable:
+def test_every_shown_value_can_be_typed_back() -> None:
+    trex, junior = (parameters_of(model, "1.2").readable for model in ("trex", "trexjr"))
+    for spec in (*trex, *(spec for spec in junior if spec not in trex)):
         assert {wire: spec.wire(spec.text(wire)) for wire in spec.valid} == {
             wire: wire for wire in spec.valid
         }

@@ -13,6 +13,7 @@ from tests.support.simulator import StartSimulator
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.virtual_time import VirtualQtBot
 from trex_gui.devices.trex.bench.run import Plan, Profile
+from trex_gui.devices.trex.discovery import NUMBERS
 from trex_gui.devices.trex.model.apply_to_boards import ApplyToBoards, BoardStep
 from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.devices.trex.model.boards import BoardList, Presence
@@ -80,10 +81,14 @@ class Stand:
 
 
 @pytest.fixture
-def make(start_simulator: StartSimulator, qtbot: QtBot) -> Iterator[Callable[..., Stand]]:
+def make(
+    start_simulator: StartSimulator, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> Iterator[Callable[..., Stand]]:
+    """Put boards with these numbers on a line, of which a scan asks for the first `numbers`."""
     devices: list[Device] = []
 
-    def make(*boards: str) -> Stand:
+    def make(*boards: str, numbers: int = 16) -> Stand:
+        monkeypatch.setattr("trex_gui.devices.trex.model.boards.NUMBERS", numbers)
         options = [word for board in boards for word in ("--device", board)]
         simulator = start_simulator("--unpaced", *options)
         assert isinstance(simulator, VirtualSimulator)
@@ -103,14 +108,14 @@ Make = Callable[..., Stand]
 
 
 def test_scan_finds_each_board_by_number(make: Make) -> None:
-    stand = make("3", "7", "9:trexjr")
+    stand = make("3", "7", "127:trexjr", numbers=NUMBERS)
     stand.connect(7)
     assert not stand.boards.has_several
     stand.scan()
     assert stand.presences == {
         3: Presence.RESPONDING,
         7: Presence.SELECTED,
-        9: Presence.RESPONDING,
+        127: Presence.RESPONDING,
     }
     assert [str(one.signature) for one in stand.boards.boards] == [
         "TReX 1.2",
@@ -129,8 +134,8 @@ def test_scan_finds_each_board_by_number(make: Make) -> None:
     assert set(stand.presences.values()) == {Presence.UNKNOWN}
     # They are known again when the program is started the next time.
     stand.boards = BoardList(stand.device)
-    stand.connect(9)
-    known = {3: Presence.UNKNOWN, 7: Presence.UNKNOWN, 9: Presence.SELECTED}
+    stand.connect(127)
+    known = {3: Presence.UNKNOWN, 7: Presence.UNKNOWN, 127: Presence.SELECTED}
     assert stand.presences == known
     stand.wait(lambda: Presence.UNKNOWN not in stand.presences.values())
     # Whoever addresses no board expects a single one, which can be driven.
@@ -221,7 +226,7 @@ def test_arming_ends_scan_and_forbids_another(make: Make) -> None:
     stand = make("7", "9")
     stand.connect(7)
     stand.boards.scan()
-    stand.wait(lambda: (stand.boards.scanned or 0) > 20)
+    stand.wait(lambda: (stand.boards.scanned or 0) > 10)
     stand.device.motors.arm()
     assert stand.boards.scanned is None
     stand.boards.scan()
