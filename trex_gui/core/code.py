@@ -2,8 +2,13 @@
 
 import unicodedata
 from enum import Enum
+from functools import cache
+from typing import TYPE_CHECKING
 
 from trex_gui.core.resource_files import resource
+
+if TYPE_CHECKING:
+    from jinja2 import Template
 
 _COMMENT_COLUMN = 46  # where comments begin at the latest, unless the code before them is longer
 
@@ -26,6 +31,12 @@ class Language(Enum):
 
 def render(name: str, **values: object) -> str:
     """Fill in a template of the resources."""
+    return _template(name).render(values)
+
+
+@cache
+def _template(name: str) -> "Template":
+    """Compile a template, which takes longer than to fill it in."""
     from jinja2 import Environment, StrictUndefined  # noqa: PLC0415 - only exporting needs it
 
     environment = Environment(
@@ -35,8 +46,7 @@ def render(name: str, **values: object) -> str:
         autoescape=False,  # noqa: S701 - source code, not HTML; `plain` makes text safe
     )
     environment.filters |= {"hex": hexadecimal, "aligned": _aligned}
-    template = environment.from_string(resource(name).read_text(encoding="utf-8"))
-    return template.render(values)
+    return environment.from_string(resource(name).read_text(encoding="utf-8"))
 
 
 def plain(text: str) -> str:
