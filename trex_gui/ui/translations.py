@@ -34,6 +34,15 @@ class _Catalog(QTranslator):
         return super().translate(CONTEXT, source, disambiguation, n) or None
 
 
+class _Plurals(_Catalog):
+    """English: the program has all texts but the forms of those with a count."""
+
+    def translate(
+        self, context: str, source: str, disambiguation: str | None = None, n: int = -1
+    ) -> str | None:
+        return super().translate(context, source, disambiguation, n) if n >= 0 else None
+
+
 def chosen_language() -> str:
     """Return the code of the language that the user wants, or `AS_THE_SYSTEM`."""
     wanted = Preferences().text(_KEY, AS_THE_SYSTEM)
@@ -59,7 +68,7 @@ def install_translations(app: QApplication, locale: QLocale) -> list[QTranslator
     were made before stay as they are. Remove what is returned before another language is installed.
     """
     folder = str(resource("translations"))
-    english, catalog, of_qt = _Catalog(app), _Catalog(app), QTranslator(app)
+    english, catalog, of_qt = _Plurals(app), _Catalog(app), QTranslator(app)
     english.load(ENGLISH, "trex_gui", "_", folder)
     installed: list[QTranslator] = [english]
     shown = ENGLISH
