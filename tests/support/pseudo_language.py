@@ -5,7 +5,6 @@ Only texts that `packaging/translations.py` extracts are translated.
 
 import re
 from collections.abc import Iterator
-from functools import cache
 
 from PySide6.QtCore import (
     QAbstractItemModel,
@@ -44,7 +43,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from tests.support.scripts import load_script
+from tests.support.scripts import program_texts
 from trex_gui.ui.widgets.labels import ElidedLabel
 
 BEGIN, END = "⟦", "⟧"
@@ -84,13 +83,6 @@ def pseudo(text: str) -> str:
     return f"{BEGIN}{''.join(parts)}{added}{END}"
 
 
-@cache
-def _program_texts() -> frozenset[tuple[str, str]]:
-    """Return each text and its comment."""
-    texts = load_script("translations").program_texts()
-    return frozenset((text.source, text.comment) for text in texts)
-
-
 class PseudoTranslator(QTranslator):
     """Translates what a language file would have a translation of."""
 
@@ -101,7 +93,7 @@ class PseudoTranslator(QTranslator):
         self, context: str, source: str, disambiguation: str | None = None, n: int = -1
     ) -> str | None:
         del context
-        if (source, disambiguation or "") not in _program_texts():
+        if (source, disambiguation or "") not in program_texts():
             return None
         translated = pseudo(source)
         return translated.replace("%n", str(n)) if n >= 0 else translated

@@ -2,6 +2,7 @@
 
 import importlib.util
 import sys
+from functools import cache
 from pathlib import Path
 from types import ModuleType
 
@@ -16,3 +17,10 @@ def load_script(name: str) -> ModuleType:
     sys.modules[spec.name] = module  # dataclasses look their module up
     spec.loader.exec_module(module)
     return module
+
+
+@cache
+def program_texts() -> frozenset[tuple[str, str]]:
+    """Return each text of the program that can be translated, and its comment."""
+    texts = load_script("translations").program_texts()
+    return frozenset((text.source, text.comment) for text in texts)

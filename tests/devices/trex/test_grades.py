@@ -7,7 +7,7 @@ from functools import cache
 import click
 import pytest
 
-from tests.support.scripts import load_script
+from tests.support.scripts import program_texts
 from trex_gui.devices.trex.plugin import TREX
 from trex_gui.ui.help.pages import pages
 
@@ -48,7 +48,7 @@ def sentences() -> tuple[str, ...]:
 
 
 def _texts() -> Iterator[str]:
-    yield from (text.source for text in load_script("translations").program_texts())
+    yield from sorted({source for source, _comment in program_texts()})
     for page in pages():
         yield from re.sub(r"\]\(\S+\)", "]", page.text).splitlines()
     for info in TREX.commands.values():

@@ -1,5 +1,7 @@
 """Settings that several tests write and read."""
 
+from functools import cache
+
 from hypothesis import strategies as st
 
 from trex_gui.core.files import SettingsError
@@ -52,19 +54,31 @@ def any_calibration(draw: st.DrawFn) -> Calibration:
 any_note = st.text(max_size=30).map(clean_note).filter(bool)
 
 
+@cache
+def _parameters_and_notes(
+    model_key: str, firmware: str | None
+) -> tuple[st.SearchStrategy[dict[str, int]], st.SearchStrategy[dict[str, str]]]:
+    """Return what draws values and notes; to make it takes as long as a test of them."""
+    specs = specs_for(device_table().model(model_key), firmware).readable
+    values = {spec.key: st.sampled_from(sorted(spec.valid)) for spec in specs}
+    keys = st.sampled_from([*values, *CalibrationKey])
+    parameters = st.fixed_dictionaries({}, optional=values)
+    return parameters, st.dictionaries(keys, any_note, max_size=4)
+
+
+_calibrations = st.dictionaries(st.sampled_from(CalibrationKey), any_calibration())
+
+
 @st.composite
 def any_settings(draw: st.DrawFn) -> Settings:
     """Settings that a board takes, as many as happens."""
     model = draw(st.sampled_from([TREX, TREX_JR]))
     firmware = draw(st.none() | st.sampled_from(model.firmware))
-    specs = specs_for(model, firmware).readable
-    values = {spec.key: st.sampled_from(sorted(spec.valid)) for spec in specs}
-    places = st.sampled_from(CalibrationKey)
-    keys = st.sampled_from([*values, *CalibrationKey])
+    parameters, notes = _parameters_and_notes(model.key, firmware)
     return Settings(
         product=model,
         firmware=firmware,
-        parameters=draw(st.fixed_dictionaries({}, optional=values)),
-        calibrations=draw(st.dictionaries(places, any_calibration())),
-        notes=draw(st.dictionaries(keys, any_note, max_size=4)),
+        parameters=draw(parameters),
+        calibrations=draw(_calibrations),
+        notes=draw(notes),
     )
