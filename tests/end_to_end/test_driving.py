@@ -522,31 +522,6 @@ def test_keys_drive_in_pad_and_if_enabled_elsewhere(armed: MotorsPage) -> None:
     armed.wait_for_brake()
 
 
-def test_messages_are_in_sight_and_move_nothing(armed: MotorsPage) -> None:
-    def place() -> QPoint:
-        return armed.button("motor1Brake").mapTo(armed.window, QPoint(0, 0))
-
-    def is_in_sight(name: str) -> bool:
-        message = armed.find(QWidget, name)
-        top = message.mapTo(armed.window, QPoint(0, 0)).y()
-        return message.isVisible() and message.height() > 20 and top >= 0
-
-    notifier, before = armed.device.notifier, place()
-    notifier.error.emit("Something is wrong. " * 3)
-    armed.let_nothing_happen(0.1)
-    assert is_in_sight("banner")
-    armed.window.question.ask("Really?")
-    armed.let_nothing_happen(0.1)
-    assert is_in_sight("question")
-    assert place() == before
-
-    armed.motors.stop()
-    armed.window.question.withdraw()
-    notifier.cleared.emit()
-    armed.let_nothing_happen(0.1)
-    assert place() == before, "nor does it jump back"
-
-
 def test_pad_shows_held_keys_only(keys: MotorsPage) -> None:
     def shown() -> str:
         return spoken_state(keys.pad).split(".")[0]

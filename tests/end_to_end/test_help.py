@@ -151,18 +151,6 @@ def test_help_menu_opens_the_guide_of_the_maker(
     assert not window.action("guide").isVisible()
 
 
-def test_escape_in_the_help_stops_the_motors(connected_window: WindowDriver) -> None:
-    window = connected_window
-    window.device.motors.arm()
-    window.trigger("help")
-    dialog = window.help
-    window.wait(dialog.isVisible)
-    dialog.activateWindow()
-    window.wait(dialog.isActiveWindow)
-    QTest.keyClick(dialog.windowHandle(), Qt.Key.Key_Escape)
-    assert not window.device.motors.armed
-
-
 def test_help_ends_with_the_window(window: WindowDriver) -> None:
     window.trigger("help")
     window.wait(window.help.isVisible)

@@ -69,6 +69,8 @@ def test_recording_opens_without_a_board(connected_window: WindowDriver, tmp_pat
     window, recordings = connected_window, trex(connected_window.program).workspace.recordings
     record(window, path)
     window.disconnect()
+    assert not window.action("record").isEnabled()
+    assert window.action("open_recording").isEnabled()
     recordings.open_file(path)
     window.wait_for_files()
     (opened,) = recordings.windows
@@ -88,7 +90,15 @@ def test_recording_opens_without_a_board(connected_window: WindowDriver, tmp_pat
     assert recordings.windows == []
 
 
-def test_recording_dropped_onto_window_opens(window: WindowDriver, tmp_path: Path) -> None:
+def test_recording_dropped_onto_window_opens_unless_it_is_none(
+    window: WindowDriver, tmp_path: Path
+) -> None:
+    path = tmp_path / "none.trexrec"
+    path.write_text("nothing of the kind")
+    assert window.drop(path)
+    window.wait_for_files()
+    assert "none.trexrec: This is not a TReX Studio recording" in window.text("bannerText")
+    assert trex(window.program).workspace.recordings.windows == []
     path = tmp_path / "a.trexrec"
     write(path, list(an_hour(5)))
     assert window.drop(path)
@@ -96,22 +106,6 @@ def test_recording_dropped_onto_window_opens(window: WindowDriver, tmp_path: Pat
     (opened,) = trex(window.program).workspace.recordings.windows
     window.wait(lambda: opened.playback.is_loaded)
     opened.close()
-
-
-def test_invalid_recording_is_rejected_with_its_file_name(
-    window: WindowDriver, tmp_path: Path
-) -> None:
-    path = tmp_path / "none.trexrec"
-    path.write_text("nothing of the kind")
-    trex(window.program).workspace.recordings.open_file(path)
-    window.wait_for_files()
-    assert "none.trexrec: This is not a TReX Studio recording" in window.text("bannerText")
-    assert trex(window.program).workspace.recordings.windows == []
-
-
-def test_record_action_is_disabled_without_a_board(window: WindowDriver, tmp_path: Path) -> None:
-    assert not window.action("record").isEnabled()
-    assert window.action("open_recording").isEnabled()
 
 
 def test_recording_is_complete_after_window_closes(

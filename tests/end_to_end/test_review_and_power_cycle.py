@@ -262,20 +262,6 @@ def test_interrupted_write_keeps_unwritten_settings_pending(
     assert review.rows()[-1][-1] == "not attempted"
 
 
-def test_stop_button_works_while_review_is_open(
-    connected_window: WindowDriver, review: ReviewDialog, simulator: VirtualSimulator
-) -> None:
-    window = connected_window
-    window.motors.arm()
-    window.motors.set_speed(1, 60)
-    window.wait(lambda: simulator.show()["motors"][0]["speed"] == 60)
-    edit(window, serial_timeout=15)
-    review.open()
-    assert not review.root.isModal()
-    window.click("stopButton")
-    window.wait(lambda: simulator.show()["motors"][0]["direction"] == "brake")
-
-
 # --- The power cycle --------------------------------------------------------------------
 
 

@@ -26,6 +26,9 @@ def test_panel_is_shown_while_nothing_is_connected(window: WindowDriver) -> None
     assert status.find(QWidget, "startPanel").isVisible()
     assert not status.find(QWidget, "statusMotors").isVisible()
     assert status.find(QWidget, "startNoPort").isVisible()
+    window.click("startFind")
+    assert window.has("findDialog")
+    window.dialog("findDialog").root.close()
 
     window.click("startDemo")
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
@@ -83,12 +86,6 @@ def test_port_that_is_unplugged_is_no_longer_offered(
     window.wait(lambda: any("ttyUSB7" in text for text in offered()))
     computer.clear()
     window.wait(lambda: not any("ttyUSB7" in text for text in offered()))
-
-
-@pytest.mark.parametrize(("button", "dialog"), [("startFind", "findDialog")])
-def test_button_opens_what_the_menu_opens(window: WindowDriver, button: str, dialog: str) -> None:
-    window.click(button)
-    assert window.dialog(dialog).root.isVisible()
 
 
 def test_recent_files_are_offered_and_open(window: WindowDriver, tmp_path: Path) -> None:

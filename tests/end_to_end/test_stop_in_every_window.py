@@ -29,6 +29,7 @@ def test_stop_button_of_every_window_stops_motors(
         case = open_window.__name__
         window = open_window(page, tmp_path)
         page.wait(window.isVisible)
+        assert not window.isModal(), case
         button = stop_button(window)
         assert spoken(button) == "Stop motors", case
         page.motors.arm()

@@ -162,15 +162,16 @@ def test_escape_closes_dialog_and_stops_only_what_may_move(driving: DrivingWindo
     def press_escape_in(entry: str, name: str) -> bool:
         """Return whether the dialog is still open."""
         driving.trigger(entry)
-        dialog = driving.dialog(name).root
+        dialog = driving.help if name == "helpDialog" else driving.dialog(name).root
         dialog.activateWindow()
         driving.wait(dialog.isActiveWindow)
         QTest.keyClick(dialog.windowHandle(), Qt.Key.Key_Escape)
         return dialog.isVisible()
 
-    assert not press_escape_in("history", "historyDialog")
-    driving.expect_stop("Esc in a dialog")
-    driving.drive()
+    for entry in ("history", "help"):
+        assert not press_escape_in(entry, f"{entry}Dialog")
+        driving.expect_stop(f"Esc in the {entry}")
+        driving.drive()
     assert press_escape_in("bench", "benchDialog"), "its result is read"
     driving.expect_stop("Esc in the bench test")
     driving.wait(lambda: not driving.program.device_manager.needs_stop)
