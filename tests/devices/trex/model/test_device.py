@@ -15,11 +15,9 @@ from trex_gui.devices.trex.model.drive_status import recent_fault_text
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import Status, UartError
-from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.devices.trex.settings.board_records import BoardRecords
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.event_log import EventKind
 from trex_gui.ui.files import background
 from trex_gui.ui.runtime import now
 
@@ -116,19 +114,6 @@ def test_connecting_reads_state_and_enables_arming(
     assert connected.failures == []
 
 
-def test_telemetry_updates_after_connecting(
-    connected: DeviceRecorder, quick_simulator: SimulatedDevice
-) -> None:
-    quick_simulator.do("channel 1 2000us")
-    quick_simulator.do("current 1 3.0")
-    telemetry = connected.device.telemetry
-    connected.until(lambda: telemetry.raw_of(1) == 5000)
-    connected.until(lambda: telemetry.motor_currents == pytest.approx((3.0, 0.0)))
-    connected.until(lambda: telemetry.remapped_of(1) == 127)
-    assert len(telemetry.currents) > 0
-    assert connected.device.connection.counters.requests > 0
-
-
 def test_echo_of_the_rs232_side_is_detected(
     recorder: DeviceRecorder, start_simulator: StartSimulator
 ) -> None:
@@ -145,30 +130,6 @@ def test_missing_port_is_reported(recorder: DeviceRecorder) -> None:
     assert recorder.device.status == "Not connected."
 
 
-def test_unpowered_board_is_reported(
-    recorder: DeviceRecorder, quick_simulator: SimulatedDevice
-) -> None:
-    quick_simulator.do("power off")
-    recorder.device.connect_to(ConnectionSettings(quick_simulator.url))
-    recorder.until_link(ConnectionState.DISCONNECTED)
-    assert "No TReX responds" in recorder.failures[0]
-
-
-def test_board_errors_are_counted(
-    connected: DeviceRecorder, quick_simulator: SimulatedDevice
-) -> None:
-    def count(bit: Status | UartError) -> int:
-        return next(one.count for one in connected.device.errors.entries if one.bit is bit)
-
-    seen = 0
-    for _ in range(2):
-        quick_simulator.do("fault 2 on")
-        quick_simulator.do("fault 2 off")  # as often as it was looked at meanwhile, it counts
-        connected.until(lambda: count(Status.MOTOR2_FAULT) > seen)  # noqa: B023
-        seen = count(Status.MOTOR2_FAULT)
-    assert count(Status.MOTOR1_FAULT) == 0
-
-
 def test_errors_of_another_board_are_not_shown(
     connected: DeviceRecorder, quick_simulator: SimulatedDevice, start_simulator: StartSimulator
 ) -> None:
@@ -180,16 +141,6 @@ def test_errors_of_another_board_are_not_shown(
     assert errors.uncleared, "the same board"
     connected.connect(start_simulator("--unpaced").url, again=True)
     assert not errors.uncleared
-
-
-def test_calibrations_of_another_board_are_not_shown(
-    connected: DeviceRecorder, start_simulator: StartSimulator
-) -> None:
-    calibrations = connected.device.calibrations
-    assert calibrations.shown(CalibrationKey.RC_CHANNEL_1) is not None
-    analog = start_simulator("--unpaced", "--mode", "analog")
-    connected.connect(analog.url, again=True)
-    assert calibrations.shown(CalibrationKey.RC_CHANNEL_1) is None
 
 
 # --- Editing ----------------------------------------------------------------------------
@@ -248,41 +199,9 @@ def test_apply_without_edits_writes_nothing(connected: DeviceRecorder) -> None:
     assert connected.results == []
 
 
-def test_refused_write_stays_pending_with_a_reason(
-    recorder: DeviceRecorder, start_simulator: StartSimulator
-) -> None:
-    recorder.connect(start_simulator("--mode", "rc").url)
-    recorder.edit("serial_timeout", 15)
-    (result,) = recorder.apply()
-    assert "remove the mode jumper" in str(result.error)
-    assert recorder.device.draft.pending == 1
-
-
-def test_reload_shows_stored_values(
-    connected: DeviceRecorder, start_simulator: StartSimulator
-) -> None:
-    connected.edit("serial_timeout", 15)
-    connected.apply()
-    connected.device.reload()
-    states: list[object] = []
-    connected.device.state_changed.connect(lambda: states.append(connected.device.state))
-    connected.until(lambda: bool(states))
-    assert connected.device.parameters.stored_of("serial_timeout") == 15
-
-
 def test_reload_without_a_board_is_rejected(recorder: DeviceRecorder) -> None:
     recorder.device.reload()
     assert recorder.failures == ["No board is connected."]
-
-
-def test_discard_drops_all_edits(connected: DeviceRecorder) -> None:
-    connected.edit("serial_timeout", 15)
-    connected.device.calibrations.edit(2, LEARNED)
-    counts: list[int] = []
-    connected.device.draft.pending_changed.connect(counts.append)
-    connected.device.draft.discard_edits()
-    assert counts[-1] == 0
-    assert connected.device.draft.pending == 0
 
 
 # --- Power ------------------------------------------------------------------------------
@@ -316,17 +235,6 @@ def test_unpowered_board_cannot_be_driven(
     assert not connected.device.motors.is_available
     assert connected.device.telemetry.raw is None
     assert "power" in connected.device.status
-
-
-def test_edits_survive_a_power_cycle(
-    connected: DeviceRecorder, quick_simulator: SimulatedDevice
-) -> None:
-    connected.edit("serial_timeout", 15)
-    quick_simulator.do("power off")
-    connected.until_link(ConnectionState.NOT_RESPONDING)
-    quick_simulator.do("power on")
-    connected.until_link(ConnectionState.CONNECTED)
-    assert connected.device.parameters.pending == (("serial_timeout", 15),)
 
 
 @pytest.mark.parametrize("maximum", [0x3F, 0x40])
@@ -431,50 +339,7 @@ def test_board_that_gets_its_number_back_gets_its_notes_back(
     assert [path.name for path in BoardRecords().folder.iterdir()] == ["trex-1.2-12.txt"]
 
 
-def test_mode_change_is_detected(
-    connected: DeviceRecorder, quick_simulator: SimulatedDevice
-) -> None:
-    quick_simulator.do("jumper mode rc")
-    quick_simulator.do("power cycle")
-    connected.until(
-        lambda: connected.device.state is not None and not connected.device.state.mode.is_serial
-    )
-    assert connected.device.telemetry.serial_controls is False
-
-
 # --- Motors -----------------------------------------------------------------------------
-
-
-def speed(simulator: SimulatedDevice) -> tuple[str, int]:
-    motor = simulator.show()["motors"][0]
-    return motor["direction"], motor["speed"]
-
-
-def run_motor_1(connected: DeviceRecorder, simulator: SimulatedDevice) -> None:
-    """Arm and run motor 1 at 90."""
-    motors = connected.device.motors
-    motors.accelerate = False
-    motors.arm()
-    motors.set_speed(1, 90)
-    connected.until(lambda: speed(simulator) == ("forward", 90))
-
-
-def test_armed_motor_runs_and_stop_brakes_it(
-    connected: DeviceRecorder, quick_simulator: SimulatedDevice
-) -> None:
-    run_motor_1(connected, quick_simulator)
-    connected.device.motors.stop()
-    connected.until(lambda: speed(quick_simulator) == ("brake", 127))
-    assert connected.failures == []
-
-
-def test_stop_is_sent_without_arming(
-    connected: DeviceRecorder, quick_simulator: SimulatedDevice
-) -> None:
-    before = quick_simulator.show()["motors"][1]["speed"]
-    connected.device.motors.stop()
-    connected.until(lambda: quick_simulator.show()["motors"][1]["speed"] == 127)
-    assert before != 127 or connected.failures == []
 
 
 def test_unanswered_stop_is_reported(
@@ -489,16 +354,6 @@ def test_unanswered_stop_is_reported(
 def test_stop_without_a_connection_is_harmless(recorder: DeviceRecorder) -> None:
     recorder.device.motors.stop()
     assert recorder.failures == []
-
-
-def test_disconnecting_stops_the_motors(
-    connected: DeviceRecorder, quick_simulator: SimulatedDevice
-) -> None:
-    run_motor_1(connected, quick_simulator)
-    connected.device.disconnect_line()
-    assert not connected.device.motors.armed
-    connected.until_link(ConnectionState.DISCONNECTED)
-    connected.until(lambda: speed(quick_simulator) == ("brake", 127))
 
 
 def test_channel_driven_motors_cannot_be_armed(
@@ -521,21 +376,6 @@ def test_driven_motors_may_move_until_stop_is_confirmed(
     connected.device.motors.stop()
     connected.until(lambda: not connected.device.may_move)
     assert moving == [False, True]
-
-
-def test_reconnect_stops_motors_that_ran_when_unplugged(
-    connected: DeviceRecorder, quick_simulator: SimulatedDevice
-) -> None:
-    run_motor_1(connected, quick_simulator)
-    quick_simulator.do("line unplug")
-    connected.until_link(ConnectionState.DISCONNECTED)
-    assert connected.device.may_move
-    last = connected.device.events.all[-1]
-    assert (last.kind, last.is_problem) == (EventKind.LINK, True), last.text
-    assert speed(quick_simulator) == ("forward", 90)
-    connected.connect(quick_simulator.do("line plug").split()[-1])
-    assert speed(quick_simulator) == ("brake", 127)
-    connected.until(lambda: not connected.device.may_move)
 
 
 # --- The end of a line ------------------------------------------------------------------
@@ -565,31 +405,6 @@ def test_unplugged_cable_is_reported_within_half_a_second(
     assert len(connected.failures) == 1
     assert "Plug it in, then connect again" in connected.failures[0]
     assert not connected.device.motors.is_available
-
-
-def test_cable_unplugged_during_a_write_keeps_the_edits(
-    connected: DeviceRecorder, quick_simulator: SimulatedDevice
-) -> None:
-    for key in ("serial_timeout", "motor1_acceleration", "motor2_acceleration"):
-        connected.edit(key, 15)
-    quick_simulator.do("line unplug")
-    connected.device.apply()
-    connected.until_link(ConnectionState.DISCONNECTED)
-    assert any("Plug it in, then connect again" in failure for failure in connected.failures)
-    assert connected.device.draft.pending == 3
-    assert not connected.device.applying
-
-
-def test_replugged_cable_can_be_reconnected_and_keeps_edits(
-    connected: DeviceRecorder, quick_simulator: SimulatedDevice
-) -> None:
-    connected.edit("serial_timeout", 15)
-    quick_simulator.do("line unplug")
-    connected.until_link(ConnectionState.DISCONNECTED)
-    url = quick_simulator.do("line plug").split()[-1]
-    connected.connect(url)
-    assert connected.device.parameters.pending == (("serial_timeout", 15),)
-    assert connected.apply() == (WriteResult("serial_timeout", 15),)
 
 
 def test_line_is_closed_before_another_is_opened(
@@ -632,17 +447,6 @@ def test_missing_port_chosen_while_connected_is_reported(connected: DeviceRecord
     assert "There is no port" in connected.failures[0]
 
 
-def test_shutdown_stops_motors_within_one_second(
-    connected: DeviceRecorder, quick_simulator: SimulatedDevice
-) -> None:
-    run_motor_1(connected, quick_simulator)
-    begun = now()
-    assert connected.device.shut_down()
-    assert now() - begun < 1.0
-    assert connected.device.link is ConnectionState.DISCONNECTED
-    assert speed(quick_simulator) == ("brake", 127)
-
-
 def test_shutdown_without_a_connection_is_immediate(recorder: DeviceRecorder) -> None:
     assert recorder.device.shut_down()
     assert recorder.links == []
@@ -658,14 +462,6 @@ def test_device_does_not_change_after_shutdown(connected: DeviceRecorder, qtbot:
     assert connected.links == links
     assert connected.failures == []
     assert connected.device.state is None
-
-
-def test_line_settings_are_used_for_the_connection(
-    recorder: DeviceRecorder, quick_simulator: SimulatedDevice
-) -> None:
-    recorder.device.connect_to(ConnectionSettings(quick_simulator.url, LineSettings(9600)))
-    recorder.until_link(ConnectionState.DISCONNECTED)
-    assert "9600 baud" in recorder.failures[0]
 
 
 def test_fault_on_a_noisy_line_without_crc_is_doubtful(

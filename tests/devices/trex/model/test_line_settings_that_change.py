@@ -2,8 +2,6 @@
 
 from collections.abc import Callable
 
-import pytest
-
 from tests.devices.trex.model.conftest import Connect, Until
 from tests.support.program import new_controller
 from tests.support.simulator import SimulatedDevice
@@ -72,25 +70,6 @@ def test_reconnect_at_new_line_settings_is_saved(
     until(lambda: device.link is ConnectionState.DISCONNECTED)
     connect(ports.add_typed(quick_simulator.url))
     assert device.settings == there
-
-
-@pytest.mark.parametrize("baud", [4800, 14400, 38400, 76800, 115200])
-def test_board_reconnects_at_a_new_baud_rate(
-    device: Device,
-    ports: Ports,
-    quick_simulator: SimulatedDevice,
-    until: Until,
-    baud: int,
-    connect: Connect,
-) -> None:
-    connect(ports.add_typed(quick_simulator.url))
-    store(device, until, **{UART: LineSettings(baud).to_wire()})
-    device.expect((ConnectionSettings("", LineSettings(baud)),))
-    quick_simulator.do("power off")
-    until(lambda: device.link is ConnectionState.NOT_RESPONDING)
-    quick_simulator.do("power on")
-    until(lambda: device.link is ConnectionState.CONNECTED)
-    assert line_of(device) == LineSettings(baud)
 
 
 def test_failed_write_of_line_settings_keeps_candidates(

@@ -192,19 +192,6 @@ def test_apply_resumes_after_disconnecting(step: int, applied: InterruptedApply)
 
 
 @every_step
-def test_apply_resumes_after_disconnect_and_power_cycle(
-    step: int, applied: InterruptedApply
-) -> None:
-    applied.disturb(step, applied.device.disconnect_line)
-    applied.recorder.until_link(ConnectionState.DISCONNECTED)
-    require_report(applied)
-
-    connect_after_power_cycle(applied)
-    applied.require_waiting()
-    applied.finish()
-
-
-@every_step
 def test_shutdown_reports_the_results_of_an_apply(step: int, applied: InterruptedApply) -> None:
     ended: list[bool] = []
     reports: list[int] = []
@@ -248,21 +235,6 @@ def addressed(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[Device
     qtbot.waitUntil(recorder.device.shut_down)  # no thread lives on
 
 
-def test_new_device_number_is_used_immediately(
-    addressed: DeviceRecorder, quick_simulator: SimulatedDevice
-) -> None:
-    for key, wire in {"device_number": 9, **WANTED}.items():
-        addressed.edit(key, wire)
-    results = addressed.apply()
-    assert [result.error for result in results] == [None] * len(results)
-    assert quick_simulator.show()["parameters"]["device_number"] == 9
-    steps = len(addressed.steps)
-    addressed.device.reload()
-    addressed.until(lambda: len(addressed.steps) > steps and addressed.steps[-1][2] == "done")
-    assert addressed.device.link is ConnectionState.CONNECTED
-    assert addressed.failures == []
-
-
 def test_renumbered_board_reconnects_after_power_cycle(
     addressed: DeviceRecorder, quick_simulator: SimulatedDevice
 ) -> None:
@@ -276,17 +248,3 @@ def test_renumbered_board_reconnects_after_power_cycle(
     assert addressed.device.settings is not None
     assert addressed.device.settings.device_number == 9
     assert addressed.device.parameters.stored_of("device_number") == 9
-
-
-def test_renumbered_board_reconnects_after_unplugged_cable(
-    addressed: DeviceRecorder, quick_simulator: SimulatedDevice
-) -> None:
-    addressed.edit("device_number", 9)
-    addressed.apply()
-    quick_simulator.do("line unplug")
-    addressed.until_link(ConnectionState.DISCONNECTED)
-    quick_simulator.do("line plug")
-    assert addressed.device.settings is not None
-    addressed.device.connect_to(addressed.device.settings)
-    addressed.until(lambda: addressed.device.link is not ConnectionState.CONNECTING)
-    assert addressed.device.link is ConnectionState.CONNECTED
