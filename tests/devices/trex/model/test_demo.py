@@ -1,6 +1,6 @@
 """The simulated board: what the panel does reaches the simulator, and its state is read."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import pytest
 from pytestqt.qtbot import QtBot
@@ -90,9 +90,17 @@ def test_ended_simulator_clears_the_snapshot(
 
 def test_snapshot_is_parsed_from_show() -> None:
     line = TrexLine([Board()])
-    for text in ("channel 2 silent", "load 1 4.5", "fault 2 on", "battery 11.5", "jumper mix on"):
+    for text in (
+        "channel 2 silent",
+        "load 1 4.5",
+        "fault 2 on",
+        "battery 11.5",
+        "jumper mix on",
+        "jumper so-ground on",
+    ):
         assert control(line, text).startswith("ok")
     line.faults.mute = True
+    line.faults.noise = 0.012
     line.advance(0.2)
     snapshot = read_snapshot(control(line, "show").removeprefix("ok "))
     assert snapshot.power
@@ -102,7 +110,9 @@ def test_snapshot_is_parsed_from_show() -> None:
     assert snapshot.motors[0].stall == 30
     assert [motor.fault for motor in snapshot.motors] == [False, True]
     assert snapshot.jumpers.mix
+    assert snapshot.jumpers.so_ground
     assert snapshot.line.mute
+    assert snapshot.line.noise == 0.012
     assert snapshot.battery == snapshot.supply == 11.5
 
 
@@ -126,11 +136,36 @@ def test_stick_position_follows_its_signal(
 # --- What hands do ----------------------------------------------------------------------
 
 
-def test_power_is_switched_off_and_on(board: DemoBoard, qtbot: QtBot) -> None:
-    board.set_power(False)
-    qtbot.waitUntil(lambda: not seen(board).power)
-    board.set_power(True)
-    qtbot.waitUntil(lambda: seen(board).power)
+@pytest.mark.parametrize(
+    ("act", "line"),
+    [
+        (lambda board: board.set_power(False), "power off"),
+        (lambda board: board.set_mix(True), "jumper mix on"),
+        (lambda board: board.set_so_ground(True), "jumper so-ground on"),
+        (lambda board: board.set_load(2, 11.5), "load 2 11.5"),
+        (lambda board: board.set_fault(1, True), "fault 1 on"),
+        (lambda board: board.set_fault(1, False), "fault 1 off"),
+        (lambda board: board.set_battery(9.0), "battery 9.0"),
+        (lambda board: board.set_noise(0.012), "line noise 0.0120"),
+        (lambda board: board.set_mute(True), "line mute on"),
+        (lambda board: board.corrupt("parity"), "line error parity"),
+    ],
+)
+def test_each_hand_sends_its_control_line(
+    board: DemoBoard,
+    simulator: Overheard,
+    qtbot: QtBot,
+    act: Callable[[DemoBoard], None],
+    line: str,
+) -> None:
+    """The tests of the simulator show what each line does."""
+    simulator.lines.clear()
+    answers: list[str] = []
+    with qtbot.assertNotEmitted(board.rejected):
+        act(board)
+        simulator.send("show", answers.append)
+        qtbot.waitUntil(lambda: bool(answers))
+    assert simulator.orders() == [line]
 
 
 def test_power_cycle_is_visible_and_runs_once(
@@ -157,12 +192,6 @@ def test_mode_jumper_takes_effect_at_next_power_up(board: DemoBoard, qtbot: QtBo
     board.power_cycle()
     qtbot.waitUntil(lambda: seen(board).mode is Mode.RC)
     assert seen(board).safe_start
-
-
-def test_mix_and_so_ground_jumpers_are_set(board: DemoBoard, qtbot: QtBot) -> None:
-    board.set_mix(True)
-    board.set_so_ground(True)
-    qtbot.waitUntil(lambda: seen(board).jumpers.mix and seen(board).jumpers.so_ground)
 
 
 def test_held_stick_keeps_its_position(board: DemoBoard, qtbot: QtBot) -> None:
@@ -254,22 +283,6 @@ def test_held_sticks_keep_their_position_in_analog_mode(board: DemoBoard, qtbot:
     qtbot.waitUntil(lambda: seen(board).channels[1].raw == InputSource.ANALOG.counts(2.5))
 
 
-def test_load_and_fault_apply_to_their_motor(board: DemoBoard, qtbot: QtBot) -> None:
-    board.set_load(2, 11.5)
-    board.set_fault(1, True)
-    qtbot.waitUntil(lambda: seen(board).motors[1].load == 11.5 and seen(board).motors[0].fault)
-    assert not seen(board).motors[1].fault
-    board.set_fault(1, False)
-    qtbot.waitUntil(lambda: not seen(board).motors[0].fault)
-
-
-def test_noise_and_mute_are_shown_for_the_line(board: DemoBoard, qtbot: QtBot) -> None:
-    board.set_noise(0.012)
-    board.set_mute(True)
-    qtbot.waitUntil(lambda: seen(board).line.mute)
-    assert seen(board).line.noise == pytest.approx(0.012)
-
-
 def test_replugged_cable_gets_a_working_url(
     board: DemoBoard, simulator: Overheard, qtbot: QtBot
 ) -> None:
@@ -298,22 +311,6 @@ def test_factory_reset_restores_board_and_sticks(board: DemoBoard, qtbot: QtBot)
     assert board.automatic == frozenset(CHANNELS)
     first = seen(board).channels[0].raw
     qtbot.waitUntil(lambda: seen(board).channels[0].raw != first)
-
-
-def test_battery_voltage_reaches_the_board(board: DemoBoard, qtbot: QtBot) -> None:
-    board.set_battery(9.0)
-    qtbot.waitUntil(lambda: seen(board).supply == pytest.approx(9.0, abs=0.2))
-    assert seen(board).battery == 9.0
-    board.restore_factory()
-    qtbot.waitUntil(lambda: seen(board).battery == 12.0)
-
-
-@pytest.mark.parametrize("error", ["framing", "parity", "overrun"])
-def test_byte_can_be_corrupted(board: DemoBoard, qtbot: QtBot, error: str) -> None:
-    with qtbot.assertNotEmitted(board.rejected):
-        board.corrupt(error)
-        board.set_mix(True)
-        qtbot.waitUntil(lambda: seen(board).jumpers.mix)
 
 
 def test_refused_command_emits_a_sentence(board: DemoBoard, qtbot: QtBot) -> None:

@@ -42,10 +42,16 @@ TRIES = 4
 """Attempts where a busy computer may spoil one."""
 
 
+@pytest.fixture(scope="module")
+def minute_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("minute") / "minute.trexrec"
+    write(path, list(an_hour(60)))
+    return path
+
+
 @pytest.fixture
-def minute(tmp_path: Path, qtbot: QtBot) -> Iterator[Playback]:
-    write(tmp_path / "minute.trexrec", list(an_hour(60)))
-    playback = loaded(tmp_path / "minute.trexrec", qtbot)
+def minute(minute_file: Path, qtbot: QtBot) -> Iterator[Playback]:
+    playback = loaded(minute_file, qtbot)
     yield playback
     playback.close()
 
@@ -321,9 +327,10 @@ def started_workers(monkeypatch: pytest.MonkeyPatch) -> list[FileWorker]:
 
 @pytest.mark.realtime
 def test_close_while_reading_ends_the_thread(
-    hour: Path, qtbot: QtBot, started_workers: list[FileWorker]
+    tmp_path: Path, qtbot: QtBot, started_workers: list[FileWorker]
 ) -> None:
-    playback = loading(Playback(open_recording(hour)))
+    write_an_hour(tmp_path / "long.trexrec", 10)
+    playback = loading(Playback(open_recording(tmp_path / "long.trexrec")))
     (thread,) = started_workers
     qtbot.waitUntil(lambda: playback.share > 0)
     signals: list[str] = []
@@ -350,14 +357,14 @@ def test_read_error_is_reported(tmp_path: Path, qtbot: QtBot) -> None:
 
 def test_last_samples_of_a_long_recording_are_drawn(tmp_path: Path, qtbot: QtBot) -> None:
     path = tmp_path / "a.trexrec"
-    write(path, list(an_hour(120)))
-    playback = Playback(open_recording(path), max_rows=5000)
+    write(path, list(an_hour(30)))
+    playback = Playback(open_recording(path), max_rows=1000)
     with qtbot.waitSignal(playback.loaded, timeout=20_000):
         playback.start_loading()
-    currents = [record for record in an_hour(120) if isinstance(record, Currents)]
-    assert playback.drawn == (5000, len(currents))
+    currents = [record for record in an_hour(30) if isinstance(record, Currents)]
+    assert playback.drawn == (1000, len(currents))
     times, _ = playback.traces.samples(playback.start, playback.end)
-    assert times.tolist() == [record.time for record in currents[-5000:]]
+    assert times.tolist() == [record.time for record in currents[-1000:]]
     playback.close()
 
 

@@ -15,6 +15,7 @@ from trex_gui.core.recording.backlog import Backlog
 from trex_gui.core.recording.kept import kept_path, make_kept_folder, make_room
 from trex_gui.core.recording.kinds import Marker
 from trex_gui.devices.trex.client.telemetry import Control, Currents, ModeSample, Raw, Remapped
+from trex_gui.devices.trex.model import recorder
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.recorder import EventRecorder, Recorder
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -237,7 +238,11 @@ class Kept:
 
 
 @pytest.fixture
-def kept(session: RecorderSetup) -> Iterator[Kept]:
+def kept(session: RecorderSetup, monkeypatch: pytest.MonkeyPatch) -> Iterator[Kept]:
+    """Keep the 4 seconds before an event and the 2 seconds after it."""
+    assert (recorder._BEFORE, recorder._AFTER) == (20.0, 10.0)
+    monkeypatch.setattr(recorder, "_BEFORE", 4.0)
+    monkeypatch.setattr(recorder, "_AFTER", 2.0)
     kept = Kept(session)
     session.device.link_changed.emit()
     session.device.state_changed.emit()  # the board was read before
@@ -249,20 +254,19 @@ def test_seconds_around_a_stop_are_kept_with_what_came_before(
     session: RecorderSetup, kept: Kept
 ) -> None:
     motors = session.device.motors
-    kept.wait(2)
     motors.press_stop()  # at rest: nothing to keep
     session.wait(lambda: not motors.locked_for)
     kept.drive()
-    kept.wait(12)
-    kept.wait(12)
+    kept.wait(5)
     stopped = now()
     motors.press_stop()
-    kept.wait(2)
+    kept.wait(1)
     session.simulator.do("fault 1 on")  # within the same seconds
+
     path, records = kept.newest(1)
     assert re.fullmatch(r"[-_.0-9]{24}stop.trexrec", path.name)
-    assert 19 < stopped - records[0].time < 21
-    assert 11 < records[-1].time - stopped < 13
+    assert 3.5 < stopped - records[0].time < 4.5
+    assert 2.5 < records[-1].time - stopped < 3.5
     first = records[0]
     assert isinstance(first, SetpointRecord)  # from before the seconds that are kept
     assert first.drive == Drive.at(40)
@@ -273,17 +277,22 @@ def test_seconds_around_a_stop_are_kept_with_what_came_before(
     assert "serial_timeout:" in file.header.settings
     file.close()
 
-    session.recorder.start(path.with_name("user.trexrec"))  # has the next one
-    session.wait(lambda: not motors.locked_for)
+
+def test_stop_in_a_recording_of_the_user_is_not_kept_again(
+    session: RecorderSetup, kept: Kept, tmp_path: Path
+) -> None:
+    session.recorder.start(tmp_path / "user.trexrec")
     kept.drive()
-    motors.press_stop()
+    session.device.motors.press_stop()
     kept.wait(1)
     assert not kept.recorder.recording
     session.end_recording()
+
+
+def test_no_stop_is_kept_once_that_is_switched_off(session: RecorderSetup, kept: Kept) -> None:
     kept.recorder.set_on(False)
-    session.wait(lambda: not motors.locked_for)
     kept.drive()
-    motors.press_stop()
+    session.device.motors.press_stop()
     kept.wait(1)
     assert not kept.recorder.recording
     assert not EventRecorder(session.device, session.recorder).is_on

@@ -3,16 +3,13 @@
 import pytest
 from pytestqt.qtbot import QtBot
 
-from tests.support.program import trex
-from tests.support.simulator import StartSimulator
+from tests.support.simulator import SimulatedDevice
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_controller import why_the_board_stopped
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.program import Program
-
-NO_STATUS = Status(0)
 
 
 @pytest.mark.parametrize("errors_stop", [False, True])
@@ -34,11 +31,9 @@ def test_motor_status_bits_do_not_explain_a_stop() -> None:
 
 
 def test_line_error_disarms_and_clears_setpoints(
-    program: Program, start_simulator: StartSimulator, qtbot: QtBot
+    device: Device, quick_simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
-    device = trex(program).device
-    simulator = start_simulator("--unpaced")
-    device.connect_to(ConnectionSettings(simulator.url))
+    device.connect_to(ConnectionSettings(quick_simulator.url))
     qtbot.waitUntil(
         lambda: device.link is ConnectionState.CONNECTED and device.motors.is_available,
         timeout=20_000,
@@ -46,10 +41,10 @@ def test_line_error_disarms_and_clears_setpoints(
     device.motors.arm()
     device.motors.accelerate = False
     device.motors.set_speed(1, 90)
-    qtbot.waitUntil(lambda: simulator.show()["motors"][0]["speed"] == 90, timeout=20_000)
-    simulator.do("line error framing 1")
+    qtbot.waitUntil(lambda: quick_simulator.show()["motors"][0]["speed"] == 90, timeout=20_000)
+    quick_simulator.do("line error framing 1")
     qtbot.waitUntil(lambda: not device.motors.armed, timeout=20_000)
     assert "framing error" in device.motors.stop_reason
     assert device.motors.text == ""
     qtbot.waitUntil(lambda: not device.may_move, timeout=20_000)
-    assert simulator.show()["motors"][0]["direction"] == "brake"
+    assert quick_simulator.show()["motors"][0]["direction"] == "brake"

@@ -7,7 +7,6 @@ from itertools import pairwise
 import pytest
 from pytestqt.qtbot import QtBot
 
-from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.virtual_time import VirtualRuntime
@@ -25,7 +24,6 @@ from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
 from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.notifier import Notifier, Remedy
-from trex_gui.ui.program import Program
 from trex_gui.ui.runtime import now, runtime
 
 STOOD_STILL = "The program did not respond for more than half a second."
@@ -58,9 +56,8 @@ def simulator(start_simulator: StartSimulator) -> SimulatedDevice:
 
 
 @pytest.fixture
-def driven(program: Program, simulator: SimulatedDevice, qtbot: QtBot) -> Device:
+def driven(device: Device, simulator: SimulatedDevice, qtbot: QtBot) -> Device:
     """A device whose motor 1 runs."""
-    device = trex(program).device
     device.connect_to(ConnectionSettings(simulator.url))
     qtbot.waitUntil(
         lambda: device.link is ConnectionState.CONNECTED and device.motors.is_available,

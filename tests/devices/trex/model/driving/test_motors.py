@@ -78,12 +78,6 @@ def test_motors_cannot_be_armed_without_a_board(recorder: RequestRecorder) -> No
     assert recorder.requests == []
 
 
-def test_arming_sends_nothing(armed: RequestRecorder) -> None:
-    assert armed.motors.armed
-    assert armed.requests == []
-    assert armed.stops == 0
-
-
 def test_armed_motors_send_setpoints(armed: RequestRecorder) -> None:
     armed.motors.accelerate = False
     armed.motors.set_speed(2, -50)
@@ -285,14 +279,6 @@ def test_lower_ceiling_slows_faster_motors(armed: RequestRecorder) -> None:
     armed.requests.clear()
     armed.motors.set_ceiling(30)
     assert armed.requests == [SetMotor(1, Drive.at(-30), True), SetAuxiliary(30, True)]
-
-
-def test_higher_ceiling_does_not_speed_up_motors(armed: RequestRecorder) -> None:
-    armed.motors.set_ceiling(30)
-    armed.motors.set_speed(1, 100)
-    armed.requests.clear()
-    armed.motors.set_ceiling(127)
-    assert armed.requests == []
 
 
 def test_higher_ceiling_takes_effect_after_release(armed: RequestRecorder) -> None:

@@ -142,12 +142,17 @@ def test_unconfirmed_stop_fails_learning(setup: LearningSetup) -> None:
     assert setup.learning.trouble
 
 
-def test_rc_mode_is_refused_with_a_remedy(setup: LearningSetup) -> None:
-    setup.restart_in_mode("rc")
+@pytest.mark.parametrize(
+    ("mode", "remedy"), [("rc", "remove the mode jumper"), ("analog", "in analog mode")]
+)
+def test_mode_in_which_sticks_drive_is_refused(
+    setup: LearningSetup, mode: str, remedy: str
+) -> None:
+    setup.restart_in_mode(mode)
     setup.learning.begin((1,))
     assert setup.learning.step is LearningStep.FAILED
     assert "sticks drive the motors" in setup.learning.trouble
-    assert "remove the mode jumper" in setup.learning.trouble
+    assert remedy in setup.learning.trouble
 
 
 def test_channels_in_control_fail_learning_for_good(setup: LearningSetup) -> None:
@@ -173,13 +178,6 @@ def test_rc_mode_is_refused_despite_override(setup: LearningSetup) -> None:
     setup.learning.begin_test((1,))
     assert setup.learning.step is LearningStep.FAILED
     assert "with the next move of its switch the sticks drive the motors" in setup.learning.trouble
-
-
-def test_analog_mode_is_refused(setup: LearningSetup) -> None:
-    setup.restart_in_mode("analog")
-    setup.learning.begin((1,))
-    assert setup.learning.step is LearningStep.FAILED
-    assert "in analog mode: the sticks drive the motors" in setup.learning.trouble
 
 
 def test_joint_mode_motor_stays_stopped_while_sticks_move(setup: LearningSetup) -> None:
@@ -222,12 +220,6 @@ def test_current_ending_after_the_stop_does_not_block_the_test(setup: LearningSe
     setup.until_step(LearningStep.TEST)
 
 
-def test_learning_without_a_board_names_the_reason(setup: LearningSetup) -> None:
-    setup.device.disconnect_line()
-    setup.until(lambda: setup.device.link is ConnectionState.DISCONNECTED)
-    assert setup.learning.preconditions.blocker == "Connect to a board first."
-
-
 def test_arming_during_travel_fails_learning(setup: LearningSetup) -> None:
     setup.go_to_travel()
     setup.device.motors.arm()
@@ -268,29 +260,6 @@ def test_review_curves_follow_stick_and_chosen_values(setup: LearningSetup) -> N
     setup.learning.choose(2, calibration=bad, reversed_=False)
     assert second.curve_after is None
     assert second.curve_before == before
-
-
-@pytest.mark.parametrize("step", [LearningStep.TRAVEL, LearningStep.TEST])
-def test_power_loss_fails_learning_and_allows_a_restart(
-    setup: LearningSetup, step: LearningStep
-) -> None:
-    if step is LearningStep.TRAVEL:
-        setup.go_to_travel()
-    else:
-        setup.learning.begin_test((1, 2))
-        setup.until_step(LearningStep.TEST)
-    setup.simulator.do("power off")
-    setup.until_step(LearningStep.FAILED)
-    assert "The board has stopped responding" in setup.learning.trouble
-    kept = "Nothing was changed" if step is LearningStep.TRAVEL else "The test has ended"
-    assert kept in setup.learning.trouble
-    assert ("Nothing was changed" in setup.learning.trouble) is (step is LearningStep.TRAVEL)
-    setup.learning.again()
-    assert setup.learning.trouble == "Connect to a board first."
-    setup.simulator.do("power on")
-    setup.until(lambda: setup.device.link is ConnectionState.CONNECTED)
-    setup.learning.again()
-    setup.until_step(LearningStep.NEUTRAL if step is LearningStep.TRAVEL else LearningStep.TEST)
 
 
 def test_restart_in_another_mode_fails_learning(setup: LearningSetup) -> None:
@@ -402,26 +371,17 @@ def requested_tests(setup: LearningSetup) -> list[tuple[int, ...]]:
     return found
 
 
-def test_undone_values_do_not_request_a_test(
-    setup: LearningSetup, requested_tests: list[tuple[int, ...]]
+@pytest.mark.parametrize("how", ["undo", "discard"])
+def test_dropped_values_do_not_request_a_test(
+    setup: LearningSetup, requested_tests: list[tuple[int, ...]], how: str
 ) -> None:
     setup.to_review(1)
     setup.learning.use_values()
-    setup.device.draft.undo.undo()
+    draft = setup.device.draft
+    (draft.undo.undo if how == "undo" else draft.discard_edits)()
     setup.device.parameters.edit("serial_timeout", 9)
     setup.write()
     assert setup.device.parameters.stored_of("serial_timeout") == 9
-    assert requested_tests == []
-
-
-def test_discarded_values_do_not_request_a_test(
-    setup: LearningSetup, requested_tests: list[tuple[int, ...]]
-) -> None:
-    setup.to_review(1)
-    setup.learning.use_values()
-    setup.device.draft.discard_edits()
-    setup.device.parameters.edit("serial_timeout", 9)
-    setup.write()
     assert requested_tests == []
 
 
@@ -544,7 +504,7 @@ def test_old_values_come_from_the_board_despite_edits(setup: LearningSetup) -> N
     assert setup.learning.other_edits == 2
 
 
-@pytest.mark.parametrize("how", ["link", "mode", "motors"])
+@pytest.mark.parametrize("how", ["mode", "motors"])
 def test_failed_test_does_not_deny_the_written_values(
     setup: LearningSetup, requested_tests: list[tuple[int, ...]], how: str
 ) -> None:
@@ -556,11 +516,9 @@ def test_failed_test_does_not_deny_the_written_values(
     setup.until_step(LearningStep.TEST)
     if how == "motors":
         setup.device.motors.arm()
-    elif how == "mode":
+    else:
         setup.simulator.do("jumper mode rc")
         setup.simulator.do("power cycle")
-    else:
-        setup.simulator.do("line mute on")
     setup.until_step(LearningStep.FAILED)
     assert "Nothing was changed" not in setup.learning.trouble
     assert "The test has ended; it changes nothing in the board" in setup.learning.trouble
@@ -573,7 +531,8 @@ def test_failed_test_does_not_deny_the_written_values(
 def test_restart_after_power_loss_stops_the_motors_again(
     setup: LearningSetup, step: LearningStep
 ) -> None:
-    if step is LearningStep.TEST:
+    is_test = step is LearningStep.TEST
+    if is_test:
         setup.learning.begin_test((1,))
     elif step is LearningStep.REVIEW:
         setup.to_review(1)
@@ -584,10 +543,15 @@ def test_restart_after_power_loss_stops_the_motors_again(
     setup.until_step(step)
     setup.simulator.do("power off")
     setup.until_step(LearningStep.FAILED)
+    assert "The board has stopped responding" in setup.learning.trouble
+    assert ("Nothing was changed" in setup.learning.trouble) is not is_test
+    assert ("The test has ended" in setup.learning.trouble) is is_test
+    setup.learning.again()
+    assert setup.learning.trouble == "Connect to a board first."
     setup.simulator.do("power on")
     setup.until(lambda: setup.device.link is ConnectionState.CONNECTED)
     assert not setup.learning.can_go_on
     assert not setup.learning.can_use_values
     setup.learning.again()
     assert setup.learning.step is LearningStep.STOPPING
-    setup.until_step(LearningStep.TEST if step is LearningStep.TEST else LearningStep.NEUTRAL)
+    setup.until_step(LearningStep.TEST if is_test else LearningStep.NEUTRAL)

@@ -1,7 +1,5 @@
 """A working copy beside the device's."""
 
-import random
-
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -31,43 +29,12 @@ def test_loaded_draft_has_no_pending_edits() -> None:
     assert Draft().value("serial_timeout") is None
 
 
-def test_edit_is_pending() -> None:
-    draft = loaded()
-    draft.edit(TIMEOUT, 9)
-    assert draft.pending == (("serial_timeout", 9),)
-    assert draft.value("serial_timeout") == 9
-    assert draft.stored["serial_timeout"] == TIMEOUT.default
-
-
-def test_edit_to_stored_value_is_not_pending() -> None:
-    draft = loaded()
-    draft.edit(TIMEOUT, 9)
-    draft.edit(TIMEOUT, TIMEOUT.default)
-    assert draft.pending == ()
-
-
-def test_edit_to_none_drops_the_edit() -> None:
-    draft = loaded()
-    draft.edit(TIMEOUT, 9)
-    draft.edit(TIMEOUT, None)
-    draft.edit(TIMEOUT, None)
-    assert draft.pending == ()
-
-
 def test_invalid_edit_keeps_the_previous_edit() -> None:
     draft = loaded()
     draft.edit(MODE, 1)
     with pytest.raises(BadRequest, match="Motor Mode"):
         draft.edit(MODE, 7)
     assert draft.pending == (("motor_mode", 1),)
-
-
-def test_verified_value_is_stored_and_not_pending() -> None:
-    draft = loaded()
-    draft.edit(TIMEOUT, 9)
-    draft.note_stored(TIMEOUT, 9)
-    assert draft.stored["serial_timeout"] == 9
-    assert draft.pending == ()
 
 
 def test_edit_made_during_the_write_stays_pending() -> None:
@@ -109,12 +76,6 @@ def test_power_cycle_parameter_keeps_its_active_value() -> None:
     draft.note_stored(MODE, 1)
     assert draft.stored["motor_mode"] == 1
     assert draft.active == {"motor_mode": 0}
-
-
-def test_immediate_parameter_has_no_separate_active_value() -> None:
-    draft = loaded()
-    draft.note_stored(TIMEOUT, 9)
-    assert draft.active == {}
 
 
 def test_storing_the_active_value_ends_the_waiting() -> None:
@@ -224,25 +185,6 @@ def test_pending_equals_the_difference_after_any_edits(
     assert dict(draft.pending) == changed
     assert {key: draft.value(key) for key in wanted} == wanted
     assert draft.stored == FACTORY
-
-
-@modest
-@given(edits, st.randoms(use_true_random=False))
-def test_dropping_edits_in_any_order_leaves_none_pending(
-    steps: list[tuple[ParameterSpec, int | None]], chance: random.Random
-) -> None:
-    draft = loaded()
-    edited = []
-    for spec, wire in steps:
-        try:
-            draft.edit(spec, wire)
-        except BadRequest:
-            continue
-        edited.append(spec)
-    chance.shuffle(edited)
-    for spec in edited:
-        draft.edit(spec, None)
-    assert draft.pending == ()
 
 
 @modest

@@ -208,6 +208,7 @@ def test_invalid_value_changes_neither_motor(model: ParameterModel) -> None:
 
 
 def test_differing_motor_value_is_shown_and_can_be_copied(model: ParameterModel) -> None:
+    assert "Motor 1 Current Limit" in said(model, "motor1_current_limit", TIP)
     assert "differs" not in said(model, "motor1_current_limit", TIP)
     model.edit("motor2_current_limit", 25)
     assert "Motor 2 differs: 2 A." in said(model, "motor1_current_limit", TIP)
@@ -363,13 +364,6 @@ def test_side_panel_shows_the_grade_of_each_range_and_default(model: ParameterMo
             (sentence,) = (text for text in model.text.about(key) if text.startswith(word))
             assert sentence.endswith(f"{max(spec.grade(*fields) for spec in specs).mark}."), key
             assert sentence.count("inferred") + sentence.count("twin") <= 1
-
-
-def test_tool_tips_name_the_value_and_the_problem(model: ParameterModel) -> None:
-    assert "Motor 1 Current Limit" in said(model, "motor1_current_limit", TIP)
-    model.edit("serial_timeout", 15)
-    assert "Stored: 0 (off)." in said(model, "serial_timeout", TIP)
-    assert said(model, "serial_timeout", Role.RESET) == "Reset to default: 0 (off)"
 
 
 # --- PWM frequency ----------------------------------------------------------------------

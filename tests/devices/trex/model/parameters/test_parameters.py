@@ -60,10 +60,6 @@ def of(model: ParameterModel, key: str, role: Role) -> object:
 # --- What Qt asks of a model ------------------------------------------------------------
 
 
-def test_model_passes_qt_model_tester(model: ParameterModel, qtmodeltester: ModelTester) -> None:
-    qtmodeltester.check(model)  # type: ignore[no-untyped-call] # of pytest-qt
-
-
 def test_model_passes_qt_model_tester_through_changes(
     qtmodeltester: ModelTester, qtbot: QtBot
 ) -> None:
@@ -124,11 +120,6 @@ def test_each_cell_has_a_text(qtbot: QtBot) -> None:
             assert cell.siblingAtColumn(ParameterColumn.NAME).data()
 
 
-def test_acceleration_shows_the_time_to_full_speed(model: ParameterModel) -> None:
-    edit(model, "motor1_acceleration", 127)
-    assert "0.1 s to full speed" in text(model, "motor1_acceleration")
-
-
 def test_every_acceleration_is_shown_as_seconds_that_mean_it() -> None:
     for wire in range(1, 128):
         seconds, rest = acceleration_text(wire).split(" ", 1)
@@ -166,13 +157,6 @@ def test_edit_announces_only_its_row(model: ParameterModel, qtbot: QtBot) -> Non
         edit(model, "serial_timeout", 15)
     row = model.index_of("serial_timeout").row()
     assert [index.row() for index in changed.args[:2]] == [row, row]
-
-
-def test_edit_to_stored_value_is_not_pending(model: ParameterModel) -> None:
-    edit(model, "serial_timeout", 15)
-    edit(model, "serial_timeout", SPECS["serial_timeout"].default)
-    assert model.pending == ()
-    assert of(model, "serial_timeout", Role.DIRTY) is False
 
 
 @pytest.mark.parametrize(
@@ -272,18 +256,6 @@ def test_parameters_waiting_for_a_power_cycle_are_named(model: ParameterModel) -
     assert of(model, "serial_timeout", Role.WAITING) is None
 
 
-def test_power_cycle_ends_the_waiting(model: ParameterModel) -> None:
-    model.note_stored({"motor_mode": 1})
-    load(model, factory() | {"motor_mode": 1})
-    assert model.waiting_for_power == ()
-
-
-def test_reload_without_power_cycle_keeps_the_waiting(model: ParameterModel) -> None:
-    model.note_stored({"motor_mode": 1})
-    load(model, factory() | {"motor_mode": 1}, power_cycled=False)
-    assert model.waiting_for_power == ("Motor Mode",)
-
-
 # --- Another board ----------------------------------------------------------------------
 
 
@@ -299,14 +271,6 @@ def test_edit_is_dropped_for_another_model(model: ParameterModel, qtbot: QtBot) 
         load(model, factory(JUNIOR), JUNIOR)
     assert pending.args == [0]
     assert model.pending == ()
-
-
-def test_edit_missing_in_older_firmware_is_dropped(model: ParameterModel) -> None:
-    edit(model, "uart_response_delay", 1)
-    old = parameters_of("trex", "1.0")
-    load(model, factory(old), old)
-    assert model.pending == ()
-    assert not model.index_of("uart_response_delay").isValid()
 
 
 def test_cell_carries_its_key_and_number(model: ParameterModel) -> None:

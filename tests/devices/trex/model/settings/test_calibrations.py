@@ -33,11 +33,6 @@ def test_calibrations_are_empty_before_a_board_is_read(qtbot: QtBot) -> None:
     assert Calibrations().pending == ()
 
 
-def test_loaded_calibrations_are_stored(model: Calibrations) -> None:
-    assert model.source is InputSource.RC
-    assert model.stored(3) == DEFAULT_CALIBRATION[InputSource.RC]
-
-
 def test_edit_is_pending_and_emits_signals(model: Calibrations, qtbot: QtBot) -> None:
     with qtbot.waitSignals([model.changed, model.pending_changed]):
         model.edit(CalibrationKey.RC_CHANNEL_2, LEARNED)

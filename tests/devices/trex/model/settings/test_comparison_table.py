@@ -53,10 +53,6 @@ def tick(table: ComparisonTable, key: str, wanted: bool) -> bool:
     return table.setData(index(table, key), state, Qt.ItemDataRole.CheckStateRole)
 
 
-def test_table_passes_qt_model_tester(table: ComparisonTable, qtmodeltester: ModelTester) -> None:
-    qtmodeltester.check(table)  # type: ignore[no-untyped-call] # of pytest-qt
-
-
 def test_table_passes_qt_model_tester_through_changes(
     table: ComparisonTable, qtmodeltester: ModelTester
 ) -> None:
@@ -129,13 +125,6 @@ def test_new_row_is_unchecked_when_tick_new_is_off(table: ComparisonTable) -> No
     tick(table, "serial_timeout", False)
     table.renew(comparison(serial_timeout=6, motor1_acceleration=9, motor_mode=1), tick_new=False)
     assert ticked(table) == {"motor1_acceleration"}
-
-
-def test_renewing_keeps_persistent_indexes(table: ComparisonTable, qtbot: QtBot) -> None:
-    place = QPersistentModelIndex(index(table, "motor1_acceleration"))
-    with qtbot.assertNotEmitted(table.modelReset):
-        table.renew(comparison(serial_timeout=6, motor1_acceleration=9, motor_mode=1))
-    assert place.data(ComparisonRole.KEY) == "motor1_acceleration"
 
 
 def test_outcomes_add_a_column(table: ComparisonTable) -> None:

@@ -1,6 +1,5 @@
 """A settings file while it is worked on."""
 
-import difflib
 from functools import partial
 from pathlib import Path
 
@@ -15,7 +14,6 @@ from tests.support.documents import save_now
 from tests.support.matrix import examples
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files import SettingsError, load
-from trex_gui.core.resource_files import resource
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.settings.document import Settings
@@ -37,11 +35,6 @@ def rover(tmp_path: Path) -> Path:
     path = tmp_path / "rover.txt"
     path.write_bytes(ROVER.encode())
     return path
-
-
-def changed_lines(before: str, after: str) -> list[str]:
-    pairs = difflib.ndiff(before.splitlines(keepends=True), after.splitlines(keepends=True))
-    return [line for line in pairs if line[0] in "+-"]
 
 
 def test_opening_and_saving_changes_no_byte(rover: Path) -> None:
@@ -91,24 +84,6 @@ def test_undoing_all_edits_after_a_save_restores_all_bytes(rover: Path) -> None:
     assert document.modified
     save_now(document, document.content)
     assert rover.read_bytes() == ROVER.encode()
-
-
-def test_edits_are_undone_and_redone_one_by_one(rover: Path) -> None:
-    document = SettingsDocument.of_file(rover, load(rover))
-    texts = [document.text]
-    document.draft.parameters.edit("motor_mode", 1)
-    texts.append(document.text)
-    document.draft.calibrations.edit(2, Calibration(2600, 3700, 5000, 60))
-    texts.append(document.text)
-    document.draft.calibrations.leave_out(2)
-    texts.append(document.text)
-    assert len(set(texts)) == 4
-    for text in reversed(texts[:-1]):
-        document.draft.undo.undo()
-        assert document.text == text
-    for text in texts[1:]:
-        document.draft.undo.redo()
-        assert document.text == text
 
 
 def test_several_edits_emit_changed_once(rover: Path, qtbot: QtBot) -> None:
@@ -226,14 +201,6 @@ def test_missing_folder_is_reported_and_keeps_the_path(rover: Path, tmp_path: Pa
     with pytest.raises(SettingsError, match="no folder"):
         save_now(document, document.content, tmp_path / "gone" / "rover.txt")
     assert document.path == rover
-
-
-@pytest.mark.parametrize("path", sorted(resource("samples").glob("*.txt")), ids=lambda p: p.stem)
-def test_edit_of_a_sample_changes_one_line(path: Path) -> None:
-    document = SettingsDocument.of_file(path, load(path))
-    before = document.text
-    document.draft.parameters.edit("device_number", 9)
-    assert len(changed_lines(before, document.text)) == 2
 
 
 @examples(20, suppress_health_check=[HealthCheck.function_scoped_fixture])

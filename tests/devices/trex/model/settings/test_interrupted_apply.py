@@ -6,6 +6,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.model.test_device import DeviceRecorder
+from tests.support.matrix import sampled
 from tests.support.simulator import SimulatedDevice
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.protocol.calibration import Calibration
@@ -35,7 +36,7 @@ WANTED = {
 STEPS = range(len(WANTED) + 2)
 """Before the calibration, before each parameter, and when all are written."""
 
-every_step = pytest.mark.parametrize("step", STEPS)
+every_step = pytest.mark.parametrize("step", sampled(STEPS, every=2))
 
 
 class InterruptedApply:

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from PySide6.QtCore import QPersistentModelIndex, Qt
+from PySide6.QtCore import Qt
 from pytestqt.modeltest import ModelTester
 from pytestqt.qtbot import QtBot
 
@@ -112,21 +112,6 @@ def test_snapshots_of_one_minute_show_seconds(
     refresh(table)
     times = [text(table, row, SnapshotColumn.TIME) for row in range(2)]
     assert times == [f"today 12:03:{one.taken.astimezone():%S}" for one in reversed(taken)]
-
-
-def test_refresh_keeps_persistent_indexes(
-    table: SnapshotTable, history: SettingsHistory, qtbot: QtBot
-) -> None:
-    kept, gone = take(history, 2 * MINUTE), take(history, 3 * MINUTE)
-    refresh(table)
-    place = QPersistentModelIndex(table.index(0, 0))
-    history.remove(gone)
-    newest = take(history)
-    with qtbot.assertNotEmitted(table.modelReset):
-        refresh(table)
-    assert [snapshot.path for snapshot in table.snapshots] == [newest.path, kept.path]
-    assert place.row() == 1
-    assert table.row_of(gone.path) is None
 
 
 def test_damaged_header_is_shown_after_refresh(

@@ -386,19 +386,6 @@ def test_steps_that_do_not_apply_are_left_out(robot: Robot) -> None:
     assert SetupStep.TIMEOUT not in setup.steps
 
 
-@pytest.mark.parametrize("mix", ["on", "off"])
-def test_mix_jumper_is_seen_and_followed(robot: Robot, mix: str) -> None:
-    robot.go_to(SetupStep.JUMPERS)
-    assert robot.setup.is_mixed is None
-    for jumper in (mix, "off" if mix == "on" else "on"):
-        robot.simulator.do(f"jumper mix {jumper}")
-        robot.push(2)
-        robot.pass_time(0.5)
-        assert robot.setup.is_mixed is (jumper == "on")
-    robot.device.disconnect_line()
-    robot.wait(lambda: robot.setup.is_mixed is None)
-
-
 @pytest.mark.parametrize("preset", Preset)
 @pytest.mark.parametrize("model", ["trex", "trexjr"])
 def test_preset_equals_its_sample(preset: Preset, model: str) -> None:
