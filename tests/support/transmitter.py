@@ -94,12 +94,12 @@ class Stick:
         count = self.source.counts(value)
         return max(0, min(self.source.highest_count, count)), 0
 
-    def line(self, channel: int, position: float, seconds: float = 0.0) -> str:
+    def line(self, channel: int, position: float) -> str:
         """The control line that puts its value on an input of the simulated board."""
         if not self.connected:
             return f"channel {channel} silent"
         unit = "us" if self.source is InputSource.RC else "V"
-        text = f"channel {channel} {self.value(position, seconds):.3f}{unit}"
+        text = f"channel {channel} {self.value(position):.3f}{unit}"
         if self.noise:
             text += f" noise {self.noise:g}{unit}"
         return f"{text} lost {self.lost:g}" if self.lost else text
@@ -110,26 +110,16 @@ HOLD = ((0.2, 1.0), (0.3, 1.0), (0.3, -1.0), (0.3, -1.0), (0.2, 0.0), (0.2, 0.0)
 
 
 class Transmitter:
-    """A transmitter with its sticks, in front of a simulated board.
+    """A transmitter with its sticks, in front of a simulated board."""
 
-    With `crosstalk`, channels 1 and 2 are one stick of two axes: who pushes one of them moves
-    the other by this share, unless it is pushed itself.
-    """
-
-    def __init__(
-        self, simulator: SimulatedDevice, sticks: dict[int, Stick], crosstalk: float = 0.0
-    ) -> None:
+    def __init__(self, simulator: SimulatedDevice, sticks: dict[int, Stick]) -> None:
         self._simulator = simulator
         self.sticks = sticks
-        self._crosstalk = crosstalk
         self.let_go()
 
-    def put(self, channel: int, position: float, seconds: float = 0.0) -> None:
+    def put(self, channel: int, position: float) -> None:
         """Hold one stick somewhere."""
-        self._simulator.do(self.sticks[channel].line(channel, position, seconds))
-        other = {1: 2, 2: 1}.get(channel)
-        if self._crosstalk and other in self.sticks:
-            self._simulator.do(self.sticks[other].line(other, self._crosstalk * position))
+        self._simulator.do(self.sticks[channel].line(channel, position))
 
     def is_at_rest(self, raw: Callable[[int], int | None]) -> bool:
         """Whether every channel shows what its stick at rest gives, or nothing if that is so."""

@@ -1,6 +1,6 @@
 """The dialog that learns channels and tests the sticks, and a user with a transmitter."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
@@ -18,7 +18,6 @@ from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.views.bars import ChannelBar
 from trex_gui.devices.trex.views.learning.dialog import LearnDialog
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.theme import theme
 
 HOLD_SECONDS = 0.45
@@ -122,9 +121,9 @@ class LearningDialog(WidgetDriver):
 
     # --- Move sticks --------------------------------------------------------------------
 
-    def use(self, sticks: dict[int, Stick], crosstalk: float = 0.0) -> None:
+    def use(self, sticks: dict[int, Stick]) -> None:
         """Take a transmitter with these sticks, and wait until its signals come in."""
-        self.transmitter = Transmitter(self.simulator, sticks, crosstalk)
+        self.transmitter = Transmitter(self.simulator, sticks)
         self.wait(lambda: self.transmitter.is_at_rest(self.device.telemetry.raw_of))
 
     def hold(self) -> None:
@@ -142,16 +141,6 @@ class LearningDialog(WidgetDriver):
             self.hold()
         self.transmitter.let_go()
         self.hold()
-
-    def move_until(self, condition: Callable[[], bool], move: Callable[[float], None]) -> None:
-        """Wait for a condition; meanwhile `move` gets the seconds that have passed."""
-        begun = now()
-
-        def holds() -> bool:
-            move(now() - begun)
-            return condition()
-
-        self.wait(holds)
 
     # --- Go from step to step -----------------------------------------------------------
 

@@ -94,15 +94,6 @@ def test_override_switch_changes_the_texts_at_once(
     page.wait(lambda: page.text("channel1Function").startswith("Channel 1 drives motor 1"))
 
 
-def test_joint_mode_has_no_mixing_and_no_motor_2(
-    page: ChannelsDriver, quick_simulator: SimulatedDevice
-) -> None:
-    page.restart(quick_simulator, "jumper mode rc", "eeprom motor_mode 1")
-    assert "nothing is mixed" in page.text("channelsSummary")
-    assert "both drivers" in page.text("channel1Function")
-    assert "has no motor" in page.text("channel2Function")
-
-
 def test_strip_shows_the_last_seconds_with_a_gap_where_the_signal_was_lost(
     page: ChannelsDriver, quick_simulator: SimulatedDevice
 ) -> None:

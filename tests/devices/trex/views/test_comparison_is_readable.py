@@ -6,7 +6,7 @@ from functools import partial
 import pytest
 from PySide6.QtCore import QRect, Qt
 from PySide6.QtGui import QFontMetrics
-from PySide6.QtWidgets import QCheckBox, QSplitter, QTableView, QWidget
+from PySide6.QtWidgets import QCheckBox, QTableView
 from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.settings.samples import factory
@@ -113,18 +113,6 @@ def test_rows_grow_when_the_view_is_narrowed(
     view.resize(640, 400)
     assert driver.table.verticalHeader().length() > before
     assert cut_short(driver.table) == []
-
-
-def test_rows_stay_readable_when_a_splitter_is_moved(qtbot: QtBot) -> None:
-    splitter = QSplitter()
-    qtbot.addWidget(splitter)
-    view = ComparisonView(splitter)
-    splitter.addWidget(QWidget(splitter))
-    splitter.resize(1200, 400)
-    splitter.show()
-    view.show_comparison(worst(), "Now", "File")
-    splitter.setSizes([640, 560])
-    assert cut_short(ComparisonDialog(view, qtbot).table) == []
 
 
 def test_renewed_comparison_is_readable(view: ComparisonView, driver: ComparisonDialog) -> None:

@@ -123,23 +123,6 @@ def test_settings_file_can_be_the_reference(
     assert dialog.combo("compareWithCombo").currentText() == "rover.txt"
 
 
-def test_missing_settings_file_is_reported(
-    dialog: HistoryDialog,
-    history: SettingsHistory,
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    take(history)
-    monkeypatch.setattr(
-        QFileDialog, "getOpenFileName", lambda *_: (str(tmp_path / "nowhere.txt"), "")
-    )
-    dialog.open()
-    dialog.compare_with_file()
-    assert "there is no such file" in dialog.banner
-    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: ("", ""))
-    dialog.compare_with_file()
-
-
 def test_only_snapshot_shows_what_it_contains(
     dialog: HistoryDialog, history: SettingsHistory
 ) -> None:
@@ -147,17 +130,6 @@ def test_only_snapshot_shows_what_it_contains(
     dialog.open()
     assert dialog.values()["serial_timeout"] == ("not given", "0.7 s")
     assert "no other snapshot of a TReX" in dialog.text("comparisonSummary")
-
-
-def test_snapshot_of_another_product_is_not_compared(
-    dialog: HistoryDialog, history: SettingsHistory
-) -> None:
-    take(history, 2 * MINUTE, model="trexjr")
-    take(history, MINUTE)
-    take(history)
-    dialog.open()
-    dialog.select_snapshot(2)
-    dialog.wait_for_text("comparisonSummary", "no other snapshot of a TReX Jr")
 
 
 def test_damaged_snapshot_is_explained_and_never_offered(

@@ -218,35 +218,6 @@ def test_number_typed_after_a_click_keeps_its_first_digit(
     parameters.wait_for_value("serial_timeout", 8)
 
 
-def test_acceleration_may_be_typed_as_time_to_full_speed(parameters: ParametersDriver) -> None:
-    key = "motor1_acceleration"
-    for typed, wire in (
-        ("500 ms", 25),
-        ("3.2 s", 4),
-        ("12.7s", 1),
-        ("0,1 s", 127),
-        ("2", 6),
-        ("9", 2),
-        ("0.5", 25),
-        ("0.5 s to full speed", 25),
-        ("10 per 100 ms", 10),
-        ("no ramp", 0),
-        ("0", 0),
-        ("100 ms", 127),
-    ):
-        type_number(parameters.open_with_mouse(key), typed)
-        parameters.wait_for_no_editor(key)
-        assert parameters.model.value_of(key) == wire, typed
-
-    for typed in ("20", "20 s", "10 ms", "128 per 100 ms"):
-        parameters.rejected.clear()
-        type_number(parameters.open_with_mouse(key), typed)
-        assert parameters.rejected, typed
-        assert parameters.is_editing(key), typed
-        parameters.close_editor(key)
-        assert parameters.model.value_of(key) == 127, typed
-
-
 def test_arrows_of_acceleration_step_through_the_times(parameters: ParametersDriver) -> None:
     """Up to a longer time; beyond the longest there is no step to no ramp at all."""
     editor = parameters.open_with_keys("motor1_acceleration")
@@ -327,14 +298,6 @@ def test_return_keeps_a_frequency_that_is_no_choice(parameters: ParametersDriver
         QTest.keyClick(parameters.open_with_keys("motor2_pwm_maximum"), Qt.Key.Key_Return)
         parameters.wait_for_no_editor("motor2_pwm_maximum")
         assert not parameters.model.pending
-
-
-def test_return_keeps_the_acceleration(parameters: ParametersDriver) -> None:
-    for wire in (0, 1, 2, 7, 64, 125, 126, 127):
-        parameters.model.edit("motor1_acceleration", wire)
-        QTest.keyClick(parameters.open_with_keys("motor1_acceleration"), Qt.Key.Key_Return)
-        parameters.wait_for_no_editor("motor1_acceleration")
-        assert parameters.model.value_of("motor1_acceleration") == wire
 
 
 def test_editor_stays_within_the_table(parameters: ParametersDriver) -> None:

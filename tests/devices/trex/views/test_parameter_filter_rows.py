@@ -34,11 +34,6 @@ def of_tasks(*tasks: str) -> set[str]:
     return {spec.key for spec in specs if not spec.key.endswith("prescaler")}
 
 
-def test_filter_passes_qt_model_tester(rows: ParameterFilter, qtmodeltester: ModelTester) -> None:
-    rows.narrow(words="motor")
-    qtmodeltester.check(rows)  # type: ignore[no-untyped-call] # of pytest-qt
-
-
 def test_unfiltered_rows_are_all_shown_in_order(rows: ParameterFilter) -> None:
     assert set(shown(rows)) == of_tasks("motors", "braking", "current", "pwm", "channels", "serial")
     assert shown(rows)[:2] == ["motor1_acceleration", "motor2_acceleration"]

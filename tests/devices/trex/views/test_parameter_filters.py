@@ -2,7 +2,7 @@
 
 import pytest
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLineEdit, QTableView, QWidget
+from PySide6.QtWidgets import QLineEdit, QTableView
 from pytestqt.qtbot import QtBot
 
 from tests.support.window import WidgetDriver
@@ -67,8 +67,3 @@ def test_group_and_check_boxes_filter_rows(page: WidgetDriver, device: Device) -
     assert shown_rows(page) == 2
     page.click("notDefaultOnly")
     assert shown_rows(page) == 2
-
-
-def test_filter_fields_have_accessible_names(page: WidgetDriver) -> None:
-    for name in ("parameterSearch", "parameterGroup"):
-        assert page.find(QWidget, name).accessibleName()

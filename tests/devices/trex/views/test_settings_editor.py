@@ -18,7 +18,6 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 from shiboken6 import isValid
 
-from tests.support.bad_files import BAD_FILES, BadFile
 from tests.support.colours import contrast
 from tests.support.keyboard import check_keyboard
 from tests.support.pages.settings import SettingsEditorWindow, answer_questions
@@ -151,12 +150,6 @@ def editor(open_text: Open) -> EditorDriver:
     return open_text(TEXT)
 
 
-def describes(rows: list[tuple[str, str]], bad: BadFile) -> bool:
-    """Return whether one of the findings describes a bad file, in its line."""
-    line = "" if bad.line is None else str(bad.line)
-    return any(line == at and bad.words.lower() in words.lower() for at, words in rows)
-
-
 # --- Pages ------------------------------------------------------------------------------
 
 
@@ -179,33 +172,6 @@ def test_line_numbers_can_be_read_in_every_scheme(editor: EditorDriver) -> None:
         theme().set_scheme(scheme)
         painted = editor.text_page.grab().toImage().pixelColor(4, 20)
         assert contrast(theme().color("muted"), painted) >= 4.5, scheme
-
-
-def test_samples_open_with_every_page(open_text: Open) -> None:
-    for path in resource("samples").glob("*.txt"):
-        editor = open_text(path.read_bytes())
-        for page in range(editor.tabs.count()):
-            assert editor.tabs.isTabEnabled(page), path
-            editor.tabs.setCurrentIndex(page)
-            assert not editor.editor.grab().isNull(), path
-        editor.editor.close_at_once()
-
-
-def test_bad_files_open_as_text_with_findings(open_text: Open) -> None:
-    bad_texts = [bad for bad in BAD_FILES if bad.is_text]
-    assert bad_texts
-    for bad in bad_texts:
-        editor = open_text(bad.data)
-        assert editor.tabs.currentIndex() == TEXT_PAGE, bad.name
-        assert not editor.tabs.isTabEnabled(PARAMETERS), bad.name
-        assert not editor.tabs.isTabEnabled(CALIBRATIONS), bad.name
-        assert not editor.text_page.isReadOnly(), bad.name
-        rows = editor.findings("textFindings")
-        assert describes(rows, bad), bad.name
-        check_keyboard(editor.root)
-        assert rows == editor.findings(), bad.name
-        assert not editor.editor.isWindowModified(), bad.name
-        editor.editor.close_at_once()
 
 
 def test_repaired_text_opens_the_pages(open_text: Open) -> None:

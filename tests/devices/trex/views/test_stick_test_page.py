@@ -64,14 +64,6 @@ def test_channel_failing_the_test_can_be_learned_again(learning: LearningDialog)
     assert [bar.accessibleName()[-1] for bar in bars] == ["2"]
 
 
-def test_ignored_channel_has_nothing_to_test(learning: LearningDialog) -> None:
-    learning.device.parameters.edit("ignored_channels", 0b1)
-    learning.apply()
-    learning.dialog.test((1,))
-    learning.wait_for_text("learnTest1", "Ignored: the board holds it at neutral.")
-    learning.wait_for_head("There is nothing to test")
-
-
 def test_stick_test_does_not_start_while_motors_are_armed(learning: LearningDialog) -> None:
     motors = learning.device.motors
     learning.use({1: Stick()})
@@ -94,24 +86,6 @@ def test_stick_test_does_not_start_while_motors_are_armed(learning: LearningDial
     learning.click("learnTestButton")
     learning.wait_for_head("Push every stick")
     assert not motors.armed
-
-
-def test_stick_test_continues_after_a_power_failure(learning: LearningDialog) -> None:
-    sticks = {1: Stick(), 2: Stick(), 3: Stick()}
-    learning.use(sticks)
-    learning.start_test(*sticks)
-    learning.simulator.do("power off")
-    learning.wait_for_head("has stopped responding: its power or its cable was cut")
-    assert "it changes nothing in the board" in learning.head
-
-    learning.simulator.do("power on")
-    learning.wait(lambda: learning.device.link is ConnectionState.CONNECTED)
-    learning.click("learnAgainButton")
-    learning.wait_for_head("Push every stick")
-    learning.push(1, -1)
-    for channel in sticks:
-        learning.wait_for_text(f"learnTest{channel}", "Good.")
-    learning.assert_nothing_changed()
 
 
 def test_stick_test_continues_after_a_short_power_cycle(learning: LearningDialog) -> None:
