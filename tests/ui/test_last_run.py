@@ -1,7 +1,6 @@
 """What the window says at its start of the guardian and of the last run."""
 
 from collections.abc import Callable
-from pathlib import Path
 
 import pytest
 from pytestqt.qtbot import QtBot
@@ -16,23 +15,44 @@ from trex_gui.ui.last_run import report_last_run, stop_left_running
 from trex_gui.ui.notifier import Notifier
 
 
+class Said(list[tuple[str, str]]):
+    """What a notifier without a window says: the kind and the text of each message."""
+
+    def __init__(self, qtbot: QtBot) -> None:
+        self.notifier = Notifier()
+        for kind in ("info", "error", "danger"):
+            getattr(self.notifier, kind).connect(lambda text, kind=kind: self.append((kind, text)))
+        self._qtbot = qtbot
+
+    def after(self, work: Callable[[Notifier], None]) -> list[tuple[str, str]]:
+        self.clear()
+        work(self.notifier)
+        self._qtbot.waitUntil(lambda: not background)
+        return list(self)
+
+
+@pytest.fixture
+def said(qtbot: QtBot) -> Said:
+    return Said(qtbot)
+
+
+def log_stops(*stops: str) -> None:
+    """Let the guardian have logged these stops: time and result."""
+    log_file().parent.mkdir(parents=True, exist_ok=True)
+    log_file().write_text("".join(f"2026-11-23 {stop}: Text.\n" for stop in stops))
+
+
 @pytest.mark.parametrize(
-    ("result", "said"),
+    ("result", "text"),
     [
         ("confirmed", "stopped them at 2026-11-23 12:03:05, and the board confirmed that."),
         ("unconfirmed", "If a motor still turns, cut its power."),
     ],
 )
-def test_stop_by_guardian_is_reported_once(window: WindowDriver, result: str, said: str) -> None:
-    log_file().parent.mkdir(parents=True, exist_ok=True)
-    log_file().write_text(f"2026-11-23 12:03:05 {result}: Text.\n", encoding="utf-8")
-    window.program.report_last_run()
-    window.wait_for_text("bannerText", said)
-    window.program.window.open_file(Path("picture.unknown"))
-    window.wait_for_text("bannerText", "picture.unknown")
-    window.program.report_last_run()
-    window.wait_for_files()
-    assert "picture.unknown" in window.text("bannerText")
+def test_stop_by_guardian_is_reported_once(said: Said, result: str, text: str) -> None:
+    log_stops(f"12:03:05 {result}")
+    assert [text in each for _, each in said.after(report_last_run)] == [True]
+    assert said.after(report_last_run) == []
 
 
 def test_crash_is_reported_with_the_stop_or_without(window: WindowDriver) -> None:
@@ -41,21 +61,17 @@ def test_crash_is_reported_with_the_stop_or_without(window: WindowDriver) -> Non
     assert window.has("bannerReport")
     window.click("bannerDismiss")
 
-    log_file().parent.mkdir(parents=True, exist_ok=True)
-    log_file().write_text("2026-11-23 12:03:05 unconfirmed: Text.\n", encoding="utf-8")
+    log_stops("12:03:05 unconfirmed")
     window.program.report_last_run(has_crashed=True)
     window.wait_for_text("bannerText", "If a motor still turns, cut its power.")
     window.click("bannerReport")
     assert window.dialog("reportDialog").root.isVisible()
 
 
-def test_every_stop_is_reported_unconfirmed_ones_first(window: WindowDriver) -> None:
-    log_file().parent.mkdir(parents=True, exist_ok=True)
-    lines = ("12:00:01 unconfirmed", "12:00:02 unconfirmed", "12:00:03 confirmed")
-    log_file().write_text("".join(f"2026-11-23 {line}: Text.\n" for line in lines))
-    window.program.report_last_run()
-    window.wait_for_text("bannerText", "confirmed that")
-    first, second = window.text("bannerText").splitlines()
+def test_every_stop_is_reported_unconfirmed_ones_first(said: Said) -> None:
+    log_stops("12:00:01 unconfirmed", "12:00:02 unconfirmed", "12:00:03 confirmed")
+    [(_, text)] = said.after(report_last_run)
+    first, second = text.splitlines()
     assert "2026-11-23 12:00:01, 2026-11-23 12:00:02, which the board did not confirm" in first
     assert "2026-11-23 12:00:03, and the board confirmed" in second
 
@@ -80,26 +96,10 @@ def test_board_that_was_left_running_is_reported_first_until_it_is_stopped(
     assert not window.has("bannerText")
 
 
-class Said(list[tuple[str, str]]):
-    """What a notifier without a window says: the kind and the text of each message."""
-
-    def __init__(self, qtbot: QtBot) -> None:
-        self.notifier = Notifier()
-        for kind in ("info", "error", "danger"):
-            getattr(self.notifier, kind).connect(lambda text, kind=kind: self.append((kind, text)))
-        self._qtbot = qtbot
-
-    def after(self, work: Callable[[Notifier], None]) -> list[tuple[str, str]]:
-        self.clear()
-        work(self.notifier)
-        self._qtbot.waitUntil(lambda: not background)
-        return list(self)
-
-
-def test_every_board_that_was_left_running_is_tried_and_said(qtbot: QtBot) -> None:
+def test_every_board_that_was_left_running_is_tried_and_said(said: Said) -> None:
     left("/dev/ttyNONE1")
     left("/dev/ttyNONE2")
-    [(kind, text)] = Said(qtbot).after(stop_left_running)
+    [(kind, text)] = said.after(stop_left_running)
     assert kind == "danger"
     dangers, errors = text.splitlines()[:2], text.splitlines()[2:]
     for lines, start in ((dangers, "Motors may still be turning"), (errors, "There is no port")):
@@ -108,11 +108,10 @@ def test_every_board_that_was_left_running_is_tried_and_said(qtbot: QtBot) -> No
 
 
 def test_unconfirmed_stop_is_said_beside_a_board_that_runs_and_once_without_it(
-    qtbot: QtBot,
+    said: Said,
 ) -> None:
     file = left("/dev/ttyNONE")
-    log_file().write_text("2026-11-23 12:03:05 unconfirmed: Text.\n", encoding="utf-8")
-    said = Said(qtbot)
+    log_stops("12:03:05 unconfirmed")
     for _ in range(2):  # a connection that begins clears the first one
         [(kind, text)] = said.after(report_last_run)
         assert kind == "danger"
@@ -123,25 +122,19 @@ def test_unconfirmed_stop_is_said_beside_a_board_that_runs_and_once_without_it(
     assert said.after(report_last_run) == []
 
 
-def test_proper_end_is_not_reported(window: WindowDriver) -> None:
-    window.program.report_last_run()
-    window.wait_for_files()
-    assert not window.has("bannerText")
+def test_proper_end_is_not_reported(said: Said) -> None:
+    assert said.after(report_last_run) == []
 
 
-def test_stop_that_the_program_repeated_is_not_reported(window: WindowDriver) -> None:
-    log_file().parent.mkdir(parents=True, exist_ok=True)
-    log_file().write_text("2026-11-23 12:03:05 repeated: Text.\n", encoding="utf-8")
-    window.program.report_last_run()
-    window.wait_for_files()
-    assert not window.has("bannerText")
+def test_stop_that_the_program_repeated_is_not_reported(said: Said) -> None:
+    log_stops("12:03:05 repeated")
+    assert said.after(report_last_run) == []
 
 
 def test_stop_is_still_reported_once_the_board_is_connected_that_was_named_at_the_start(
     window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
-    log_file().parent.mkdir(parents=True, exist_ok=True)
-    log_file().write_text("2026-11-23 12:03:05 unconfirmed: Text.\n", encoding="utf-8")
+    log_stops("12:03:05 unconfirmed")
     window.program.connect_to_port(quick_simulator.url)
     window.program.report_last_run()
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)

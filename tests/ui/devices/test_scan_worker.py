@@ -10,13 +10,10 @@ from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.core.discovery.prober import ScanProgress
 from trex_gui.core.discovery.scan import PortScan
 from trex_gui.core.errors import PortUnavailable
-from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.discovery import TREX_PROBER
-from trex_gui.devices.trex.protocol.commands import SetParameter
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.ui.devices.scanner import ScanJob, ScanWorker
-from trex_gui.ui.runtime import now, open_transport
+from trex_gui.ui.runtime import now
 
 if sys.platform == "win32":
     pytest.skip("has no pseudo-terminals", allow_module_level=True)
@@ -85,16 +82,3 @@ def test_cancelled_scan_ends_within_a_second(
     assert now() - begun < 1.0
     ((_, search),) = watched.searched
     assert search.cancelled
-
-
-def test_scan_finds_board_at_other_baud_rate(
-    quick_simulator: SimulatedDevice, qtbot: QtBot
-) -> None:
-    settings = ConnectionSettings(quick_simulator.url)
-    client = TrexClient(open_transport(settings), settings)
-    client.request(SetParameter(0x7E, LineSettings(115200).to_wire()))
-    client.close()
-    quick_simulator.do("power cycle")
-    watched = search(qtbot, quick_simulator.url)
-    (found,) = watched.searched[0][1].found
-    assert found.settings.line.baud == 115200

@@ -76,17 +76,6 @@ def test_scan_reports_progress_until_cancelled(
     assert finder.text == ""
 
 
-def test_port_that_does_not_open_is_listed_with_the_reason(
-    finder: DeviceScanner, until: Until
-) -> None:
-    finder.start([at("/dev/ttyNothing9")])
-    until(lambda: not finder.running)
-    (finding,) = finder.findings
-    assert finding.found is None
-    assert finding.text.startswith("There is no port /dev/ttyNothing9.")
-    assert finder.summary == "No board was found."
-
-
 def test_second_scan_is_ignored_while_one_runs(
     finder: DeviceScanner, quick_simulator: SimulatedDevice, until: Until
 ) -> None:

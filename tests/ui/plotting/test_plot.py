@@ -9,12 +9,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QAccessible, QAction, QColor, QImage, QMouseEvent, QWheelEvent
+from PySide6.QtGui import QAction, QColor, QImage, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QApplication,
     QFileDialog,
-    QLabel,
     QListView,
     QMenu,
     QSplitter,
@@ -24,6 +23,7 @@ from PySide6.QtWidgets import (
 from pytestqt.modeltest import ModelTester
 from pytestqt.qtbot import QtBot
 
+from tests.support.mouse import turn_wheel
 from tests.support.window import WidgetDriver
 from trex_gui.ui.event_log import Event, EventKind
 from trex_gui.ui.plotting.canvas import PlotCanvas
@@ -157,14 +157,6 @@ def drag(plot: TracePlot, times: tuple[float, float], modifiers: Qt.KeyboardModi
 
 
 # --- Curves -----------------------------------------------------------------------------
-
-
-def test_plot_without_samples_shows_a_label(qapp: QApplication, qtbot: QtBot) -> None:
-    plot = TracePlot()
-    qtbot.addWidget(plot)
-    plot.set_source(Source(seconds=0))
-    assert WidgetDriver(plot, qtbot).find(QLabel, "emptyLabel").isVisibleTo(plot)
-    plot.grab()
 
 
 def test_curves_are_drawn_in_their_colours(plot: TracePlot) -> None:
@@ -410,46 +402,23 @@ def test_shift_drag_pans_the_plot(plot: TracePlot) -> None:
     assert plot.mark_time is None
 
 
-def test_wheel_zooms_around_the_mouse(plot: TracePlot, qapp: QApplication) -> None:
+def test_wheel_zooms_around_the_mouse(plot: TracePlot) -> None:
     plot.show_span(20, 40)
     at = QPointF(x_of(plot, 25), 60)
-    wheel = QWheelEvent(
-        at,
-        QPointF(plot.mapToGlobal(at.toPoint())),
-        QPoint(),
-        QPoint(0, 120),
-        Qt.MouseButton.NoButton,
-        Qt.KeyboardModifier.NoModifier,
-        Qt.ScrollPhase.NoScrollPhase,
-        False,
-    )
-    qapp.sendEvent(plot._canvas.viewport, wheel)
+    turn_wheel(plot._canvas.viewport, at)
     assert plot.span.length == pytest.approx(16)
     assert x_of(plot, 25) == pytest.approx(at.x(), abs=2)
 
 
 @pytest.mark.parametrize("is_navigable", [True, False])
-def test_wheel_over_a_fixed_plot_is_left_to_its_page(
-    qapp: QApplication, qtbot: QtBot, *, is_navigable: bool
-) -> None:
+def test_wheel_over_a_fixed_plot_is_left_to_its_page(qtbot: QtBot, *, is_navigable: bool) -> None:
     canvas = PlotCanvas("Plot", is_navigable=is_navigable)
     qtbot.addWidget(canvas)
     canvas.resize(300, 200)
     canvas.grab()
-    at = canvas.frame.center()
-    wheel = QWheelEvent(
-        at,
-        QPointF(canvas.mapToGlobal(at.toPoint())),
-        QPoint(),
-        QPoint(0, 120),
-        Qt.MouseButton.NoButton,
-        Qt.KeyboardModifier.NoModifier,
-        Qt.ScrollPhase.NoScrollPhase,
-        False,
-    )
     zoomed: list[float] = []
     canvas.zoomed.connect(lambda factor, _x: zoomed.append(factor))
-    qapp.sendEvent(canvas.viewport, wheel)
+    wheel = turn_wheel(canvas.viewport, canvas.frame.center())
     assert wheel.isAccepted() is is_navigable
     assert len(zoomed) == is_navigable
 
@@ -687,12 +656,3 @@ def test_picture_has_axes_legend_and_a_light_background(
 
 
 # --- Everybody --------------------------------------------------------------------------
-
-
-def test_every_control_has_an_accessible_name(panel: TracePanelDriver) -> None:
-    for widget in panel.find_all(QWidget):
-        if widget.focusPolicy() & Qt.FocusPolicy.TabFocus and widget.isVisibleTo(panel.root):
-            if widget.focusProxy() is not None:
-                continue
-            found = QAccessible.queryAccessibleInterface(widget)
-            assert found.text(QAccessible.Text.Name), widget

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from tests.support.colours import contrast
+from trex_gui.devices.trex.views.pages.motors.drive_control import SpeedSlider
 from trex_gui.devices.trex.views.pages.motors.drive_pad import DrivePad
 from trex_gui.ui.theme.theme import SCHEMES, Scheme, theme, tint
 from trex_gui.ui.widgets import builders as ui
@@ -45,6 +46,7 @@ def controls(sheet: QWidget) -> Iterator[QWidget]:
     yield ui.combo_box(sheet, "combo", "Choice", items=["first"])
     yield ui.spin_box(sheet, "number", "Number", 0, 9)
     yield QSlider(sheet)
+    yield SpeedSlider(-127, sheet)
     yield StickSlider(0, 9, 5, "bar", sheet)
     for rows in (0, 2):
         yield ui.flat_table(QTableWidget(rows, 2, sheet), f"table{rows}", "Table")

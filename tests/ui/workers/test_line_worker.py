@@ -10,15 +10,14 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.patient import PATIENT, PatientQtBot
 from tests.support.simulator import SimulatedDevice
-from tests.support.virtual_time import VirtualRuntime
-from trex_gui.core.errors import BadReply, NoReply, PortUnavailable
+from trex_gui.core.errors import NoReply, PortUnavailable
 from trex_gui.core.session import Closed, Outcome, Progress
 from trex_gui.core.timing import Timeouts
-from trex_gui.devices.trex.driving.requests import SetMotor, Stop
+from trex_gui.devices.trex.driving.requests import SetMotor
 from trex_gui.devices.trex.protocol.commands import GetParameter
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.driving import Drive
-from trex_gui.devices.trex.session.messages import Batch, Connected, Report, RunCommand, Write
+from trex_gui.devices.trex.session.messages import Batch, Connected, Report, RunCommand
 from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.ui.runtime import now, open_transport
 from trex_gui.ui.workers.session_thread import LineWorker
@@ -221,17 +220,6 @@ def test_closing_brakes_running_motor(paced_line: Watched, simulator: SimulatedD
 # --- Requests ---------------------------------------------------------------------------
 
 
-def test_each_request_gets_its_outcome(line: Watched) -> None:
-    line.worker.submit(RunCommand(1, GetParameter(0)))
-    line.worker.submit(Write(2, (("serial_timeout", 9),)))
-    line.worker.submit(RunCommand(3, GetParameter(7)))
-    line.worker.submit(Stop(4))
-    assert line.outcome(1).value == 7
-    assert line.outcome(2).error is None
-    assert line.outcome(3).value == 9
-    assert line.outcome(4).error is None
-
-
 @pytest.mark.realtime
 def test_requests_are_accepted_from_any_thread(line: Watched) -> None:
     threads = [
@@ -243,15 +231,6 @@ def test_requests_are_accepted_from_any_thread(line: Watched) -> None:
     for thread in threads:
         thread.join()
     assert {line.outcome(number).value for number in range(20)} == {7}
-
-
-def test_batches_are_limited_to_30_a_second(line: Watched, virtual_time: VirtualRuntime) -> None:
-    def arrived() -> int:
-        return sum(isinstance(one, Batch) for one in line.reports)
-
-    before = arrived()
-    virtual_time.advance(1.0)
-    assert 25 <= arrived() - before <= 30
 
 
 # --- Trouble ----------------------------------------------------------------------------
@@ -275,13 +254,6 @@ def test_ended_simulator_is_reported_as_unavailable_port(
     assert isinstance(line.end.error, PortUnavailable)
 
 
-def test_missing_port_is_reported(watch: Watch) -> None:
-    watched = watch("/dev/ttyNothing9")
-    watched.worker.start()
-    watched.wait(Closed)
-    assert "There is no port /dev/ttyNothing9" in str(watched.end.error)
-
-
 @pytest.mark.realtime
 def test_port_in_use_is_reported(line: Watched, watch: Watch) -> None:
     watched = watch(line.url)
@@ -289,28 +261,6 @@ def test_port_in_use_is_reported(line: Watched, watch: Watch) -> None:
     watched.wait(Closed)
     assert "is in use" in str(watched.end.error)
     assert not line.has(Closed)
-
-
-def test_silent_device_is_reported_within_seconds(
-    quick_simulator: SimulatedDevice, watch: Watch
-) -> None:
-    quick_simulator.do("power off")
-    watched = watch(quick_simulator.url)
-    begun = now()
-    watched.worker.start()
-    watched.wait(Closed)
-    assert now() - begun < 2.5
-    assert isinstance(watched.end.error, NoReply)
-    assert "No TReX responds" in str(watched.end.error)
-
-
-@pytest.mark.realtime
-def test_other_device_is_reported_as_bad_reply(stranger: Make, watch: Watch) -> None:
-    watched = watch(stranger(lambda _data: b"ERROR: unknown command\r\n").url)
-    watched.worker.start()
-    watched.wait(Closed)
-    assert isinstance(watched.end.error, BadReply)
-    assert "not like a TReX" in str(watched.end.error)
 
 
 @pytest.mark.realtime

@@ -5,13 +5,13 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import QEvent, QLocale, QPoint, QPointF, QSettings, Qt
-from PySide6.QtGui import QWheelEvent
+from PySide6.QtCore import QEvent, QLocale, QSettings, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from tests.support.catalogs import in_language
+from tests.support.mouse import turn_wheel
 from tests.support.program import trex
 from tests.support.virtual_time import VirtualRuntime
 from tests.support.window import WindowDriver
@@ -266,29 +266,14 @@ def test_follow_emits_nothing_and_keeps_a_held_handle(slider: StickSlider, qtbot
     assert slider.value() == 1800
 
 
-def wheel(widget: QWidget) -> None:
-    place = QPointF(widget.rect().center())
-    event = QWheelEvent(
-        place,
-        QPointF(widget.mapToGlobal(place.toPoint())),
-        QPoint(),
-        QPoint(0, 120),
-        Qt.MouseButton.NoButton,
-        Qt.KeyboardModifier.NoModifier,
-        Qt.ScrollPhase.NoScrollPhase,
-        False,
-    )
-    QApplication.sendEvent(widget, event)
-
-
 def test_wheel_moves_a_focused_slider_only(slider: StickSlider, qtbot: QtBot) -> None:
     slider.clearFocus()
-    wheel(slider)
+    turn_wheel(slider)
     assert slider.value() == 1500
     slider.activateWindow()
     slider.setFocus()
     qtbot.waitUntil(slider.hasFocus)
-    wheel(slider)
+    turn_wheel(slider)
     assert slider.value() > 1500
 
 
@@ -299,12 +284,12 @@ def test_wheel_changes_a_focused_combo_box_only(qtbot: QtBot) -> None:
     combo.setCurrentIndex(1)
     combo.show()
     combo.clearFocus()
-    wheel(combo)
+    turn_wheel(combo)
     assert combo.currentIndex() == 1
     combo.activateWindow()
     combo.setFocus()
     qtbot.waitUntil(combo.hasFocus)
-    wheel(combo)
+    turn_wheel(combo)
     assert combo.currentIndex() == 0
 
 

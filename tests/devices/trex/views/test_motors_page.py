@@ -3,23 +3,20 @@
 from collections.abc import Iterator
 
 import pytest
-from PySide6.QtCore import QPoint, QRect, Qt
-from PySide6.QtGui import QColor
+from PySide6.QtCore import QPoint, QRect
 from PySide6.QtWidgets import QApplication, QGroupBox, QSpinBox, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.accessible_names import spoken_state
-from tests.support.colours import contrast
 from tests.support.simulator import StartSimulator
 from tests.support.window import WidgetDriver
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import SafeStartWatch
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.views.bars import CurrentBar
-from trex_gui.devices.trex.views.pages.motors.drive_control import SpeedSlider
 from trex_gui.devices.trex.views.pages.motors.drive_pad import DrivePad
 from trex_gui.devices.trex.views.pages.motors.page import MotorsPage
-from trex_gui.ui.theme.theme import SCHEMES, theme
+from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
@@ -134,34 +131,3 @@ def test_currents_are_shown_with_their_limits(
     assert not page.has("auxCurrent")
     page.device.disconnect_line()
     page.wait(lambda: spoken_state(first) == "not connected")
-
-
-def test_focus_of_a_slider_is_seen_in_every_theme(qtbot: QtBot, qapp: QApplication) -> None:
-    theme().install(qapp)
-    window = QWidget()
-    qtbot.addWidget(window)
-    window.resize(160, 50)
-    slider = SpeedSlider(-127, window)
-    slider.resize(160, 50)
-    window.show()
-    window.activateWindow()
-
-    def shown() -> list[int]:
-        picture = window.grab().toImage()
-        return [picture.pixel(x, y) for x in range(160) for y in range(50)]
-
-    for scheme in SCHEMES[1:]:
-        theme().set_scheme(scheme)
-        QApplication.processEvents()
-        for value in (-127, 90):
-            slider.setValue(value)
-            slider.clearFocus()
-            without = shown()
-            slider.setFocus(Qt.FocusReason.MouseFocusReason)
-            changes = [pair for pair in zip(without, shown(), strict=True) if pair[0] != pair[1]]
-            seen = [
-                now
-                for before, now in (map(QColor, pair) for pair in changes)
-                if min(contrast(now, before), contrast(now, theme().color("window"))) >= 3
-            ]
-            assert len(seen) > 30, (scheme, value)
