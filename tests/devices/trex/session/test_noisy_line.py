@@ -26,8 +26,8 @@ def test_reported_settings_are_those_of_the_board(stage: Stage, seed: int) -> No
     board.eeprom.write_calibration(InputSource.RC, 2, _LEARNED)
     stage.line.faults._random.seed(seed)
     stage.line.faults.noise = 0.01
-    stage.script.at(2.0, Write(1, _PARAMETERS, _CALIBRATIONS)).at(4.0, Reload(2))
-    stage.script.at(6.0, Close())
+    stage.script.at(1.0, Write(1, _PARAMETERS, _CALIBRATIONS)).at(2.5, Reload(2))
+    stage.script.at(4.0, Close())
     wanted: dict[str, object] = {**dict(_PARAMETERS), **dict(_CALIBRATIONS)}
     written: dict[str, object] = {}
     reported: list[DeviceState] = []

@@ -73,15 +73,6 @@ def test_empty_slots_return_no_setpoints() -> None:
     assert slots.take() == []
 
 
-def test_newest_setpoint_for_motor_wins() -> None:
-    slots = SetpointSlots()
-    for speed in (10, 20, 30):
-        slots.put(SetMotor(2, Drive.at(speed)))
-        slots.put(SetAuxiliary(speed + 1))
-    assert packets(slots.take()) == [DriveMotor(2, Drive.at(30)), DriveAuxiliary(31)]
-    assert not slots
-
-
 def test_setpoints_of_same_kind_share_one_packet() -> None:
     slots = SetpointSlots()
     slots.put(SetMotor(2, Drive.brake(5), accelerate=True))
@@ -201,11 +192,6 @@ def test_stops_are_queued_separately_and_taken_once() -> None:
     queue = collected(Reload(1), Stop(2), Stop(3))
     assert queue.motors.take_stops() == [Stop(2), Stop(3)]
     assert queue.motors.take_stops() == []
-
-
-def test_stop_discards_earlier_setpoints() -> None:
-    queue = collected(SetMotor(1, Drive.at(9)), SetAuxiliary(9), Stop(1))
-    assert not queue.motors.setpoints
 
 
 def test_stop_discards_later_setpoints_until_armed() -> None:

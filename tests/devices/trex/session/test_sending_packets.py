@@ -96,13 +96,13 @@ def test_board_is_read_again_after_a_packet_that_writes(stage: Stage) -> None:
 def test_board_is_found_where_a_packet_has_put_it(stage: Stage) -> None:
     stage.script.at(1.0, packet(1, "AF 7E 0A 55 2A"))
     stage.script.at(2.0, stage.board.power_off).at(4.0, stage.board.power_on)
-    reports = run_for(stage, 25.0)
+    reports = run_for(stage, 12.0)
     assert among(reports, Connected)[-1].settings.line == LineSettings(115200)
 
 
 def test_write_without_a_reply_is_read_again(stage: Stage) -> None:
     stage.script.at(1.0, lambda: stage.line.faults.__setattr__("to_drop", 1))
     stage.script.at(1.0, packet(1, "AF 0E 0F 55 2A"))
-    reports = run_for(stage, 8.0)
+    reports = run_for(stage, 6.0)
     assert isinstance(outcomes(reports)[1].error, NoReply)
     assert among(reports, Connected)[-1].state.parameters["motor1_acceleration"] == 15

@@ -316,13 +316,6 @@ def test_motors_left_running_are_stopped_before_reading(
     assert among(reports, Connected)[0].may_move is False
 
 
-def test_may_move_is_kept_when_no_board_replies(stage: Stage) -> None:
-    stage.board.power_off()
-    closed = run_after_another(stage, 5.0)[-1]
-    assert isinstance(closed, Closed)
-    assert closed.may_move is True
-
-
 def test_unresponsive_board_with_running_motors_is_stopped(
     stage: Stage,
 ) -> None:

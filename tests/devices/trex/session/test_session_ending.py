@@ -204,15 +204,6 @@ def test_requests_fail_with_error_of_lost_port(stage: Stage) -> None:
     assert {one.id: one.error for one in outcomes(reports).values()} == {1: GONE, 2: GONE, 3: GONE}
 
 
-def test_lost_port_is_closed_while_motors_run(stage: Stage) -> None:
-    def unplug() -> None:
-        stage.transport.fail = GONE
-
-    stage.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.5, unplug)
-    assert run_for(stage, 9.0)[-1] == Closed(GONE, may_move=True)
-    assert stage.transport.closed
-
-
 # --- A mistake of ours ------------------------------------------------------------------
 
 

@@ -1,5 +1,7 @@
 """A board that stops answering, and comes back."""
 
+from functools import partial
+
 import pytest
 
 from tests.devices.trex.session.helpers import (
@@ -30,6 +32,7 @@ from trex_gui.devices.trex.session.messages import (
     Write,
     Written,
 )
+from trex_gui.devices.trex.simulator.firmware import Board
 
 
 def off_and_on(stage: Stage, off: float, on: float) -> None:
@@ -50,28 +53,28 @@ def test_power_loss_is_detected_within_500_ms(baud: int, latency: float) -> None
     assert 2.0 < at < 2.5
 
 
-def test_unresponsive_board_is_reported_once(stage: Stage) -> None:
+@pytest.fixture(scope="module")
+def cut_off() -> tuple[Stage, dict[float, int]]:
+    """A session whose board has no power after 1 s, and how much was sent by some moments."""
+    stage, sent = Stage(Board()), dict[float, int]()
     stage.script.at(1.0, stage.board.power_off)
-    run_for(stage, 4.0)
-    assert len(among(stage.reports, NotResponding)) == 1
+    for moment in (2.0, 3.0, 8.0):
+        count = partial(lambda at: sent.update({at: len(stage.transport.sent)}), moment)
+        stage.script.at(moment, count)
+    run_for(stage, 8.1)
+    return stage, sent
 
 
-def test_unresponsive_board_does_not_end_session(stage: Stage) -> None:
-    stage.script.at(1.0, stage.board.power_off)
-    assert run_for(stage, 3.0)[-1] == Closed(None)
+def test_unresponsive_board_is_reported_once(cut_off: tuple[Stage, dict[float, int]]) -> None:
+    reports = cut_off[0].reports
+    (silent,) = among(reports, NotResponding)
+    assert not among(reports[reports.index(silent) :], Batch)
+    assert reports[-1] == Closed(None), "the session goes on"
 
 
-def test_unresponsive_board_yields_no_samples(stage: Stage) -> None:
-    stage.script.at(1.0, stage.board.power_off)
-    run_for(stage, 5.0)
-    last = stage.reports.index(among(stage.reports, NotResponding)[0])
-    assert not among(stage.reports[last:], Batch)
-
-
-def test_samples_before_power_loss_are_delivered(stage: Stage) -> None:
-    stage.script.at(1.0, stage.board.power_off)
-    run_for(stage, 5.0)
-    assert max(one.time for one in samples(stage.reports, Currents)) == pytest.approx(1.0, abs=0.02)
+def test_samples_before_power_loss_are_delivered(cut_off: tuple[Stage, dict[float, int]]) -> None:
+    times = [one.time for one in samples(cut_off[0].reports, Currents)]
+    assert max(times) == pytest.approx(1.0, abs=0.02)
 
 
 def test_single_lost_reply_keeps_board_responding(stage: Stage) -> None:
@@ -85,12 +88,8 @@ def test_single_lost_reply_keeps_board_responding(stage: Stage) -> None:
     assert among(stage.reports, Batch)[-1].counters.missing == 4
 
 
-def test_unresponsive_board_is_polled_slowly(stage: Stage) -> None:
-    stage.script.at(1.0, stage.board.power_off)
-    before = seen_at(stage, 3.0, lambda: len(stage.transport.sent))
-    after = seen_at(stage, 8.0, lambda: len(stage.transport.sent))
-    run_for(stage, 8.1)
-    assert 15 <= after[0] - before[0] <= 22
+def test_unresponsive_board_is_polled_slowly(cut_off: tuple[Stage, dict[float, int]]) -> None:
+    assert 15 <= cut_off[1][8.0] - cut_off[1][3.0] <= 22
 
 
 # --- Coming back ------------------------------------------------------------------------
@@ -233,11 +232,9 @@ def test_port_loss_with_unresponsive_board_ends_session(stage: Stage) -> None:
     assert stage.line.now < 3.5
 
 
-def test_only_mode_is_polled_until_board_returns(stage: Stage) -> None:
-    stage.script.at(1.0, stage.board.power_off)
-    marks = seen_at(stage, 2.0, lambda: len(stage.transport.sent))
-    run_for(stage, 6.0)
-    assert set(map(type, commands(stage.transport.sent[marks[0] :]))) == {GetMode}
+def test_only_mode_is_polled_until_board_returns(cut_off: tuple[Stage, dict[float, int]]) -> None:
+    stage, sent = cut_off
+    assert set(map(type, commands(stage.transport.sent[sent[2.0] :]))) == {GetMode}
 
 
 def test_silence_while_reading_new_mode_is_reported(stage: Stage) -> None:
