@@ -66,7 +66,7 @@ class Bench:
         self.settle()
 
     def settle(self) -> None:
-        self._time.advance(3.0)
+        self._time.advance(1.5)
 
     @property
     def url(self) -> str:

@@ -653,6 +653,3 @@ def test_picture_has_axes_legend_and_a_light_background(
     assert "<polyline" in svg
     assert "<image" not in svg
     assert re.search(r">Currents of a board, \d{4}-\d\d-\d\d \d\d:\d\d<", svg)
-
-
-# --- Everybody --------------------------------------------------------------------------

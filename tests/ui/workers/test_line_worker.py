@@ -1,6 +1,5 @@
 """A line and its thread: in virtual time, or in a real thread on a real pseudo-terminal."""
 
-import os
 import sys
 import threading
 from collections.abc import Callable, Iterator
@@ -10,7 +9,6 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.patient import PATIENT, PatientQtBot
 from tests.support.simulator import SimulatedDevice
-from trex_gui.core.errors import NoReply, PortUnavailable
 from trex_gui.core.session import Closed, Outcome, Progress
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.driving.requests import SetMotor
@@ -116,49 +114,6 @@ def paced_line(simulator: SimulatedDevice, watch: Watch) -> Watched:
     return connected(watch, simulator.url)
 
 
-class Stranger:
-    """A pseudo-terminal with another device behind it."""
-
-    def __init__(self, answer: Callable[[bytes], bytes]) -> None:
-        self.master, self._slave = os.openpty()
-        self.url = os.ttyname(self._slave)
-        self._answer = answer
-        self._thread = threading.Thread(target=self._run)
-        self._thread.start()
-
-    def _run(self) -> None:
-        import tty
-
-        tty.setraw(self._slave)
-        while (data := os.read(self.master, 256)) != b"\0quit":
-            os.write(self.master, self._answer(data))
-
-    def end(self) -> None:
-        import termios
-
-        termios.tcflush(self._slave, termios.TCIOFLUSH)
-        os.write(self._slave, b"\0quit")
-        self._thread.join(5)
-        os.close(self.master)
-        os.close(self._slave)
-
-
-@pytest.fixture
-def stranger() -> Iterator[Callable[[Callable[[bytes], bytes]], Stranger]]:
-    strangers: list[Stranger] = []
-
-    def make(answer: Callable[[bytes], bytes]) -> Stranger:
-        strangers.append(Stranger(answer))
-        return strangers[-1]
-
-    yield make
-    for one in strangers:
-        one.end()
-
-
-Make = Callable[[Callable[[bytes], bytes]], Stranger]
-
-
 # --- Life -------------------------------------------------------------------------------
 
 
@@ -172,13 +127,6 @@ def test_board_reports_arrive_in_gui_thread(line: Watched) -> None:
 
 def test_closing_ends_thread_within_a_second(paced_line: Watched) -> None:
     assert paced_line.close() < 1.0
-
-
-@pytest.mark.realtime
-def test_closed_port_can_be_opened_again(line: Watched, watch: Watch) -> None:
-    line.close()
-    assert line.worker.isFinished()
-    connected(watch, line.url)
 
 
 def test_closing_during_connect_ends_within_a_second(
@@ -231,42 +179,3 @@ def test_requests_are_accepted_from_any_thread(line: Watched) -> None:
     for thread in threads:
         thread.join()
     assert {line.outcome(number).value for number in range(20)} == {7}
-
-
-# --- Trouble ----------------------------------------------------------------------------
-
-
-@pytest.mark.realtime
-def test_unplugged_cable_ends_session(line: Watched, quick_simulator: SimulatedDevice) -> None:
-    quick_simulator.do("line unplug")
-    line.wait(Closed)
-    assert isinstance(line.end.error, PortUnavailable)
-    assert "Plug it in, then connect again" in str(line.end.error)
-    assert line.worker.wait(15_000)
-
-
-@pytest.mark.realtime
-def test_ended_simulator_is_reported_as_unavailable_port(
-    line: Watched, quick_simulator: SimulatedDevice
-) -> None:
-    quick_simulator.end()
-    line.wait(Closed)
-    assert isinstance(line.end.error, PortUnavailable)
-
-
-@pytest.mark.realtime
-def test_port_in_use_is_reported(line: Watched, watch: Watch) -> None:
-    watched = watch(line.url)
-    watched.worker.start()
-    watched.wait(Closed)
-    assert "is in use" in str(watched.end.error)
-    assert not line.has(Closed)
-
-
-@pytest.mark.realtime
-def test_loopback_plug_is_reported_as_joined_wires(stranger: Make, watch: Watch) -> None:
-    watched = watch(stranger(lambda data: data).url)
-    watched.worker.start()
-    watched.wait(Closed)
-    assert isinstance(watched.end.error, NoReply)
-    assert "TX and RX are joined" in str(watched.end.error)

@@ -116,28 +116,10 @@ def test_abort_current_is_that_of_the_model_before_and_after_connecting(
     qtbot.waitUntil(setup.device.shut_down)
 
 
-def test_bench_needs_armed_motors(connected: BenchSetup) -> None:
-    connected.plan()
-    assert "press Run motor" in connected.bench.blocker
-    assert not connected.bench.start()
-    assert connected.speed() == 0
-
-
 def test_running_motors_block_the_test(armed: BenchSetup) -> None:
     armed.device.motors.set_speed(2, 20)
     assert "motor 2 +20" in armed.bench.blocker
     assert not armed.bench.start()
-
-
-def test_held_control_blocks_the_test(armed: BenchSetup) -> None:
-    armed.device.motors.acquire("pad")
-    assert "Another control" in armed.bench.blocker
-    assert not armed.bench.start()
-
-
-def test_lockout_after_stop_is_named_as_blocker(armed: BenchSetup) -> None:
-    armed.device.motors.press_stop()
-    assert "locked for" in armed.bench.blocker
 
 
 def test_joint_mode_blocks_the_test(connected: BenchSetup) -> None:
@@ -335,9 +317,21 @@ def test_current_of_other_motor_does_not_abort_the_test(driving: BenchSetup) -> 
     driving.until(driving.brakes)
 
 
-def test_motor_fault_aborts_and_disarms(driving: BenchSetup) -> None:
-    driving.simulator.do("fault 1 on")
-    assert "reported a fault" in aborted(driving).reason
+@pytest.mark.parametrize(
+    ("act", "reason"),
+    [
+        (lambda run: run.simulator.do("fault 1 on"), "reported a fault"),
+        (lambda run: run.simulator.do("line mute on"), "The board stopped responding."),
+        (lambda run: run.device.motors.press_stop(), "Stop was pressed."),
+        (lambda run: run.device.disconnect_line(), "The connection was closed."),
+    ],
+)
+def test_what_ends_driving_aborts_the_test_and_disarms(
+    driving: BenchSetup, act: Callable[[BenchSetup], object], reason: str
+) -> None:
+    act(driving)
+    assert reason in aborted(driving).reason
+    assert not driving.bench.start()
 
 
 @pytest.mark.parametrize("wanted", [False, True])
@@ -351,37 +345,6 @@ def test_board_current_limit_aborts_only_when_enabled(armed: BenchSetup, *, want
     run = armed.run()
     assert (run.end is End.ABORTED) is wanted
     assert ("current limit" in run.reason) is wanted
-
-
-def test_stop_aborts_the_test_and_locks_it_out(driving: BenchSetup) -> None:
-    driving.device.motors.press_stop()
-    assert aborted(driving).reason == "Stop was pressed."
-    assert not driving.bench.start()
-
-
-def test_unresponsive_board_aborts_the_test(driving: BenchSetup) -> None:
-    driving.simulator.do("line mute on")
-    run = driving.result()
-    assert run.end is End.ABORTED
-    assert "stopped responding" in run.reason or "No current was read" in run.reason
-    assert not driving.device.motors.armed
-    driving.simulator.do("line mute off")
-    driving.until(lambda: driving.speed() == 0)
-
-
-def test_unplugged_cable_aborts_the_test(driving: BenchSetup) -> None:
-    driving.simulator.do("line unplug")
-    run = driving.result()
-    assert run.end is End.ABORTED
-    assert "connection was closed" in run.reason or "stopped responding" in run.reason
-
-
-def test_disconnecting_aborts_the_test_and_stops_the_motor(driving: BenchSetup) -> None:
-    driving.device.disconnect_line()
-    run = driving.result()
-    assert run.end is End.ABORTED
-    assert run.reason == "The connection was closed."
-    driving.until(lambda: driving.speed() == 0)
 
 
 def test_channel_takeover_aborts_the_test(qtbot: QtBot, start_simulator: StartSimulator) -> None:

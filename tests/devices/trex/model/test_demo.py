@@ -56,11 +56,6 @@ def test_new_board_is_powered_in_serial_mode_with_moving_sticks(board: DemoBoard
     assert board.automatic == frozenset(CHANNELS)
 
 
-def test_sticks_move_while_the_board_is_watched(board: DemoBoard, qtbot: QtBot) -> None:
-    first = seen(board).channels[0].raw
-    qtbot.waitUntil(lambda: seen(board).channels[0].raw != first)
-
-
 def test_unwatched_board_is_not_polled(
     board: DemoBoard, simulator: Overheard, qtbot: QtBot
 ) -> None:

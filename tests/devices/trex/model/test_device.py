@@ -366,18 +366,6 @@ def test_channel_driven_motors_cannot_be_armed(
     assert "The RC channels control the motors" in recorder.device.control_text
 
 
-def test_driven_motors_may_move_until_stop_is_confirmed(
-    connected: DeviceRecorder, quick_simulator: SimulatedDevice
-) -> None:
-    moving: list[bool] = [connected.device.may_move]
-    connected.device.motors.arm()
-    connected.device.motors.set_speed(1, 90)
-    moving.append(connected.device.may_move)
-    connected.device.motors.stop()
-    connected.until(lambda: not connected.device.may_move)
-    assert moving == [False, True]
-
-
 # --- The end of a line ------------------------------------------------------------------
 
 

@@ -38,15 +38,6 @@ def take(telemetry: Telemetry, *samples: Sample) -> None:
     telemetry.take(Batch(samples, Counters()))
 
 
-def test_telemetry_starts_empty(telemetry: Telemetry) -> None:
-    assert telemetry.raw is None
-    assert telemetry.remapped is None
-    assert telemetry.motor_currents is None
-    assert telemetry.serial_controls is None
-    assert telemetry.raw_of(1) is None
-    assert telemetry.remapped_of(1) is None
-
-
 def test_newest_sample_of_each_kind_is_kept(telemetry: Telemetry) -> None:
     take(
         telemetry,

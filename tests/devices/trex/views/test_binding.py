@@ -21,7 +21,7 @@ def repaint_pages(window: WindowDriver, times: int) -> None:
 
 
 @pytest.mark.timeout(300)
-@pytest.mark.parametrize("times", [6, pytest.param(60, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("times", [2, pytest.param(60, marks=pytest.mark.slow)])
 def test_repainting_loses_no_references_to_none(window: WindowDriver, times: int) -> None:
     window.connect_to_demo()
     window.wait(lambda: window.device.telemetry.raw is not None)

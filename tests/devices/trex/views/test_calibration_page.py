@@ -121,21 +121,11 @@ def test_blocked_handle_shows_the_reason(page: CalibrationPage) -> None:
     page.release_handle()
     assert page.shown().maximum == 6250
     assert "cannot" not in page.note
-
-    page.type_into("minimumEdit", "1500")
-    concern = page.note
-    assert "reaches minimum" in concern
     page.drag_handle(Handle.MINIMUM, 4100, release=False)
     assert page.note == "Minimum cannot pass neutral."
     assert page.marked_handle == "minimum"
     page.release_handle()
-    assert page.note == concern
     assert page.plot.handles.message == ""
-
-    page.drag_handle(Handle.MAXIMUM, 3000, release=False)
-    assert page.note == "Minimum and maximum must differ."
-    page.disconnect()
-    assert "No board responds" in page.note
 
 
 def test_disconnected_page_is_read_only(page: CalibrationPage) -> None:

@@ -83,6 +83,8 @@ def test_each_count_that_is_shown_is_read_as_that_count(
         (True, "1,500", None),
         (True, "1500.", None),
         *((own_first, "1,500 µs", None) for own_first in (False, True)),
+        *((own_first, "1500 #", 1500) for own_first in (False, True)),
+        *((False, typed, None) for typed in ("2.5 V", "fast", "99999", "-1", "")),
     ],
 )
 def test_count_without_unit_is_in_the_unit_shown(
