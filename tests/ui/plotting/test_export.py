@@ -37,7 +37,7 @@ def test_export_leaves_only_the_complete_file(
     panel: TracePanel, tmp_path: Path, qtbot: QtBot
 ) -> None:
     path = tmp_path / "some.csv"
-    with qtbot.waitSignal(panel.notifier.info, timeout=20_000):
+    with qtbot.waitSignal(panel.notifier.info):
         panel.export.save_table(path, 0.0, 10.0)
     assert sum(line[:1].isdigit() for line in path.read_text().splitlines()) == 801
     assert list(tmp_path.iterdir()) == [path]

@@ -159,16 +159,6 @@ def test_one_ampere_for_an_hour_is_one_ampere_hour() -> None:
     assert found.rms == pytest.approx(1, rel=1e-12)
 
 
-def test_gap_in_samples_counts_no_charge() -> None:
-    history = SampleHistory(1)
-    for time in (0.0, 0.25, 0.5, 10.5, 10.75):
-        history.append(time, 2.0)
-    found = history.statistics(0, 0, 20)
-    assert found.seconds == 0.75
-    assert found.integral == 1.5
-    assert found.mean == 2
-
-
 def test_gap_in_samples_interrupts_the_curve() -> None:
     history = SampleHistory(1)
     for time in (0.0, 0.25, 0.5, 10.5, 10.75):

@@ -147,7 +147,7 @@ def test_saved_rows_include_bytes_and_meaning(
     setup.log(POLL, ANSWER)
     setup.traffic.pull()
     saver, path = FileSaver(), tmp_path / "line.txt"
-    with qtbot.waitSignal(saver.saved, timeout=15_000) as saved:
+    with qtbot.waitSignal(saver.saved) as saved:
         saver.save(path, partial(setup.traffic.write, rows=setup.traffic.everything.rows))
     assert saved.args == [3, path]
     lines = path.read_text(encoding="utf-8").splitlines()
@@ -166,7 +166,7 @@ def test_failed_save_is_reported_and_leaves_no_file(
     setup.log(WRITE, STORED)
     setup.traffic.pull()
     saver, path = FileSaver(), tmp_path / "no such folder" / "line.txt"
-    with qtbot.waitSignal(saver.failed, timeout=15_000) as failed:
+    with qtbot.waitSignal(saver.failed) as failed:
         saver.save(path, partial(setup.traffic.write, rows=setup.traffic.everything.rows))
     assert "line.txt: It was not written: No such file or directory." in failed.args
     assert not saver.is_saving

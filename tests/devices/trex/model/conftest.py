@@ -36,7 +36,7 @@ def connector(device: Device, ports: Ports) -> Iterator[TrexController]:
 
 @pytest.fixture
 def until(qtbot: QtBot) -> Until:
-    return lambda condition: qtbot.waitUntil(condition, timeout=20_000)
+    return qtbot.waitUntil
 
 
 @pytest.fixture

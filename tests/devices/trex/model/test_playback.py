@@ -58,7 +58,7 @@ def minute(minute_file: Path, qtbot: QtBot) -> Iterator[Playback]:
 
 def loaded(path: Path, qtbot: QtBot) -> Playback:
     playback = loading(Playback(open_recording(path)))
-    with qtbot.waitSignal(playback.loaded, timeout=20_000):
+    with qtbot.waitSignal(playback.loaded):
         pass
     return playback
 
@@ -74,7 +74,7 @@ def test_progress_of_reading_is_reported(tmp_path: Path, qtbot: QtBot) -> None:
     assert not playback.is_loaded
     shares: list[float] = []
     playback.progressed.connect(lambda: shares.append(playback.share))
-    with qtbot.waitSignal(playback.loaded, timeout=20_000):
+    with qtbot.waitSignal(playback.loaded):
         pass
     assert shares == sorted(shares)
     assert shares[-1] == 1.0
@@ -204,7 +204,7 @@ def test_span_is_exported_as_csv_or_fails_with_a_reason(
     minute: Playback, tmp_path: Path, qtbot: QtBot
 ) -> None:
     begin, end = T0 + 20, T0 + 35.5
-    with qtbot.waitSignal(minute.exported, timeout=20_000):
+    with qtbot.waitSignal(minute.exported):
         minute.export(tmp_path / "span.csv", begin, end)
     with (tmp_path / "span.csv").open(encoding="utf-8", newline="") as file:
         header, *rows = csv.DictReader(file)
@@ -343,7 +343,7 @@ def test_read_error_is_reported(tmp_path: Path, qtbot: QtBot) -> None:
     write(path, list(an_hour(5)))
     playback = Playback(open_recording(path))
     playback._recording.close()
-    with qtbot.waitSignal(playback.failed, timeout=20_000) as failed:
+    with qtbot.waitSignal(playback.failed) as failed:
         playback.start_loading()
     assert "a.trexrec: It cannot be read" in failed.args[0]
     playback.close()
@@ -353,7 +353,7 @@ def test_last_samples_of_a_long_recording_are_drawn(tmp_path: Path, qtbot: QtBot
     path = tmp_path / "a.trexrec"
     write(path, list(an_hour(30)))
     playback = Playback(open_recording(path), max_rows=1000)
-    with qtbot.waitSignal(playback.loaded, timeout=20_000):
+    with qtbot.waitSignal(playback.loaded):
         playback.start_loading()
     currents = [record for record in an_hour(30) if isinstance(record, Currents)]
     assert playback.drawn == (1000, len(currents))

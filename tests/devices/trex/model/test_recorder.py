@@ -48,10 +48,10 @@ class RecorderSetup:
         self.wait(lambda: self.device.link is ConnectionState.CONNECTED)
 
     def wait(self, condition: Callable[[], bool]) -> None:
-        self.qtbot.waitUntil(condition, timeout=20_000)
+        self.qtbot.waitUntil(condition)
 
     def end_recording(self) -> None:
-        with self.qtbot.waitSignal(self.recorder.ended, timeout=20_000):
+        with self.qtbot.waitSignal(self.recorder.ended):
             self.recorder.stop()
 
     def end(self) -> None:
@@ -128,7 +128,7 @@ def test_setpoints_events_and_settings_are_recorded_in_order(
     device.motors.press_stop()
     session.wait(lambda: not device.may_move)
     device.parameters.edit("serial_timeout", 9)
-    with session.qtbot.waitSignal(device.applied, timeout=20_000):
+    with session.qtbot.waitSignal(device.applied):
         device.apply()
     session.end_recording()
     records = everything(path)
@@ -174,7 +174,7 @@ def test_recording_ends_when_the_input_source_changes(
 ) -> None:
     session.recorder.start(tmp_path / "a.trexrec")
     session.simulator.do("jumper mode analog")
-    with session.qtbot.waitSignal(session.recorder.ended, timeout=20_000):
+    with session.qtbot.waitSignal(session.recorder.ended):
         session.simulator.do("power cycle")
     assert everything(tmp_path / "a.trexrec")
 
@@ -182,7 +182,7 @@ def test_recording_ends_when_the_input_source_changes(
 def test_full_disk_fails_the_recording_but_not_the_connection(
     session: RecorderSetup, tmp_path: Path, full_disk: None
 ) -> None:
-    with session.qtbot.waitSignal(session.recorder.failed, timeout=20_000) as failed:
+    with session.qtbot.waitSignal(session.recorder.failed) as failed:
         session.recorder.start(tmp_path / "a.trexrec")
     assert "cannot be written: No space left" in failed.args[0]
     session.wait(lambda: session.recorder.can_record)
@@ -207,7 +207,7 @@ def test_recording_is_committed_every_second(session: RecorderSetup, tmp_path: P
 
 
 def test_missing_folder_is_reported(session: RecorderSetup, tmp_path: Path) -> None:
-    with session.qtbot.waitSignal(session.recorder.failed, timeout=20_000) as failed:
+    with session.qtbot.waitSignal(session.recorder.failed) as failed:
         session.recorder.start(tmp_path / "none" / "a.trexrec")
     assert "No such file" in failed.args[0]
     session.wait(lambda: session.recorder.can_record)

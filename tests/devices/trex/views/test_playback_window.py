@@ -147,13 +147,13 @@ def test_shown_span_is_exported_as_csv_and_pictures(
     window: RecordingWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     window.plot.show_span(T0 + 10, T0 + 20)
-    with window.qtbot.waitSignal(window.playback.exported, timeout=20_000):
+    with window.qtbot.waitSignal(window.playback.exported):
         window.window.export(tmp_path / "span.csv")
     with (tmp_path / "span.csv").open(encoding="utf-8", newline="") as file:
         times = [float(row["time_s"]) for row in csv.DictReader(file)][1:]
     assert 10 <= min(times) < 10.1
     assert 19.9 < max(times) <= 20
-    with window.qtbot.waitSignal(window.playback.exported, timeout=20_000):
+    with window.qtbot.waitSignal(window.playback.exported):
         window.window.export(tmp_path / "span.mcap")
     assert (tmp_path / "span.mcap").read_bytes().startswith(b"\x89MCAP")
     monkeypatch.setattr("trex_gui.ui.playback.window.has_mcap", lambda: False)

@@ -73,7 +73,7 @@ class DrivenBoard:
         return self.controller.unconfirmed_stop
 
     def wait(self, condition: Callable[[], bool]) -> None:
-        self.qtbot.waitUntil(condition, timeout=20_000)
+        self.qtbot.waitUntil(condition)
 
 
 @pytest.fixture

@@ -59,14 +59,11 @@ def simulator(start_simulator: StartSimulator) -> SimulatedDevice:
 def driven(device: Device, simulator: SimulatedDevice, qtbot: QtBot) -> Device:
     """A device whose motor 1 runs."""
     device.connect_to(ConnectionSettings(simulator.url))
-    qtbot.waitUntil(
-        lambda: device.link is ConnectionState.CONNECTED and device.motors.is_available,
-        timeout=20_000,
-    )
+    qtbot.waitUntil(lambda: device.link is ConnectionState.CONNECTED and device.motors.is_available)
     device.motors.arm()
     device.motors.accelerate = False
     device.motors.set_speed(1, 90)
-    qtbot.waitUntil(lambda: simulator.show()["motors"][0]["speed"] == 90, timeout=20_000)
+    qtbot.waitUntil(lambda: simulator.show()["motors"][0]["speed"] == 90)
     return device
 
 
@@ -82,14 +79,14 @@ def test_stop_from_another_thread_drops_later_setpoints(
     thread.join()
     # The window does not know of it yet, and continues to send setpoints.
     driven.motors.set_speed(1, 70)
-    qtbot.waitUntil(lambda: is_braked(simulator), timeout=20_000)
+    qtbot.waitUntil(lambda: is_braked(simulator))
     driven.motors.set_speed(1, 80)
     driven.motors.stop()
-    qtbot.waitUntil(lambda: not driven.may_move, timeout=20_000)
+    qtbot.waitUntil(lambda: not driven.may_move)
     assert is_braked(simulator)
     driven.motors.arm()
     driven.motors.set_speed(1, 40)
-    qtbot.waitUntil(lambda: simulator.show()["motors"][0]["speed"] == 40, timeout=20_000)
+    qtbot.waitUntil(lambda: simulator.show()["motors"][0]["speed"] == 40)
 
 
 def test_stop_without_an_outcome_is_answered_when_the_line_ends(driven: Device) -> None:
@@ -107,10 +104,21 @@ def test_restarted_board_disarms_the_motors(
     """The restart is so short that only the changed input source reveals it."""
     simulator.do("eeprom channel_input_source 1")
     simulator.do("power cycle")
-    qtbot.waitUntil(lambda: not driven.motors.armed, timeout=20_000)
+    qtbot.waitUntil(lambda: not driven.motors.armed)
     assert "restarted" in driven.motors.stop_reason
-    qtbot.waitUntil(lambda: not driven.may_move, timeout=20_000)
+    qtbot.waitUntil(lambda: not driven.may_move)
     assert not driven.motors.armed
+
+
+def test_line_error_disarms_and_clears_setpoints(
+    driven: Device, simulator: SimulatedDevice, qtbot: QtBot
+) -> None:
+    simulator.do("line error framing 1")
+    qtbot.waitUntil(lambda: not driven.motors.armed)
+    assert "framing error" in driven.motors.stop_reason
+    assert driven.motors.text == ""
+    qtbot.waitUntil(lambda: not driven.may_move)
+    assert is_braked(simulator)
 
 
 def test_frozen_window_reports_the_confirmed_stop(
@@ -122,7 +130,7 @@ def test_frozen_window_reports_the_confirmed_stop(
     while not is_braked(simulator):  # and no event of the window is served meanwhile
         assert now() < deadline, "the motor was not stopped"
         runtime().sleep(0.05)
-    qtbot.waitUntil(lambda: not driven.may_move, timeout=20_000)
+    qtbot.waitUntil(lambda: not driven.may_move)
     assert said == [f"{STOOD_STILL} The motors were stopped. Press Run motor to continue."]
     assert driven.motors.stop_reason == STOOD_STILL
 

@@ -60,7 +60,7 @@ def connect(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[Callable
         if lines:
             quick_simulator.do("power cycle")
         device.connect_to(ConnectionSettings(quick_simulator.url))
-        qtbot.waitUntil(lambda: device.link is ConnectionState.CONNECTED, timeout=30_000)
+        qtbot.waitUntil(lambda: device.link is ConnectionState.CONNECTED)
         return device
 
     yield connect

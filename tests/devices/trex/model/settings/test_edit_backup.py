@@ -75,7 +75,7 @@ class Run:
         return found | dict(self.device.calibrations.edited)
 
     def wait(self, condition: Callable[[], bool]) -> None:
-        self.qtbot.waitUntil(condition, timeout=20_000)
+        self.qtbot.waitUntil(condition)
 
 
 @pytest.fixture

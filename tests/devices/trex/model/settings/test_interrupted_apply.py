@@ -211,18 +211,6 @@ def test_shutdown_reports_the_results_of_an_apply(step: int, applied: Interrupte
     applied.finish()
 
 
-@every_step
-def test_reconnecting_during_apply_keeps_only_unwritten_edits(
-    step: int, applied: InterruptedApply
-) -> None:
-    """Connecting elsewhere closes the line first."""
-    again = ConnectionSettings(applied.simulator.url)
-    applied.disturb(step, lambda: applied.device.connect_to(again))
-    applied.recorder.until_link(ConnectionState.CONNECTED)
-    require_report(applied)
-    applied.finish()
-
-
 # --- A board that is addressed by number ------------------------------------------------
 
 
