@@ -22,17 +22,6 @@ from trex_gui.devices.trex.simulator.uart import RECEIVE_BUFFER, SEND_BUFFER, Se
 WRITE = "AF 07 0F 55 2A"
 
 
-def test_replies_fit_send_buffer_and_come_without_pause(
-    port: SerialPort,
-) -> None:
-    port.board.advance(0.025)
-    for packet in ("81", "86 1F", "87 1F", "90", "8F"):
-        feed(port, packet)
-        assert port.pause == 0
-        assert 0 < len(answer(port)) < 3 * SEND_BUFFER
-    assert not errors(port)
-
-
 def test_bytes_during_eeprom_write_are_handled_after_it(port: SerialPort) -> None:
     feed(port, WRITE + "9F 07 82")
     assert answer(port) == NO_REPLY

@@ -98,28 +98,19 @@ def test_bad_pulse_invalidates_channel_at_next_pulse(rc: Channels) -> None:
     assert rc.silence(4) > rc.silence(1)
 
 
-def test_good_pulse_after_bad_pulses_restores_channel(rc: Channels) -> None:
-    rc.signals[1] = Signal(SignalKind.BAD_PULSES)
-    ticks(rc, 4 * PERIOD)
-    rc.signals[1] = Signal.pulses(1200)
-    assert rc.raw[:1] == (None,)
-    ticks(rc, PERIOD)
-    assert rc.raw[:1] == (3000,)
-    assert rc.silence(1) < PERIOD * TICK
-
-
 @pytest.mark.parametrize("text", ["silent", "2.5V", "1500us lost 1"])
-@pytest.mark.parametrize("channel", CHANNELS)
-def test_silent_channel_keeps_its_value_for_100_ms(rc: Channels, channel: int, text: str) -> None:
-    rc.signals[channel] = Signal.pulses(1200)
+def test_silent_channel_keeps_its_value_for_100_ms(rc: Channels, text: str) -> None:
     ticks(rc, PERIOD)
-    last_pulse = rc.silence(channel)
-    rc.signals[channel] = Signal.parse(text, RC)
-    kept = [raw[channel - 1] for raw in ticks(rc, 60)]
-    frozen = kept.count(3000)
-    assert kept == [3000] * frozen + [None] * (60 - frozen)
-    assert last_pulse + frozen * TICK == pytest.approx(0.1, abs=1.5 * TICK)
-    assert rc.silence(channel) == pytest.approx(last_pulse + 0.15)
+    last_pulses = [rc.silence(channel) for channel in CHANNELS]
+    for channel in CHANNELS:
+        rc.signals[channel] = Signal.parse(text, RC)
+    seen = ticks(rc, 60)
+    for channel, last_pulse in zip(CHANNELS, last_pulses, strict=True):
+        kept = [raw[channel - 1] for raw in seen]
+        frozen = kept.count(3750)
+        assert kept == [3750] * frozen + [None] * (60 - frozen)
+        assert last_pulse + frozen * TICK == pytest.approx(0.1, abs=1.5 * TICK)
+        assert rc.silence(channel) == pytest.approx(last_pulse + 0.15)
 
 
 def test_occasional_lost_pulses_hardly_affect_channel(rc: Channels) -> None:
@@ -145,16 +136,6 @@ def test_voltage_is_averaged_over_last_20_ms(analog: Channels) -> None:
     assert seen[:-1] == [0] * (len(seen) - 1)
     assert seen[-1] == pytest.approx(0.75 * 1023, abs=1)
     assert ticks(analog, PERIOD)[-1][0] == 1023
-
-
-def test_averaging_reduces_voltage_noise() -> None:
-    analog = Channels(ANALOG, seed=2)
-    analog.signals[1] = Signal.parse("2.5V noise 100mV", ANALOG)  # 20 counts each
-    seen = [raw[0] or 0 for raw in ticks(analog, 500 * PERIOD)[PERIOD - 1 :: PERIOD]]
-    mean = sum(seen) / len(seen)
-    spread = (sum((value - mean) ** 2 for value in seen) / len(seen)) ** 0.5
-    assert mean == pytest.approx(511.5, abs=1)
-    assert spread == pytest.approx(20.46 / 4, rel=0.15)
 
 
 def test_disconnect_sets_every_channel_to_rest(rc: Channels) -> None:

@@ -75,16 +75,6 @@ def test_reply_and_show_state_channel_signal(line: TrexLine, text: str, signal: 
     assert control(line, f"channel 1 {signal}") == f"ok channel 1 gets {signal}"
 
 
-def test_channel_command_sets_voltage_of_analog_input(line: TrexLine) -> None:
-    line.boards[0].eeprom.write("channel_input_source", 1)
-    control(line, "power cycle")
-    assert control(line, "channel 5 2.5V") == "ok channel 5 gets 2.5V"
-    assert show(line)["channels"][4]["raw"] == 0
-    line.advance(PULSES)
-    assert show(line)["channels"][4]["raw"] == 512
-    assert show(line)["mode"] == "a"
-
-
 def test_jumper_commands_set_jumpers(line: TrexLine) -> None:
     assert control(line, "jumper mode rc").startswith("ok")
     assert show(line)["mode"] == "r"
@@ -169,18 +159,6 @@ def test_battery_command_sets_voltage_and_resistance(line: TrexLine) -> None:
     assert show(line)["supply"] == 7.5
 
 
-def test_board_browns_out_until_battery_is_charged(line: TrexLine) -> None:
-    control(line, "battery 2")
-    line.advance(0.01)
-    assert show(line)["power"] is False
-    assert control(line, "power on").startswith("ok power on, but the battery is too low")
-    control(line, "battery 12")
-    line.advance(0.01)
-    shown = show(line)
-    assert shown["power"] is True
-    assert (shown["counters"]["brown_outs"], shown["counters"]["power_ups"]) == (1, 2)
-
-
 def test_eeprom_command_takes_effect_after_power_cycle(line: TrexLine) -> None:
     assert control(line, "eeprom uart_settings 0x0A") == (
         "ok uart_settings is 10; power cycle to use it"
@@ -191,25 +169,20 @@ def test_eeprom_command_takes_effect_after_power_cycle(line: TrexLine) -> None:
     assert show(line)["active_uart"]["baud"] == 115200
 
 
-def test_factory_command_restores_new_board_state(line: TrexLine) -> None:
+def test_factory_command_restores_new_board_and_switches_it_on(line: TrexLine) -> None:
     fresh = show(line)
-    for text in (
-        "eeprom device_number 3", "jumper mode analog", "jumper mix on", "channel 1 2V",
-        "battery 9 0.3", "load 1 5", "fault 1 on", "current 2 9", "power cycle",
-    ):  # fmt: skip
-        assert control(line, text).startswith("ok"), text
-    line.advance(1)
+    for text in ("eeprom device_number 3", "channel 1 1200us", "battery 9", "power off"):
+        control(line, text)
     assert control(line, "factory") == "ok as new"
     shown = show(line)
     assert {key for key in shown if shown[key] != fresh[key]} == {"counters"}
+
+
+def test_power_on_with_empty_battery_is_explained(line: TrexLine) -> None:
+    control(line, "battery 2")
     line.advance(0.01)
-    assert show(line)["supply"] == 12.0
-
-
-def test_factory_command_switches_board_on(line: TrexLine) -> None:
-    control(line, "power off")
-    assert control(line, "factory") == "ok as new"
-    assert show(line)["power"] is True
+    assert control(line, "power on").startswith("ok power on, but the battery is too low")
+    assert show(line)["power"] is False
 
 
 @pytest.mark.parametrize(

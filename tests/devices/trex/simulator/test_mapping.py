@@ -12,19 +12,6 @@ SETUP = ChannelSetup((DEFAULT_CALIBRATION[InputSource.RC],) * 5)
 values = st.integers(-127, 127)
 
 
-def test_reversed_channel_is_negated_and_ignored_one_is_zero() -> None:
-    raw = [4500] * 5
-    plain = SETUP.remapped(raw)[0]
-    masked = ChannelSetup(SETUP.calibrations, reversed_=0b00010, ignored=0b00100)
-    assert masked.remapped(raw) == (plain, -plain, 0, plain, plain)
-
-
-def test_parabolic_channel_is_gentler() -> None:
-    raw = [4362] * 5
-    gentle = ChannelSetup(SETUP.calibrations, parabolic=0b00001).remapped(raw)
-    assert 0 < gentle[0] < gentle[1]
-
-
 @pytest.mark.parametrize(
     ("raw", "active"), [(None, False), (3750, False), (3126, False), (3124, True), (2500, True)]
 )
@@ -39,10 +26,6 @@ def test_switch_respects_ignored_and_reversed_settings() -> None:
     assert not turned.is_switched(4, 2500)
 
 
-def test_each_channel_drives_its_motor_without_mix_and_flip() -> None:
-    assert motor_values((10, -20), mix=False, flip=False, joint=False) == (10, -20)
-
-
 def test_mix_adds_turn_to_one_motor_and_subtracts_from_other() -> None:
     assert motor_values((30, 100), mix=True, flip=False, joint=False) == (127, 70)
     assert motor_values((127, -127), mix=True, flip=False, joint=False) == (0, -127)
@@ -51,11 +34,6 @@ def test_mix_adds_turn_to_one_motor_and_subtracts_from_other() -> None:
 def test_flip_swaps_and_reverses_motors() -> None:
     assert motor_values((10, -20), mix=False, flip=True, joint=False) == (20, -10)
     assert motor_values((30, 50), mix=True, flip=True, joint=False) == (-20, -80)
-
-
-def test_joint_mode_does_not_mix() -> None:
-    assert motor_values((10, 50), mix=True, flip=False, joint=True) == (10, 50)
-    assert motor_values((10, 50), mix=True, flip=True, joint=True) == (-10, 50)
 
 
 @given(first=values, second=values, mix=st.booleans(), flip=st.booleans(), joint=st.booleans())

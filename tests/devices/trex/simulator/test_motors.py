@@ -1,4 +1,3 @@
-import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -10,7 +9,6 @@ from trex_gui.devices.trex.simulator.motors import (
 )
 
 BRAKE, REVERSE, FORWARD = MotorDirection.BRAKE, MotorDirection.REVERSE, MotorDirection.FORWARD
-NO_RAMP = MotorSettings()
 
 
 def updates(motor: Motor, settings: MotorSettings, count: int, current: int = 0) -> list[int]:
@@ -19,29 +17,6 @@ def updates(motor: Motor, settings: MotorSettings, count: int, current: int = 0)
         motor.update(settings, current)
         speeds.append(motor.speed)
     return speeds
-
-
-@pytest.mark.parametrize(
-    ("bits", "direction"), [(0, BRAKE), (1, REVERSE), (2, FORWARD), (3, BRAKE), (0xC2, FORWARD)]
-)
-def test_direction_is_decoded_from_bits(bits: int, direction: MotorDirection) -> None:
-    assert MotorDirection.from_bits(bits) is direction
-
-
-def test_set_command_acts_at_once_despite_ramp() -> None:
-    motor = Motor()
-    motor.set(FORWARD, 100)
-    assert (motor.direction, motor.speed) == (FORWARD, 100)
-    motor.set(REVERSE, 50)
-    assert (motor.direction, motor.speed) == (REVERSE, 50)
-    assert updates(motor, MotorSettings(acceleration=1, brake_duration=100), 3) == [50, 50, 50]
-
-
-def test_accelerate_command_acts_in_next_update() -> None:
-    motor = Motor()
-    motor.accelerate(FORWARD, 100)
-    assert motor.speed == 0
-    assert updates(motor, NO_RAMP, 1) == [100]
 
 
 def test_update_adds_exact_tenth_of_acceleration() -> None:
@@ -58,42 +33,6 @@ def test_ten_updates_add_the_acceleration(acceleration: int, target: int) -> Non
     speeds = updates(motor, MotorSettings(acceleration=acceleration), 10)
     assert speeds[-1] == min(acceleration, target)
     assert speeds == sorted(speeds)
-
-
-def test_lower_setpoint_is_reached_without_ramp() -> None:
-    motor = Motor()
-    motor.set(FORWARD, 100)
-    motor.accelerate(FORWARD, 10)
-    assert updates(motor, MotorSettings(acceleration=1), 1) == [10]
-
-
-def test_reversal_brakes_for_brake_duration_then_ramps_from_zero() -> None:
-    motor = Motor()
-    motor.set(FORWARD, 100)
-    motor.accelerate(REVERSE, 60)
-    settings = MotorSettings(acceleration=100, brake_duration=3)
-    for _ in range(3):
-        motor.update(settings, 0)
-        assert (motor.direction, motor.speed) == (BRAKE, 127)
-        assert (motor.target_direction, motor.target_speed) == (REVERSE, 60)
-    assert updates(motor, settings, 7) == [10, 20, 30, 40, 50, 60, 60]
-    assert motor.direction is REVERSE
-
-
-def test_reversal_without_brake_duration_ramps_from_zero() -> None:
-    motor = Motor()
-    motor.set(FORWARD, 100)
-    motor.accelerate(REVERSE, 60)
-    assert updates(motor, MotorSettings(acceleration=50), 2) == [5, 10]
-    assert motor.direction is REVERSE
-
-
-def test_braking_has_no_ramp() -> None:
-    motor = Motor()
-    motor.set(FORWARD, 100)
-    motor.accelerate(BRAKE, 127)
-    motor.update(MotorSettings(acceleration=1, brake_duration=50), 0)
-    assert (motor.direction, motor.speed) == (BRAKE, 127)
 
 
 def test_braked_motor_reverses_at_once_after_brake_duration() -> None:

@@ -34,20 +34,6 @@ either_firmware = pytest.mark.parametrize("needs_shutdown", [False, True])
 
 
 class TestSafety:
-    @either_firmware
-    def test_motors_stop_at_serial_timeout(self, *, needs_shutdown: bool) -> None:
-        board = Board(timeout_needs_shutdown=needs_shutdown)
-        write(board, "serial_timeout", 5)
-        board.note_byte()
-        board.serial.drive(1, FORWARD, 100)
-        board.serial.drive_aux(100)
-        board.advance(0.49)
-        assert board.motors[0].speed == 100
-        board.advance(0.02)
-        assert (board.motors[0].direction, board.aux.speed) == (BRAKE, 0)
-        assert board.serial.take_uart_errors() == UartError.TIMEOUT
-        assert board.serial.take_status() == Status.UART_ERROR
-
     @pytest.mark.parametrize(("needs_shutdown", "direction"), [(False, BRAKE), (True, FORWARD)])
     def test_timeout_without_shutdown_is_latched_and_stops_under_one_hypothesis(
         self, direction: MotorDirection, *, needs_shutdown: bool
@@ -107,40 +93,12 @@ class TestSafety:
         assert board.motors[0].direction is BRAKE
         assert board.serial.uart_errors == UartError.TIMEOUT
 
-    @pytest.mark.parametrize(("setting", "speed"), [(0, 100), (1, 127)])
-    def test_line_error_stops_motor_only_if_configured(self, setting: int, speed: int) -> None:
-        board = Board()
-        write(board, "uart_error_shutdown", setting)
-        board.serial.drive(1, FORWARD, 100)
-        board.report_error(UartError.FRAMING)
-        stopped = board.motors[0].direction is BRAKE
-        assert (stopped, board.motors[0].speed) == (bool(setting), speed)
-        assert board.serial.status == Status.UART_ERROR
-
     def test_line_error_does_not_stop_motor_driven_by_stick(self, rc: Board) -> None:
         rc.channels.signals[1] = Signal.pulses(2000)
         rc.advance(0.05)
         assert rc.motors[0].direction is FORWARD
         rc.report_error(UartError.FORMAT)
         assert rc.motors[0].direction is FORWARD
-
-    def test_status_and_error_bytes_are_cleared_separately(self) -> None:
-        board = Board()
-        board.report_error(UartError.CRC)
-        assert board.serial.take_status() == Status.UART_ERROR
-        assert board.serial.take_status() == 0
-        assert board.serial.take_uart_errors() == UartError.CRC
-        assert board.serial.take_uart_errors() == 0
-
-    def test_fault_is_latched_again_while_it_lasts(self) -> None:
-        board = Board()
-        board.set_fault(2, fault=True)
-        assert board.serial.take_status() == Status.MOTOR2_FAULT
-        board.advance(0.01)
-        assert board.serial.take_status() == Status.MOTOR2_FAULT
-        board.set_fault(2, fault=False)
-        board.advance(0.01)
-        assert board.serial.take_status() == 0
 
 
 class TestCurrents:
@@ -155,18 +113,6 @@ class TestCurrents:
         assert board.serial.take_status() == Status.MOTOR1_OVER_LIMIT
         assert 15 < board.motors[0].speed < 110
         assert 4 < board.physics[0].current < 8
-
-    @pytest.mark.parametrize(("mode", "rate"), [("rc", 80), ("analog", 50)])
-    def test_currents_update_at_documented_rate(self, mode: str, rate: int) -> None:
-        board = Board(mode=mode)
-        board.physics[0].forced = 1.0
-        board.advance(1 / rate + 0.001)
-        assert board.physics[0].reading == 7
-        board.physics[0].forced = 2.0
-        board.advance(1 / rate - 0.003)
-        assert board.physics[0].reading == 7
-        board.advance(0.003)
-        assert board.physics[0].reading == 13
 
     def test_joint_mode_has_one_motor_and_no_currents(self) -> None:
         eeprom = Eeprom()

@@ -91,19 +91,6 @@ def test_single_packet_never_affects_board_at_another_rate(
             board.power_cycle()  # nothing is left over of what it heard
 
 
-@pytest.mark.parametrize("packets", SAFE.values(), ids=SAFE)
-def test_scan_packets_never_affect_board_at_another_rate(packets: Sequence[bytes]) -> None:
-    for code, baud in other_baud_rates():
-        board = a_touchy_board(code, Detection.NONE)
-        stored = board.memory.stored()
-        line = TrexLine([board])
-        line.host = LineSettings(baud)
-        for packet in (*packets, *reversed(packets), *packets):
-            send_alone(line, packet)
-        assert (board.memory.stored(), board.memory.writes) == (stored, 0)
-        assert not board.aux.speed
-
-
 @cache
 def words(packet: bytes, host: LineSettings, own: LineSettings) -> frozenset[Word]:
     """Return all that a receiver may make of a packet that comes alone."""

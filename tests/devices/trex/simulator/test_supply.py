@@ -1,18 +1,16 @@
 """Both motors at one battery, and the board that resets when it sags."""
 
-from itertools import pairwise
 from typing import Any
 
 import pytest
 
-from tests.devices.trex.simulator.ports import SETTLED, a_board, ask
+from tests.devices.trex.simulator.ports import SETTLED, a_board
 from trex_gui.devices.trex.simulator.channels import Signal
 from trex_gui.devices.trex.simulator.control import control, report
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 from trex_gui.devices.trex.simulator.physics import CONSTANTS, DriverOutput, Machine
-from trex_gui.devices.trex.simulator.uart import SerialPort
 
 FORWARD, REVERSE, BRAKE = MotorDirection.FORWARD, MotorDirection.REVERSE, MotorDirection.BRAKE
 TREX = CONSTANTS["trex"]
@@ -103,23 +101,6 @@ class TestMachine:
 
 
 class TestBoard:
-    def test_full_speed_start_peaks_near_stall_current_and_falls(self) -> None:
-        board = Board()
-        board.serial.drive(1, FORWARD, 127)
-        seen = currents(board, 0.5)
-        stall = TREX.battery / (TREX.resistance + TREX.battery_resistance)
-        assert max(seen) == seen[0]
-        assert 0.75 * stall < seen[0] <= stall
-        assert all(after <= before + 0.31 for before, after in pairwise(seen))
-        assert seen[-1] == pytest.approx(TREX.free, abs=0.35)
-
-    def test_reversal_current_peaks_higher_than_start(self) -> None:
-        board = Board()
-        board.serial.drive(1, FORWARD, 127)
-        start = max(currents(board, 1))
-        board.serial.drive(1, REVERSE, 127)
-        assert max(currents(board, 1)) > 1.4 * start
-
     def test_ramp_limits_start_current(self) -> None:
         board = a_board(motor1_acceleration=20)
         board.serial.drive(1, FORWARD, 127, accelerate=True)
@@ -134,13 +115,6 @@ class TestBoard:
         assert seen[1:] == [pytest.approx(stall, abs=0.35)] * (len(seen) - 1)
         assert report(board)["supply"] == pytest.approx(stall * TREX.resistance, abs=0.01)
         assert report(board)["motors"][0]["rpm"] == 0
-
-    def test_current_query_returns_load_current_in_counts(self) -> None:
-        board = a_board(model="trexjr")
-        board.physics[0].load = 3.0
-        board.serial.drive(1, FORWARD, 127)
-        board.advance(3)
-        assert int(ask(SerialPort(board), "8D"), 16) == pytest.approx(3.0 / 0.04, abs=2)
 
 
 class TestBrownOut:
