@@ -1,19 +1,14 @@
 """Recordings of a robot to write and read: arbitrary ones, and a plausible session."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from datetime import UTC, datetime
-from functools import partial
 from pathlib import Path
 from random import Random
 
-import pytest
 from hypothesis import strategies as st
-from PySide6.QtCore import QThread
 
 from trex_gui.core.recording.kinds import Marker
 from trex_gui.core.recording.store import CHUNK, Recording, RecordingWriter
-from trex_gui.devices.aracna.model.recordings import RobotPlayback
-from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.recording import FORMAT, Header, Record, StoppedResponding
 from trex_gui.devices.aracna.session.messages import (
     Ending,
@@ -26,9 +21,6 @@ from trex_gui.devices.aracna.session.messages import (
     StepBegun,
     Stuck,
 )
-from trex_gui.ui.playback.player import LoadedRecording
-from trex_gui.ui.runtime import runtime
-from trex_gui.ui.workers.file_worker import ProgressCallback
 
 MOTORS = 8
 HEADER = Header(datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC), 1234.5, version=1, motors=MOTORS)
@@ -118,33 +110,3 @@ def read_all(path: Path) -> tuple[list[Record], list[str]]:
     found = [record for first in numbers for record in recording.read(first, first + CHUNK - 1)]
     recording.close()
     return found, recording.problems
-
-
-def hang(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let the loading of any recording hang until it is cancelled.
-
-    A large file would not do: the loading might end while the window is busy.
-    """
-    loader = RobotPlayback.loader
-
-    def hanging(
-        playback: RobotPlayback,
-    ) -> Callable[[ProgressCallback], LoadedRecording[Header, Record, RobotState]]:
-        load = loader(playback)
-
-        def report_and_hang(progress: ProgressCallback, share: float) -> None:
-            progress(share)
-            while share > 0.1:
-                runtime().sleep(0.01)
-                progress(share)  # raises once it is cancelled
-
-        return lambda progress: load(partial(report_and_hang, progress))
-
-    monkeypatch.setattr(RobotPlayback, "loader", hanging)
-
-
-def loader_thread(playback: RobotPlayback) -> QThread:
-    """Return the thread that reads a recording."""
-    (thread,) = playback.findChildren(QThread)
-    assert isinstance(thread, QThread)
-    return thread

@@ -5,8 +5,6 @@ from PySide6.QtWidgets import QDialog, QLabel
 
 from tests.support.pages.robot import RobotWindow
 from tests.support.simulator import SimulatedDevice, StartSimulator
-from trex_gui.core.transport.settings import PortSettings
-from trex_gui.ui.runtime import open_transport
 
 
 @pytest.fixture
@@ -59,13 +57,9 @@ def test_search_finds_aracna_and_trex_and_prefers_earlier_device(
     window.find(QDialog, "findDialog").close()
 
 
-def test_search_reports_failed_attempts(window: RobotWindow, robot: SimulatedDevice) -> None:
-    with_other_program = open_transport(PortSettings(robot.url))
-    assert search(window, robot.url) == []
-    with_other_program.close()
-    assert f"{robot.url} is in use" in window.text("findText0")
-    assert "\n" not in window.text("findText0"), "said once, not of each device"
-
+def test_silent_port_is_described_for_both_devices(
+    window: RobotWindow, robot: SimulatedDevice
+) -> None:
     robot.do("power off")
     assert kinds(search(window, robot.url)) == ["TReX", "Aracna", "TReX"]
     trex, aracna = window.text("findText0").split("\n\n")
@@ -75,6 +69,8 @@ def test_search_reports_failed_attempts(window: RobotWindow, robot: SimulatedDev
     window.wait(lambda: label.height() >= label.heightForWidth(label.width()) > 0)
     window.find(QDialog, "findDialog").close()
 
+
+def test_search_names_the_demo(window: RobotWindow) -> None:
     window.choose_demo()
     window.press_disconnect()
     finder = window.program.device_manager.scanner

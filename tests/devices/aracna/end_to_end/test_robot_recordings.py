@@ -5,7 +5,6 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtWidgets import QFileDialog
-from shiboken6 import isValid
 
 from tests.devices.aracna import recordings
 from tests.devices.trex.recording import samples
@@ -139,20 +138,3 @@ def test_dropped_recording_opens_only_with_its_device(window: RobotWindow, tmp_p
     [of_board] = trex(window.program).workspace.recordings.windows
     window.wait(lambda: of_board.playback.is_loaded)
     of_board.close()
-
-
-@pytest.mark.realtime
-def test_program_exit_ends_recording_loader_thread(
-    window: RobotWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    recordings.hang(monkeypatch)
-    path = tmp_path / "long.trexrec"
-    recordings.write(path, list(recordings.session(60)))
-    aracna(window.program).workspace.recordings.open_file(path)
-    window.wait_for_files()
-    [playback] = opened(window)
-    thread = recordings.loader_thread(playback.playback)
-    window.wait(lambda: playback.playback.share > 0)
-    assert thread.isRunning()
-    window.wait(window.program.shut_down)
-    assert not isValid(thread) or thread.isFinished()

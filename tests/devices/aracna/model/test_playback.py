@@ -6,28 +6,21 @@ from pathlib import Path
 from random import Random
 
 import pytest
-from PySide6.QtCore import QCoreApplication
 from pytestqt.qtbot import QtBot
-from shiboken6 import isValid
 
 from tests.devices.aracna.recordings import (
-    HEADER,
     MOTORS,
     T0,
-    hang,
-    loader_thread,
     open_recording,
     session,
     write,
 )
 from tests.support.playing import loading
-from trex_gui.core.recording.kinds import Marker, RecordingError
 from trex_gui.devices.aracna.model.recordings import RobotPlayback
 from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.protocol.joints import degrees
 from trex_gui.devices.aracna.recording import Record, StoppedResponding
 from trex_gui.devices.aracna.session.messages import Moved, Moving, Passed, Restarted, Stuck
-from trex_gui.ui.event_log import EventKind
 
 LONG_TIMEOUT = 20_000
 
@@ -137,63 +130,3 @@ def test_stuck_motor_is_known_until_it_answers(tmp_path: Path, qtbot: QtBot) -> 
     assert known.stuck is None
     assert [each.motor for each in known.missed_goals] == [3, 4, 5, 6, 7]
     playback.close()
-
-
-def test_events_are_sorted_by_time_with_their_kinds(tmp_path: Path, qtbot: QtBot) -> None:
-    playback = loaded(
-        tmp_path / "a.trexrec",
-        qtbot,
-        Marker(T0 + 2, "word of a later program", "something"),
-        Marker(T0 + 1, "fault", "The board has restarted."),
-    )
-    assert [(round(event.time - T0), event.kind) for event in playback.events] == [
-        (1, EventKind.FAULT),
-        (2, EventKind.NOTE),
-    ]
-    playback.close()
-
-
-def test_empty_recording_opens(tmp_path: Path, qtbot: QtBot) -> None:
-    playback = loaded(tmp_path / "a.trexrec", qtbot)
-    assert playback.position == playback.end == T0
-    assert playback.header == HEADER
-    assert playback.state().present == (None,) * MOTORS
-    playback.close()
-
-
-def test_long_recording_draws_limited_number_of_rows(tmp_path: Path, qtbot: QtBot) -> None:
-    path = tmp_path / "long.trexrec"
-    write(path, list(session(600)))
-    playback = RobotPlayback(open_recording(path), max_rows=5000)
-    with qtbot.waitSignal(playback.loaded, timeout=LONG_TIMEOUT):
-        playback.start_loading()
-    drawn, there = playback.drawn
-    assert drawn == 5000 < there
-    playback.close()
-
-
-def test_invalid_recording_is_rejected(tmp_path: Path) -> None:
-    (tmp_path / "a.trexrec").write_bytes(b"something else")
-    with pytest.raises(RecordingError):
-        loading(RobotPlayback(open_recording(tmp_path / "a.trexrec")))
-
-
-@pytest.mark.realtime
-def test_close_while_loading_ends_thread(
-    tmp_path: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    hang(monkeypatch)
-    path = tmp_path / "long.trexrec"
-    write(path, list(session(60)))
-    playback = loading(RobotPlayback(open_recording(path)))
-    thread = loader_thread(playback)
-    signals: list[str] = []
-    playback.loaded.connect(lambda: signals.append("loaded"))
-    playback.failed.connect(signals.append)
-    qtbot.waitUntil(lambda: playback.share > 0, timeout=LONG_TIMEOUT)
-    assert thread.isRunning()
-    qtbot.waitUntil(playback.close, timeout=LONG_TIMEOUT)
-    assert not isValid(thread) or thread.isFinished()
-    QCoreApplication.sendPostedEvents()
-    assert signals == []
-    assert not playback.is_loaded

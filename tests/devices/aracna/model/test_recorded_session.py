@@ -200,3 +200,24 @@ def test_state_at_end_of_recording_equals_robot_state(session: Session, qtbot: Q
     assert known.moving is None
     assert known.missed_goals == now.missed_goals
     playback.close()
+
+
+def test_disconnect_ends_recording(session: Session) -> None:
+    session.recorder.start(session.path)
+    ending = [session.recorder.ended_early, session.recorder.ended]
+    with session.qtbot.waitSignals(ending, timeout=LONG_TIMEOUT):
+        session.robot.close()
+    assert not session.recorder.recording
+    assert read_all(session.path)[1] == []
+
+
+def test_unwritable_file_is_reported(session: Session, tmp_path: Path) -> None:
+    with session.qtbot.waitSignal(session.recorder.failed, timeout=LONG_TIMEOUT) as failed:
+        session.recorder.start(tmp_path / "gone" / "a.trexrec")
+    assert "cannot be written" in failed.args[0]
+    session.qtbot.waitUntil(lambda: session.recorder.can_record, timeout=LONG_TIMEOUT)
+
+
+def test_recording_needs_connected_robot(tmp_path: Path, qtbot: QtBot) -> None:
+    assert not AracnaRecorder(Robot()).start(tmp_path / "a.trexrec")
+    assert list(tmp_path.iterdir()) == []

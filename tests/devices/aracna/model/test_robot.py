@@ -45,11 +45,6 @@ class RobotHarness:
     def wait(self, condition: Callable[[], bool]) -> None:
         self.qtbot.waitUntil(condition, timeout=15_000)
 
-    def rest(self) -> None:
-        """Wait until an answer is complete and nothing is on its way."""
-        known = self.robot.state
-        self.wait(lambda: known.moved is not None and known.play is None)
-
     def move(self, goals: tuple[int, ...]) -> None:
         before = len(self.of(Moved))
         assert self.robot.move(goals)
@@ -195,6 +190,75 @@ def test_unreadable_position_is_reported_as_missed_goal(
     assert "Motor 2 did not report its position (−1)." in [event.text for event in robot.events.all]
 
 
+def test_move_that_failed_is_reported(robot: Robot, harness: RobotHarness) -> None:
+    harness.simulator.do("servo power off")
+    assert robot.move((440,) * 8)
+    harness.wait(lambda: any("Not moved" in text for text in harness.messages))
+    assert "Check the servo power" in harness.messages[-1]
+    assert not harness.sent
+
+
+def test_commands_while_motor_is_stuck_are_never_sent(robot: Robot, harness: RobotHarness) -> None:
+    harness.move((512,) * 8)
+    harness.lose_motor_3((500,) * 8)
+    robot.move((300,) * 8)  # waits, and is dropped
+    harness.wait(lambda: robot.state.stuck is not None)
+    assert not robot.move((350,) * 8)
+    assert not robot.play(Play(0, steps(HIGH, LOW)))
+    assert "is waiting for motor 3" in harness.messages[-1]
+    harness.simulator.do("servo 3 alive")
+    harness.wait(lambda: robot.state.moving is None)
+    harness.move((490,) * 8)
+    assert harness.sent == [(512,) * 8, (500,) * 8, (490,) * 8]
+
+
+def test_drag_with_rejected_speed_is_reported_once(robot: Robot, harness: RobotHarness) -> None:
+    harness.move(LOW)
+    harness.simulator.do("servo 5 dead")
+    robot.speeds, robot.speeds_chosen = (200,) * 8, True
+    robot.begin_drag()
+    for goal in range(300, 340):
+        robot.drag((goal,) * 8)
+    harness.wait(lambda: not robot.dragging)
+    robot.drag(HIGH)
+    harness.simulator.do("servo 5 alive")
+    harness.move((310,) * 8)
+    assert harness.sent == [LOW, (310,) * 8]
+    assert len(harness.messages) == 1
+    assert "Motor 5 did not accept speed 200" in harness.messages[0]
+
+
+def test_log_has_one_line_for_a_move_and_none_for_a_drag(
+    robot: Robot, harness: RobotHarness
+) -> None:
+    harness.move(LOW)
+    logged = [event.text for event in robot.events.all]
+    assert logged.count(f"Move to {', '.join(['300'] * 8)}.") == 1
+    robot.begin_drag()
+    harness.drag(HIGH)
+    robot.end_drag()
+    assert [event.text for event in robot.events.all] == logged
+
+
+def test_lost_reply_is_one_line_in_log(robot: Robot, harness: RobotHarness) -> None:
+    harness.move(LOW)
+    assert robot.move(HIGH)
+    harness.wait(lambda: robot.state.moving is not None)
+    harness.simulator.do("line mute on")
+    harness.wait(lambda: robot.state.reply_lost)
+    texts = [event.text for event in robot.events.all]
+    lost = [text for text in texts if "−1" in text or "reply was lost" in text]
+    assert lost == ["The reply was lost (or no motor responds): positions are not known."]
+    harness.simulator.do("line mute off")
+
+
+def test_halt_at_rest_keeps_goals(robot: Robot, harness: RobotHarness) -> None:
+    harness.move(LOW)
+    robot.targets.set(0, 350)
+    robot.halt()
+    assert robot.targets.goals == (350, *LOW[1:])
+
+
 def test_rejected_servo_speed_is_reported(robot: Robot, harness: RobotHarness) -> None:
     harness.simulator.do("servo 5 dead")
     robot.set_speeds((200,) * 8)
@@ -250,6 +314,21 @@ def test_cropped_steps_of_a_sequence_are_reported(robot: Robot, harness: RobotHa
     assert harness.messages == ["Cropped to the limits of the joints: 2 steps."]
     harness.wait(lambda: robot.state.play is None)
     assert [robot.limits.crop(goals) for goals in harness.sent] == harness.sent
+
+
+def test_changed_limits_apply_to_next_steps_of_playback(
+    robot: Robot, harness: RobotHarness
+) -> None:
+    harness.move(LOW)
+    robot.play(Play(0, steps(HIGH, LOW), rounds=0))
+    harness.wait(lambda: robot.state.step is not None and robot.state.step.round >= 1)
+    for motor in range(robot.state.motors):
+        robot.limits.set(motor, 340, 360)
+    harness.wait(lambda: (360,) * 8 in harness.sent and (340,) * 8 in harness.sent)
+    first = min(harness.sent.index((goal,) * 8) for goal in (340, 360))
+    assert set(harness.sent[first:]) == {(340,) * 8, (360,) * 8}
+    robot.halt()
+    harness.wait(lambda: robot.state.play is None and robot.state.moving is None)
 
 
 def test_halt_ends_playback_and_holds_reported_positions(

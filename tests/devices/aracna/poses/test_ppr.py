@@ -257,9 +257,9 @@ def test_sample_file_matches_pypose_format() -> None:
     assert write_ppr(project) == text
 
 
-@pytest.mark.parametrize("line", ["a:1\n", "Seq=a: b|1\n", "nothing\n"])
-def test_long_file_is_read_quickly(line: str) -> None:
-    text = HEAD + line * (256 * 1024 // len(line))
+def test_long_file_is_read_quickly() -> None:
+    lines = "a:1\nSeq=a: b|1\nnothing\n"
+    text = HEAD + lines * (256 * 1024 // len(lines))
     began = time.process_time()
     project, findings = read_ppr(text)
     assert time.process_time() - began < 5

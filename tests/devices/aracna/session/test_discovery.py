@@ -5,7 +5,7 @@ from collections.abc import Iterable
 
 import pytest
 
-from tests.devices.trex.discovery.test_prober import BOARDS, OWN, State, Wire, hear, orders
+from tests.devices.trex.discovery.test_prober import OWN, State, Wire, hear, orders
 from tests.devices.trex.simulator.ports import a_board
 from tests.support.aracna import AracnaStage
 from trex_gui.core.discovery.prober import FLUSH_BYTE, FLUSH_LINE, ScanProgress
@@ -186,17 +186,6 @@ def test_lost_port_ends_search() -> None:
 
 
 # --- A TReX ---------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("settings", BOARDS, ids=lambda settings: settings.text())
-def test_search_sends_no_command_that_trex_obeys(settings: LineSettings, orders: list[str]) -> None:
-    """Searches twice, for every rate, parity, number of stop bits, and with CRC."""
-    board = a_board(settings=settings.to_wire(), uart_error_shutdown=0)
-    for _ in range(2):
-        wire = Wire(TrexLine([board]))
-        assert not search_at(wire).found
-    assert not orders
-    assert not board.memory.writes
 
 
 def _orders_obeyed(

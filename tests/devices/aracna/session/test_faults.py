@@ -41,10 +41,6 @@ def code(error: object) -> Enum:
     return error.code
 
 
-def moving_at(report: object) -> bool:
-    return isinstance(report, Moving)
-
-
 # --- Restarts -------------------------------------------------------------------------------
 
 
@@ -178,17 +174,6 @@ def test_recovered_servo_ends_move_and_starts_nothing_else() -> None:
     assert {code(outcomes[number]) for number in (4, 5, 6)} == {ErrorCode.STUCK}
     assert [dropped.goals for dropped in session.of(DragDropped)] == [(410,) * 8]
     assert not session.of(NotResponding)
-
-
-def test_dead_servo_is_reported_in_held_speeds() -> None:
-    session = (
-        ScriptedSession()
-        .at(0.1, lambda: session.stage.do("servo 5 dead"))
-        .at(0.2, SetSpeeds(1, SLOW))
-    )
-    session.until(1.0).run()
-    [held] = session.of(SpeedsHeld)
-    assert held.held == (100,) * 5 + (-1,) + (100,) * 2
 
 
 def test_unreadable_position_is_reported_as_unknown() -> None:

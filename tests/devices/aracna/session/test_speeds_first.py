@@ -136,16 +136,6 @@ def test_rejected_step_speed_ends_playback() -> None:
     assert lines(session, "c") == ["512"]
 
 
-def test_speeds_are_resent_after_servo_power_cycle() -> None:
-    session = ScriptedSession().at(0.2, Move(1, HERE, SLOW))
-    session.at(4.0, lambda: session.stage.do("servo power off"))
-    session.at(5.0, lambda: session.stage.do("servo power on"))
-    session.at(6.5, Move(2, THERE, SLOW)).until(9.5).run()
-    assert lines(session, "v") == ["30", "30"]
-    assert errors(session) == {1: "", 2: ""}
-    assert session.of(Moved)[-1].seconds > 1.2, "88 units at 30 are 1.29 s"
-
-
 # --- The newest request ---------------------------------------------------------------------
 
 

@@ -63,23 +63,6 @@ def test_reset_board_says_hello_and_answers_a_second_later(start: Start) -> None
 
 
 @pytest.mark.realtime
-@needs_pty
-def test_servo_motion_takes_real_time(start: Start) -> None:
-    robot = start()
-    with open_port(robot) as port:
-        port.write(b".q\n")
-        while port.readline() != VERSION:
-            pass
-        port.write(b".v100,100,100,100,100,100,100,100\n")
-        assert port.readline() == b".v100,100,100,100,100,100,100,100\r\n"
-        begun = time.monotonic()
-        port.write(b".c626,512,512,512,512,512,512,512\n")
-        assert port.readline() == b".c626,512,512,512,512,512,512,512\r\n"
-        assert time.monotonic() - begun >= 112 / 228
-    assert robot.show()["servos"][0]["position"] == 626
-
-
-@pytest.mark.realtime
 @pytest.mark.slow
 @needs_pty
 def test_simulator_sees_baud_rate_of_host(start: Start) -> None:

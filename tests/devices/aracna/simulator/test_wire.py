@@ -1,7 +1,5 @@
 """The wire: its pace, hosts that are set otherwise, faults, the cable."""
 
-from itertools import pairwise
-
 import pytest
 
 from tests.support.aracna import BOOT, AracnaStage
@@ -23,15 +21,6 @@ def test_query_takes_about_three_milliseconds(stage: AracnaStage) -> None:
     stage.line.send(b".q\n")
     assert stage.line.read(7, 1) == VERSION
     assert (stage.now - begun) * 1000 == pytest.approx(2.6, abs=0.1)
-
-
-def test_reply_bytes_arrive_one_byte_time_apart(stage: AracnaStage) -> None:
-    stage.line.send(b".q\n")
-    times = []
-    for _ in VERSION:
-        stage.line.read(1, 1)
-        times.append(stage.now)
-    assert [later - sooner for sooner, later in pairwise(times)] == (pytest.approx([0.00026] * 6))
 
 
 def test_unpaced_bytes_take_no_time_but_servos_and_boot_do() -> None:
@@ -86,57 +75,6 @@ def test_host_with_parity_gets_no_valid_reply(stage: AracnaStage, detection: Par
 
 def test_second_stop_bit_is_accepted(stage: AracnaStage) -> None:
     stage.line.host = SerialFormat(38400, stop_bits=2)
-    assert stage.ask(b".q\n") == VERSION
-
-
-def test_mute_line_drops_replies_but_not_commands(stage: AracnaStage) -> None:
-    stage.do("line mute on")
-    assert stage.ask(b".l1\n") == b""
-    stage.do("line mute off")
-    assert stage.ask(b".l\n") == b".l1\r\n"
-
-
-def test_dropped_bytes_are_missing_from_reply(stage: AracnaStage) -> None:
-    stage.do("line drop 2")
-    assert stage.ask(b".q\n") == VERSION[2:]
-    assert stage.ask(b".q\n") == VERSION
-
-
-def test_dropped_sent_bytes_leave_query_unanswered(stage: AracnaStage) -> None:
-    stage.do("line drop 1 sent")
-    assert stage.ask(b".q\n") == b""  # "q" and the newline
-    assert stage.ask(b".q\n") == VERSION
-
-
-def test_garbage_arrives_at_line_speed(stage: AracnaStage) -> None:
-    stage.do("line garbage 00 FF 2E 68")
-    assert stage.line.read(4, 1) == b"\x00\xff.h"
-    assert stage.now == pytest.approx(BOOT + 4 * stage.line.byte_time)
-
-
-def test_noise_of_probability_1_corrupts_reply(stage: AracnaStage) -> None:
-    stage.do("line noise 1")
-    assert stage.ask(b".q\n") != VERSION
-    stage.do("line noise 0")
-    stage.ask(b"\n")
-    assert stage.ask(b".q\n") == VERSION
-
-
-def test_same_seed_gives_same_noise() -> None:
-    def heard(seed: int) -> bytes:
-        stage = AracnaStage(seed=seed)
-        stage.do("line noise 0.2")
-        return b"".join(stage.ask(b".q\n", 1) for _ in range(10))
-
-    assert heard(4) == heard(4)
-    assert heard(4) != heard(5)
-
-
-def test_unplugged_cable_passes_nothing(stage: AracnaStage) -> None:
-    stage.do("line unplug")
-    assert stage.ask(b".l1\n") == b""
-    assert not stage.line.station.firmware.led
-    stage.do("line plug")
     assert stage.ask(b".q\n") == VERSION
 
 

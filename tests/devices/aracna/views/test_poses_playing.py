@@ -154,13 +154,6 @@ def test_speed_can_change_and_step_is_marked_during_playback(
     assert driver.button("aracnaPlay").isEnabled()
 
 
-def test_play_is_enabled_once_robot_is_connected(driver: StagedPageDriver) -> None:
-    assert not driver.button("aracnaPlay").isEnabled()
-    driver.connect()
-    driver.click("aracnaPlay")
-    assert driver.plays
-
-
 def test_disabled_buttons_show_reason_in_tooltip(driver: StagedPageDriver) -> None:
     driver.choose_row("aracnaPoses", "stand")
     driver.robot.state.stuck = Stuck(0.0, 3)

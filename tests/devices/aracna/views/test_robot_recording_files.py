@@ -5,11 +5,10 @@ import sqlite3
 from pathlib import Path
 
 import pytest
-from PySide6.QtWidgets import QCheckBox, QLabel, QListView, QProgressBar
+from PySide6.QtWidgets import QCheckBox, QLabel, QListView
 from pytestqt.qtbot import QtBot
-from shiboken6 import isValid
 
-from tests.devices.aracna.recordings import HEADER, MOTORS, T0, hang, loader_thread, session, write
+from tests.devices.aracna.recordings import HEADER, MOTORS, T0, write
 from tests.devices.aracna.views.recording_stage import (
     SAMPLE_SESSION,
     RecordingWindowDriver,
@@ -36,37 +35,6 @@ def test_damaged_recording_reports_problem_and_shows_rest(tmp_path: Path, qtbot:
     window.playback.set_position(window.playback.end)
     assert window.text("aracnaRecordedPresent0") == "201 = 58.9°"
     window.close()
-
-
-def test_span_is_exported_as_csv(tmp_path: Path, qtbot: QtBot) -> None:
-    window = show_recording(tmp_path / "a.trexrec", qtbot, SAMPLE_SESSION)
-    with qtbot.waitSignal(window.playback.exported):
-        window.window.export(tmp_path / "a.csv")
-    text = (tmp_path / "a.csv").read_text(encoding="utf-8")
-    assert "motor_0_present_deg" in text.splitlines()[0]
-    assert "58.9" in text
-    assert "was saved in" in window.text("bannerText")
-    window.close()
-
-
-def test_loading_shows_progress_and_can_be_cancelled(
-    tmp_path: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    hang(monkeypatch)
-    path = tmp_path / "long.trexrec"
-    write(path, list(session(60)))
-    window = RecordingWindowDriver(path, qtbot)
-    window.show()
-    bar = window.find(QProgressBar, "recordingProgress")
-    window.wait(lambda: bar.value() > 0)
-    assert bar.isVisible()
-    assert bar.text().startswith("Reading, ")
-    assert not window.playback.is_loaded
-    thread = loader_thread(window.playback)
-    with qtbot.waitSignal(window.window.closed):
-        window.click("cancelRecordingButton")
-    window.wait(lambda: not isValid(thread) or thread.isFinished())
-    assert not window.playback.is_loaded
 
 
 def test_curve_hidden_while_loading_stays_hidden(tmp_path: Path, qtbot: QtBot) -> None:

@@ -26,7 +26,6 @@ from tests.devices.aracna.views.recording_stage import (
     show_recording,
 )
 from tests.support.keyboard import check_keyboard
-from trex_gui.core.recording.kinds import Marker
 from trex_gui.devices.aracna.views.robot.drawing import RobotDrawing
 from trex_gui.ui.plotting.plot import TracePlot
 
@@ -73,43 +72,6 @@ def test_motion_and_awaited_motor_are_shown(window: RecordingWindowDriver) -> No
     assert window.text("aracnaRecordedDifference3") == "moving …"
     assert window.text("aracnaRecordedPresent2") == "200 = 58.7°"
     assert window.text("aracnaRecordedPresent3") == "–"
-
-
-def test_time_slider_follows_keyboard(window: RecordingWindowDriver) -> None:
-    slider = window.find(QSlider, "timeSlider")
-    QTest.keyClick(slider, Qt.Key.Key_Right)
-    assert window.playback.position == pytest.approx(T0 + 1)
-    QTest.keyClick(slider, Qt.Key.Key_PageUp)
-    assert window.playback.position == pytest.approx(T0 + 11)
-    QTest.keyClick(slider, Qt.Key.Key_End)
-    assert window.playback.position == window.playback.end
-    QTest.keyClick(slider, Qt.Key.Key_Home)
-    assert window.playback.position == T0
-
-
-def test_playback_runs_at_chosen_speed_and_pauses(window: RecordingWindowDriver) -> None:
-    speed = window.find(QComboBox, "speedCombo")
-    speed.setCurrentIndex(speed.count() - 1)
-    assert window.playback.speed == 16
-    window.click("playButton")
-    assert window.is_playing()
-    window.wait(lambda: window.playback.position > T0 + 1)
-    window.click("playButton")
-    assert not window.is_playing()
-
-
-def test_click_on_event_seeks_to_its_time(window: RecordingWindowDriver) -> None:
-    events = window.find(QListView, "eventList")
-    model = events.model()
-    rows = [str(model.index(row, 0).data()) for row in range(model.rowCount())]
-    assert [row.split("  ")[1] for row in rows] == [
-        each.text for each in SAMPLE_SESSION if isinstance(each, Marker)
-    ]
-    window.wait(events.isVisible)
-    events.scrollTo(model.index(1, 0))
-    place = events.visualRect(model.index(1, 0)).center()
-    QTest.mouseClick(events.viewport(), Qt.MouseButton.LeftButton, pos=place)
-    assert window.playback.position == pytest.approx(T0 + 40)
 
 
 def test_click_in_plot_seeks_to_that_time(window: RecordingWindowDriver) -> None:
