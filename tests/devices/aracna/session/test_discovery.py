@@ -8,12 +8,11 @@ import pytest
 from tests.devices.trex.discovery.test_prober import OWN, State, Wire, hear, orders
 from tests.devices.trex.simulator.ports import a_board
 from tests.support.aracna import AracnaStage
-from trex_gui.core.discovery.prober import FLUSH_BYTE, FLUSH_LINE, ScanProgress
+from trex_gui.core.discovery.prober import FLUSH_BYTE, FLUSH_LINE
 from trex_gui.core.discovery.scan import PortScan, scan_port
-from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
-from trex_gui.devices.aracna.discovery import ARACNA_PROBER, PROBE, PROBES, FoundRobot
+from trex_gui.devices.aracna.discovery import ARACNA_PROBER, PROBE, FoundRobot
 from trex_gui.devices.aracna.protocol.commands import QUERY
 from trex_gui.devices.aracna.session.client import LINE
 from trex_gui.devices.trex.discovery import TREX_PROBER
@@ -76,13 +75,6 @@ def test_early_build_with_two_motors_is_found() -> None:
     [found] = search(AracnaStage(motors=2, reports_motors=False)).found
     assert isinstance(found, FoundRobot)
     assert (found.name, found.motors) == ("Aracna 0", 2)
-
-
-def test_search_does_not_move_robot() -> None:
-    stage = AracnaStage(positions=tuple(range(100, 900, 100)))
-    search(stage)
-    assert not any(servo.torque for servo in stage.line.servos)
-    assert stage.speeds == (0,) * 8
 
 
 @pytest.mark.parametrize("full", [False, True])
@@ -157,32 +149,6 @@ def test_noise_is_not_reported_as_echo() -> None:
     stage.do("power off")
     stage.line.inject(b"\xff\x00\xff")
     assert "not like an Aracna: FF 00 FF" in diagnosis(stage)
-
-
-def test_search_reports_progress_and_can_be_cancelled() -> None:
-    stage = AracnaStage()
-    stage.do("line mute on")
-    steps: list[ScanProgress] = []
-    result = scan_port(
-        VIRTUAL,
-        {"aracna": ARACNA_PROBER},
-        progress=steps.append,
-        cancelled=lambda: len(steps) == 2,
-        open_wire=lambda _settings: stage.transport,
-    )
-    assert result.cancelled
-    assert [(step.done, step.total, step.line) for step in steps] == [
-        (0, PROBES, LINE),
-        (1, PROBES, LINE),
-    ]
-    assert stage.transport.closed
-
-
-def test_lost_port_ends_search() -> None:
-    stage = AracnaStage()
-    stage.transport.fail = PortUnavailable("It is gone.")
-    assert isinstance(search(stage).error, PortUnavailable)
-    assert stage.transport.closed
 
 
 # --- A TReX ---------------------------------------------------------------------------------

@@ -40,12 +40,6 @@ def test_trex_at_likely_rate_is_found_before_aracna_probe(baud: int) -> None:
     assert wire.line.now < 2.0
 
 
-def test_trex_at_unlikely_rate_is_found() -> None:
-    wire = Wire(TrexLine([a_board(settings=LineSettings(4800, Detection.CRC7).to_wire())]))
-    result = search(wire)
-    assert result.found[0].settings.line == LineSettings(4800, Detection.CRC7)
-
-
 def test_aracna_is_found_before_long_trex_search() -> None:
     stage = AracnaStage()
     begun = stage.now

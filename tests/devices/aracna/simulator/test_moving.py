@@ -99,11 +99,6 @@ def test_servos_stop_within_margin_of_goal() -> None:
     )
 
 
-def test_rejected_goal_is_answered_at_once_with_position() -> None:
-    stage = AracnaStage(positions=[200] * 8)
-    assert stage.ask(line("c", [1024] * 8), 0.1) == line("c", [200] * 8).replace(b"\n", b"\r\n")
-
-
 def test_moving_servo_keeps_old_goal_when_new_one_is_rejected() -> None:
     stage = AracnaStage(margin=0)
     stage.ask(line("v", [50] * 8))

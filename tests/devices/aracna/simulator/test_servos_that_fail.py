@@ -103,14 +103,3 @@ def test_lost_speed_reads_as_minus_one_though_set(stage: AracnaStage) -> None:
     assert stage.ask(SPEEDS) == b".v50,50,50,50,-1,50,50,50\r\n"
     assert stage.speeds == (50,) * 8
     assert stage.ask(SPEEDS) == HELD
-
-
-def test_rejected_speed_reads_back_as_previous_one(stage: AracnaStage) -> None:
-    stage.ask(SPEEDS)
-    assert stage.ask(b".v1024,9999,50,50,50,50,50,0\n") == b".v50,50,50,50,50,50,50,0\r\n"
-
-
-def test_new_speed_applies_to_next_motion(stage: AracnaStage) -> None:
-    stage.ask(SPEEDS)
-    assert stage.ask(FAR, 1).startswith(b".c")
-    assert stage.ask(b"", 3) == ARRIVED[2:]

@@ -20,12 +20,6 @@ def stored(trex: Trex, channel: int) -> tuple[int, ...]:
     return tuple(words(trex.ask(f"{0x90 + channel - 1:02X}")))
 
 
-def test_calibration_reply_has_eight_bytes(trex: Trex) -> None:
-    """CMD10 0x90: "take no data bytes and return 8 bytes"."""
-    for command in ("90", "91", "92", "93", "94"):
-        assert len(trex.everything(command)) == 8 + trex.variant.crc
-
-
 def test_calibration_reads_back_for_each_channel(trex: Trex) -> None:
     """CMD10 0x90: 0x90 refers to channel 1, ... 0x94 to channel 5; in that order."""
     for channel in CHANNELS:
@@ -149,15 +143,6 @@ def test_values_beyond_restrictions_are_rejected_and_not_set(
     assert trex.ask(calibration(4, *values)) == "02"
     assert stored(trex, 4) == before
     assert trex.ask("95") == "00"
-
-
-@pytest.mark.parametrize("mode", ["rc", "analog"])
-def test_calibration_outside_serial_mode_is_rejected_with_3(trex: Trex, mode: str) -> None:
-    """CMD10 0xA0: 3 = TReX isn't in serial mode."""
-    trex.restart_in(mode)
-    before = stored(trex, 1)
-    assert trex.ask(calibration(1, *GIVEN[1])) == "03"
-    assert stored(trex, 1) == before
 
 
 def test_set_commands_are_rejected_with_3_in_serial_override(trex: Trex) -> None:

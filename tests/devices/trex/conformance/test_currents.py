@@ -22,12 +22,6 @@ def test_motor_current_is_in_units_of_150_ma(trex: Trex, query: str, motor: int)
     assert trex.number(query) == 55
 
 
-@pytest.mark.parametrize("query", ["8D", "8E"])
-def test_motor_current_reply_has_one_byte(trex: Trex, query: str) -> None:
-    """CMD10 0x8D, 0x8E."""
-    assert len(trex.everything(query)) == 1 + trex.variant.crc
-
-
 def test_motor_current_ranges_from_0_to_255(trex: Trex) -> None:
     """CMD10 0x8D, 0x8E."""
     draw(trex, 0, 60)

@@ -16,11 +16,6 @@ def write(number: int, value: int) -> str:
     return f"AF {number:02X} {value:02X} 55 2A"
 
 
-def test_parameter_reply_has_one_byte(trex: Trex) -> None:
-    """CMD10 0x9F."""
-    assert len(trex.everything("9F 00")) == 1 + trex.variant.crc
-
-
 def test_written_parameters_read_back(trex: Trex) -> None:
     """CMD10 0x9F; every one that acts at once gets a value of its own."""
     for number, value in IMMEDIATE.items():
@@ -51,13 +46,6 @@ def test_invalid_value_write_returns_2(trex: Trex, number: int, value: int) -> N
     """CMD10 0xAF; inferred: which values these parameters may have."""
     assert trex.ask(write(number, value)) == "02"
     assert trex.ask("84") == "00"
-
-
-@pytest.mark.parametrize("mode", ["rc", "analog"])
-def test_parameter_write_outside_serial_mode_returns_3(trex: Trex, mode: str) -> None:
-    """CMD10 0xAF."""
-    trex.restart_in(mode)
-    assert trex.ask(write(0x0E, 5)) == "03"
 
 
 def test_rejected_write_changes_no_parameter(trex: Trex) -> None:

@@ -36,11 +36,6 @@ def test_empty_mask_gets_no_reply(trex: Trex) -> None:
     assert trex.ask("85") == "00"
 
 
-def test_raw_reply_for_five_channels_has_ten_bytes(trex: Trex) -> None:
-    """CMD10 0x86: "A data byte of 0x1F will request values for all five channels"."""
-    assert len(trex.everything("86 1F")) == 10 + trex.variant.crc
-
-
 def test_rc_value_is_pulse_width_in_units_of_0_4_us(trex: Trex) -> None:
     """CMD10 0x86: 1500us/.4us = 3750."""
     widths = (500, 1000, 1500, 2000, 2500)

@@ -38,11 +38,6 @@ def test_empty_mask_gets_no_reply(trex: Trex) -> None:
     assert trex.ask("85") == "00"
 
 
-def test_remapped_reply_for_five_channels_has_five_bytes(trex: Trex) -> None:
-    """CMD10 0x87."""
-    assert len(trex.everything("87 1F")) == 5 + trex.variant.crc
-
-
 def test_rc_and_analog_ends_give_the_same_remapped_values(trex: Trex) -> None:
     """CMD10 0x87: "unitless, single-byte values"."""
     for source, ends in ((0, ("1000us", "1500us", "2000us")), (1, ("0V", "2.5V", "5V"))):

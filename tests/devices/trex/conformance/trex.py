@@ -155,7 +155,7 @@ class Trex:
         """
         if isinstance(packet, str):
             if size is None:
-                size = _documented_size(bytes.fromhex(packet), self.variant)
+                size = documented_size(packet, self.variant)
             packet = self.packet(packet)
         assert size, "the documents promise no answer; unanswered() is the question then"
         size += self.variant.crc
@@ -313,14 +313,15 @@ _SIZES = {
 }
 
 
-def _documented_size(packet: bytes, variant: Variant) -> int:
+def documented_size(packet: str, variant: Variant) -> int:
     """Return how many bytes the command documentation promises for an answer."""
-    match packet[0]:
+    command, *data = bytes.fromhex(packet)
+    match command:
         case 0x81:
             return 7 if variant.model == "trex" else 9
         case 0x86:
-            return 2 * len(channels(packet[1]))
+            return 2 * len(channels(data[0]))
         case 0x87:
-            return len(channels(packet[1]))
-        case command:
+            return len(channels(data[0]))
+        case _:
             return _SIZES[command]

@@ -167,27 +167,6 @@ def test_faulty_driver_neither_drives_nor_brakes(physics: MotorPhysics) -> None:
     assert speeds[0] == pytest.approx(speeds[1])
 
 
-def test_current_reading_is_limited_to_one_byte(physics: MotorPhysics) -> None:
-    physics.forced = 1000.0
-    physics.measure()
-    assert physics.reading == 255
-    physics.forced = 8.25
-    physics.measure()
-    assert physics.reading == 55
-    physics.forced = None
-    physics.measure()
-    assert physics.reading == 0
-
-
-def test_restored_motor_matches_new_motor(physics: MotorPhysics) -> None:
-    physics.load, physics.fault, physics.forced, physics.speed = 9.0, True, 3.0, 100.0
-    physics.measure()
-    physics.factory_reset()
-    new = MotorPhysics(TREX, 0.15, seed=0)
-    for name in ("load", "fault", "forced", "speed", "reading"):
-        assert getattr(physics, name) == getattr(new, name)
-
-
 def test_rpm_is_converted_from_speed(physics: MotorPhysics) -> None:
     run(physics, 2.0, FULL)
     assert physics.rpm == pytest.approx(15_000, rel=0.06)
@@ -213,16 +192,3 @@ def test_speed_and_current_stay_within_physical_limits(
         assert abs(physics.speed) * constants.back_emf <= 24.001
         assert abs(physics.current_at(24)) <= 48.001 / constants.resistance
         assert 0 <= physics.reading <= 255
-
-
-def test_same_seed_gives_same_noise() -> None:
-    def readings(seed: int) -> list[int]:
-        physics = MotorPhysics(TREX, 0.15, seed)
-        result = []
-        for _ in range(50):
-            run(physics, 0.0125, 0.7 * FULL)
-            physics.measure()
-            result.append(physics.reading)
-        return result
-
-    assert readings(1) == readings(1) != readings(2)

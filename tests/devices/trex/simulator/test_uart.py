@@ -40,11 +40,6 @@ def test_unpowered_board_ignores_packets(port: SerialPort) -> None:
     assert not errors(port)
 
 
-def test_every_parameter_can_be_read(port: SerialPort) -> None:
-    for spec in port.board.memory.parameters.readable:
-        assert ask(port, f"9F {spec.number:02X}") == f"{spec.default:02X}"
-
-
 def test_board_may_behave_like_the_twin() -> None:
     """Guide of the qik 2s12v10, 5.d."""
     line = simulate(unknown_parameter="byte", rejected_write="error").line
