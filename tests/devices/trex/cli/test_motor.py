@@ -390,3 +390,19 @@ def test_missing_guardian_is_reported_where_nothing_else_stops_the_motor(
     command.send_signal(signal.SIGINT)
     _, errors = command.communicate()
     assert "computer fails, and also if this program is killed." in errors
+
+
+@pytest.mark.parametrize("moment", [0.61, 0.75, 0.83, 1.0, 1.17, 1.2])
+def test_board_that_restarts_ends_the_command(
+    start: StartCommand,
+    start_simulator: StartSimulator,
+    virtual_time: VirtualRuntime,
+    moment: float,
+) -> None:
+    simulator = start_simulator()
+    command = run_motor_1(start, simulator)
+    virtual_time.advance(moment)
+    simulator.do("power cycle")
+    assert becomes(lambda: command.returncode, 1, seconds=10)
+    assert "restarted" in command.result.stderr
+    assert braked(simulator)

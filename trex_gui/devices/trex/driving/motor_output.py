@@ -73,11 +73,13 @@ class Action(Enum):
     EXTEND_LOCKOUT = auto()
     DROP_SETPOINTS = auto()  # drop those that are queued, unconfirmed or refreshed
     FAIL_NOISY_STOPS = auto()  # report the stops that wait for a quiet line as unconfirmed
+    CONFIRM_NOISY_STOPS = auto()
 
 
 _ARM = (Action.START_WATCHDOG,)
 _DROP = (Action.DROP_SETPOINTS,)
 _LOCK = (Action.DROP_SETPOINTS, Action.EXTEND_LOCKOUT)
+_CONFIRM = (Action.CONFIRM_NOISY_STOPS,)
 _UNREACHABLE = (*_LOCK, Action.FAIL_NOISY_STOPS)
 
 _ARMING: Mapping[tuple[Arming, OutputEvent], tuple[Arming, tuple[Action, ...]]] = {
@@ -110,10 +112,10 @@ _MOTION: Mapping[tuple[Motion, OutputEvent], tuple[Motion, tuple[Action, ...]]] 
     (Motion.STOPPED, OutputEvent.DIRECT_COMMAND_SENT): (Motion.DRIVEN, ()),
     # If the board received it, a packet may have become another one.
     (Motion.STOPPED, OutputEvent.STOP_CLEAN_BUT_NOISY): (Motion.STOP_UNCONFIRMED, ()),
-    (Motion.DRIVEN, OutputEvent.STOP_CONFIRMED): (Motion.STOPPED, ()),
+    (Motion.DRIVEN, OutputEvent.STOP_CONFIRMED): (Motion.STOPPED, _CONFIRM),
     (Motion.DRIVEN, OutputEvent.STOP_CLEAN_BUT_NOISY): (Motion.STOP_UNCONFIRMED, ()),
     (Motion.DRIVEN, OutputEvent.STOP_NOT_ANSWERED): (Motion.STOP_UNCONFIRMED, ()),
-    (Motion.STOP_UNCONFIRMED, OutputEvent.STOP_CONFIRMED): (Motion.STOPPED, ()),
+    (Motion.STOP_UNCONFIRMED, OutputEvent.STOP_CONFIRMED): (Motion.STOPPED, _CONFIRM),
     (Motion.STOP_UNCONFIRMED, OutputEvent.SETPOINT_SENT): (
         Motion.DRIVEN,
         (Action.FAIL_NOISY_STOPS,),
@@ -181,6 +183,8 @@ class MotorOutput:
                     self.restart.clear()
                 case Action.FAIL_NOISY_STOPS:
                     self._end_noisy_stops(TrexNoReplyError(ErrorCode.STOP_ON_NOISY_LINE))
+                case Action.CONFIRM_NOISY_STOPS:
+                    self._end_noisy_stops(None)
 
     # --- Requests -----------------------------------------------------------------------
 
@@ -323,7 +327,6 @@ class MotorOutput:
 
     def end_stop_retry(self) -> None:
         if not self.may_move:
-            self._end_noisy_stops(None)
             self._report(MotorsStopped(None, confirmed=True))
         elif self._stopped_at >= self._noisy_until:
             self._end_noisy_stops(TrexNoReplyError(ErrorCode.STOP_ON_NOISY_LINE))
