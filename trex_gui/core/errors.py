@@ -44,6 +44,10 @@ class PortFault(Enum):
         "Motors may still be turning: no stop of the {0} at {1}, driven since {2}, is confirmed. "
         "Stop them, or cut their power."
     )
+    LEFT_UNKNOWN = tr_noop(
+        "Motors may still be turning: {0} says that a board was left running, but it is damaged "
+        "and does not say which. If a motor turns, cut its power; then delete the file."
+    )
     GUARDED = tr_noop(
         "The guardian process is still stopping the motors on {0}, which takes up to 5 seconds. "
         "Then connect again."

@@ -1,12 +1,11 @@
 """A message at the start: the last run did not end properly, or the guardian stopped motors."""
 
 from functools import partial
-from pathlib import Path
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.guardian.log import StopResult, logged_stops
 from trex_gui.core.translation import tr, tr_noop
-from trex_gui.core.transport.driven import DrivenBoard, driven_boards, port_of
+from trex_gui.core.transport.driven import DrivenBoards, driven_boards, left_text, port_of
 from trex_gui.core.transport.serial_port import SerialTransport
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier, Remedy
@@ -34,13 +33,15 @@ def report_last_run(notifier: Notifier, errors: str = "", *, has_crashed: bool =
     store = Preferences()
     seen = store.integer(_SEEN, 0, 0, 2**31 - 1)
 
-    def report(found: tuple[int, list[tuple[str, StopResult]], dict[Path, DrivenBoard]]) -> None:
+    def report(
+        found: tuple[int, list[tuple[str, StopResult]], DrivenBoards],
+    ) -> None:
         size, stops, boards = found
         if store.integer(_SEEN, 0, 0, 2**31 - 1) != seen and not (boards or errors):
             return  # another call has reported them
         if size != seen and not boards:
             store.set(_SEEN, size)
-        texts = [*(board.text() for board in boards.values()), *errors.splitlines()]
+        texts = [*(left_text(*each) for each in boards.items()), *errors.splitlines()]
         for result, text in _STOPS.items():
             if times := [time for time, found in stops if found is result]:
                 texts.append(tr(text).format(", ".join(times)))
@@ -56,7 +57,9 @@ def report_last_run(notifier: Notifier, errors: str = "", *, has_crashed: bool =
             is_problem = errors or any(found is StopResult.UNCONFIRMED for _, found in stops)
             said = notifier.error if is_problem else notifier.info
             (notifier.danger if boards else said).emit("\n".join(texts))
-            notifier.remedies_offered.emit((Remedy.STOP_THEM,) * bool(boards) + (Remedy.REPORT,))
+            notifier.remedies_offered.emit(
+                (Remedy.STOP_THEM,) * any(boards.values()) + (Remedy.REPORT,)
+            )
 
     in_background(notifier, lambda: (*logged_stops(seen), driven_boards()), report, lambda _: None)
 
@@ -68,9 +71,10 @@ def stop_left_running(notifier: Notifier) -> None:
         errors = []
         for file, board in driven_boards().items():
             try:
-                SerialTransport(port_of(file, board)).close()
+                if board is not None:
+                    SerialTransport(port_of(file, board)).close()
             except StudioError as error:
-                errors.append(str(error).removeprefix(board.text()).strip())
+                errors.append(str(error).removeprefix(left_text(file, board)).strip())
         return "\n".join(errors)
 
     report = partial(report_last_run, notifier)

@@ -81,8 +81,10 @@ def test_adapter_is_found_at_another_port(monkeypatch: pytest.MonkeyPatch) -> No
 def test_later_attempt_to_stop_keeps_the_time_since_which_the_board_was_driven() -> None:
     file = left("/dev/ttyUSB0")
     found = driven_boards()
+    board = found[file]
+    assert board is not None
     notes: queue.Queue[bytes | None] = queue.Queue()
-    notes.put(StopMessage(_message(found[file].stop).split()[1:]).note)
+    notes.put(StopMessage(_message(board.stop).split()[1:]).note)
     notes.put(None)
     keep_file(str(file), notes, lambda: None)
     assert driven_boards() == found
@@ -121,10 +123,19 @@ def test_board_of_a_living_program_was_not_left() -> None:
 
 
 @pytest.mark.parametrize("text", ["", "port: x\n", "\xff\0", "line: fast N 1\n", "x" * 9999])
-def test_damaged_file_is_no_board(text: str) -> None:
+def test_damaged_file_warns_of_motors(text: str, caplog: pytest.LogCaptureFixture) -> None:
     file = left("/dev/ttyUSB0")
     file.write_text(text)
-    assert driven_boards() == {}
+    assert driven_boards() == {file: None}
+    assert driven_at(file) is None
+    assert f"Motors may still be turning: {file} says" in caplog.text
+
+
+def test_board_is_found_at_each_name_of_its_address() -> None:
+    file = left("socket://127.0.0.1:4000")
+    for url in ("socket://localhost:4000", "socket://LOCALHOST:4000", "rfc2217://localhost:4000"):
+        assert driven_file(url) == file
+    assert driven_file("socket://localhost:4001") != file
 
 
 def test_board_is_logged_once(caplog: pytest.LogCaptureFixture) -> None:

@@ -8,11 +8,13 @@ import logging
 import os
 import re
 import signal
+import socket
 import threading
 from contextlib import suppress
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
+from urllib.parse import urlsplit
 
 from serial.tools import list_ports
 
@@ -44,6 +46,9 @@ class DrivenBoard(NamedTuple):
         return tr(text).format(self.board, self.settings.url, self.since)
 
 
+DrivenBoards = dict[Path, DrivenBoard | None]
+"""Boards by their files; `None` where a file is damaged."""
+
 _woken: dict[Path, DrivenBoard] = {}  # whose guardian was suspended: it stops them, if it can
 _SUSPENDED = (("status", "(stopped)"), ("cmdline", "guardian"))  # what /proc says of a guardian
 _warn_once = cache(logging.getLogger(__name__).warning)
@@ -55,16 +60,20 @@ def driven_note(board: str, settings: PortSettings) -> str:
     return f"board: {board}\nport: {settings.url}\nline: {line}\n"
 
 
-def driven_boards() -> dict[Path, DrivenBoard]:
-    """Return the boards that were left running by their files, and log each once as a warning."""
-    found: dict[Path, DrivenBoard] = {}
+def driven_boards() -> DrivenBoards:
+    """Return the boards that were left running, and log each once as a warning."""
+    found: DrivenBoards = {}
     thread = threading.Thread(target=_find, args=(found,), daemon=True)
     thread.start()
     thread.join(0.5)  # a disk that hangs counts as empty
     boards = dict(found)
-    for board in boards.values():
-        _warn_once("%s", board.text())
+    for file, board in boards.items():
+        _warn_once("%s", left_text(file, board))
     return boards
+
+
+def left_text(file: Path, board: DrivenBoard | None) -> str:
+    return tr(PortFault.LEFT_UNKNOWN.value).format(file) if board is None else board.text()
 
 
 def driven_at(file: Path) -> DrivenBoard | None:
@@ -75,11 +84,18 @@ def driven_at(file: Path) -> DrivenBoard | None:
 
 
 def driven_file(url: str) -> Path:
-    """Return the file of a port. That of an adapter is the same at every port."""
+    """Return the file of a port. That of an adapter is the same at every port.
+
+    So is that of a network address, whichever name leads to it.
+    """
     key = url if "://" in url else os.path.realpath(url.replace("\0", ""))  # no name has that
     for port in () if "://" in url else list_ports.comports():
         if os.path.realpath(port.device) == key and (adapter := Adapter.of(port)) is not None:
             key = adapter.key
+    with suppress(OSError, ValueError):
+        place = urlsplit(url)
+        if place.hostname and place.port:
+            key = f"{socket.gethostbyname(place.hostname)}:{place.port}"
     return data_folder() / "driven" / f"{re.sub(r'[^A-Za-z0-9.]+', '-', key)[-100:]}.txt"
 
 
@@ -91,20 +107,18 @@ def port_of(file: Path, board: DrivenBoard) -> PortSettings:
     raise PortUnavailable(tr(PortFault.GONE.value).format(board.settings.url), is_missing=True)
 
 
-def _find(found: dict[Path, DrivenBoard]) -> None:
+def _find(found: DrivenBoards) -> None:
     paths: list[Path] = []
     with suppress(OSError):  # the name of the data folder may be too long
         paths += (data_folder() / "driven").glob("*.txt")
     for path in paths:
-        with suppress(OSError, ValueError):
-            with open_ordinary(path) as file:
-                lines = file.read(4096).decode(errors="replace").splitlines()
-            name, number, line, url, since, stop = (one.partition(": ")[2] for one in sorted(lines))
-            baud, parity, stop_bits = line.split()
-            settings = PortSettings(url, SerialFormat(int(baud), Parity(parity), int(stop_bits)))
-            note = f"{driven_note(name, settings)}since: {since}\n"
-            sequence = vars(StopMessage([*stop.split(), ""])) | {"note": note}
-            board = DrivenBoard(name, settings, StopSequence(**sequence), since)
+        with suppress(OSError):
+            try:
+                board, number = _read(path)
+            except (ValueError, TypeError):
+                if not is_locked(path):
+                    found[path] = None
+                continue
             if not is_locked(path):
                 found[path] = board
             elif all(
@@ -113,3 +127,15 @@ def _find(found: dict[Path, DrivenBoard]) -> None:
                 _woken[path] = board
                 os.kill(int(number), signal.SIGCONT)  # its program is gone: it stops the motors
     found.update(_woken)
+
+
+def _read(path: Path) -> tuple[DrivenBoard, str]:
+    """Return the board of a file, and the number of its guardian's process."""
+    with open_ordinary(path) as file:
+        lines = file.read(4096).decode(errors="replace").splitlines()
+    name, number, line, url, since, stop = (one.partition(": ")[2] for one in sorted(lines))
+    baud, parity, stop_bits = line.split()
+    settings = PortSettings(url, SerialFormat(int(baud), Parity(parity), int(stop_bits)))
+    note = f"{driven_note(name, settings)}since: {since}\n"
+    sequence = vars(StopMessage([*stop.split(), ""])) | {"note": note}
+    return DrivenBoard(name, settings, StopSequence(**sequence), since), number

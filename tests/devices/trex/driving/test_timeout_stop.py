@@ -68,8 +68,8 @@ def test_proposed_settings_stop_the_motors_under_both_hypotheses() -> None:
         # Known for 0x08 = 0 and for 0x08 = 1.
         (True, False, (TimeoutStop.TRIED, TimeoutStop.TRIED)),
         (True, True, (TimeoutStop.DOUBTFUL, TimeoutStop.TRIED)),
-        (False, False, (TimeoutStop.FAILED, TimeoutStop.EXPECTED)),
-        (False, True, (TimeoutStop.FAILED, TimeoutStop.FAILED)),
+        (False, False, (TimeoutStop.REFUTED, TimeoutStop.EXPECTED)),
+        (False, True, (TimeoutStop.REFUTED, TimeoutStop.FAILED)),
     ],
 )
 def test_trial_tells_as_much_as_follows_from_it(

@@ -114,6 +114,7 @@ _CAUSES = {
     TimeoutStop.OFF: "Serial Timeout is off",
     TimeoutStop.DOUBTFUL: "UART-Error Shutdown is off (twin)",
     TimeoutStop.FAILED: "Serial Timeout did not stop the motors of this board when it was tried",
+    TimeoutStop.REFUTED: "Serial Timeout did not stop the motors of this board when it was tried",
 }
 _UNCONFIRMED = "The stop is not confirmed. If a motor still turns, cut its power."
 

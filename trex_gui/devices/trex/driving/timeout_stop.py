@@ -24,10 +24,16 @@ class TimeoutStop(Enum):
     EXPECTED = auto()  # both are set: they should stop
     TRIED = auto()  # they stopped when the cable was pulled
     FAILED = auto()  # they did not stop when the cable was pulled
+    REFUTED = auto()  # nor did they with UART-Error Shutdown off, which may be why
 
     @property
     def is_reliable(self) -> bool:
         return self in {TimeoutStop.EXPECTED, TimeoutStop.TRIED}
+
+    @property
+    def may_be_mended(self) -> bool:
+        """Whether other values of both parameters may let the board stop its motors."""
+        return self in {TimeoutStop.OFF, TimeoutStop.DOUBTFUL, TimeoutStop.REFUTED}
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +51,8 @@ def timeout_stop(parameters: Mapping[str, int], trial: TimeoutTrial | None = Non
     shutdown = bool(parameters.get(_SHUTDOWN, 0) & 1)  # a mask on the twin, bit 0 for the line
     # One trial tells of both settings: what stops without a shutdown stops with it, too.
     if trial is not None and shutdown in {trial.shutdown, trial.stopped}:
-        return TimeoutStop.TRIED if trial.stopped else TimeoutStop.FAILED
+        failed = TimeoutStop.FAILED if shutdown else TimeoutStop.REFUTED
+        return TimeoutStop.TRIED if trial.stopped else failed
     return TimeoutStop.EXPECTED if shutdown else TimeoutStop.DOUBTFUL
 
 

@@ -73,6 +73,7 @@ class DriveController(QObject):
         self._telemetry = telemetry
         self._connection = connection
         self._lost_with: ConnectionSettings | None = None  # the line behind which motors may turn
+        self._lost_place = ""  # of that line
         self._board: Connected | None = None  # the board at the line, as far as it is known
         self.reaches_several = False  # whether commands without a number reach several boards
         self._was_read = False  # since the line was opened
@@ -131,6 +132,12 @@ class DriveController(QObject):
         is_sent = self._connection.request(lambda number: SendPacket(number, packet), then)
         self.may_move = self.may_move or (is_sent and packet.moves)
         return is_sent
+
+    @property
+    def place(self) -> str:
+        """The adapter at which the board is, or the port: an adapter may get another port."""
+        settings = self._connection.settings
+        return self._motors.adapter or ("" if settings is None else settings.url)
 
     @property
     def _is_connected(self) -> bool:
@@ -328,7 +335,7 @@ class DriveController(QObject):
             if self._was_read:
                 self.may_move = last.may_move or (self.may_move and not self._is_identified)
             if self.may_move and self._lost_with is None:
-                self._lost_with = self._connection.settings
+                self._lost_with, self._lost_place = self._connection.settings, self.place
         self._motors.set_available(False)
         unanswered, error = [*self._unanswered], None if last is None else last.error
         self._answer(unanswered, error or TrexError(ErrorCode.CLOSED))
@@ -350,7 +357,7 @@ class DriveController(QObject):
         if lost is None or self.may_move or not self._is_connected:
             return
         self._lost_with = None
-        if settings is not None and settings.url != lost.url:
+        if settings is not None and self.place != self._lost_place:
             text = self.tr(
                 "The line to {0} was lost before a stop was confirmed. The board at this port has "
                 "confirmed one; if it is another board, cut the power of the first."

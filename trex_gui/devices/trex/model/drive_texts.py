@@ -125,6 +125,12 @@ def timeout_warning_on(
             "fails, although the serial timeout is on (twin)."
         )
         better = max(better, timeout)
+    elif stop is TimeoutStop.REFUTED:
+        text = tr(
+            "UART-Error Shutdown is off, and the serial timeout did not stop the motors of this "
+            "board when it was tried: they keep turning if the cable or this computer fails."
+        )
+        better = max(better, timeout)
     elif timeout >= better or can_keep(timeout):
         if is_guarded:
             return None

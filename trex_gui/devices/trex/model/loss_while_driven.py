@@ -30,7 +30,7 @@ class LossWhileDriven(QObject):
         super().__init__(parent)
         self._device = device
         self._lost_at: float | None = None
-        self._lost_url = ""
+        self._lost_place = ""
         self._has_shutdown = False  # when it was lost
         self._silent_for: float | None = None  # seconds, if that may have stopped the motors
         self._has_timed_out = False
@@ -46,7 +46,7 @@ class LossWhileDriven(QObject):
         device = self._device
         if device.driving.driven and self._lost_at is None:
             self._lost_at = now()
-            self._lost_url = "" if device.settings is None else device.settings.url
+            self._lost_place = device.driving.place
             shutdown = device.parameters.stored_of(ParameterKey.UART_ERROR_SHUTDOWN) or 0
             self._has_shutdown, self._silent_for = bool(shutdown & 1), None
             self._has_timed_out = False
@@ -57,7 +57,7 @@ class LossWhileDriven(QObject):
         if lost_at is None or device.may_stop_matter or not device.is_connected:
             return
         self._lost_at, here = None, device.settings
-        if here is None or here.url != self._lost_url:
+        if here is None or device.driving.place != self._lost_place:
             return  # perhaps another board, of which `driving` warns
         device.notifier.info.emit(self.tr("The board is back. It has confirmed the stop."))
         seconds = now() - lost_at

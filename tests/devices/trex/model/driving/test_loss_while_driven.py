@@ -1,5 +1,7 @@
 """A board that was lost while it was driven, and is back."""
 
+from dataclasses import replace
+
 import pytest
 from pytestqt.qtbot import QtBot
 
@@ -39,7 +41,9 @@ class LostBoard:
     def _on_offered(self, remedies: Remedies) -> None:
         self.answers = {each.name: each for each in remedies if isinstance(each, Answer)}
 
-    def lose(self, *, name: str = "", seconds: float = OUTAGE_S, power: str = "") -> None:
+    def lose(
+        self, *, name: str = "", seconds: float = OUTAGE_S, power: str = "", back_at: str = ""
+    ) -> None:
         motors, qtbot = self.device.motors, self.qtbot
         assert isinstance(qtbot, VirtualQtBot)
         settings = ConnectionSettings(self.board.url, name=name)
@@ -55,7 +59,9 @@ class LostBoard:
         qtbot.runtime.advance(seconds)
         assert power or self.turns() is self.goes_on
         self.board.do("line plug")
-        self.device.connect_to(settings)
+        if back_at:
+            qtbot.runtime.ports[back_at] = self.board
+        self.device.connect_to(replace(settings, url=back_at or settings.url))
         qtbot.waitUntil(lambda: bool(self.news))
         qtbot.runtime.advance(1.0)
 
@@ -83,12 +89,26 @@ def test_answer_about_the_timeout_is_remembered_for_the_board(
     assert (drive_inputs(lost.device).silence_remedy == "Cut the power.") is lost.goes_on
     assert lost.news[-1].startswith("The board is back. It has confirmed the stop. For 4 s")
     lost.answers[answer].then()
+    if known is TimeoutStop.FAILED and lost.goes_on:
+        known = TimeoutStop.REFUTED  # with UART-Error Shutdown it may stop them
     assert lost.device.timeout_stop is known
 
     lost.lose()
     lost.answers["timeoutWorked"].then()
     newest = lost.device.timeout_stop
     assert newest is TimeoutStop.TRIED
+
+
+@pytest.mark.parametrize("adapter", ["0403:6001-A500001", ""])
+def test_adapter_that_gets_another_port_is_the_same(lost: LostBoard, adapter: str) -> None:
+    errors: list[str] = []
+    lost.device.notifier.error.connect(errors.append)
+    lost.device.notifier.error.connect(lost.news.append)
+    lost.device.motors.adapter = adapter
+    lost.lose(back_at="/virtual/another")
+    assert ("timeoutFailed" in lost.answers) is bool(adapter)
+    doubts = [text for text in errors if "if it is another board, cut the power" in text]
+    assert bool(doubts) is not bool(adapter)
 
 
 @pytest.mark.parametrize(
