@@ -62,6 +62,12 @@ def _shown(node: ast.AST) -> Iterator[ast.expr]:
             func=ast.Attribute(value=ast.Name(id="QMessageBox"), attr=box), args=[_, _, text, *_]
         ) if box in _BOXES:
             yield text
+        case ast.Call(func=ast.Name(id="QMessageBox"), args=[_, _, text, *_]):
+            yield text
+        case ast.Call(func=ast.Attribute(attr="setData"), args=[*_, role, text]) if _is_tip_role(
+            role
+        ):
+            yield text
         case ast.Dict(keys=keys, values=values):
             yield from (v for k, v in zip(keys, values, strict=True) if k and _is_tip_role(k))
         case ast.match_case(pattern=pattern, body=body) if _is_tip_role(pattern):

@@ -21,6 +21,8 @@
         <translation>{0} wird von einem anderen Programm verwendet oder ist durch seinen Treiber gesperrt; nach einem Absturz bis zu 5 Sekunden lang auch durch den Wächterprozess, der die Motoren stoppt.</translation></message>
     <message><source>Motors may still be turning: no stop of the {0} at {1}, driven since {2}, is confirmed. Stop them, or cut their power.</source>
         <translation>Motoren drehen sich vielleicht noch: Für das Board ({0}) an {1}, angesteuert seit {2}, ist kein Stopp bestätigt. Stoppen Sie sie oder trennen Sie die Motorversorgung.</translation></message>
+    <message><source>Motors may still be turning: {0} says that a board was left running, but it is damaged and does not say which. If a motor turns, cut its power; then delete the file.</source>
+        <translation>Motoren drehen sich vielleicht noch: {0} besagt, dass ein Board weiterlief, ist aber beschädigt und sagt nicht, welches. Falls sich ein Motor dreht, trennen Sie die Motorversorgung; löschen Sie dann die Datei.</translation></message>
     <message><source>The guardian process is still stopping the motors on {0}, which takes up to 5 seconds. Then connect again.</source>
         <translation>Der Wächterprozess stoppt noch die Motoren an {0}; das dauert bis zu 5 Sekunden. Verbinden Sie danach erneut.</translation></message>
     <message><source>{0} is in use by {1}. Close it there, then connect again.</source>
@@ -1591,6 +1593,8 @@
         <translation>Kanal {0} auf {1} (durch Vorrang ohne Wirkung)</translation></message>
     <message><source>UART-Error Shutdown is off: motors may keep turning if the cable or this computer fails, although the serial timeout is on (twin).</source>
         <translation>„Abschaltung bei UART-Fehlern“ ist aus: Die Motoren drehen sich vielleicht weiter, wenn das Kabel oder dieser Computer ausfällt, obwohl das serielle Timeout an ist (Zwilling).</translation></message>
+    <message><source>UART-Error Shutdown is off, and the serial timeout did not stop the motors of this board when it was tried: they keep turning if the cable or this computer fails.</source>
+        <translation>„Abschaltung bei UART-Fehlern“ ist aus, und das serielle Timeout hat die Motoren dieses Boards nicht gestoppt, als es ausprobiert wurde: Sie drehen sich weiter, wenn das Kabel oder dieser Computer ausfällt.</translation></message>
     <message><source>The guardian process could not be started: if this program fails, motors keep turning for the serial timeout of {0:g} s.</source>
         <translation>Der Wächterprozess konnte nicht gestartet werden: Fällt dieses Programm aus, drehen sich die Motoren für die Dauer des seriellen Timeouts von {0:g} s weiter.</translation></message>
     <message><source>Serial timeout of {0:g} s is short for a network port: one late reply stops the motors while you drive. Set a longer one, or connect the board to this computer.</source>
@@ -2585,8 +2589,8 @@
         <translation>Ein {0} mit Firmware {1} hat das nicht.</translation></message>
     <message><source>A {0} has at most {1}.</source>
         <translation>Ein {0} hat höchstens {1}.</translation></message>
-    <message><source>A {0} has at least {1}; 0 switches it off.</source>
-        <translation>Ein {0} hat mindestens {1}; 0 schaltet es aus.</translation></message>
+    <message><source>A {0} has at least {1}; 0 switches it off (twin).</source>
+        <translation>Ein {0} hat mindestens {1}; 0 schaltet es aus (Zwilling).</translation></message>
     <message><source>The same value in steps of {0}: {1} becomes {2}.</source>
         <translation>Derselbe Wert in Schritten von {0}: {1} wird zu {2}.</translation></message>
     <message><source>these are settings of a {0}</source>

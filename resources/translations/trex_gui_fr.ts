@@ -21,6 +21,8 @@
         <translation>{0} est utilisé par un autre programme ou verrouillé par son pilote ; jusqu'à 5 secondes après un plantage, il peut aussi l'être par le processus gardien qui arrête les moteurs.</translation></message>
     <message><source>Motors may still be turning: no stop of the {0} at {1}, driven since {2}, is confirmed. Stop them, or cut their power.</source>
         <translation>Des moteurs tournent peut-être encore : aucun arrêt de la carte {0} sur {1}, pilotée depuis {2}, n'est confirmé. Arrêtez-les, ou coupez leur alimentation.</translation></message>
+    <message><source>Motors may still be turning: {0} says that a board was left running, but it is damaged and does not say which. If a motor turns, cut its power; then delete the file.</source>
+        <translation>Des moteurs tournent peut-être encore : {0} indique qu'une carte est restée en marche, mais ce fichier est endommagé et ne dit pas laquelle. Si un moteur tourne, coupez son alimentation, puis supprimez le fichier.</translation></message>
     <message><source>The guardian process is still stopping the motors on {0}, which takes up to 5 seconds. Then connect again.</source>
         <translation>Le processus gardien est encore en train d'arrêter les moteurs sur {0}, ce qui prend jusqu'à 5 secondes. Reconnectez ensuite.</translation></message>
     <message><source>{0} is in use by {1}. Close it there, then connect again.</source>
@@ -1591,6 +1593,8 @@
         <translation>voie {0} à {1} (priorité série)</translation></message>
     <message><source>UART-Error Shutdown is off: motors may keep turning if the cable or this computer fails, although the serial timeout is on (twin).</source>
         <translation>« Arrêt sur erreur UART » est désactivé : les moteurs peuvent continuer de tourner si le câble ou cet ordinateur tombe en panne, bien que le délai série soit activé (jumeau).</translation></message>
+    <message><source>UART-Error Shutdown is off, and the serial timeout did not stop the motors of this board when it was tried: they keep turning if the cable or this computer fails.</source>
+        <translation>« Arrêt sur erreur UART » est désactivé, et le délai série n'a pas arrêté les moteurs de cette carte lors de l'essai : ils continuent de tourner si le câble ou cet ordinateur tombe en panne.</translation></message>
     <message><source>The guardian process could not be started: if this program fails, motors keep turning for the serial timeout of {0:g} s.</source>
         <translation>Le processus gardien n'a pas pu être démarré : si ce programme tombe en panne, les moteurs continuent de tourner pendant le délai série de {0:g} s.</translation></message>
     <message><source>Serial timeout of {0:g} s is short for a network port: one late reply stops the motors while you drive. Set a longer one, or connect the board to this computer.</source>
@@ -2585,8 +2589,8 @@
         <translation>Un {0} avec le firmware {1} ne l'a pas.</translation></message>
     <message><source>A {0} has at most {1}.</source>
         <translation>Un {0} accepte au plus {1}.</translation></message>
-    <message><source>A {0} has at least {1}; 0 switches it off.</source>
-        <translation>Un {0} accepte au moins {1} ; 0 le désactive.</translation></message>
+    <message><source>A {0} has at least {1}; 0 switches it off (twin).</source>
+        <translation>Un {0} accepte au moins {1} ; 0 le désactive (jumeau).</translation></message>
     <message><source>The same value in steps of {0}: {1} becomes {2}.</source>
         <translation>La même valeur par pas de {0} : {1} devient {2}.</translation></message>
     <message><source>these are settings of a {0}</source>

@@ -32,7 +32,18 @@ def test_separator_before_three_digits_is_ambiguous(text: str, readings: str) ->
 
 
 @pytest.mark.parametrize(
-    "text", ["", "nan", "inf", "1e3", "1_000", "1,000,000", "1.000,5", "9" * 400]
+    "text",
+    [
+        "",
+        "nan",
+        "inf",
+        "1e3",
+        "1_000",
+        "1,000,000",
+        "1.000,5",
+        "9" * 400,
+        "\N{ARABIC-INDIC DIGIT ONE}",
+    ],
 )
 def test_what_is_no_number_is_rejected(text: str) -> None:
     with pytest.raises(BadRequest):

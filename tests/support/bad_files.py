@@ -46,6 +46,7 @@ BAD_FILES = (
     BadFile("empty", b"", 1, "no settings here"),
     BadFile("prose", b"Dear diary, today I drove.\n", 1, "not settings of"),
     BadFile("binary", b"\x7fELF\x02\x01\x00\x00" * 40, 1, "binary file", is_text=False),
+    BadFile("no mark", "product: TReX".encode("utf-16-le"), 1, "UTF-16 text", is_text=False),
     BadFile("noise", bytes(range(1, 256)) * 4, 4, "not UTF-8", is_text=False),
     BadFile("huge", _HEAD + b"#" * (1024 * 1024 + 1), None, "larger than", is_text=False),
 )  # fmt: skip

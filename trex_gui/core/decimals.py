@@ -6,11 +6,11 @@ import re
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr, with_decimal_point
 
-DECIMAL = r"[-+]?(?:\d+(?:[.,]\d*)?|[.,]\d+)"  # pattern of a number that `decimal` reads
+DECIMAL = r"[-+]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)"  # pattern of a number that `decimal` reads
 
 _QUANTITY = re.compile(rf"\s*({DECIMAL})\s*(.*?)\s*")
 _PREFIXES = {"µ": 1e-6, "μ": 1e-6, "u": 1e-6, "m": 1e-3, "k": 1e3, "": 1.0}
-_GROUPED = re.compile(r"([-+]?[1-9]\d{0,2})[.,](\d{3})")
+_GROUPED = re.compile(r"([-+]?[1-9][0-9]{0,2})[.,]([0-9]{3})")
 
 
 class AmbiguousNumber(BadRequest):

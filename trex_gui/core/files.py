@@ -30,6 +30,13 @@ def data_folder() -> Path:
     return Path(given or platformdirs.user_data_dir("TReX Studio", appauthor=False)).absolute()
 
 
+def is_there(path: Path) -> bool:
+    """Return whether a file exists. One that cannot, since its name is too long, does not."""
+    with contextlib.suppress(OSError):
+        return path.exists()
+    return False
+
+
 def log_folder() -> Path:
     """Return the folder of the log file and of what is known of the last run."""
     return data_folder() / "log"
@@ -241,7 +248,9 @@ def decode(data: bytes, name: str) -> str:
     """Return the text without its byte order mark; SettingsError if it is binary or not UTF-8."""
     check_size(data, name)
     message, position = tr("this is a binary file; settings are text"), data.find(b"\0")
-    if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+    has_mark = data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
+    halves = data[:200:2], data[1:200:2]
+    if has_mark or (data and any(half and not half.strip(b"\0") for half in halves)):
         message = tr("this is UTF-16 text, as PowerShell writes it with >; save it as UTF-8")
     elif position < 0:
         try:

@@ -69,16 +69,20 @@ def test_proposed_settings_stop_the_motors_under_both_hypotheses() -> None:
         (True, False, (TimeoutStop.TRIED, TimeoutStop.TRIED)),
         (True, True, (TimeoutStop.DOUBTFUL, TimeoutStop.TRIED)),
         (False, False, (TimeoutStop.REFUTED, TimeoutStop.EXPECTED)),
-        (False, True, (TimeoutStop.REFUTED, TimeoutStop.FAILED)),
+        (False, True, (TimeoutStop.FAILED, TimeoutStop.FAILED)),
     ],
 )
 def test_trial_tells_as_much_as_follows_from_it(
     known: tuple[TimeoutStop, TimeoutStop], *, stopped: bool, tried_with: bool
 ) -> None:
     trial = TimeoutTrial(stopped, tried_with)
+    line = ConnectionSettings("/dev/ttyUSB0")
     for shutdown, stop in enumerate(known):
         stored = {"serial_timeout": 5, "uart_error_shutdown": shutdown}
         assert timeout_stop(stored, trial) is stop
+        warning = timeout_warning_on(line, 0.5, stop, is_guarded=True)
+        assert (warning is None) is stop.is_reliable
+        assert bool(warning and warning.seconds) is stop.may_be_mended
 
 
 @pytest.mark.parametrize(

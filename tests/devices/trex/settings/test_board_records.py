@@ -99,6 +99,7 @@ def test_calibrations_of_both_sources_are_kept_with_their_age() -> None:
 
 
 def test_records_are_settings_files(tmp_path: Path) -> None:
+    assert BoardRecords(tmp_path / ("x" * 300)).load(BOARD) is None
     records = BoardRecords(tmp_path / "boards")
     assert records.load(BOARD) is None
     record = replace(EMPTY, adapter=Adapter("0403:6001", "My adapter/1").key)

@@ -152,7 +152,7 @@ class _Survey:
 
     def _errors_of(self, command: c.Command[Any]) -> list[str]:
         """Return the errors that a command causes each time. Noise causes others."""
-        always = ~UartError(0)
+        always = ~UartError.TIMEOUT  # which waiting for a reply may cause
         for _ in range(ATTEMPTS):
             query(self._request, c.GetUartErrors())
             with suppress(NoReply, BadReply):

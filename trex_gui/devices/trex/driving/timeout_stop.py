@@ -24,7 +24,7 @@ class TimeoutStop(Enum):
     EXPECTED = auto()  # both are set: they should stop
     TRIED = auto()  # they stopped when the cable was pulled
     FAILED = auto()  # they did not stop when the cable was pulled
-    REFUTED = auto()  # nor did they with UART-Error Shutdown off, which may be why
+    REFUTED = auto()  # the same with UART-Error Shutdown off, which may be why
 
     @property
     def is_reliable(self) -> bool:
@@ -51,8 +51,9 @@ def timeout_stop(parameters: Mapping[str, int], trial: TimeoutTrial | None = Non
     shutdown = bool(parameters.get(_SHUTDOWN, 0) & 1)  # a mask on the twin, bit 0 for the line
     # One trial tells of both settings: what stops without a shutdown stops with it, too.
     if trial is not None and shutdown in {trial.shutdown, trial.stopped}:
-        failed = TimeoutStop.FAILED if shutdown else TimeoutStop.REFUTED
-        return TimeoutStop.TRIED if trial.stopped else failed
+        if trial.stopped:
+            return TimeoutStop.TRIED
+        return TimeoutStop.FAILED if trial.shutdown else TimeoutStop.REFUTED
     return TimeoutStop.EXPECTED if shutdown else TimeoutStop.DOUBTFUL
 
 

@@ -110,7 +110,7 @@ def _wire(old: ParameterSpec, new: ParameterSpec, wire: int, product: Model) -> 
     if steps > new.maximum + 1e-6:
         return wanted, tr("A {0} has at most {1}.").format(product.name, new.text(new.maximum))
     if steps < 1 - 1e-6:
-        return wanted, tr("A {0} has at least {1}; 0 switches it off.").format(
+        return wanted, tr("A {0} has at least {1}; 0 switches it off (twin).").format(
             product.name, new.text(1)
         )
     if abs(steps - wanted) < 1e-6:
