@@ -10,8 +10,10 @@ from contextlib import redirect_stdout
 import click
 import pytest
 
-from tests.support.simulator import SimulatedDevice
+from tests.devices.trex.cli.conftest import comes_true
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_time import VirtualRuntime
+from trex_gui.core.guardian.log import StopResult, logged_stops
 from trex_gui.core.host import Host
 from trex_gui.core.resource_files import resource
 from trex_gui.devices import trex as public
@@ -324,3 +326,33 @@ def test_line_is_shared_with_other_devices_only_with_a_number() -> None:
     for number in (None, 1):
         with pytest.raises(BadRequest):
             Trex("COM3", device_number=number, reserved=[0, 1])
+
+
+_CLOSES_ALL = """
+import os, sys, time
+from trex_gui.devices.trex import Trex
+with Trex(sys.argv[1]) as trex:
+    trex.drive(50)
+    trex.wait(0.5)
+    os.closerange(3, 64)
+    print("closed", flush=True)
+    time.sleep(60)
+"""
+
+
+@pytest.mark.realtime
+def test_board_of_a_program_that_closes_every_descriptor_is_stopped(
+    start_simulator: StartSimulator,
+) -> None:
+    board = start_simulator()
+    command = [sys.executable, "-c", _CLOSES_ALL, board.url]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as program:
+        assert program.stdout is not None
+        assert program.stdout.readline() == b"closed\n"
+        try:
+            assert comes_true(lambda: motor(board) == ("brake", 127))
+            assert comes_true(
+                lambda: [how for _, how in logged_stops(0)[1]] == [StopResult.CONFIRMED]
+            )
+        finally:
+            program.kill()
