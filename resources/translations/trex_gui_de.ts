@@ -1117,6 +1117,8 @@
         <translation>ein Prüflauf dauert {0:g} bis {1:g} s, nicht {2:g} s</translation></message>
     <message><source>the period of a bench test is {0:g} to {1:g} s, not {2:g} s</source>
         <translation>die Periode eines Prüflaufs ist {0:g} bis {1:g} s, nicht {2:g} s</translation></message>
+    <message><source>What is kept here for this {0} (notes, calibrations, applied settings) is of {1}, when it was at another USB adapter or socket. If this is another board, give it a device number of its own: boards with the same number share what is kept.</source>
+        <translation>Was hier für diesen {0} aufbewahrt wird (Notizen, Kalibrierungen, angewendete Einstellungen), stammt vom {1}, als er an einem anderen USB-Adapter oder einer anderen Buchse war. Wenn dies ein anderes Board ist, geben Sie ihm eine eigene Gerätenummer: Boards mit derselben Nummer teilen sich das Aufbewahrte.</translation></message>
     <message><source>The ends are 1 % of the travel and three times the noise inside the measured ones, so that full output is reliably reached. The deadband covers the noise at rest, but is at least {0}, since a stick does not return to exactly the same place each time.</source>
         <translation>Die Enden liegen um 1 % des Wegs und das Dreifache des Rauschens innerhalb der gemessenen, damit die volle Ausgabe sicher erreicht wird. Der Totbereich deckt das Rauschen in Ruhe ab, beträgt aber mindestens {0}, da ein Knüppel nicht jedes Mal genau an dieselbe Stelle zurückkehrt.</translation></message>
     <message><source>{0}: reversed is suggested.</source>
@@ -2047,10 +2049,6 @@
         <translation><numerusform>Anwenden von %n Einstellung</numerusform><numerusform>Anwenden von %n Einstellungen</numerusform></translation></message>
     <message><source>Nothing more was written. {0}</source>
         <translation>Mehr wurde nicht geschrieben. {0}</translation></message>
-    <message><source>What was applied to this board cannot be remembered. {0}</source>
-        <translation>Was auf dieses Board angewendet wurde, lässt sich nicht merken. {0}</translation></message>
-    <message><source>What is kept here for this {0} (notes, calibrations, applied settings) is of {1}, when it was at another USB adapter or socket. If this is another board, give it a device number of its own: boards with the same number share what is kept.</source>
-        <translation>Was hier für diesen {0} aufbewahrt wird (Notizen, Kalibrierungen, angewendete Einstellungen), stammt vom {1}, als er an einem anderen USB-Adapter oder einer anderen Buchse war. Wenn dies ein anderes Board ist, geben Sie ihm eine eigene Gerätenummer: Boards mit derselben Nummer teilen sich das Aufbewahrte.</translation></message>
     <message><source>calibration of channel {0}: {1}</source>
         <translation>Kalibrierung von Kanal {0}: {1}</translation></message>
     <message><source>Setting</source>
@@ -2085,6 +2083,8 @@
         <translation>Änderungen wiederherstellen</translation></message>
     <message><source>Edits of this board</source>
         <translation>Änderungen an diesem Board</translation></message>
+    <message><source>What was applied to this board cannot be remembered. {0}</source>
+        <translation>Was auf dieses Board angewendet wurde, lässt sich nicht merken. {0}</translation></message>
     <message><source>Note on {0}</source>
         <translation>Notiz zu {0}</translation></message>
     <message><source>This snapshot is damaged and cannot be restored. {0}</source>

@@ -1117,6 +1117,8 @@
         <translation>un essai au banc dure de {0:g} à {1:g} s, pas {2:g} s</translation></message>
     <message><source>the period of a bench test is {0:g} to {1:g} s, not {2:g} s</source>
         <translation>la période d'un essai au banc va de {0:g} à {1:g} s, pas {2:g} s</translation></message>
+    <message><source>What is kept here for this {0} (notes, calibrations, applied settings) is of {1}, when it was at another USB adapter or socket. If this is another board, give it a device number of its own: boards with the same number share what is kept.</source>
+        <translation>Ce qui est conservé ici pour ce {0} (notes, étalonnages, réglages appliqués) date de {1}, quand il était sur un autre adaptateur USB ou une autre prise. S'il s'agit d'une autre carte, donnez-lui son propre numéro d'appareil : les cartes de même numéro partagent ce qui est conservé.</translation></message>
     <message><source>The ends are 1 % of the travel and three times the noise inside the measured ones, so that full output is reliably reached. The deadband covers the noise at rest, but is at least {0}, since a stick does not return to exactly the same place each time.</source>
         <translation>Les extrémités sont placées à l'intérieur de celles mesurées, de 1 % de la course et de trois fois le bruit, afin que la sortie maximale soit atteinte à coup sûr. La zone morte couvre le bruit au repos, mais vaut au moins {0}, car un manche ne revient pas chaque fois exactement au même endroit.</translation></message>
     <message><source>{0}: reversed is suggested.</source>
@@ -2047,10 +2049,6 @@
         <translation><numerusform>Application de %n réglage</numerusform><numerusform>Application de %n réglages</numerusform></translation></message>
     <message><source>Nothing more was written. {0}</source>
         <translation>Rien d'autre n'a été écrit. {0}</translation></message>
-    <message><source>What was applied to this board cannot be remembered. {0}</source>
-        <translation>Ce qui a été appliqué à cette carte ne peut pas être mémorisé. {0}</translation></message>
-    <message><source>What is kept here for this {0} (notes, calibrations, applied settings) is of {1}, when it was at another USB adapter or socket. If this is another board, give it a device number of its own: boards with the same number share what is kept.</source>
-        <translation>Ce qui est conservé ici pour ce {0} (notes, étalonnages, réglages appliqués) date de {1}, quand il était sur un autre adaptateur USB ou une autre prise. S'il s'agit d'une autre carte, donnez-lui son propre numéro d'appareil : les cartes de même numéro partagent ce qui est conservé.</translation></message>
     <message><source>calibration of channel {0}: {1}</source>
         <translation>étalonnage de la voie {0} : {1}</translation></message>
     <message><source>Setting</source>
@@ -2085,6 +2083,8 @@
         <translation>Restaurer les modifications</translation></message>
     <message><source>Edits of this board</source>
         <translation>Modifications de cette carte</translation></message>
+    <message><source>What was applied to this board cannot be remembered. {0}</source>
+        <translation>Ce qui a été appliqué à cette carte ne peut pas être mémorisé. {0}</translation></message>
     <message><source>Note on {0}</source>
         <translation>Note sur {0}</translation></message>
     <message><source>This snapshot is damaged and cannot be restored. {0}</source>

@@ -4,17 +4,15 @@ import io
 import runpy
 import subprocess
 import sys
-from collections.abc import Callable
 from contextlib import redirect_stdout
 
-import click
 import pytest
 
 from tests.devices.trex.cli.conftest import comes_true
+from tests.support.library_program import Program
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.core.guardian.log import StopResult, logged_stops
-from trex_gui.core.host import Host
 from trex_gui.core.resource_files import resource
 from trex_gui.devices import trex as public
 from trex_gui.devices.trex import (
@@ -27,34 +25,6 @@ from trex_gui.devices.trex import (
     Trex,
 )
 from trex_gui.devices.trex.settings.history import SettingsHistory
-
-
-class Program:
-    """A program that uses the library, in a thread of its own."""
-
-    def __init__(self, runtime: VirtualRuntime, run: Callable[[], object]) -> None:
-        self.runtime = runtime
-        self.error: BaseException | None = None
-        self.has_ended = False
-        host = Host(runtime.open_transport, runtime.condition, runtime.start_thread, runtime.now)
-
-        def live() -> None:
-            with click.Context(click.Command("program"), obj=host):
-                try:
-                    run()
-                except BaseException as error:  # noqa: BLE001 - raised again in the test
-                    self.error = error
-            self.has_ended = True
-
-        runtime.start_thread(live)
-
-    def until(self, condition: Callable[[], object]) -> None:
-        assert self.runtime.run_until(condition, 60)
-
-    def end(self) -> None:
-        self.until(lambda: self.has_ended)
-        if self.error is not None:
-            raise self.error
 
 
 class Example(Program):

@@ -1,8 +1,10 @@
 """USB adapters, and how to know one again when its port has another name."""
 
+import os
 import re
 from dataclasses import dataclass
 
+from serial.tools import list_ports
 from serial.tools.list_ports_common import ListPortInfo
 
 _SHARED = 4
@@ -50,3 +52,12 @@ class Adapter:
 
 def _interface(adapter: Adapter) -> str:
     return adapter.location.partition(":")[2]
+
+
+def adapter_key(url: str) -> str:
+    """Return the key of the adapter that has a port now; empty where that is not known."""
+    if "://" in url:
+        return ""
+    place = os.path.realpath(url.replace("\0", ""))  # no name has that
+    ports = (port for port in list_ports.comports() if os.path.realpath(port.device) == place)
+    return next((adapter.key for port in ports if (adapter := Adapter.of(port)) is not None), "")

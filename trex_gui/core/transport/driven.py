@@ -24,7 +24,7 @@ from trex_gui.core.guardian.guardian import StopSequence
 from trex_gui.core.guardian.process import StopMessage
 from trex_gui.core.run_file import is_locked
 from trex_gui.core.translation import tr, tr_noop
-from trex_gui.core.transport.adapters import Adapter
+from trex_gui.core.transport.adapters import adapter_key
 from trex_gui.core.transport.settings import Parity, PortSettings, SerialFormat
 
 _STOPPED = tr_noop(
@@ -88,10 +88,7 @@ def driven_file(url: str) -> Path:
 
     So is that of a network address, whichever name leads to it.
     """
-    key = url if "://" in url else os.path.realpath(url.replace("\0", ""))  # no name has that
-    for port in () if "://" in url else list_ports.comports():
-        if os.path.realpath(port.device) == key and (adapter := Adapter.of(port)) is not None:
-            key = adapter.key
+    key = adapter_key(url) or (url if "://" in url else os.path.realpath(url.replace("\0", "")))
     with suppress(OSError, ValueError):
         place = urlsplit(url)
         if place.hostname and place.port:

@@ -4,6 +4,7 @@ The line belongs to a session in a thread of its own, as in the window: it polls
 and has a guardian process that stops the motors if the program is killed.
 """
 
+import logging
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import count
@@ -16,6 +17,7 @@ from trex_gui.core.errors import describe as error_text
 from trex_gui.core.host import host
 from trex_gui.core.session import Close, Closed, Outcome, RequestQueue
 from trex_gui.core.timing import Timeouts
+from trex_gui.devices.trex.board.keeper import Keeper
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import (
     Control,
@@ -54,8 +56,10 @@ from trex_gui.devices.trex.session.messages import (
     Written,
 )
 from trex_gui.devices.trex.session.session import TrexSession
-from trex_gui.devices.trex.settings.document import settings_of
-from trex_gui.devices.trex.settings.history import SettingsHistory
+from trex_gui.devices.trex.settings.board_records import utc_now
+from trex_gui.devices.trex.settings.notes import LONGEST_NOTE, clean_note
+
+log = logging.getLogger(__name__)
 
 _LATE = "The program did not call the board for more than half a second while motors were driven."
 _NOT_OPEN = "The line is not open: use a Trex inside of its `with` block."
@@ -264,11 +268,12 @@ class Trex:
         """Return a parameter with its unit: `0.5 s`."""
         return self.state.specs[key].text(self.parameter(key))
 
-    def set_parameters(self, **values: int | str) -> tuple[str, ...]:
+    def set_parameters(self, *, force: bool = False, **values: int | str) -> tuple[str, ...]:
         """Store parameters and read them back; return the keys of those that changed.
 
-        A value is the wire value or a text with its unit, such as `"0.5 s"`. A snapshot of what the
-        board stores is saved first, where the window keeps its own.
+        A value is the wire value or a text with its unit, such as `"0.5 s"`. `force` lets the board
+        decide about a wire value that only an inferred limit is against. As for every change, a
+        snapshot of what the board stores is saved first, where the window keeps its own.
 
         Raises:
             Rejected: the board does not accept one; those before it are stored.
@@ -276,7 +281,8 @@ class Trex:
         wires = {}
         for key, value in values.items():
             spec = self.state.specs[key]
-            wires[spec.key] = spec.check(value) if isinstance(value, int) else spec.wire(value)
+            wire = spec.wire(value) if isinstance(value, str) else value
+            wires[spec.key] = spec.check(wire, forced=force)
         changed = {k: wire for k, wire in wires.items() if self.state.parameters.get(k) != wire}
         self._write(parameters=tuple(changed.items()))
         return tuple(changed)
@@ -295,6 +301,27 @@ class Trex:
             key = CalibrationKey.of(self.state.source, channel)
             self._write(calibrations=((key, calibration),))
 
+    def restore_defaults(self) -> None:
+        """Let the board reset every parameter when it is switched off and on; see `set_parameters`.
+
+        The calibrations stay (inferred).
+        """
+        spec = self.state.specs[ParameterKey.FACTORY_RESET]
+        self._write(((spec.key, spec.maximum),))
+
+    def set_note(self, key: str, text: str) -> None:
+        """Keep a note on a setting on this computer: a board stores none. An empty one removes it.
+
+        `key` is that of a parameter, or such as `rc_channel_2`.
+        """
+        memory = self._keeper().memory
+        notes = {} if memory.record is None else memory.record.settings.notes
+        wanted = {**notes, key: clean_note(text)[:LONGEST_NOTE].rstrip()}
+        memory.set_notes({key: note for key, note in wanted.items() if note})
+
+    def _keeper(self) -> Keeper:
+        return Keeper(self.state, self._settings, log.info, log.warning)
+
     def _write(
         self,
         parameters: tuple[tuple[str, int], ...] = (),
@@ -303,12 +330,12 @@ class Trex:
         if not parameters and not calibrations:
             return
         reason = f"library: {', '.join(key for key, _ in (*parameters, *calibrations))}"
-        settings = settings_of(self.state)
-        SettingsHistory().take(settings, adapter=self._settings.url, reason=reason)
+        transaction = self._keeper().begin(reason, parameters, calibrations)
         request = Write(next(self._ids), parameters, calibrations, before=self.state)
         written = self._result(request.id, request, _WRITING)
         assert isinstance(written, Written)  # noqa: S101 - for the type checker
         self._state = written.state
+        transaction.finish(written.results, written.state, utc_now())
         for result in written.results:
             if result.error is not None:
                 raise result.error

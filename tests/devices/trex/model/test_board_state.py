@@ -9,9 +9,10 @@ from trex_gui.core.errors import NoReply
 from trex_gui.core.session import Outcome
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.writing import WriteResult, after_writing
+from trex_gui.devices.trex.model.settings.accepted_memory import AcceptedMemory
 from trex_gui.devices.trex.model.settings.apply import Apply
-from trex_gui.devices.trex.model.settings.board_memory import BoardMemory
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
+from trex_gui.devices.trex.model.settings.kept_files import KeptFiles
 from trex_gui.devices.trex.protocol.calibration import (
     DEFAULT_CALIBRATION,
     Calibration,
@@ -99,7 +100,10 @@ def written(qtbot: QtBot, *results: WriteResult) -> SettingsDraft:
     draft.take_state(STATE, None, power_cycled=True)
     outcome = Outcome(1, Written(results, STATE, ConnectionSettings("virtual")))
     apply = Apply(
-        draft, SettingsHistory(), BoardMemory(draft.notes), lambda make, then: then(outcome)
+        draft,
+        SettingsHistory(),
+        KeptFiles(draft.notes, AcceptedMemory(draft.parameters)).memory,
+        lambda make, then: then(outcome),
     )
     with qtbot.waitSignal(apply.finished):
         apply.write(STATE, None, "test", (("motor_mode", 1),))

@@ -16,7 +16,7 @@ from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationK
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.devices.trex.session.messages import Batch
-from trex_gui.devices.trex.settings.board_records import BoardRecords
+from trex_gui.devices.trex.settings.board_records import BoardRecords, utc_now
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.files import background
 from trex_gui.ui.runtime import now
@@ -262,7 +262,7 @@ def test_record_of_a_board_at_another_adapter_is_doubted(
 ) -> None:
     """Two boards as they come from the factory share what is kept of them."""
     device, second, said = recorder.device, start_simulator("--unpaced"), list[str]()
-    device.memory.doubted.connect(said.append)
+    device.kept.doubted.connect(said.append)
     connections = (
         (quick_simulator, "0403:6001-A500001", 0),
         (quick_simulator, "0403:6001-A500001", 0),
@@ -274,12 +274,12 @@ def test_record_of_a_board_at_another_adapter_is_doubted(
     for simulator, adapter, count in connections:
         device.motors.adapter = adapter
         recorder.connect(simulator.url, again=device.is_connected)
-        recorder.until(lambda: device.memory.files.is_idle)
+        recorder.until(lambda: device.kept.files.is_idle)
         assert len(said) == count, adapter
     assert "this TReX (notes, calibrations, applied settings) is of 20" in said[0]
     # Whichever board gets a number of its own, nothing is taken from the other one.
     device.set_device_number(8)
-    recorder.until(lambda: bool(recorder.results) and device.memory.files.is_idle)
+    recorder.until(lambda: bool(recorder.results) and device.kept.files.is_idle)
     names = sorted(path.name for path in BoardRecords().folder.iterdir())
     assert names == ["trex-1.2-7.txt", "trex-1.2-8.txt"]
 
@@ -292,7 +292,7 @@ def test_board_that_lost_its_number_differs_from_what_was_applied(
     def connect(simulator: SimulatedDevice, adapter: str) -> set[str]:
         device.motors.adapter = adapter
         recorder.connect(simulator.url, again=device.is_connected)
-        recorder.until(lambda: memory.files.is_idle and not background)
+        recorder.until(lambda: device.kept.files.is_idle and not background)
         return {row.key for row in memory.differing.rows}
 
     def write(**values: int) -> None:
@@ -300,7 +300,7 @@ def test_board_that_lost_its_number_differs_from_what_was_applied(
             recorder.edit(key, value)
         recorder.results.clear()
         device.apply()
-        recorder.until(lambda: bool(recorder.results) and memory.files.is_idle)
+        recorder.until(lambda: bool(recorder.results) and device.kept.files.is_idle)
 
     assert not connect(quick_simulator, "0403:6001-A500001"), "nothing was applied before"
     write(device_number=12, serial_timeout=15)
@@ -309,7 +309,7 @@ def test_board_that_lost_its_number_differs_from_what_was_applied(
     assert connect(quick_simulator, "0403:6001-A500001") == {"device_number", "serial_timeout"}
     assert memory.applied is not None
     assert memory.applied.parameters["device_number"] == 12
-    memory.accept()
+    memory.accept(utc_now())
     assert not memory.differing.rows
     assert not connect(quick_simulator, "0403:6001-A500001"), "the user said so"
     quick_simulator.do("eeprom serial_timeout 3")
@@ -323,18 +323,18 @@ def test_board_that_gets_its_number_back_gets_its_notes_back(
     device, memory = recorder.device, recorder.device.memory
     device.motors.adapter = "0403:6001-A500001"
     recorder.connect(quick_simulator.url)
-    recorder.until(lambda: memory.files.is_idle)
+    recorder.until(lambda: device.kept.files.is_idle)
     device.draft.notes.edit("serial_timeout", "The radio drops out.")
     device.set_device_number(12)
-    recorder.until(lambda: bool(recorder.results) and memory.files.is_idle)
+    recorder.until(lambda: bool(recorder.results) and device.kept.files.is_idle)
     quick_simulator.do("factory")
     recorder.connect(quick_simulator.url, again=True)
-    recorder.until(lambda: memory.files.is_idle and not background)
+    recorder.until(lambda: device.kept.files.is_idle and not background)
     assert {row.key for row in memory.differing.rows} == {"device_number"}
     assert not device.draft.notes.all
     recorder.results.clear()
     device.set_device_number(12)
-    recorder.until(lambda: bool(recorder.results) and memory.files.is_idle)
+    recorder.until(lambda: bool(recorder.results) and device.kept.files.is_idle)
     assert device.draft.notes.all == {"serial_timeout": "The radio drops out."}
     assert [path.name for path in BoardRecords().folder.iterdir()] == ["trex-1.2-12.txt"]
 

@@ -8,6 +8,7 @@ from trex_gui.core.cli import Interruption, ProgressLine, say
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import Finding, SettingsError
 from trex_gui.core.texts import counted
+from trex_gui.devices.trex.board.keeper import Keeper
 from trex_gui.devices.trex.cli.common import as_options, identify
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import (
@@ -16,7 +17,7 @@ from trex_gui.devices.trex.client.reading import (
     read_everything,
     require_free_number,
 )
-from trex_gui.devices.trex.client.writing import WriteResult, write_all
+from trex_gui.devices.trex.client.writing import WriteResult, after_writing, write_all
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import ErrorCode, OtherBoard, Rejected, ResultCode
@@ -27,12 +28,10 @@ from trex_gui.devices.trex.settings.board_records import BoardRecord, BoardRecor
 from trex_gui.devices.trex.settings.comparison import (
     Comparison,
     compare,
-    settings_after,
     values_to_write,
 )
 from trex_gui.devices.trex.settings.document import Settings, open_values, settings_of
-from trex_gui.devices.trex.settings.edit_files import BoardIdentity, put_aside
-from trex_gui.devices.trex.settings.history import SettingsHistory
+from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 from trex_gui.devices.trex.settings.rules import Context, lint
 
 
@@ -72,16 +71,8 @@ def require_consent(
         raise SettingsError(file, findings)
 
 
-def remember_accepted(state: DeviceState, stored: Mapping[str, int]) -> None:
-    """Remember values beyond inferred limits that the board has stored."""
-    if values := open_values(state.specs, stored):
-        try:
-            AcceptedValues().add(state.signature, values)
-        except SettingsError as error:
-            say(f"Warning: what the board accepted was not remembered. {error}")
-            return
-        names = ", ".join(f"{key} {wire}" for key, wire in values.items())
-        say(f"Remembered as accepted by a {state.signature}: {names}.")
+def keeper_of(client: TrexClient, state: DeviceState) -> Keeper:
+    return Keeper(state, client.settings, say, lambda text: say(f"Warning: {text}"))
 
 
 def require_serial_mode(state: DeviceState, what: str) -> None:
@@ -132,8 +123,6 @@ def write_one(
         (stored,) = write_kept(client, state, command, parameters, calibrations)
     if stored.error is not None:
         raise stored.error
-    if isinstance(stored.stored, int):
-        remember_accepted(state, {stored.key: stored.stored})
 
 
 def write_kept(
@@ -150,13 +139,10 @@ def write_kept(
 
     Nothing is written after a BadRequest: another board on the line has the device number.
     """
-    before = settings_of(state)
     number = dict(parameters).get(ParameterKey.DEVICE_NUMBER)
-    if number is not None and number != before.parameters.get(ParameterKey.DEVICE_NUMBER):
+    if number is not None and number != state.parameters.get(ParameterKey.DEVICE_NUMBER):
         require_free_number(client, number)
-    record = _keep(client, state, command)
-    record = record.before_writing({key for key, _ in (*parameters, *calibrations)})
-    _remember(before, record)
+    transaction = keeper_of(client, state).begin(command, parameters, calibrations)
     results = write_all(
         client.request,
         state.specs,
@@ -167,13 +153,7 @@ def write_kept(
         has_crc=client.has_crc,
         cancelled=cancelled,
     )
-    written = ((one.key, one.stored) for one in results if one.key != ParameterKey.FACTORY_RESET)
-    after = settings_after(before, written)
-    uncertain = {result.key for result in results if result.error is not None}
-    record = record.after_writing(after, state.source, uncertain, utc_now())
-    if any(result.key == ParameterKey.FACTORY_RESET for result in results):
-        record = record.after_reset()
-    _remember(after, record, instead_of=before)
+    transaction.finish(results, after_writing(state, results), utc_now())
     return results
 
 
@@ -184,8 +164,10 @@ def restored_afterwards(client: TrexClient, state: DeviceState, command: str) ->
     Meanwhile the record of the board expects what was stored before: if this program dies, or the
     line is gone, the next connection shows what differs.
     """
-    before, record = settings_of(state), _keep(client, state, command)
-    _remember(before, record.after_writing(before, state.source, (), utc_now()))
+    before, keeper = settings_of(state), keeper_of(client, state)
+    record = keeper.memory.record
+    assert record is not None  # noqa: S101 - it is found at once
+    keeper.begin(command, ()).finish((), state, utc_now())
     try:
         yield
     finally:
@@ -198,7 +180,7 @@ def restored_afterwards(client: TrexClient, state: DeviceState, command: str) ->
             for result in write_all(client.request, state.specs, *wanted, has_crc=client.has_crc):
                 if result.error is not None:
                     raise result.error
-            _remember(before, record)
+            keeper.memory.restore(record)
         except StudioError as error:
             say(f"The board may store other settings than before. {error}")
             say("`trexcmd diff --last` shows them; the snapshot has what was stored.")
@@ -210,11 +192,14 @@ def board_settings(state: DeviceState) -> Settings:
     return replace(stored, notes=remembered(stored).settings.notes)
 
 
-def remember_notes(stored: Settings, notes: Mapping[str, str]) -> None:
+def remember_notes(client: TrexClient, state: DeviceState, notes: Mapping[str, str]) -> None:
     """Keep these notes, besides others on settings of the board."""
-    wanted = {**stored.notes, **notes}
-    if wanted != stored.notes:
-        _remember(stored, remembered(stored).with_notes(wanted))
+    if not notes:
+        return
+    memory = keeper_of(client, state).memory
+    kept = {} if memory.record is None else memory.record.settings.notes
+    if (wanted := {**kept, **notes}) != kept:
+        memory.set_notes(wanted)
         say(f"{counted(len(notes), 'note')} kept on this computer: a board stores none.")
 
 
@@ -227,20 +212,6 @@ def remembered(stored: Settings) -> BoardRecord:
     except SettingsError as error:
         say(f"Warning: what was applied to this board before is not known. {error}")
     return found or BoardRecord(Settings(board.product, board.firmware))
-
-
-def _remember(stored: Settings, record: BoardRecord, instead_of: Settings | None = None) -> None:
-    """Save a record; the board may have got another number."""
-    records, board = BoardRecords(), BoardIdentity.of(stored)
-    try:
-        old = board if instead_of is None else BoardIdentity.of(instead_of)
-        if old != board and (aside := put_aside(records.path(board))) is not None:
-            say(f"What was kept for another board with this device number is in {aside} now.")
-        records.save(board, record)
-        if old != board:
-            records.save(old, None)
-    except SettingsError as error:
-        say(f"Warning: what was applied cannot be remembered. {error}")
 
 
 def say_what_follows(
@@ -268,20 +239,3 @@ def say_how_to_reach(used: ConnectionSettings, stored: dict[str, int], firmware:
         say("Its UART settings have an unknown value; find the board with trexcmd find.")
     elif (options := as_options(coming)) != as_options(used):
         say(f"After it is switched off and on, reach it with {options}")
-
-
-def _keep(client: TrexClient, state: DeviceState, reason: str) -> BoardRecord:
-    """Save a snapshot where the window keeps its own, and return the record of the board.
-
-    Nothing must be written if that fails.
-    """
-    before, link = settings_of(state), client.settings
-    record = remembered(before).after_reading(before, state.source, utc_now())
-    settings, remarks = record.with_hidden(before, state.source)
-    history = SettingsHistory()
-    adapter = link.name or link.url
-    snapshot = history.take(settings, adapter=adapter, reason=reason, remarks=remarks)
-    say(f"Snapshot of the previous settings: {snapshot.path}.")
-    if problem := history.bound().problem:
-        say(f"Warning: {problem} Set it again with `trexcmd history keep 500`.")
-    return record

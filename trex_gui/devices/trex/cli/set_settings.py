@@ -13,7 +13,6 @@ from trex_gui.core.texts import counted
 from trex_gui.devices.trex.cli.changes import (
     board_settings,
     read_board,
-    remember_accepted,
     remember_notes,
     require_consent,
     require_serial_mode,
@@ -174,7 +173,7 @@ def _review(
         require_consent(name_of(file), state, wanted.parameters, force=force)
         require_serial_mode(state, "These settings")
         say_changes(result)
-    remember_notes(stored, wanted.notes)
+    remember_notes(client, state, wanted.notes)
     return state, [row for row in result.rows if row.changed]
 
 
@@ -220,7 +219,6 @@ def _write(
         say(f"Stored: {', '.join(names[key] for key in stored)}.")
     say(f"{len(stored)} of {counted(len(results), 'change')} stored and verified.")
     after = {key: wire for key, wire in stored.items() if isinstance(wire, int)}
-    remember_accepted(state, after)
     say_what_follows(client, chosen, state, after)
     if failed:
         begun = "Interrupted: not" if interrupted else "Not"

@@ -27,9 +27,9 @@ from trex_gui.devices.trex.model.mix_jumper import MixJumper
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.model.settings.accepted_memory import AcceptedMemory
 from trex_gui.devices.trex.model.settings.apply import Apply
-from trex_gui.devices.trex.model.settings.board_memory import BoardMemory
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.model.settings.edit_backup import EditBackup
+from trex_gui.devices.trex.model.settings.kept_files import KeptFiles
 from trex_gui.devices.trex.model.telemetry import Telemetry
 from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_KEYS,
@@ -53,6 +53,7 @@ from trex_gui.devices.trex.session.messages import (
     Written,
 )
 from trex_gui.devices.trex.session.reconnecting import REACH, reconnect_candidates
+from trex_gui.devices.trex.settings.board_records import utc_now
 from trex_gui.devices.trex.settings.document import factory_settings, settings_of
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 from trex_gui.devices.trex.settings.history import SettingsHistory
@@ -90,8 +91,9 @@ class Device(QObject):
         self.history = SettingsHistory()  # what boards stored before each Apply
         # What this computer keeps: edits over the end of the program; what was applied last, notes
         self.edit_backup = EditBackup(self.draft, self)
-        self.memory = BoardMemory(self.draft.notes, self)
         self._accepted = AcceptedMemory(self.parameters, self)
+        self.kept = KeptFiles(self.draft.notes, self._accepted, parent=self)
+        self.memory = self.kept.memory
         self._apply = Apply(self.draft, self.history, self.memory, self._request, self)
         self.connection = Connection(self)
         self.driving = DriveController(
@@ -121,10 +123,10 @@ class Device(QObject):
         self.connection.interfered.connect(self.notifier.report)
         for changed in (self.driving.confirmed, self.driving.reach_changed):
             changed.connect(self.link_changed)
-        for kept in (self.edit_backup, self.memory, self._accepted):
+        for kept in (self.edit_backup, self.kept, self._accepted):
             kept.failed.connect(self.notifier.error)
-        self.memory.doubted.connect(self.notifier.info)
-        for files in (self.edit_backup.files, self.memory.files):
+        self.kept.doubted.connect(self.notifier.info)
+        for files in (self.edit_backup.files, self.kept.files):
             files.replaced.connect(self._on_replaced)
         self._apply.written.connect(self._on_written)
         self._apply.changed.connect(self.link_changed)
@@ -489,10 +491,10 @@ class Device(QObject):
         state, is_simulated = report.state, bool(report.settings.name)
         self.edit_backup.take_board(ask=opened, is_simulated=is_simulated)
         self._accepted.take_board(state.signature, opened=opened, is_simulated=is_simulated)
-        stored = settings_of(state)
         self.memory.take_board(
-            stored,
+            settings_of(state),
             state.source,
+            utc_now(),
             opened=opened,
             is_simulated=is_simulated,
             adapter=self.motors.adapter,
@@ -551,14 +553,10 @@ class Device(QObject):
         self.connection.settings = written.settings
         self.draft.note_stored(written.state)
         uncertain = {result.key for result in written.results if result.error is not None}
-        self.memory.note_written(settings_of(written.state), written.state.source, uncertain)
         keys = {result.key for result in written.results}
-        if ParameterKey.FACTORY_RESET in keys:
-            self.memory.note_reset()
         if self.draft.reset_pending or ParameterKey.FACTORY_RESET in keys:
             uncertain |= written.state.parameters.keys()
         self.driving.note_stored(written.state, uncertain)
-        self._accepted.note_written(written)
         self.state_changed.emit()
 
     @Slot()

@@ -20,6 +20,7 @@ from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.settings.board_records import utc_now
 from trex_gui.devices.trex.settings.comparison import ComparisonRow
 from trex_gui.devices.trex.views.action_bar import ActionBar
 from trex_gui.devices.trex.views.arm_dialog import arm
@@ -146,7 +147,7 @@ class TrexWorkspace(Workspace):
         device.applied.connect(self._on_applied)
         device.applied.connect(self._question.reconsider)
         device.edit_backup.offered.connect(self._on_edits_offered)
-        device.memory.changed.connect(self._on_memory_changed)
+        device.kept.changed.connect(self._on_memory_changed)
         for changed in (
             self.recordings.changed,
             controller.changed,
@@ -583,7 +584,7 @@ class TrexWorkspace(Workspace):
             self._question.ask(
                 text.format(record.settings.product.name, local_time(record.applied)),
                 Answer("showDiffering", self.tr("Show…"), self._show_differing),
-                Answer("keepDiffering", keep, memory.accept),
+                Answer("keepDiffering", keep, lambda: memory.accept(utc_now())),
                 still=lambda: memory.differing == differing,
             )
 
@@ -612,11 +613,11 @@ class TrexWorkspace(Workspace):
     def finish(self) -> None:
         self.recordings.close_all()
         self._device.edit_backup.files.shut_down()
-        self._device.memory.files.shut_down()
+        self._device.kept.files.shut_down()
 
     def shut_down(self) -> bool:
         device = self._device
-        kept = [files.shut_down() for files in (device.edit_backup.files, device.memory.files)]
+        kept = [files.shut_down() for files in (device.edit_backup.files, device.kept.files)]
         return self.recordings.shut_down() and all(kept)
 
     def line_choices(self, line: object) -> Sequence[LineChoice]:

@@ -8,14 +8,15 @@ from PySide6.QtCore import QObject, Signal
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.session import Outcome
+from trex_gui.devices.trex.board.memory import BoardMemory
+from trex_gui.devices.trex.board.transaction import Transaction
 from trex_gui.devices.trex.client.reading import DeviceState
-from trex_gui.devices.trex.model.settings.board_memory import BoardMemory
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.session.messages import Write, Written
-from trex_gui.devices.trex.settings.document import settings_of
+from trex_gui.devices.trex.settings.board_records import utc_now
 from trex_gui.devices.trex.settings.history import SettingsHistory, Snapshot
 from trex_gui.ui.files import start_in_background
 from trex_gui.ui.translations import error_sentence
@@ -89,18 +90,12 @@ class Apply(QObject):
         if self.running:
             return
         self.running = True
-        adapter = "" if link is None else link.label
-        stored, remarks = self._memory.with_hidden(settings_of(state))
-        take = partial(self._history.take, stored, adapter=adapter, reason=reason, remarks=remarks)
-
-        def make(number: int) -> Write:
-            self._memory.begin_writing({key for key, _ in (*parameters, *calibrations)})
-            return Write(number, parameters, calibrations, before=state)
-
+        values = parameters, calibrations
+        transaction = Transaction(self._memory, state, link, values, reason=reason)
         self._cancel_snapshot = start_in_background(
             self,
-            lambda _progress: take(),
-            partial(self._on_saved, make),
+            lambda _progress: transaction.take_snapshot(self._history),
+            partial(self._on_saved, transaction),
             self._on_not_saved,
         )
         self.changed.emit()
@@ -119,9 +114,14 @@ class Apply(QObject):
             self._cancel_snapshot()
             self._cancel_snapshot = None
 
-    def _on_saved(self, make: Callable[[int], Write], _snapshot: Snapshot) -> None:
+    def _on_saved(self, transaction: Transaction, _snapshot: Snapshot) -> None:
         self._cancel_snapshot = None
-        self._request(make, self._on_written)
+
+        def make(number: int) -> Write:
+            transaction.begin()
+            return Write(number, *transaction.values, before=transaction.state)
+
+        self._request(make, partial(self._on_written, transaction))
         if self.running:
             self.changed.emit()
 
@@ -130,7 +130,7 @@ class Apply(QObject):
         text = self.tr("Nothing was written because no snapshot could be saved first. {0}")
         self.failed.emit(text.format(error_sentence(error)))
 
-    def _on_written(self, outcome: Outcome) -> None:
+    def _on_written(self, transaction: Transaction, outcome: Outcome) -> None:
         self.running = False
         if outcome.error is not None:
             text = self.tr("Nothing more was written. {0}")
@@ -138,6 +138,7 @@ class Apply(QObject):
             return
         written = cast("Written", outcome.value)
         self.written.emit(written)
+        transaction.finish(written.results, written.state, utc_now())
         if any(
             result.key == ParameterKey.FACTORY_RESET and result.error is None
             for result in written.results

@@ -137,7 +137,7 @@ class CalibrationPage(PlotPage):
         device.telemetry.frame_due.connect(self._on_frame_due)
         device.telemetry.text_due.connect(self._on_text_due)
         device.calibrations.changed.connect(self._refresh)
-        device.memory.changed.connect(self._show_channel)
+        device.kept.changed.connect(self._show_channel)
         device.parameters.pending_changed.connect(self._refresh)
         self._on_device_changed()
 

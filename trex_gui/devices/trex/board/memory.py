@@ -1,49 +1,79 @@
-"""What this computer keeps of the board that is connected: see `BoardRecord`."""
+"""What this computer keeps of the board that is connected: see `BoardRecord`. It does no I/O.
 
-from collections.abc import Callable, Collection
+What is to be read and saved goes to its `Files`.
+"""
+
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
-from functools import partial
+from datetime import datetime
+from typing import Protocol
 
-from PySide6.QtCore import QObject, Signal, Slot
-
-from trex_gui.core.errors import StudioError
+from trex_gui.core.translation import tr_noop
 from trex_gui.devices.trex.driving.timeout_stop import TimeoutTrial
-from trex_gui.devices.trex.model.settings.board_files import BoardFiles
-from trex_gui.devices.trex.model.settings.notes import Notes
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
+from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.settings.board_records import (
-    BoardRecord,
-    BoardRecords,
-    Known,
-    has_factory_line,
-    utc_now,
-)
+from trex_gui.devices.trex.settings.board_records import BoardRecord, Known, has_factory_line
 from trex_gui.devices.trex.settings.comparison import Comparison
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
-from trex_gui.ui.files import in_background
-from trex_gui.ui.translations import error_sentence, local_time
 
-Change = Callable[[BoardRecord], BoardRecord]
+DOUBTED = tr_noop(
+    "What is kept here for this {0} (notes, calibrations, applied settings) is of {1}, "
+    "when it was at another USB adapter or socket. If this is another board, give it "
+    "a device number of its own: boards with the same number share what is kept."
+)
+"""For `Files.doubt`: takes the name of the model, and when the record was saved."""
 
 
-class BoardMemory(QObject):
-    """Reads the record of a board, follows what is read, written and noted, and saves it."""
+class Files(Protocol):
+    """What a face does for a `BoardMemory`, at once or later."""
 
-    changed = Signal()  # `record` or `differing`
-    failed = Signal(str)  # why nothing can be kept, for the user; once, until it works again
-    doubted = Signal(str)  # that the record may be of another board, for the user
+    def find(self, board: BoardIdentity) -> None:
+        """Read the record of a board, and call `take_record`."""
 
-    def __init__(self, notes: Notes, parent: QObject | None = None) -> None:
-        super().__init__(parent)
-        self._notes = notes
-        self.record: BoardRecord | None = None  # `None` until it was read from its file
-        # Settings in which the board, at the left, differs from what was applied last; none for a
-        # simulated board, which is a new one each time
+    def find_lost(self, board: BoardIdentity, adapter: str) -> None:
+        """Find what was applied at an adapter to a board with another number; `take_lost`."""
+
+    def save(self, board: BoardIdentity, record: BoardRecord | None) -> None:
+        """Replace the record of a board; `None` removes it."""
+
+    def move(
+        self, old: BoardIdentity, new: BoardIdentity, record: BoardRecord, *, keeps_old: bool
+    ) -> None:
+        """Save a record under another identity; a file of another board that has it is renamed.
+
+        With `keeps_old` the old file stays as well: it may be of another board.
+        """
+
+    def add_accepted(self, kind: Signature, values: Mapping[str, int]) -> None:
+        """Remember values beyond inferred limits that boards of this kind store."""
+
+    def doubt(self, record: BoardRecord) -> None:
+        """Warn that the record may be of another board, which was at another adapter."""
+
+    def show_notes(self, notes: Mapping[str, str] | None, board: BoardIdentity) -> None:
+        """Show the notes of a board; `None`: of another one, whose notes are not known yet."""
+
+    def note_change(self) -> None:
+        """Show what the memory knows now."""
+
+
+_Change = Callable[[BoardRecord], BoardRecord]
+
+
+class BoardMemory:
+    """Follows what is read, written and noted of a board in its record.
+
+    Methods take the time in UTC.
+    """
+
+    def __init__(self, files: Files) -> None:
+        self._files = files
+        self.record: BoardRecord | None = None  # `None` until it was found
+        # In what the board differs from what was applied last, the board at the left. A simulated
+        # board never does: it is a new one each time.
         self.differing = Comparison(())
-        self._records = BoardRecords()
-        self.files = BoardFiles[BoardRecord, BoardRecord](self._records, self)
         self._board: BoardIdentity | None = None
         self._stored: Settings | None = None  # what the board stores, while it is connected
         self._source = InputSource.RC  # the active one
@@ -51,10 +81,7 @@ class BoardMemory(QObject):
         self._lost: BoardRecord | None = None  # of the board that this may be, without its number
         self._is_doubted = False  # the record may be of another board
         self._is_renamed = False  # the next start of the board resets its number
-        self._later: list[Change] = []  # what happened before the record was read
-        self.files.found.connect(self._on_found)
-        self.files.failed.connect(self._on_failed)
-        self._notes.edited.connect(self._on_note_edited)
+        self._later: list[_Change] = []  # what happened before the record was found
 
     # --- What is known ------------------------------------------------------------------
 
@@ -90,18 +117,19 @@ class BoardMemory(QObject):
             return stored, []
         return self.record.with_hidden(stored, self._source)
 
-    # --- Reports of the device ----------------------------------------------------------
+    # --- Reports of the board -----------------------------------------------------------
 
     def take_board(
         self,
         stored: Settings,
         source: InputSource,
+        now: datetime,
         *,
         opened: bool,
         is_simulated: bool = False,
         adapter: str = "",
     ) -> None:
-        """Take what was read; the record is read from its file for another board, or `opened`.
+        """Take what was read; the record is found anew for another board, or `opened`.
 
         `adapter` is the key of the one that the board is at; empty if that is not known.
         """
@@ -113,35 +141,17 @@ class BoardMemory(QObject):
         self._is_renamed = False
         if opened or board != self._board:
             if board != self._board:
-                self._notes.forget()
+                self._files.show_notes(None, board)
             self._board, self.record, self._later = board, None, []
             self._lost = None
-            self.files.read(board)
+            self._files.find(board)
             self._compare()
-        self._change(lambda record: record.after_reading(stored, source, utc_now()))
+        self._change(lambda record: record.after_reading(stored, source, now))
 
     def leave_board(self) -> None:
         """Compare no more: the line was closed."""
         self._stored = None
         self._compare()
-
-    def begin_writing(self, keys: Collection[str]) -> None:
-        self._change(lambda record: record.before_writing(keys))
-
-    def note_written(
-        self, stored: Settings, source: InputSource, uncertain: Collection[str]
-    ) -> None:
-        """Take what the board stores after a write that began; some values may be `uncertain`."""
-        self._stored, self._source = stored, source
-        if self._board is not None:
-            self._rename(BoardIdentity.of(stored, is_simulated=self._board.is_simulated))
-        self._change(lambda record: record.after_writing(stored, source, uncertain, utc_now()))
-
-    def note_reset(self) -> None:
-        """Expect the factory defaults after the next start of the board."""
-        self._is_renamed = True
-        self._lost = None
-        self._change(BoardRecord.after_reset)
 
     def _rename(self, board: BoardIdentity) -> None:
         """Follow another device number of the same board."""
@@ -150,35 +160,68 @@ class BoardMemory(QObject):
         lost, self._lost = self._lost, None
         if lost is not None and board == BoardIdentity.of(lost.settings):
             self.record = self.record.together_with(lost)
-            self.files.save(self._board, None)
-            self.files.save(board, self.record)
+            self._files.save(self._board, None)
+            self._files.save(board, self.record)
         else:
-            self.files.move(self._board, board, self.record, keeps_old=self._is_doubted)
+            self._files.move(self._board, board, self.record, keeps_old=self._is_doubted)
         self._is_doubted = False
         self._board = board
-        self._notes.load(self.record.settings.notes, board)
+        self._files.show_notes(self.record.settings.notes, board)
+
+    # --- Writes -------------------------------------------------------------------------
+
+    def begin_writing(self, keys: Collection[str]) -> None:
+        """Expect nothing of these values until it is known which ones were stored."""
+        self._change(lambda record: record.before_writing(keys))
+
+    def note_written(
+        self, stored: Settings, source: InputSource, uncertain: Collection[str], now: datetime
+    ) -> None:
+        """Take what the board stores after a write that began; some values may be `uncertain`."""
+        self._stored, self._source = stored, source
+        if self._board is not None:
+            self._rename(BoardIdentity.of(stored, is_simulated=self._board.is_simulated))
+        self._change(lambda record: record.after_writing(stored, source, uncertain, now))
+
+    def restore(self, record: BoardRecord) -> None:
+        """Expect again what was expected before writes that were undone."""
+        self._change(lambda _record: record)
+
+    def note_reset(self) -> None:
+        """Expect the factory defaults after the next start of the board."""
+        self._is_renamed = True
+        self._lost = None
+        self._change(BoardRecord.after_reset)
+
+    def note_accepted(self, kind: Signature, values: Mapping[str, int]) -> None:
+        """Take values beyond inferred limits; a simulated board says nothing about real ones."""
+        if values and self._board is not None and not self._board.is_simulated:
+            self._files.add_accepted(kind, values)
 
     # --- Decisions ----------------------------------------------------------------------
 
-    def accept(self) -> None:
+    def accept(self, now: datetime) -> None:
         """Take what the board stores in place of what was applied."""
         stored, source = self._stored, self._source
         if stored is not None:
-            self._change(lambda record: record.accepting(stored, source, utc_now()))
+            self._change(lambda record: record.accepting(stored, source, now))
 
     def record_trial(self, trial: TimeoutTrial) -> None:
         """Save what the user saw of the serial timeout of this board."""
         self._change(lambda record: replace(record, trial=trial))
 
+    def set_notes(self, notes: Mapping[str, str]) -> None:
+        self._change(lambda record: record.with_notes(notes))
+
     # --- The record ---------------------------------------------------------------------
 
-    def _change(self, change: Change) -> None:
+    def _change(self, change: _Change) -> None:
         if self.record is None:
             self._later.append(change)
             return
         before, self.record = self.record, change(self.record)
         if self._board is not None and self.record != before:
-            self.files.save(self._board, self.record)
+            self._files.save(self._board, self.record)
         self._compare()
 
     def _compare(self) -> None:
@@ -186,15 +229,9 @@ class BoardMemory(QObject):
         is_real = self._board is not None and not self._board.is_simulated
         if is_real and self.expected is not None and self._stored is not None:
             self.differing = self.expected.differences(self._stored)
-        self.changed.emit()
+        self._files.note_change()
 
-    @Slot()
-    def _on_note_edited(self) -> None:
-        notes = self._notes.all
-        self._change(lambda record: record.with_notes(notes))
-
-    @Slot(object, object)
-    def _on_found(self, board: BoardIdentity, found: BoardRecord | None) -> None:
+    def take_record(self, board: BoardIdentity, found: BoardRecord | None) -> None:
         if board != self._board or self.record is not None:
             return
         self.record = found or BoardRecord(Settings(board.product, board.firmware))
@@ -202,13 +239,12 @@ class BoardMemory(QObject):
         later, self._later = self._later, []
         for change in later:
             self._change(change)
-        self._notes.load(self.record.settings.notes, board)
+        self._files.show_notes(self.record.settings.notes, board)
         stored, is_new = self._stored, self.record.applied is None
         if is_new and self._adapter and stored is not None and has_factory_line(stored):
-            find = partial(self._records.of_other_number, board, self._adapter)
-            in_background(self, find, partial(self._on_lost_found, board), self._on_failed)
+            self._files.find_lost(board, self._adapter)
 
-    def _on_lost_found(self, board: BoardIdentity, found: BoardRecord | None) -> None:
+    def take_lost(self, board: BoardIdentity, found: BoardRecord | None) -> None:
         if board == self._board:
             self._lost = found
             self._compare()
@@ -221,14 +257,4 @@ class BoardMemory(QObject):
             return
         self._change(lambda record: replace(record, adapter=adapter))
         if self._is_doubted and found.time is not None:
-            text = self.tr(
-                "What is kept here for this {0} (notes, calibrations, applied settings) is of {1}, "
-                "when it was at another USB adapter or socket. If this is another board, give it "
-                "a device number of its own: boards with the same number share what is kept."
-            )
-            self.doubted.emit(text.format(found.settings.product.name, local_time(found.time)))
-
-    @Slot(object)
-    def _on_failed(self, failure: StudioError) -> None:
-        text = self.tr("What was applied to this board cannot be remembered. {0}")
-        self.failed.emit(text.format(error_sentence(failure)))
+            self._files.doubt(found)

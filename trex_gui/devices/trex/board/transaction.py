@@ -1,0 +1,73 @@
+"""The one way in which settings are written: prepare, write, verify, finish."""
+
+from collections.abc import Sequence
+from datetime import datetime
+
+from trex_gui.devices.trex.board.memory import BoardMemory
+from trex_gui.devices.trex.client.reading import DeviceState
+from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.settings.document import open_values, settings_of
+from trex_gui.devices.trex.settings.history import SettingsHistory, Snapshot
+
+Values = tuple[tuple[tuple[str, int], ...], tuple[tuple[CalibrationKey, Calibration], ...]]
+"""Parameters (key, wire value) and calibrations to write."""
+
+
+class Transaction:
+    """One write. Each face takes the snapshot, begins, writes and verifies, and finishes.
+
+    Where a write has no end, because the line or the program is gone, the record of the board
+    expects nothing of its values: the next connection shows what became of them.
+    """
+
+    def __init__(
+        self,
+        memory: BoardMemory,
+        state: DeviceState,
+        link: ConnectionSettings | None,
+        values: Values,
+        *,
+        reason: str,
+    ) -> None:
+        """Prepare to write to a board that stores `state`.
+
+        `reason` names the operation for the user, at the head of the snapshot.
+        """
+        self.state = state
+        self.values = values
+        self._memory = memory
+        self._reason = reason
+        self._adapter = "" if link is None else link.label
+        # Taken now: a thread may save them while the memory goes on.
+        self._stored, self._remarks = memory.with_hidden(settings_of(state))
+
+    def take_snapshot(self, history: SettingsHistory) -> Snapshot:
+        """Save all that the board stores, and what it hides.
+
+        Raises:
+            SettingsError: that failed; nothing must be written.
+        """
+        return history.take(
+            self._stored, adapter=self._adapter, reason=self._reason, remarks=self._remarks
+        )
+
+    def begin(self) -> None:
+        """Call it before the first byte."""
+        parameters, calibrations = self.values
+        self._memory.begin_writing({key for key, _ in (*parameters, *calibrations)})
+
+    def finish(self, results: Sequence[WriteResult], state: DeviceState, now: datetime) -> None:
+        """Remember what was verified, and what the board stores now; `now` is in UTC."""
+        uncertain = {result.key for result in results if result.error is not None}
+        self._memory.note_written(settings_of(state), state.source, uncertain, now)
+        if any(result.key == ParameterKey.FACTORY_RESET for result in results):
+            self._memory.note_reset()
+        verified = {
+            result.key: result.stored
+            for result in results
+            if result.error is None and isinstance(result.stored, int)
+        }
+        self._memory.note_accepted(state.signature, open_values(state.specs, verified))
