@@ -1929,8 +1929,8 @@
         <translation>Hilfsmotor {0}</translation></message>
     <message><source>motor {0} brake</source>
         <translation>Motor {0} bremst</translation></message>
-    <message><source>motor {0} {1:+d}</source>
-        <translation>Motor {0} {1:+d}</translation></message>
+    <message><source>motor {0} {1}</source>
+        <translation>Motor {0} {1}</translation></message>
     <message><source>Hexadecimal, such as 9F 07</source>
         <translation>Hexadezimal, zum Beispiel 9F 07</translation></message>
     <message><source>Connect a board to send this.</source>

@@ -1929,8 +1929,8 @@
         <translation>auxiliaire {0}</translation></message>
     <message><source>motor {0} brake</source>
         <translation>moteur {0} freinage</translation></message>
-    <message><source>motor {0} {1:+d}</source>
-        <translation>moteur {0} {1:+d}</translation></message>
+    <message><source>motor {0} {1}</source>
+        <translation>moteur {0} {1}</translation></message>
     <message><source>Hexadecimal, such as 9F 07</source>
         <translation>Hexadécimal, par exemple 9F 07</translation></message>
     <message><source>Connect a board to send this.</source>

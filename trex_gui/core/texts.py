@@ -1,6 +1,16 @@
-"""Pieces of English texts that are not translated: those of the command line and simulators."""
+"""Pieces of texts that are the same in every language, and English ones of the command line."""
 
 
 def counted(count: int, noun: str) -> str:
     """Return a count with its noun, whose plural ends in -s: `1 byte`, `2 bytes`."""
     return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
+
+
+def hex_text(data: bytes | bytearray) -> str:
+    """Return bytes as `AF 07 05`."""
+    return data.hex(" ").upper()
+
+
+def signed_text(number: int) -> str:
+    """Return a number with its sign, `+60`, `−60`, or `0`."""
+    return f"{number:+d}".replace("-", "−") if number else "0"

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from trex_gui import __version__
 from trex_gui.core.code import Language, hexadecimal, plain, render
+from trex_gui.core.texts import hex_text
 from trex_gui.core.transport.traffic import Decoder, Transaction
 
 
@@ -29,10 +30,10 @@ def _row(row: Transaction, decoder: Decoder) -> dict[str, object]:
         return {"note": meaning or "-"}
     return {
         "note": "",
-        "sent": row.sent.hex(" ").upper(),
+        "sent": hex_text(row.sent),
         "bytes": ", ".join(map(hexadecimal, row.sent)),
         "count": len(row.sent),
         "size": len(row.received),
-        "received": row.received.hex(" ").upper(),
+        "received": hex_text(row.received),
         "meaning": meaning,
     }

@@ -24,6 +24,7 @@ from serial.tools import list_ports
 
 from trex_gui.core.errors import BadReply, BadRequest, PortFault, PortShared, PortUnavailable
 from trex_gui.core.guardian.guardian import Guardian, GuardianProcess, SharedPort
+from trex_gui.core.texts import hex_text
 from trex_gui.core.translation import tr
 from trex_gui.core.transport.driven import DrivenBoard, driven_at, driven_file
 from trex_gui.core.transport.linux_ports import (
@@ -234,9 +235,7 @@ class SerialTransport:
                 reads += 1
                 if reads > _MANY_READS and self.clock() > deadline:
                     raise BadReply(
-                        tr("It sends without a request ({0} …).").format(
-                            stale[:12].hex(" ").upper()
-                        )
+                        tr("It sends without a request ({0} …).").format(hex_text(stale[:12]))
                     )
         except PORT_ERRORS as error:
             raise self._unreadable(error) from error

@@ -7,6 +7,7 @@ from itertools import product
 
 from trex_gui.core.discovery.prober import Diagnosis, Evidence, ProberInfo, ScanProgress, flush
 from trex_gui.core.errors import BadReply, BadRequest, NoReply
+from trex_gui.core.texts import hex_text
 from trex_gui.core.translation import tr
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
@@ -317,7 +318,7 @@ class TrexProber:
 
     def _strange_evidence(self, url: str) -> tuple[Evidence, str]:
         line, data = self._strange[0]
-        shown = data[:_SHOWN].hex(" ").upper() + (" …" if len(data) > _SHOWN else "")
+        shown = hex_text(data[:_SHOWN]) + (" …" if len(data) > _SHOWN else "")
         often = (
             tr(", and something at {0} more").format(more)
             if (more := len(self._strange) - 1)

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.aracna.model.robot_state import MissedGoal, RobotState
 from trex_gui.devices.aracna.protocol.joints import (
@@ -59,10 +60,6 @@ def position_text(position: int | None) -> str:
     return "–" if position is None else f"{position} = {Number(degrees(position)):.1f}°"
 
 
-def signed(number: int) -> str:
-    return f"{number:+d}".replace("-", "−") if number else "0"
-
-
 def speed_text(speed: int) -> str:
     per_second = degrees_per_second(speed)
     return tr("unlimited") if per_second is None else f"{per_second:.0f} °/s"
@@ -76,7 +73,7 @@ def missed_text(missed: MissedGoal) -> str:
     if missed.unreadable:
         return tr("Motor {0} did not report its position (−1).").format(missed.motor)
     text = tr("Motor {0} is at {1}, {2} from its goal {3}.")
-    away = signed(missed.present - missed.goal)
+    away = signed_text(missed.present - missed.goal)
     return text.format(missed.motor, missed.present, away, missed.goal)
 
 
@@ -92,7 +89,7 @@ def difference_text(state: RobotState, motor: int, *, is_observed: bool = True) 
     present = state.present[motor]
     difference = ""
     if present is not None and state.goals is not None:
-        difference = signed(present - state.goals[motor])
+        difference = signed_text(present - state.goals[motor])
     if state.stuck is not None and state.stuck.motor == motor:
         return tr("stuck here"), True
     if state.moving is not None:

@@ -9,6 +9,7 @@ from trex_gui.core.errors import (
     InternalError,
     NoReply,
 )
+from trex_gui.core.texts import hex_text
 from trex_gui.core.translation import tr_noop
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.protocol import commands
@@ -133,4 +134,4 @@ def printable(data: bytes) -> str:
     data = data.strip(b"\r\n")
     if data and all(0x20 <= byte < 0x7F for byte in data):
         return data.decode("ascii")
-    return data[:12].hex(" ").upper() + (" …" if len(data) > 12 else "")
+    return hex_text(data[:12]) + (" …" if len(data) > 12 else "")

@@ -8,6 +8,7 @@ from datetime import datetime
 from enum import Enum
 from operator import itemgetter
 
+from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import Number, tr, tr_noop
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 
@@ -152,7 +153,7 @@ class Run:
     def title(self) -> str:
         """A short name for the user, such as `step +60, 3 s`."""
         profile = self.profile
-        speed = f"{profile.speed:+d}".replace("-", "−")
+        speed = signed_text(profile.speed)
         return tr(_TITLES[profile.shape]).format(speed, f"{Number(profile.duration):g}")
 
     def setpoint_at(self, seconds: float) -> int:

@@ -19,6 +19,7 @@ from trex_gui.core.errors import (
 )
 from trex_gui.core.host import host
 from trex_gui.core.session import Close, Closed, Outcome
+from trex_gui.core.texts import hex_text
 from trex_gui.core.transport.linux_ports import holder_of
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.cli.changes import remembered
@@ -259,7 +260,7 @@ class _Run:
             self._finish(str(outcome.error))
         elif isinstance(outcome.value, bytes) and outcome.value:
             try:
-                click.echo(outcome.value.hex(" ").upper())
+                click.echo(hex_text(outcome.value))
             except (click.ClickException, OSError) as error:  # it must not end the session
                 self._finish(str(error))
 

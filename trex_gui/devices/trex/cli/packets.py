@@ -6,6 +6,7 @@ import click
 
 from trex_gui.core.cli import CommandFailed, FiniteRange, hexadecimal, say
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.texts import hex_text
 from trex_gui.devices.trex.cli.common import (
     crc_option,
     link_options,
@@ -70,7 +71,7 @@ def raw(packet: tuple[str, ...], *, motors: bool, seconds: float | None, **optio
     with open_line(link) as client:
         for one in packets:
             if received := client.send_packet(one.packet).raw:
-                click.echo(received.hex(" ").upper())
+                click.echo(hex_text(received))
 
 
 def _note(packet: RawPacket, board: str) -> str:
@@ -104,7 +105,7 @@ def decode(packet: tuple[str, ...], crc: bool, polynomial: str) -> None:
 
 
 def _row(event: Packet | Malformed) -> tuple[str, str, str]:
-    raw_text = event.raw.hex(" ").upper()
+    raw_text = hex_text(event.raw)
     if isinstance(event, Malformed):
         return raw_text, "bad", event.reason
     to = "compact" if event.device_number is None else f"to device {event.device_number}"

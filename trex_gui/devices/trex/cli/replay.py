@@ -6,7 +6,7 @@ import click
 
 from trex_gui.core.cli import CommandFailed, refusals, say
 from trex_gui.core.command_io import FileName
-from trex_gui.core.texts import counted
+from trex_gui.core.texts import counted, hex_text
 from trex_gui.core.transport.transcript import TranscriptRow
 from trex_gui.devices.trex.replay import RecordedTraffic
 
@@ -47,5 +47,5 @@ def replay(file: str, everything: bool) -> None:
 def _print_difference(recorded: RecordedTraffic, row: TranscriptRow, received: bytes) -> None:
     click.echo(f"Line {row.line}: {row.sent.hex(' ').upper()}")
     for title, reply in (("file", row.received), ("simulator", received)):
-        shown = reply.hex(" ").upper() or "nothing"
+        shown = hex_text(reply) or "nothing"
         click.echo(f"  {title + ':':11}{shown}  ({recorded.meaning(row, reply)})")

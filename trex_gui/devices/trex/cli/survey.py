@@ -14,6 +14,7 @@ from trex_gui.core.cli import Interruption, ProgressLine
 from trex_gui.core.command_io import FileName
 from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.core.files import save
+from trex_gui.core.texts import hex_text
 from trex_gui.devices.trex.cli.changes import read_board, require_serial_mode, restored_afterwards
 from trex_gui.devices.trex.cli.common import link_options, link_settings, open_line
 from trex_gui.devices.trex.client.client import TrexClient
@@ -163,7 +164,7 @@ class _Survey:
     def _reply(self, command: c.Command[Any]) -> str:
         packet = self._client.settings.framing.encode(command)
         raw = self._client.send_packet(Malformed(packet, "")).raw  # which checks no reply
-        return raw[len(packet) * self._client.echo :].hex(" ").upper() or _SILENT
+        return hex_text(raw[len(packet) * self._client.echo :]) or _SILENT
 
     def text(self, board: c.Signature, *, as_new: bool) -> str:
         """Return the survey as TOML: values in decimal, numbers of parameters in hexadecimal."""

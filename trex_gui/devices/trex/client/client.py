@@ -10,6 +10,7 @@ from typing import Protocol
 
 from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.core.guardian.guardian import StopSequence
+from trex_gui.core.texts import hex_text
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.protocol.commands import (
     STOP,
@@ -165,15 +166,15 @@ class TrexClient:
                 self._is_unanswered = True
                 self._unanswered += 1
                 if received:
-                    fields = _hex(packet), _hex(received)
+                    fields = hex_text(packet), hex_text(received)
                     raise TrexNoReplyError(ErrorCode.INCOMPLETE_REPLY, *fields)
-                raise TrexNoReplyError(ErrorCode.NO_REPLY, _hex(packet))
+                raise TrexNoReplyError(ErrorCode.NO_REPLY, hex_text(packet))
         match state:
             case Malformed(raw, reason):
                 self.counters.corrupted += 1
                 # Bytes that still arrive belong to the same corrupted reply.
                 self.transport.wait(line.seconds(LONGEST_REPLY))
-                raise TrexBadReplyError(ErrorCode.CORRUPTED_REPLY, _hex(raw), reason)
+                raise TrexBadReplyError(ErrorCode.CORRUPTED_REPLY, hex_text(raw), reason)
             case Reply(raw):
                 took = self.transport.clock() - begun
                 if self._unanswered and command.reply_size():
@@ -309,7 +310,3 @@ class TrexClient:
             self._transact(query, self.settings.framing)
         except (NoReply, BadReply):
             self.settings = before
-
-
-def _hex(data: bytes) -> str:
-    return data.hex(" ").upper()

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any, TypeVar
 
 from trex_gui.core.errors import BadReply, NoReply
+from trex_gui.core.texts import hex_text
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.client.client import Requester, TrexClient
 from trex_gui.devices.trex.protocol.calibration import Calibration
@@ -241,7 +242,7 @@ def agreed(
         if readings[-1] == readings[-2]:
             return readings[-1]
     packet = bytes([command.opcode]) + command.data()
-    raise TrexBadReplyError(ErrorCode.READINGS_DIFFER, packet.hex(" ").upper())
+    raise TrexBadReplyError(ErrorCode.READINGS_DIFFER, hex_text(packet))
 
 
 def read_signature(request: Requester, *, has_crc: bool = False) -> Signature:

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 
+from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import Number, tr
 from trex_gui.core.transport.serial_port import latency_of
 from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop
@@ -63,7 +64,7 @@ def report_text(device: Device, motor: int) -> str:
     value = telemetry.remapped_of(motor)
     if by_serial and state is not None and not state.mode.is_serial and value is not None:
         value = abs(value) if motor == 3 else value
-        text = f"{value:+d}".replace("-", "−") if value else "0"
+        text = signed_text(value)
         parts.append(tr("channel {0} at {1} (overridden)").format(motor, text))
     return tr("Board: {0}").format(", ".join(parts) or tr("N/A"))
 

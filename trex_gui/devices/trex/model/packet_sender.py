@@ -6,6 +6,7 @@ from PySide6.QtCore import QObject, Signal
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.session import Outcome
+from trex_gui.core.texts import hex_text
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.raw_packets import RawPacket, packets_of, parse_hexadecimal
@@ -99,7 +100,7 @@ class TrexPacketSender(QObject):
             notifier.error.emit(text.format(packet.hexadecimal, error_text(outcome.error)))
         elif isinstance(outcome.value, bytes) and outcome.value:
             text = self.tr("Sent {0}; the reply is {1}.")
-            reply = outcome.value.hex(" ").upper()
+            reply = hex_text(outcome.value)
             notifier.info.emit(text.format(packet.hexadecimal, reply))
         else:
             text = self.tr("Sent {0}; there was no reply.")

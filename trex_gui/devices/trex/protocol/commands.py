@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from typing import ClassVar, Generic, Self, TypeVar
 
 from trex_gui.core.errors import BadReply, BadRequest
+from trex_gui.core.texts import hex_text
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, INVALID_RAW, Calibration
 from trex_gui.devices.trex.protocol.device_table import Model, device_table
@@ -122,7 +123,7 @@ class GetSignature(Command[Signature]):
                 major, dot, minor = version[:1], version[1:2], version[2:]
                 if dot == "." and f"{major}{minor}".isascii() and f"{major}{minor}".isdigit():
                     return Signature(model, version)
-        raise BadReply(tr("{0} is not the signature of a TReX").format(reply.hex(" ").upper()))
+        raise BadReply(tr("{0} is not the signature of a TReX").format(hex_text(reply)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -344,7 +345,7 @@ def _result(reply: bytes) -> ResultCode:
 
 def _without_format_bytes(data: bytes) -> bytes:
     if data[-2:] != FORMAT_BYTES:
-        raise BadRequest(tr("a write ends in 55 2A, not {0}").format(data[-2:].hex(" ").upper()))
+        raise BadRequest(tr("a write ends in 55 2A, not {0}").format(hex_text(data[-2:])))
     return data[:-2]
 
 

@@ -8,6 +8,7 @@ from functools import cache
 from typing import Generic
 
 from trex_gui.core.errors import BadReply, BadRequest
+from trex_gui.core.texts import hex_text
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.commands import COMMANDS, Command, ReplyT_co
 from trex_gui.devices.trex.protocol.flags import seven_bits
@@ -202,7 +203,7 @@ class ReplyParser(Generic[ReplyT_co]):
         raw = bytes(self._held)
         sent = self.framing.encode(self.command) if self.echo else b""
         if raw[: len(sent)] != sent[: len(raw)]:
-            return Malformed(raw, tr("the echo should be {0}").format(sent.hex(" ").upper()))
+            return Malformed(raw, tr("the echo should be {0}").format(hex_text(sent)))
         answer = raw[len(sent) :]
         crc = self.framing.crc_size
         size = self.command.reply_size(answer)

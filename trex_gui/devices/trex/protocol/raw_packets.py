@@ -4,6 +4,7 @@ import re
 from dataclasses import dataclass
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.texts import hex_text
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.commands import (
     COMMANDS,
@@ -36,7 +37,7 @@ class RawPacket:
 
     @property
     def hexadecimal(self) -> str:
-        return self.data.hex(" ").upper()
+        return hex_text(self.data)
 
     @property
     def moves(self) -> bool:

@@ -2,6 +2,7 @@
 
 from functools import lru_cache
 
+from trex_gui.core.texts import hex_text
 from trex_gui.core.translation import tr
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.core.transport.traffic import Decoded, Decoder, Transaction
@@ -36,7 +37,7 @@ class TrexDecoder(Decoder):
         self.board: Signature | None = None
 
     def shown(self, data: bytes) -> str:
-        return data.hex(" ").upper()
+        return hex_text(data)
 
     def bytes_of(self, shown: str) -> bytes:
         return bytes.fromhex(shown)

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QFileDialog, QWidget
 
+from trex_gui.core.texts import hex_text
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.replay import RecordedTraffic
 from trex_gui.ui.files import in_background
@@ -36,7 +37,7 @@ def _first_difference(path: Path) -> tuple[int, tuple[int, str, str, str] | None
     """Return the number of transactions, and line, meaning, and the simulator's reply in words."""
     recorded = RecordedTraffic.load(path)
     for row, received in recorded.replayed():
-        shown = received.hex(" ").upper() or "–"
+        shown = hex_text(received) or "–"
         before, after = recorded.meaning(row, row.received), recorded.meaning(row, received)
         return len(recorded.rows), (row.line, before, after.rpartition("→ ")[2], shown)
     return len(recorded.rows), None

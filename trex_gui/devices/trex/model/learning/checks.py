@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.calibration.neutral import Neutral
@@ -76,7 +77,7 @@ class Check:
         rest = self.travel.rest
         if abs(rest - wanted.neutral) <= wanted.deadband:
             return
-        output = f"{self.curve.output(rest):+d}".replace("-", "−")
+        output = signed_text(self.curve.output(rest))
         if wanted.neutral != sampled:
             yield ProblemKind.NEUTRAL_MOVED, "CHOSEN", (text(rest), output)
         else:

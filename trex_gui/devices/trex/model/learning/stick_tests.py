@@ -6,6 +6,7 @@ mixed and flipped.
 
 from collections.abc import Sequence
 
+from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.calibration.neutral import LIMITS
@@ -98,7 +99,7 @@ class StickTest:
             return self._unreached_text()
         if self.output == 0:
             return tr("Full output reached. Let it rest for a moment.")
-        now = f"{self.output:+d}".replace("-", "−")
+        now = signed_text(self.output)
         return tr(
             "Full output reached. Release it: at rest the output must be 0, but it is {0}.",
         ).format(now)
