@@ -3653,8 +3653,6 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Hier gibt es nichts zu testen: Das Board ignoriert diesen Eingang und hält ihn in Neutralstellung. Siehe die Einstellung „Ignorierte Kanäle“.</translation></message>
     <message><source>The tested channels are good. But in {0} mode the motors would not start. {1}</source>
         <translation>Die getesteten Kanäle sind gut. Aber im Modus {0} würden die Motoren nicht anlaufen. {1}</translation></message>
-    <message><source>{0}. Not done: {1}.</source>
-        <translation>{0}. Nicht erledigt: {1}.</translation></message>
     <message><source>Hands off. Sampling … {0:.1f} s</source>
         <translation>Knüppel loslassen. Messung läuft … {0:.1f} s</translation></message>
     <message><source>The board would reject the values of channel {0}: change them, or clear its check box.</source>
@@ -3783,6 +3781,34 @@ bisher {1}</translation></message>
         <translation>Standard&amp;werte wiederherstellen</translation></message>
     <message><source>Numbers of other devices on this line, such as 0,1 (older Pololu motor and servo controllers). With one, every packet is addressed, to none of these numbers, and no other baud rate is tried.</source>
         <translation>Nummern anderer Geräte an dieser Leitung, etwa 0,1 (ältere Motor- und Servocontroller von Pololu). Ist eine angegeben, wird jedes Paket adressiert, an keine dieser Nummern, und keine andere Baudrate wird versucht.</translation></message>
+    <message numerus="yes"><source>{0}: %n change(s) pending; Apply settings writes them.</source>
+        <translation><numerusform>{0}: %n Änderung ausstehend; „Einstellungen anwenden“ schreibt sie.</numerusform><numerusform>{0}: %n Änderungen ausstehend; „Einstellungen anwenden“ schreibt sie.</numerusform></translation></message>
+    <message><source>Checked changes become edits. Nothing is written to the board until you click Apply.</source>
+        <translation>Werte mit Häkchen werden als Änderungen übernommen. Auf das Board wird erst geschrieben, wenn Sie auf „Einstellungen anwenden“ klicken.</translation></message>
+    <message><source>Board, as shown</source>
+        <translation>Board, wie angezeigt</translation></message>
+    <message><source>{0}: settings for a {1} with firmware {2}.</source>
+        <translation>{0}: Einstellungen für einen {1} mit Firmware {2}.</translation></message>
+    <message><source>&amp;Edit the file instead</source>
+        <translation>Stattdessen die Datei &amp;bearbeiten</translation></message>
+    <message><source>{0}: settings for a {1}; the board is a {2}.</source>
+        <translation>{0}: Einstellungen für einen {1}; das Board ist ein {2}.</translation></message>
+    <message><source>{0}: settings for a {1} with firmware {2}; the board has {3}.</source>
+        <translation>{0}: Einstellungen für einen {1} mit Firmware {2}; das Board hat {3}.</translation></message>
+    <message numerus="yes"><source>&amp;Load %n change(s)</source>
+        <translation><numerusform>%n Änderung &amp;laden</numerusform><numerusform>%n Änderungen &amp;laden</numerusform></translation></message>
+    <message><source>{0} was not loaded: the board is no longer connected.</source>
+        <translation>{0} wurde nicht geladen: Das Board ist nicht mehr verbunden.</translation></message>
+    <message><source>Load settings from {0}</source>
+        <translation>Einstellungen laden: {0}</translation></message>
+    <message><source>{0}: settings for a {1}.</source>
+        <translation>{0}: Einstellungen für einen {1}.</translation></message>
+    <message><source>Load {0}</source>
+        <translation>{0} laden</translation></message>
+    <message><source>{0}, converted</source>
+        <translation>{0}, konvertiert</translation></message>
+    <message><source>Not in the file, so they stay as they are: {0}.</source>
+        <translation>Nicht in der Datei und daher unverändert: {0}.</translation></message>
     <message><source>Why this value? Kept on this computer and in files.</source>
         <translation>Warum dieser Wert? Wird auf diesem Computer und in Dateien aufbewahrt.</translation></message>
     <message><source>Note</source>
@@ -4583,42 +4609,14 @@ bisher {1}</translation></message>
         <translation>Die Kalibrierungen der ausgewählten Kanäle aus der Datei entfernen</translation></message>
     <message><source>Add calibrations</source>
         <translation>Kalibrierungen hinzufügen</translation></message>
-    <message numerus="yes"><source>{0}: %n change(s) pending; Apply settings writes them.</source>
-        <translation><numerusform>{0}: %n Änderung ausstehend; „Einstellungen anwenden“ schreibt sie.</numerusform><numerusform>{0}: %n Änderungen ausstehend; „Einstellungen anwenden“ schreibt sie.</numerusform></translation></message>
-    <message><source>Checked changes become edits. Nothing is written to the board until you click Apply.</source>
-        <translation>Werte mit Häkchen werden als Änderungen übernommen. Auf das Board wird erst geschrieben, wenn Sie auf „Einstellungen anwenden“ klicken.</translation></message>
-    <message><source>Board, as shown</source>
-        <translation>Board, wie angezeigt</translation></message>
-    <message><source>{0}: settings for a {1} with firmware {2}.</source>
-        <translation>{0}: Einstellungen für einen {1} mit Firmware {2}.</translation></message>
     <message numerus="yes"><source>%n setting(s) differ, {0} match.</source>
         <translation><numerusform>%n Einstellung weicht ab, {0} gleich.</numerusform><numerusform>%n Einstellungen weichen ab, {0} gleich.</numerusform></translation></message>
     <message numerus="yes"><source>&amp;Copy %n value(s) to {0}</source>
         <translation><numerusform>%n &amp;Wert nach {0} kopieren</numerusform><numerusform>%n &amp;Werte nach {0} kopieren</numerusform></translation></message>
     <message numerus="yes"><source>%n value(s) copied from {0}.</source>
         <translation><numerusform>%n Wert aus {0} kopiert.</numerusform><numerusform>%n Werte aus {0} kopiert.</numerusform></translation></message>
-    <message><source>&amp;Edit the file instead</source>
-        <translation>Stattdessen die Datei &amp;bearbeiten</translation></message>
-    <message><source>{0}: settings for a {1}; the board is a {2}.</source>
-        <translation>{0}: Einstellungen für einen {1}; das Board ist ein {2}.</translation></message>
-    <message><source>{0}: settings for a {1} with firmware {2}; the board has {3}.</source>
-        <translation>{0}: Einstellungen für einen {1} mit Firmware {2}; das Board hat {3}.</translation></message>
-    <message numerus="yes"><source>&amp;Load %n change(s)</source>
-        <translation><numerusform>%n Änderung &amp;laden</numerusform><numerusform>%n Änderungen &amp;laden</numerusform></translation></message>
-    <message><source>{0} was not loaded: the board is no longer connected.</source>
-        <translation>{0} wurde nicht geladen: Das Board ist nicht mehr verbunden.</translation></message>
     <message><source>Copy values from {0}</source>
         <translation>Werte aus {0} kopieren</translation></message>
-    <message><source>Load settings from {0}</source>
-        <translation>Einstellungen laden: {0}</translation></message>
-    <message><source>{0}: settings for a {1}.</source>
-        <translation>{0}: Einstellungen für einen {1}.</translation></message>
-    <message><source>Load {0}</source>
-        <translation>{0} laden</translation></message>
-    <message><source>{0}, converted</source>
-        <translation>{0}, konvertiert</translation></message>
-    <message><source>Not in the file, so they stay as they are: {0}.</source>
-        <translation>Nicht in der Datei und daher unverändert: {0}.</translation></message>
     <message><source>Findings</source>
         <translation>Befunde</translation></message>
     <message><source>Acce&amp;pt the proposal</source>
@@ -6043,6 +6041,8 @@ Soll die Datei aus den Einstellungen neu geschrieben werden? Ihre Kommentare geh
         <translation>Jetzt stoppen</translation></message>
     <message><source>Connect with its settings</source>
         <translation>Mit seinen Einstellungen verbinden</translation></message>
+    <message><source>{0}. Not done: {1}.</source>
+        <translation>{0}. Nicht erledigt: {1}.</translation></message>
     <message><source>Internal error while processing this file ({0}).</source>
         <translation>Interner Fehler bei der Verarbeitung dieser Datei ({0}).</translation></message>
     <message><source>Another file is still being written.</source>

@@ -49,6 +49,10 @@
         <translation><numerusform>&amp;Learn channel {0} again</numerusform><numerusform>&amp;Learn channels {0} again</numerusform></translation></message>
     <message numerus="yes"><source>%n earlier pending edit(s) will be written, too.</source>
         <translation><numerusform>%n earlier pending edit will be written, too.</numerusform><numerusform>%n earlier pending edits will be written, too.</numerusform></translation></message>
+    <message numerus="yes"><source>{0}: %n change(s) pending; Apply settings writes them.</source>
+        <translation><numerusform>{0}: %n change is pending; Apply settings writes it.</numerusform><numerusform>{0}: %n changes are pending; Apply settings writes them.</numerusform></translation></message>
+    <message numerus="yes"><source>&amp;Load %n change(s)</source>
+        <translation><numerusform>&amp;Load %n change</numerusform><numerusform>&amp;Load %n changes</numerusform></translation></message>
     <message numerus="yes"><source>%n pending change(s): click Apply settings to write.</source>
         <translation><numerusform>%n pending change: click Apply settings to write.</numerusform><numerusform>%n pending changes: click Apply settings to write.</numerusform></translation></message>
     <message numerus="yes"><source>%n setting(s) written and verified.</source>
@@ -63,16 +67,12 @@
         <translation><numerusform>%n finding. Accept a proposal, or leave the setting as it is.</numerusform><numerusform>%n findings. Accept a proposal, or leave the setting as it is.</numerusform></translation></message>
     <message numerus="yes"><source>%n finding(s) left.</source>
         <translation><numerusform>%n finding left.</numerusform><numerusform>%n findings left.</numerusform></translation></message>
-    <message numerus="yes"><source>{0}: %n change(s) pending; Apply settings writes them.</source>
-        <translation><numerusform>{0}: %n change is pending; Apply settings writes it.</numerusform><numerusform>{0}: %n changes are pending; Apply settings writes them.</numerusform></translation></message>
     <message numerus="yes"><source>%n setting(s) differ, {0} match.</source>
         <translation><numerusform>%n setting differs, {0} match.</numerusform><numerusform>%n settings differ, {0} match.</numerusform></translation></message>
     <message numerus="yes"><source>&amp;Copy %n value(s) to {0}</source>
         <translation><numerusform>&amp;Copy %n value to {0}</numerusform><numerusform>&amp;Copy %n values to {0}</numerusform></translation></message>
     <message numerus="yes"><source>%n value(s) copied from {0}.</source>
         <translation><numerusform>%n value copied from {0}.</numerusform><numerusform>%n values copied from {0}.</numerusform></translation></message>
-    <message numerus="yes"><source>&amp;Load %n change(s)</source>
-        <translation><numerusform>&amp;Load %n change</numerusform><numerusform>&amp;Load %n changes</numerusform></translation></message>
     <message numerus="yes"><source>%n error(s)</source>
         <translation><numerusform>%n error</numerusform><numerusform>%n errors</numerusform></translation></message>
     <message numerus="yes"><source>%n warning(s)</source>

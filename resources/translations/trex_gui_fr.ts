@@ -3653,8 +3653,6 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Il n'y a rien à tester : la carte ignore cette entrée et la maintient donc au neutre. Voir le réglage « Voies ignorées ».</translation></message>
     <message><source>The tested channels are good. But in {0} mode the motors would not start. {1}</source>
         <translation>Les voies testées sont bonnes. Mais en mode {0}, les moteurs ne démarreraient pas. {1}</translation></message>
-    <message><source>{0}. Not done: {1}.</source>
-        <translation>{0}. Non fait : {1}.</translation></message>
     <message><source>Hands off. Sampling … {0:.1f} s</source>
         <translation>Lâchez les manches. Mesure … {0:.1f} s</translation></message>
     <message><source>The board would reject the values of channel {0}: change them, or clear its check box.</source>
@@ -3783,6 +3781,34 @@ avant {1}</translation></message>
         <translation>Restaurer les valeurs par &amp;défaut</translation></message>
     <message><source>Numbers of other devices on this line, such as 0,1 (older Pololu motor and servo controllers). With one, every packet is addressed, to none of these numbers, and no other baud rate is tried.</source>
         <translation>Numéros d'autres appareils sur cette liaison, par exemple 0,1 (anciens contrôleurs de moteurs et de servos Pololu). Dès qu'il y en a un, chaque paquet est adressé, à aucun de ces numéros, et aucun autre débit n'est essayé.</translation></message>
+    <message numerus="yes"><source>{0}: %n change(s) pending; Apply settings writes them.</source>
+        <translation><numerusform>{0} : %n modification en attente ; « Appliquer les réglages » l'écrit.</numerusform><numerusform>{0} : %n modifications en attente ; « Appliquer les réglages » les écrit.</numerusform></translation></message>
+    <message><source>Checked changes become edits. Nothing is written to the board until you click Apply.</source>
+        <translation>Les changements cochés deviennent des modifications. Rien n'est écrit dans la carte tant que vous ne cliquez pas sur « Appliquer les réglages ».</translation></message>
+    <message><source>Board, as shown</source>
+        <translation>Carte, telle qu'affichée</translation></message>
+    <message><source>{0}: settings for a {1} with firmware {2}.</source>
+        <translation>{0} : réglages pour un {1}, firmware {2}.</translation></message>
+    <message><source>&amp;Edit the file instead</source>
+        <translation>&amp;Modifier plutôt le fichier</translation></message>
+    <message><source>{0}: settings for a {1}; the board is a {2}.</source>
+        <translation>{0} : réglages pour un {1} ; la carte est un {2}.</translation></message>
+    <message><source>{0}: settings for a {1} with firmware {2}; the board has {3}.</source>
+        <translation>{0} : réglages pour un {1}, firmware {2} ; la carte a le firmware {3}.</translation></message>
+    <message numerus="yes"><source>&amp;Load %n change(s)</source>
+        <translation><numerusform>&amp;Charger %n modification</numerusform><numerusform>&amp;Charger %n modifications</numerusform></translation></message>
+    <message><source>{0} was not loaded: the board is no longer connected.</source>
+        <translation>{0} n'a pas été chargé : la carte n'est plus connectée.</translation></message>
+    <message><source>Load settings from {0}</source>
+        <translation>Charger les réglages : {0}</translation></message>
+    <message><source>{0}: settings for a {1}.</source>
+        <translation>{0} : réglages pour un {1}.</translation></message>
+    <message><source>Load {0}</source>
+        <translation>Charger {0}</translation></message>
+    <message><source>{0}, converted</source>
+        <translation>{0}, converti</translation></message>
+    <message><source>Not in the file, so they stay as they are: {0}.</source>
+        <translation>Absents du fichier, donc inchangés : {0}.</translation></message>
     <message><source>Why this value? Kept on this computer and in files.</source>
         <translation>Pourquoi cette valeur ? Conservé sur cet ordinateur et dans les fichiers.</translation></message>
     <message><source>Note</source>
@@ -4583,42 +4609,14 @@ avant {1}</translation></message>
         <translation>Retirer du fichier les étalonnages des voies sélectionnées</translation></message>
     <message><source>Add calibrations</source>
         <translation>Ajouter des étalonnages</translation></message>
-    <message numerus="yes"><source>{0}: %n change(s) pending; Apply settings writes them.</source>
-        <translation><numerusform>{0} : %n modification en attente ; « Appliquer les réglages » l'écrit.</numerusform><numerusform>{0} : %n modifications en attente ; « Appliquer les réglages » les écrit.</numerusform></translation></message>
-    <message><source>Checked changes become edits. Nothing is written to the board until you click Apply.</source>
-        <translation>Les changements cochés deviennent des modifications. Rien n'est écrit dans la carte tant que vous ne cliquez pas sur « Appliquer les réglages ».</translation></message>
-    <message><source>Board, as shown</source>
-        <translation>Carte, telle qu'affichée</translation></message>
-    <message><source>{0}: settings for a {1} with firmware {2}.</source>
-        <translation>{0} : réglages pour un {1}, firmware {2}.</translation></message>
     <message numerus="yes"><source>%n setting(s) differ, {0} match.</source>
         <translation><numerusform>%n réglage diffère, {0} identiques.</numerusform><numerusform>%n réglages diffèrent, {0} identiques.</numerusform></translation></message>
     <message numerus="yes"><source>&amp;Copy %n value(s) to {0}</source>
         <translation><numerusform>&amp;Copier %n valeur vers {0}</numerusform><numerusform>&amp;Copier %n valeurs vers {0}</numerusform></translation></message>
     <message numerus="yes"><source>%n value(s) copied from {0}.</source>
         <translation><numerusform>%n valeur copiée depuis {0}.</numerusform><numerusform>%n valeurs copiées depuis {0}.</numerusform></translation></message>
-    <message><source>&amp;Edit the file instead</source>
-        <translation>&amp;Modifier plutôt le fichier</translation></message>
-    <message><source>{0}: settings for a {1}; the board is a {2}.</source>
-        <translation>{0} : réglages pour un {1} ; la carte est un {2}.</translation></message>
-    <message><source>{0}: settings for a {1} with firmware {2}; the board has {3}.</source>
-        <translation>{0} : réglages pour un {1}, firmware {2} ; la carte a le firmware {3}.</translation></message>
-    <message numerus="yes"><source>&amp;Load %n change(s)</source>
-        <translation><numerusform>&amp;Charger %n modification</numerusform><numerusform>&amp;Charger %n modifications</numerusform></translation></message>
-    <message><source>{0} was not loaded: the board is no longer connected.</source>
-        <translation>{0} n'a pas été chargé : la carte n'est plus connectée.</translation></message>
     <message><source>Copy values from {0}</source>
         <translation>Copier des valeurs depuis {0}</translation></message>
-    <message><source>Load settings from {0}</source>
-        <translation>Charger les réglages : {0}</translation></message>
-    <message><source>{0}: settings for a {1}.</source>
-        <translation>{0} : réglages pour un {1}.</translation></message>
-    <message><source>Load {0}</source>
-        <translation>Charger {0}</translation></message>
-    <message><source>{0}, converted</source>
-        <translation>{0}, converti</translation></message>
-    <message><source>Not in the file, so they stay as they are: {0}.</source>
-        <translation>Absents du fichier, donc inchangés : {0}.</translation></message>
     <message><source>Findings</source>
         <translation>Constats</translation></message>
     <message><source>Acce&amp;pt the proposal</source>
@@ -6043,6 +6041,8 @@ Réécrire le fichier à partir des réglages ? Ses commentaires seront perdus.
         <translation>Les arrêter maintenant</translation></message>
     <message><source>Connect with its settings</source>
         <translation>Connecter avec ses réglages</translation></message>
+    <message><source>{0}. Not done: {1}.</source>
+        <translation>{0}. Non fait : {1}.</translation></message>
     <message><source>Internal error while processing this file ({0}).</source>
         <translation>Erreur interne lors du traitement de ce fichier ({0}).</translation></message>
     <message><source>Another file is still being written.</source>

@@ -5,7 +5,7 @@ from pathlib import Path
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.window import WindowDriver
 from trex_gui.devices.trex.settings.history import SettingsHistory
-from trex_gui.devices.trex.views.settings_editor.compare_dialogs import LoadDialog
+from trex_gui.devices.trex.views.load_dialog import LoadDialog
 
 
 def asked(window: WindowDriver) -> str:

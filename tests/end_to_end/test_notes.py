@@ -12,9 +12,9 @@ from trex_gui.core.files import data_folder, load
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
+from trex_gui.devices.trex.views.load_dialog import LoadDialog
 from trex_gui.devices.trex.views.note_field import NoteField
 from trex_gui.devices.trex.views.pages.parameters.page import ParametersPage
-from trex_gui.devices.trex.views.settings_editor.compare_dialogs import LoadDialog
 from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
 
 NOTE = "The radio drops out\nbehind the barn."

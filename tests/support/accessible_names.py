@@ -15,8 +15,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.devices.trex.views.learning.dialog import StepStrip
 from trex_gui.ui.widgets.accessible import Spoken
+from trex_gui.ui.widgets.step_strip import StepStrip
 
 _OFTEN_SILENT = {"bannerText"}
 """Empty most of the time, and can take the focus at any time."""

@@ -21,11 +21,11 @@ from trex_gui.devices.trex.model.setup.pulses import WEAK
 from trex_gui.devices.trex.model.setup.robot_setup import SetupStep
 from trex_gui.devices.trex.model.setup.wiring import Driver
 from trex_gui.devices.trex.views.bars import ChannelBar
-from trex_gui.devices.trex.views.learning.dialog import StepStrip
 from trex_gui.devices.trex.views.setup.dialog import SetupDialog
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.behaviour import HoldButton
 from trex_gui.ui.widgets.scroll_box import ScrollBox
+from trex_gui.ui.widgets.step_strip import StepStrip
 
 DRIVERS = {
     Driver.ONE_STICK: "setupDriverOneStick",

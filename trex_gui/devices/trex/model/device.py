@@ -112,13 +112,8 @@ class Device(QObject):
         self.connection.not_responding.connect(self.telemetry.forget)
         self.connection.not_responding.connect(self._on_not_responding)
         self.connection.line_closed.connect(self._on_closed)
-        # In this order: a stop of the board's precedes the samples that show it.
-        self.connection.sampled.connect(self._note_statuses)
-        self.connection.sampled.connect(self._note_quality)
+        self.connection.sampled.connect(self._on_sampled)
         self.motors.arming_changed.connect(self._recommend_crc)
-        self.connection.sampled.connect(self.telemetry.take)
-        self.connection.sampled.connect(self.driving.follow_control)
-        self.connection.sampled.connect(self.sampled)
         self.connection.failed.connect(self._on_connection_failed)
         self.connection.interfered.connect(self.notifier.report)
         for changed in (self.driving.confirmed, self.driving.reach_changed):
@@ -565,6 +560,14 @@ class Device(QObject):
         self.state_changed.emit()
 
     @Slot(object)
+    def _on_sampled(self, batch: Batch) -> None:
+        """Take samples; a stop of the board's precedes those that show it."""
+        self._note_statuses(batch)
+        self._note_quality(batch)
+        self.telemetry.take(batch)
+        self.driving.follow_control()
+        self.sampled.emit(batch)
+
     def _note_statuses(self, batch: Batch) -> None:
         has_failed = self.quality.has_failed_lately(now(), batch.counters)
         has_crc = self.settings is not None and self.settings.line.has_crc
@@ -574,7 +577,6 @@ class Device(QObject):
                 self.errors.take(sample, is_doubtful=has_failed and not has_crc)
                 self._follow_board_stop(sample)
 
-    @Slot(object)
     def _note_quality(self, batch: Batch) -> None:
         was_noisy, time = self.quality.is_noisy, batch.samples[-1].time
         if not self.is_connected or not self.quality.take(time, batch.counters):

@@ -6,7 +6,7 @@ from enum import IntEnum
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtCore import QObject, Signal
 
 from trex_gui.core.timing import TEXT_INTERVAL
 from trex_gui.core.translation import tr
@@ -113,7 +113,6 @@ class Telemetry(QObject):
         self.updated.emit()
         self._renew_views()
 
-    @Slot(object)
     def take(self, batch: Batch) -> None:
         for sample in batch.samples:
             match sample:

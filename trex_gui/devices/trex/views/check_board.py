@@ -10,7 +10,6 @@ from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.views.jumper_sketch import JumperPlaces, JumperSketch
-from trex_gui.devices.trex.views.learning.dialog import StepStrip
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.frame.wiring_sketch import Wiring, WiringSketch
 from trex_gui.ui.notifier import ConnectWith
@@ -21,6 +20,7 @@ from trex_gui.ui.widgets.labels import Muted, Note
 from trex_gui.ui.widgets.leds import Leds
 from trex_gui.ui.widgets.placement import resize_with_font
 from trex_gui.ui.widgets.scroll_box import ScrollBox
+from trex_gui.ui.widgets.step_strip import StepStrip
 
 # --- What the LEDs mean -----------------------------------------------------------------
 

@@ -30,7 +30,7 @@ from trex_gui.devices.trex.settings.document import Settings, factory_settings
 from trex_gui.devices.trex.settings.edit_in_place import amend
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
-from trex_gui.devices.trex.views.settings_editor.compare_dialogs import LoadDialog
+from trex_gui.devices.trex.views.load_dialog import LoadDialog
 from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
 from trex_gui.ui.files import in_background

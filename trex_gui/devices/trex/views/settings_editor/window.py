@@ -18,7 +18,7 @@ from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.devices.trex.views.conversion_view import ConvertDialog
 from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
 from trex_gui.devices.trex.views.settings_editor.calibration_page import CalibrationEditor
-from trex_gui.devices.trex.views.settings_editor.compare_dialogs import CompareDialog
+from trex_gui.devices.trex.views.settings_editor.compare_dialog import CompareDialog
 from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsPanel
 from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
 from trex_gui.devices.trex.views.settings_editor.text_page import TextPage

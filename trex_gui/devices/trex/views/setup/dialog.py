@@ -9,7 +9,6 @@ from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.parameters.text import value_text
 from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup, SetupStep
 from trex_gui.devices.trex.views.action_bar import StopButton
-from trex_gui.devices.trex.views.learning.dialog import StepStrip
 from trex_gui.devices.trex.views.setup.motors_page import WiringPage
 from trex_gui.devices.trex.views.setup.pages import (
     DriverPage,
@@ -24,6 +23,7 @@ from trex_gui.ui.widgets.behaviour import ReusedDialog, keep_room, only_when_vis
 from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.placement import resize_with_font
 from trex_gui.ui.widgets.scroll_box import ScrollBox
+from trex_gui.ui.widgets.step_strip import StepStrip
 
 _Page = DriverPage | JumperPage | SticksPage | WiringPage | LimitsPage | TimeoutPage | ReviewPage
 

@@ -46,6 +46,9 @@ class SpeedSlider(PressSlider):
         self._ceiling = ceiling
         self.update()
 
+    def limited(self, speed: int) -> int:
+        return max(-self._ceiling, min(speed, self._ceiling))
+
     # --- Hands --------------------------------------------------------------------------
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
@@ -302,8 +305,8 @@ class DriveControl(QWidget):
 
     @Slot(int)
     def _on_slider_changed(self, position: int) -> None:
-        self._entry.put(position)
-        speed = self._entry.value()  # limited to the ceiling
+        speed = self.slider.limited(position)
+        self._entry.put(speed)
         self._move_slider(speed)
         self.speed_wanted.emit(speed)
 
