@@ -1117,6 +1117,22 @@
         <translation>ein Prüflauf dauert {0:g} bis {1:g} s, nicht {2:g} s</translation></message>
     <message><source>the period of a bench test is {0:g} to {1:g} s, not {2:g} s</source>
         <translation>die Periode eines Prüflaufs ist {0:g} bis {1:g} s, nicht {2:g} s</translation></message>
+    <message><source>See the rows below.</source>
+        <translation>Siehe die Zeilen darunter.</translation></message>
+    <message><source>Check cable and ground, and that no other program sends on this line.</source>
+        <translation>Prüfen Sie Kabel und Masse und ob kein anderes Programm auf dieser Leitung sendet.</translation></message>
+    <message><source>Check cable and ground, and that every program on this line uses the same polynomial.</source>
+        <translation>Prüfen Sie Kabel und Masse und ob jedes Programm an dieser Leitung dasselbe Polynom verwendet.</translation></message>
+    <message><source>Check cable, ground and baud rate, and keep motor leads away from the line.</source>
+        <translation>Prüfen Sie Kabel, Masse und Baudrate, und halten Sie die Motorleitungen von der Leitung fern.</translation></message>
+    <message><source>Use a lower baud rate.</source>
+        <translation>Verwenden Sie eine niedrigere Baudrate.</translation></message>
+    <message><source>Check cable and ground, and that every program on this line uses the same parity.</source>
+        <translation>Prüfen Sie Kabel und Masse und ob jedes Programm an dieser Leitung dieselbe Parität verwendet.</translation></message>
+    <message><source>Let no other program send on this line.</source>
+        <translation>Lassen Sie kein anderes Programm auf dieser Leitung senden.</translation></message>
+    <message><source>Let other programs request fewer channels at once.</source>
+        <translation>Lassen Sie andere Programme weniger Kanäle auf einmal anfordern.</translation></message>
     <message><source>What is kept here for this {0} (notes, calibrations, applied settings) is of {1}, when it was at another USB adapter or socket. If this is another board, give it a device number of its own: boards with the same number share what is kept.</source>
         <translation>Was hier für diesen {0} aufbewahrt wird (Notizen, Kalibrierungen, angewendete Einstellungen), stammt vom {1}, als er an einem anderen USB-Adapter oder einer anderen Buchse war. Wenn dies ein anderes Board ist, geben Sie ihm eine eigene Gerätenummer: Boards mit derselben Nummer teilen sich das Aufbewahrte.</translation></message>
     <message><source>The ends are 1 % of the travel and three times the noise inside the measured ones, so that full output is reliably reached. The deadband covers the noise at rest, but is at least {0}, since a stick does not return to exactly the same place each time.</source>
@@ -1321,6 +1337,34 @@
         <translation>{0:g} s lang wurde kein Strom gelesen.</translation></message>
     <message><source>Motor {0} exceeded its current limit.</source>
         <translation>Motor {0} hat seine Stromgrenze überschritten.</translation></message>
+    <message><source>Stop</source>
+        <translation>Stopp</translation></message>
+    <message><source>The board stopped responding</source>
+        <translation>Das Board antwortet nicht mehr</translation></message>
+    <message><source>Disconnected</source>
+        <translation>Getrennt</translation></message>
+    <message><source>Latched before connecting, perhaps by the search for the board: {0}</source>
+        <translation>Schon vor dem Verbinden gesetzt, vielleicht durch die Suche nach dem Board: {0}</translation></message>
+    <message><source>Connected to {0} on {1}.</source>
+        <translation>Verbunden mit {0} an {1}.</translation></message>
+    <message><source>A setting changed: the board was restarted, or another program wrote to it</source>
+        <translation>Eine Einstellung hat sich geändert: Das Board wurde neu gestartet, oder ein anderes Programm hat hineingeschrieben</translation></message>
+    <message><source>Device {0} selected: {1}</source>
+        <translation>Gerät {0} ausgewählt: {1}</translation></message>
+    <message><source>Disconnected before a stop was confirmed: motors may still turn</source>
+        <translation>Getrennt, bevor ein Stopp bestätigt war: Die Motoren können sich noch drehen</translation></message>
+    <message><source>{0} and {1} more</source>
+        <translation>{0} und {1} weitere</translation></message>
+    <message><source>Apply: {0}</source>
+        <translation>Anwenden: {0}</translation></message>
+    <message><source>Stop: {0}</source>
+        <translation>Stopp: {0}</translation></message>
+    <message><source>The board responds again</source>
+        <translation>Das Board antwortet wieder</translation></message>
+    <message><source>The board was switched off and on</source>
+        <translation>Das Board wurde aus- und eingeschaltet</translation></message>
+    <message><source>{0} ({1} failed)</source>
+        <translation>{0} ({1} fehlgeschlagen)</translation></message>
     <message numerus="yes"><source>%n board(s) on this line.</source>
         <translation><numerusform>%n Board an dieser Leitung.</numerusform><numerusform>%n Boards an dieser Leitung.</numerusform></translation></message>
     <message><source>No other board replies on this line. Each needs power, the serial settings of this one, and a device number of its own.</source>
@@ -1603,50 +1647,6 @@
         <translation>Das serielle Timeout von {0:g} s ist kurz für einen Netzwerkport: Eine einzige späte Antwort stoppt die Motoren beim Fahren. Stellen Sie ein längeres ein oder schließen Sie das Board an diesen Computer an.</translation></message>
     <message><source>Serial timeout of {0:g} s is short for {1} baud: one lost reply stops the motors while you drive. Set a longer one, or a faster baud rate.</source>
         <translation>Das serielle Timeout von {0:g} s ist kurz für {1} Baud: Eine einzige verlorene Antwort stoppt die Motoren beim Fahren. Stellen Sie ein längeres oder eine höhere Baudrate ein.</translation></message>
-    <message><source>See the rows below.</source>
-        <translation>Siehe die Zeilen darunter.</translation></message>
-    <message><source>Check cable and ground, and that no other program sends on this line.</source>
-        <translation>Prüfen Sie Kabel und Masse und ob kein anderes Programm auf dieser Leitung sendet.</translation></message>
-    <message><source>Check cable and ground, and that every program on this line uses the same polynomial.</source>
-        <translation>Prüfen Sie Kabel und Masse und ob jedes Programm an dieser Leitung dasselbe Polynom verwendet.</translation></message>
-    <message><source>Check cable, ground and baud rate, and keep motor leads away from the line.</source>
-        <translation>Prüfen Sie Kabel, Masse und Baudrate, und halten Sie die Motorleitungen von der Leitung fern.</translation></message>
-    <message><source>Use a lower baud rate.</source>
-        <translation>Verwenden Sie eine niedrigere Baudrate.</translation></message>
-    <message><source>Check cable and ground, and that every program on this line uses the same parity.</source>
-        <translation>Prüfen Sie Kabel und Masse und ob jedes Programm an dieser Leitung dieselbe Parität verwendet.</translation></message>
-    <message><source>Let no other program send on this line.</source>
-        <translation>Lassen Sie kein anderes Programm auf dieser Leitung senden.</translation></message>
-    <message><source>Let other programs request fewer channels at once.</source>
-        <translation>Lassen Sie andere Programme weniger Kanäle auf einmal anfordern.</translation></message>
-    <message><source>Stop</source>
-        <translation>Stopp</translation></message>
-    <message><source>The board stopped responding</source>
-        <translation>Das Board antwortet nicht mehr</translation></message>
-    <message><source>Disconnected</source>
-        <translation>Getrennt</translation></message>
-    <message><source>Latched before connecting, perhaps by the search for the board: {0}</source>
-        <translation>Schon vor dem Verbinden gesetzt, vielleicht durch die Suche nach dem Board: {0}</translation></message>
-    <message><source>Connected to {0} on {1}.</source>
-        <translation>Verbunden mit {0} an {1}.</translation></message>
-    <message><source>A setting changed: the board was restarted, or another program wrote to it</source>
-        <translation>Eine Einstellung hat sich geändert: Das Board wurde neu gestartet, oder ein anderes Programm hat hineingeschrieben</translation></message>
-    <message><source>Device {0} selected: {1}</source>
-        <translation>Gerät {0} ausgewählt: {1}</translation></message>
-    <message><source>Disconnected before a stop was confirmed: motors may still turn</source>
-        <translation>Getrennt, bevor ein Stopp bestätigt war: Die Motoren können sich noch drehen</translation></message>
-    <message><source>{0} and {1} more</source>
-        <translation>{0} und {1} weitere</translation></message>
-    <message><source>Apply: {0}</source>
-        <translation>Anwenden: {0}</translation></message>
-    <message><source>Stop: {0}</source>
-        <translation>Stopp: {0}</translation></message>
-    <message><source>The board responds again</source>
-        <translation>Das Board antwortet wieder</translation></message>
-    <message><source>The board was switched off and on</source>
-        <translation>Das Board wurde aus- und eingeschaltet</translation></message>
-    <message><source>{0} ({1} failed)</source>
-        <translation>{0} ({1} fehlgeschlagen)</translation></message>
     <message><source>The gamepad “{0}” was disconnected. Plug it in again to continue.</source>
         <translation>Das Gamepad „{0}“ wurde getrennt. Stecken Sie es wieder ein, um fortzufahren.</translation></message>
     <message><source>Another control drives now.</source>

@@ -1117,6 +1117,22 @@
         <translation>un essai au banc dure de {0:g} à {1:g} s, pas {2:g} s</translation></message>
     <message><source>the period of a bench test is {0:g} to {1:g} s, not {2:g} s</source>
         <translation>la période d'un essai au banc va de {0:g} à {1:g} s, pas {2:g} s</translation></message>
+    <message><source>See the rows below.</source>
+        <translation>Voir les lignes ci-dessous.</translation></message>
+    <message><source>Check cable and ground, and that no other program sends on this line.</source>
+        <translation>Vérifiez le câble et la masse, et qu'aucun autre programme n'émet sur cette liaison.</translation></message>
+    <message><source>Check cable and ground, and that every program on this line uses the same polynomial.</source>
+        <translation>Vérifiez le câble et la masse, et que tous les programmes sur cette liaison utilisent le même polynôme.</translation></message>
+    <message><source>Check cable, ground and baud rate, and keep motor leads away from the line.</source>
+        <translation>Vérifiez le câble, la masse et le débit, et éloignez les fils des moteurs de la liaison.</translation></message>
+    <message><source>Use a lower baud rate.</source>
+        <translation>Utilisez un débit plus bas.</translation></message>
+    <message><source>Check cable and ground, and that every program on this line uses the same parity.</source>
+        <translation>Vérifiez le câble et la masse, et que tous les programmes sur cette liaison utilisent la même parité.</translation></message>
+    <message><source>Let no other program send on this line.</source>
+        <translation>Ne laissez aucun autre programme émettre sur cette liaison.</translation></message>
+    <message><source>Let other programs request fewer channels at once.</source>
+        <translation>Faites en sorte que les autres programmes demandent moins de voies à la fois.</translation></message>
     <message><source>What is kept here for this {0} (notes, calibrations, applied settings) is of {1}, when it was at another USB adapter or socket. If this is another board, give it a device number of its own: boards with the same number share what is kept.</source>
         <translation>Ce qui est conservé ici pour ce {0} (notes, étalonnages, réglages appliqués) date de {1}, quand il était sur un autre adaptateur USB ou une autre prise. S'il s'agit d'une autre carte, donnez-lui son propre numéro d'appareil : les cartes de même numéro partagent ce qui est conservé.</translation></message>
     <message><source>The ends are 1 % of the travel and three times the noise inside the measured ones, so that full output is reliably reached. The deadband covers the noise at rest, but is at least {0}, since a stick does not return to exactly the same place each time.</source>
@@ -1321,6 +1337,34 @@
         <translation>Aucun courant n'a été lu pendant {0:g} s.</translation></message>
     <message><source>Motor {0} exceeded its current limit.</source>
         <translation>Le moteur {0} a dépassé sa limite de courant.</translation></message>
+    <message><source>Stop</source>
+        <translation>Arrêt</translation></message>
+    <message><source>The board stopped responding</source>
+        <translation>La carte a cessé de répondre</translation></message>
+    <message><source>Disconnected</source>
+        <translation>Déconnecté</translation></message>
+    <message><source>Latched before connecting, perhaps by the search for the board: {0}</source>
+        <translation>Mémorisé avant la connexion, peut-être à cause de la recherche de la carte : {0}</translation></message>
+    <message><source>Connected to {0} on {1}.</source>
+        <translation>Connecté à {0} sur {1}.</translation></message>
+    <message><source>A setting changed: the board was restarted, or another program wrote to it</source>
+        <translation>Un réglage a changé : la carte a été redémarrée, ou un autre programme y a écrit</translation></message>
+    <message><source>Device {0} selected: {1}</source>
+        <translation>Appareil {0} sélectionné : {1}</translation></message>
+    <message><source>Disconnected before a stop was confirmed: motors may still turn</source>
+        <translation>Déconnecté avant la confirmation d'un arrêt : les moteurs peuvent encore tourner</translation></message>
+    <message><source>{0} and {1} more</source>
+        <translation>{0} et encore {1}</translation></message>
+    <message><source>Apply: {0}</source>
+        <translation>Appliqué : {0}</translation></message>
+    <message><source>Stop: {0}</source>
+        <translation>Arrêt : {0}</translation></message>
+    <message><source>The board responds again</source>
+        <translation>La carte répond de nouveau</translation></message>
+    <message><source>The board was switched off and on</source>
+        <translation>L'alimentation de la carte a été coupée et remise</translation></message>
+    <message><source>{0} ({1} failed)</source>
+        <translation>{0} (échecs : {1})</translation></message>
     <message numerus="yes"><source>%n board(s) on this line.</source>
         <translation><numerusform>%n carte sur cette liaison.</numerusform><numerusform>%n cartes sur cette liaison.</numerusform></translation></message>
     <message><source>No other board replies on this line. Each needs power, the serial settings of this one, and a device number of its own.</source>
@@ -1603,50 +1647,6 @@
         <translation>Un délai série de {0:g} s est court pour un port réseau : une seule réponse tardive arrête les moteurs pendant la conduite. Réglez un délai plus long, ou connectez la carte à cet ordinateur.</translation></message>
     <message><source>Serial timeout of {0:g} s is short for {1} baud: one lost reply stops the motors while you drive. Set a longer one, or a faster baud rate.</source>
         <translation>Un délai série de {0:g} s est court pour {1} bauds : une seule réponse perdue arrête les moteurs pendant la conduite. Réglez un délai plus long, ou un débit plus élevé.</translation></message>
-    <message><source>See the rows below.</source>
-        <translation>Voir les lignes ci-dessous.</translation></message>
-    <message><source>Check cable and ground, and that no other program sends on this line.</source>
-        <translation>Vérifiez le câble et la masse, et qu'aucun autre programme n'émet sur cette liaison.</translation></message>
-    <message><source>Check cable and ground, and that every program on this line uses the same polynomial.</source>
-        <translation>Vérifiez le câble et la masse, et que tous les programmes sur cette liaison utilisent le même polynôme.</translation></message>
-    <message><source>Check cable, ground and baud rate, and keep motor leads away from the line.</source>
-        <translation>Vérifiez le câble, la masse et le débit, et éloignez les fils des moteurs de la liaison.</translation></message>
-    <message><source>Use a lower baud rate.</source>
-        <translation>Utilisez un débit plus bas.</translation></message>
-    <message><source>Check cable and ground, and that every program on this line uses the same parity.</source>
-        <translation>Vérifiez le câble et la masse, et que tous les programmes sur cette liaison utilisent la même parité.</translation></message>
-    <message><source>Let no other program send on this line.</source>
-        <translation>Ne laissez aucun autre programme émettre sur cette liaison.</translation></message>
-    <message><source>Let other programs request fewer channels at once.</source>
-        <translation>Faites en sorte que les autres programmes demandent moins de voies à la fois.</translation></message>
-    <message><source>Stop</source>
-        <translation>Arrêt</translation></message>
-    <message><source>The board stopped responding</source>
-        <translation>La carte a cessé de répondre</translation></message>
-    <message><source>Disconnected</source>
-        <translation>Déconnecté</translation></message>
-    <message><source>Latched before connecting, perhaps by the search for the board: {0}</source>
-        <translation>Mémorisé avant la connexion, peut-être à cause de la recherche de la carte : {0}</translation></message>
-    <message><source>Connected to {0} on {1}.</source>
-        <translation>Connecté à {0} sur {1}.</translation></message>
-    <message><source>A setting changed: the board was restarted, or another program wrote to it</source>
-        <translation>Un réglage a changé : la carte a été redémarrée, ou un autre programme y a écrit</translation></message>
-    <message><source>Device {0} selected: {1}</source>
-        <translation>Appareil {0} sélectionné : {1}</translation></message>
-    <message><source>Disconnected before a stop was confirmed: motors may still turn</source>
-        <translation>Déconnecté avant la confirmation d'un arrêt : les moteurs peuvent encore tourner</translation></message>
-    <message><source>{0} and {1} more</source>
-        <translation>{0} et encore {1}</translation></message>
-    <message><source>Apply: {0}</source>
-        <translation>Appliqué : {0}</translation></message>
-    <message><source>Stop: {0}</source>
-        <translation>Arrêt : {0}</translation></message>
-    <message><source>The board responds again</source>
-        <translation>La carte répond de nouveau</translation></message>
-    <message><source>The board was switched off and on</source>
-        <translation>L'alimentation de la carte a été coupée et remise</translation></message>
-    <message><source>{0} ({1} failed)</source>
-        <translation>{0} (échecs : {1})</translation></message>
     <message><source>The gamepad “{0}” was disconnected. Plug it in again to continue.</source>
         <translation>La manette « {0} » a été déconnectée. Rebranchez-la pour continuer.</translation></message>
     <message><source>Another control drives now.</source>

@@ -7,8 +7,8 @@ from trex_gui.core.errors import NoReply
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.model.board_events import BoardEvents
 from trex_gui.devices.trex.model.connection import Connection
-from trex_gui.devices.trex.model.errors import BoardEvents
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings

@@ -202,6 +202,8 @@ def test_errors_from_before_the_block_do_not_end_a_drive(
             assert motor(quick_simulator) == ("forward", 60)
             board.stop()
             assert "Serial timeout" in board.status().errors
+            earlier = {entry.name: entry.count for entry in board.errors() if entry.is_earlier}
+            assert earlier["Serial timeout"] == 0
 
     Program(virtual_time, run).end()
 

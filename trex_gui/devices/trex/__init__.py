@@ -21,6 +21,7 @@ if TYPE_CHECKING:
         PortUnavailable,
         StudioError,
     )
+    from trex_gui.devices.trex.board.errors import ErrorEntry
     from trex_gui.devices.trex.library import BoardStatus, ChannelStatus, MotorsStoppedError, Trex
     from trex_gui.devices.trex.protocol.calibration import Calibration
     from trex_gui.devices.trex.protocol.errors import Rejected
@@ -31,6 +32,7 @@ __all__ = (
     "BoardStatus",
     "Calibration",
     "ChannelStatus",
+    "ErrorEntry",
     "MotorsStoppedError",
     "NoReply",
     "PortUnavailable",
@@ -40,7 +42,12 @@ __all__ = (
 )
 
 
-_MODULES = ("trex_gui.core.errors", f"{__name__}.protocol.errors", f"{__name__}.library")
+_MODULES = (
+    "trex_gui.core.errors",
+    f"{__name__}.protocol.errors",
+    f"{__name__}.board.errors",
+    f"{__name__}.library",
+)
 
 
 def __getattr__(name: str) -> Any:

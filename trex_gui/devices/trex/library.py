@@ -17,6 +17,7 @@ from trex_gui.core.errors import describe as error_text
 from trex_gui.core.host import host
 from trex_gui.core.session import Close, Closed, Outcome, RequestQueue
 from trex_gui.core.timing import Timeouts
+from trex_gui.devices.trex.board.errors import ErrorCounts, ErrorEntry
 from trex_gui.devices.trex.board.keeper import Keeper
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import (
@@ -166,6 +167,7 @@ class Trex:
         """Open the port and read everything that the board stores; this moves nothing."""
         computer = host()
         self._newest, self._errors, self._outcomes = {}, {}, {}
+        self._counts = ErrorCounts()
         self._closed = self._state = None
         self._inbox = RequestQueue(computer.condition())
         self._reports = _Reports(RequestQueue(computer.condition()))
@@ -233,6 +235,11 @@ class Trex:
             },
             errors=errors,
         )
+
+    def errors(self) -> tuple[ErrorEntry, ...]:
+        """Return every error bit, with its count since the port was opened and what to do."""
+        self._require_open()
+        return self._counts.entries
 
     def measurements(self, seconds: float) -> Iterator[Row]:
         """Yield a row for each new pair of motor currents, as `trexcmd stream` writes them.
@@ -463,6 +470,7 @@ class Trex:
             return
         names = (*bit_names(sample.status), *bit_names(sample.uart))
         self._errors |= dict.fromkeys(names)
+        self._counts.take(sample, self._clock())
         errors_stop = bool(self.state.parameters.get(ParameterKey.UART_ERROR_SHUTDOWN))
         bits = (sample.status, sample.uart)
         has_stopped = any(stops_motors(one, errors_stop=errors_stop) for one in bits)

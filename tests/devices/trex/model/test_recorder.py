@@ -303,7 +303,7 @@ def test_fault_is_kept_even_if_the_line_is_closed_at_once(
 ) -> None:
     kept.wait(2)
     session.simulator.do("fault 2 on")
-    session.wait(lambda: bool(session.device.errors.recent(2)))
+    session.wait(lambda: bool(session.device.errors.recent(2, now())))
     session.device.disconnect_line()
     path, records = kept.newest(1)
     assert path.stem.endswith("_fault")
@@ -317,7 +317,7 @@ def test_bits_from_before_the_connection_are_not_kept(session: RecorderSetup, ke
     session.simulator.do("fault 2 off")
     session.connect()
     session.wait(lambda: any(entry.is_earlier for entry in session.device.errors.entries))
-    assert not session.device.errors.recent(2)
+    assert not session.device.errors.recent(2, now())
     kept.wait(1)
     assert not kept.recorder.recording
 

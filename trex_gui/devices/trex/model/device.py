@@ -9,6 +9,7 @@ from trex_gui.core.errors import StudioError
 from trex_gui.core.session import Closed, Outcome
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.translation import Number
+from trex_gui.devices.trex.board.errors import ErrorCounts
 from trex_gui.devices.trex.client.reading import DeviceState, may_be_same_board
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import WriteResult
@@ -19,10 +20,10 @@ from trex_gui.devices.trex.driving.timeout_stop import (
     turning_text,
     with_shutdown,
 )
+from trex_gui.devices.trex.model.board_events import BoardEvents
 from trex_gui.devices.trex.model.connection import Connection, remedies_for
 from trex_gui.devices.trex.model.connection_quality import ConnectionQuality
 from trex_gui.devices.trex.model.drive_controller import DriveController, why_the_board_stopped
-from trex_gui.devices.trex.model.errors import BoardEvents, ErrorLog
 from trex_gui.devices.trex.model.mix_jumper import MixJumper
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.model.settings.accepted_memory import AcceptedMemory
@@ -74,6 +75,7 @@ class Device(QObject):
     state_changed = Signal()  # `state` was read again, or forgotten
     request_failed = Signal(str)  # why a request or a connection failed; the notifier has it, too
     quality_changed = Signal()
+    errors_changed = Signal()  # a bit was reported, or the errors were cleared or reset
     applied = Signal(object)  # the `WriteResult` of everything that Apply tried
     sampled = Signal(object)  # a `Batch`, after the models have taken it
     stop_wanted = Signal()  # Stop was pressed while motors may turn behind a closed line
@@ -83,7 +85,7 @@ class Device(QObject):
         self.notifier = notifier or Notifier(self)
         self.motors = Motors(self)
         self.telemetry = Telemetry(self.motors, self)
-        self.errors = ErrorLog(self)
+        self.errors = ErrorCounts(self.errors_changed.emit)
         self.draft = SettingsDraft(self)  # what the board stores, and its edits
         self.parameters = self.draft.parameters
         self.calibrations = self.draft.calibrations
@@ -574,7 +576,7 @@ class Device(QObject):
         for sample in batch.samples:
             if isinstance(sample, LatchedStatus):
                 self.events.note_status(sample)
-                self.errors.take(sample, is_doubtful=has_failed and not has_crc)
+                self.errors.take(sample, now(), is_doubtful=has_failed and not has_crc)
                 self._follow_board_stop(sample)
 
     def _note_quality(self, batch: Batch) -> None:

@@ -21,6 +21,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.calibration import NEARLY_NEUTRAL
 from trex_gui.devices.trex.protocol.flags import MOTOR_FAULTS, Status, UartError
 from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.runtime import now
 
 _CLOSED = ConnectionState.DISCONNECTED
 
@@ -133,7 +134,7 @@ def _board_inputs(device: Device, *, is_held: bool) -> BoardInputs | None:
     state, by_serial = device.state, device.telemetry.serial_controls
     if state is None or by_serial is None:
         return None
-    recent = [entry.bit for motor in (1, 2) for entry in device.errors.recent(motor)]
+    recent = [entry.bit for motor in (1, 2) for entry in device.errors.recent(motor, now())]
     return board_inputs(
         state,
         device.telemetry.raw,
@@ -150,7 +151,7 @@ def recent_fault_text(device: Device) -> str:
     recent = {
         motor: entry
         for motor, bit in MOTOR_FAULTS.items()
-        for entry in device.errors.recent(motor)
+        for entry in device.errors.recent(motor, now())
         if entry.bit is bit
     }
     if not recent or not device.is_connected:

@@ -11,6 +11,7 @@ from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.session.polling import survives_a_loss
+from trex_gui.ui.runtime import now
 
 
 def setpoint_text(drive: Drive | None) -> str:
@@ -60,7 +61,7 @@ def report_text(device: Device, motor: int) -> str:
         if device.is_joint:
             parts.append(tr("no current sensing in joint mode"))
         else:
-            parts += [tr(entry.name).lower() for entry in device.errors.recent(motor)]
+            parts += [tr(entry.name).lower() for entry in device.errors.recent(motor, now())]
     value = telemetry.remapped_of(motor)
     if by_serial and state is not None and not state.mode.is_serial and value is not None:
         value = abs(value) if motor == 3 else value

@@ -169,7 +169,7 @@ class ActionBar(QWidget):
         ):
             signal.connect(self._on_changed)
         device.draft.pending_changed.connect(self._on_changed)
-        device.errors.changed.connect(self._on_changed)
+        device.errors_changed.connect(self._on_changed)
         device.telemetry.text_due.connect(self._on_changed)  # a fault is over some time later
         self._on_changed()
 

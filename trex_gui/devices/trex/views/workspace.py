@@ -159,7 +159,7 @@ class TrexWorkspace(Workspace):
             boards.changed,
         ):
             changed.connect(self._on_actions_changed)
-        device.errors.changed.connect(self._on_errors_changed)
+        device.errors_changed.connect(self._on_errors_changed)
         self._undo_watch = device.draft.undo.indexChanged.connect(self._on_actions_changed)
 
     # --- Pages --------------------------------------------------------------------------

@@ -15,9 +15,9 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.core.translation import tr
+from trex_gui.devices.trex.board.errors import ErrorEntry
 from trex_gui.devices.trex.model.connection_quality import quality_text
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.errors import ErrorEntry
 from trex_gui.devices.trex.protocol.flags import stops_motors
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.ui.runtime import now
@@ -63,7 +63,7 @@ class ErrorsPage(QWidget):
         line = self._make_line_box()
         ui.column((self._table, 1), buttons, line, into=self)
 
-        device.errors.changed.connect(self._show_errors)
+        device.errors_changed.connect(self._show_errors)
         device.link_changed.connect(self._on_device_changed)
         device.state_changed.connect(self._on_device_changed)
         device.telemetry.text_due.connect(self._on_text_due)
@@ -195,7 +195,7 @@ class ErrorsPage(QWidget):
 
     def _show_entry(self, items: dict[_Column, QTableWidgetItem], entry: ErrorEntry) -> None:
         device = self._device
-        is_active = device.is_connected and device.errors.is_active(entry)
+        is_active = device.is_connected and device.errors.is_active(entry, now())
         errors_stop = device.parameters.stored_of(ParameterKey.UART_ERROR_SHUTDOWN) == 1
         is_stopping = is_active and stops_motors(entry.bit, errors_stop=errors_stop)
         last, doubt = self.tr("never"), ""

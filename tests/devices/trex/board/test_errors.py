@@ -4,12 +4,12 @@ from dataclasses import replace
 from datetime import UTC, datetime
 
 import pytest
-from pytestqt.qtbot import QtBot
 
-from tests.support.virtual_time import VirtualRuntime
+from trex_gui.devices.trex.board.errors import ErrorCounts
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
-from trex_gui.devices.trex.model.errors import ErrorLog
 from trex_gui.devices.trex.protocol.flags import UART_MEANING, Status, UartError, stops_motors
+
+NOW = 100.0
 
 BITS: list[Status | UartError] = [
     *(Status.MOTOR1_FAULT, Status.MOTOR1_OVER_LIMIT),
@@ -20,8 +20,8 @@ BITS: list[Status | UartError] = [
 
 
 @pytest.fixture
-def log(qtbot: QtBot) -> ErrorLog:
-    return ErrorLog()
+def log() -> ErrorCounts:
+    return ErrorCounts()
 
 
 def news(*bits: Status | UartError) -> LatchedStatus:
@@ -34,36 +34,36 @@ def news(*bits: Status | UartError) -> LatchedStatus:
     return LatchedStatus(1.0, status, uart)
 
 
-def counts(log: ErrorLog) -> list[int]:
+def counts(log: ErrorCounts) -> list[int]:
     return [entry.count for entry in log.entries]
 
 
-def test_each_of_13_bits_has_its_own_entry(log: ErrorLog) -> None:
+def test_each_of_13_bits_has_its_own_entry(log: ErrorCounts) -> None:
     assert [entry.bit for entry in log.entries] == BITS
     assert [type(entry.bit) for entry in log.entries] == [Status] * 5 + [UartError] * 8
     assert len({entry.name for entry in log.entries}) == 13
     assert all(entry.meaning and entry.remedy for entry in log.entries)
 
 
-def test_log_starts_with_zero_counts(log: ErrorLog) -> None:
+def test_log_starts_with_zero_counts(log: ErrorCounts) -> None:
     assert counts(log) == [0] * 13
     assert all(entry.last is None for entry in log.entries)
 
 
-def test_bits_from_before_the_connection_are_noted_and_not_counted(log: ErrorLog) -> None:
+def test_bits_from_before_the_connection_are_noted_and_not_counted(log: ErrorCounts) -> None:
     earlier = replace(news(Status.UART_ERROR, UartError.FRAMING), is_earlier=True)
-    log.take(earlier)
-    log.take(news(UartError.FRAMING))
+    log.take(earlier, NOW)
+    log.take(news(UartError.FRAMING), NOW)
     noted = [(entry.bit, entry.count) for entry in log.entries if entry.is_earlier]
     assert noted == [(Status.UART_ERROR, 0), (UartError.FRAMING, 1)]
     assert log.uncleared == 1
 
 
 @pytest.mark.parametrize("position", range(13), ids=lambda index: BITS[index].name or "")
-def test_each_bit_is_counted_separately(log: ErrorLog, position: int) -> None:
+def test_each_bit_is_counted_separately(log: ErrorCounts, position: int) -> None:
     before = datetime.now(UTC)
-    log.take(news(BITS[position]))
-    log.take(news(BITS[position]))
+    log.take(news(BITS[position]), NOW)
+    log.take(news(BITS[position]), NOW)
     expected = [0] * 13
     expected[position] = 2
     assert counts(log) == expected
@@ -72,48 +72,43 @@ def test_each_bit_is_counted_separately(log: ErrorLog, position: int) -> None:
     assert before <= last <= datetime.now(UTC)
 
 
-def test_simultaneous_bits_are_all_counted(log: ErrorLog) -> None:
-    log.take(news(*BITS))
+def test_simultaneous_bits_are_all_counted(log: ErrorCounts) -> None:
+    log.take(news(*BITS), NOW)
     assert counts(log) == [1] * 13
 
 
-def test_same_bit_of_the_other_byte_is_not_counted(log: ErrorLog) -> None:
-    log.take(news(Status.UART_ERROR))
+def test_same_bit_of_the_other_byte_is_not_counted(log: ErrorCounts) -> None:
+    log.take(news(Status.UART_ERROR), NOW)
     entry = next(one for one in log.entries if one.bit is UartError.SEND_OVERRUN)
     assert entry.count == 0
 
 
-def test_new_bits_emit_changed(log: ErrorLog, qtbot: QtBot) -> None:
-    with qtbot.waitSignal(log.changed):
-        log.take(news(Status.MOTOR1_FAULT))
+def test_each_change_is_told() -> None:
+    told: list[int] = []
+    board = ErrorCounts(lambda: told.append(sum(counts(board))))
+    board.take(news(*BITS), NOW)
+    board.clear()
+    board.reset()
+    assert told == [13, 13, 0]
+    assert all(entry.last is None for entry in board.entries)
 
 
-def test_reset_clears_counts_and_times(log: ErrorLog, qtbot: QtBot) -> None:
-    log.take(news(*BITS))
-    with qtbot.waitSignal(log.changed):
-        log.reset()
-    assert counts(log) == [0] * 13
-    assert all(entry.last is None for entry in log.entries)
-
-
-def test_clearing_keeps_counts_and_ends_with_the_next_report(log: ErrorLog) -> None:
+def test_clearing_keeps_counts_and_ends_with_the_next_report(log: ErrorCounts) -> None:
     assert log.uncleared == 0
-    log.take(news(Status.MOTOR1_FAULT, Status.UART_ERROR, UartError.SEND_OVERRUN))
+    log.take(news(Status.MOTOR1_FAULT, Status.UART_ERROR, UartError.SEND_OVERRUN), NOW)
     assert log.uncleared == 2, "the bit that announces UART errors is no error of its own"
     log.clear()
     assert log.uncleared == 0
     assert sum(counts(log)) == 3
-    log.take(news(Status.UART_ERROR))
+    log.take(news(Status.UART_ERROR), NOW)
     assert log.uncleared == 1
 
 
-def test_error_is_active_while_it_is_reported(log: ErrorLog, virtual_time: VirtualRuntime) -> None:
-    log.take(news(Status.MOTOR1_FAULT))
-    virtual_time.advance(0.5)
-    assert log.is_active(log.entries[0])
-    virtual_time.advance(1)
-    assert not log.is_active(log.entries[0])
-    assert not log.is_active(log.entries[1])
+def test_error_is_active_while_it_is_reported(log: ErrorCounts) -> None:
+    log.take(news(Status.MOTOR1_FAULT), NOW)
+    assert log.is_active(log.entries[0], NOW + 0.5)
+    assert not log.is_active(log.entries[0], NOW + 1.5)
+    assert not log.is_active(log.entries[1], NOW + 0.5)
 
 
 @pytest.mark.parametrize(
@@ -134,14 +129,14 @@ def test_what_stops_the_motors_depends_on_error_shutdown(
     assert stops_motors(bit, errors_stop=True) is stops_if_set
 
 
-def test_returned_entries_are_not_updated(log: ErrorLog) -> None:
+def test_returned_entries_are_not_updated(log: ErrorCounts) -> None:
     before = log.entries
-    log.take(news(*BITS))
+    log.take(news(*BITS), NOW)
     assert [entry.count for entry in before] == [0] * 13
 
 
-def test_only_the_last_report_is_marked_as_doubtful(log: ErrorLog) -> None:
-    log.take(news(Status.MOTOR1_FAULT), is_doubtful=True)
+def test_only_the_last_report_is_marked_as_doubtful(log: ErrorCounts) -> None:
+    log.take(news(Status.MOTOR1_FAULT), NOW, is_doubtful=True)
     assert [entry.bit for entry in log.entries if entry.is_doubtful] == [Status.MOTOR1_FAULT]
-    log.take(news(Status.MOTOR1_FAULT))
+    log.take(news(Status.MOTOR1_FAULT), NOW)
     assert not any(entry.is_doubtful for entry in log.entries)

@@ -1,0 +1,157 @@
+"""Every error bit of a board: how often it was reported, and when last.
+
+Reading a latched bit clears it, so every bit that was read is counted here. The board latches it
+again for as long as its cause lasts.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from datetime import UTC, datetime
+
+from trex_gui.core.translation import tr_noop
+from trex_gui.devices.trex.client.telemetry import LatchedStatus
+from trex_gui.devices.trex.driving.blockers import DriveBlocker
+from trex_gui.devices.trex.protocol.flags import STATUS_MEANING, UART_MEANING, Status, UartError
+
+_OF_MOTOR = {
+    1: Status.MOTOR1_FAULT | Status.MOTOR1_OVER_LIMIT,
+    2: Status.MOTOR2_FAULT | Status.MOTOR2_OVER_LIMIT,
+}
+
+
+@dataclass(frozen=True, slots=True)
+class ErrorEntry:
+    """One bit and its history."""
+
+    bit: Status | UartError
+    name: str
+    meaning: str
+    remedy: str
+    count: int = 0
+    last: datetime | None = None  # date and time of the last report; `None` without one
+    seen_at: float = -math.inf  # the same in seconds of the program's monotonic clock
+    is_doubtful: bool = False  # the last report may be a corrupted reply
+    is_uncleared: bool = False  # reported since the user cleared the errors
+    is_earlier: bool = False  # latched before the connection, which is not counted
+
+
+_STATUS_REMEDIES = {
+    Status.MOTOR1_FAULT: DriveBlocker.FAULT.remedy,
+    Status.MOTOR1_OVER_LIMIT: DriveBlocker.OVER_LIMIT.remedy,
+    Status.MOTOR2_FAULT: DriveBlocker.FAULT.remedy,
+    Status.MOTOR2_OVER_LIMIT: DriveBlocker.OVER_LIMIT.remedy,
+    Status.UART_ERROR: tr_noop("See the rows below."),
+}
+"""What to do about each status bit, in the order in which the bits are shown."""
+
+_UART_REMEDIES = {
+    UartError.TIMEOUT: DriveBlocker.TIMEOUT.remedy,
+    UartError.FORMAT: tr_noop(
+        "Check cable and ground, and that no other program sends on this line.",
+    ),
+    UartError.CRC: tr_noop(
+        "Check cable and ground, and that every program on this line uses the same polynomial.",
+    ),
+    UartError.FRAMING: tr_noop(
+        "Check cable, ground and baud rate, and keep motor leads away from the line.",
+    ),
+    UartError.DATA_OVERRUN: tr_noop("Use a lower baud rate."),
+    UartError.PARITY: tr_noop(
+        "Check cable and ground, and that every program on this line uses the same parity.",
+    ),
+    UartError.READ_OVERRUN: tr_noop("Let no other program send on this line."),
+    UartError.SEND_OVERRUN: tr_noop("Let other programs request fewer channels at once."),
+}
+
+UNSEEN = (
+    *(ErrorEntry(bit, *STATUS_MEANING[bit], remedy) for bit, remedy in _STATUS_REMEDIES.items()),
+    *(ErrorEntry(bit, *words, _UART_REMEDIES[bit]) for bit, words in UART_MEANING.items()),
+)
+
+ACTIVE_FOR = 1.0
+"""Seconds after its last report for which an error is active: the status is read ten times a
+second, and again and again says what lasts."""
+
+
+def is_latched(bit: Status | UartError, latched: LatchedStatus) -> bool:
+    return bool(bit & (latched.status if isinstance(bit, Status) else latched.uart))
+
+
+class ErrorCounts:
+    """Counts and times of all status and UART error bits.
+
+    Methods take the time in seconds of a monotonic clock.
+    """
+
+    def __init__(self, changed: Callable[[], None] = lambda: None) -> None:
+        """`changed` is called when a bit was reported, and when errors were cleared or reset."""
+        self.entries = UNSEEN  # of motor 1, of motor 2, UART error and its kinds
+        self._changed = changed
+        self._others: dict[str, tuple[ErrorEntry, ...]] = {}  # of boards that are not selected
+
+    @property
+    def uncleared(self) -> int:
+        """How many kinds of errors were reported since they were cleared.
+
+        The bit that announces UART errors does not count beside them.
+        """
+        bits = [one.bit for one in self.entries if one.is_uncleared]
+        has_details = any(isinstance(bit, UartError) for bit in bits)
+        return sum(not (has_details and bit is Status.UART_ERROR) for bit in bits)
+
+    @staticmethod
+    def is_active(entry: ErrorEntry, now: float) -> bool:
+        return now - entry.seen_at < ACTIVE_FOR
+
+    def recent(self, motor: int, now: float) -> list[ErrorEntry]:
+        """Return the entries about motor 1 or 2 that are at most three seconds old.
+
+        Serial timeouts and other UART errors concern both: they may have shut it down.
+        """
+        return [
+            entry
+            for entry in self.entries
+            if entry.seen_at > now - 3.0
+            and (isinstance(entry.bit, UartError) or entry.bit & _OF_MOTOR[motor])
+        ]
+
+    def take(self, latched: LatchedStatus, now: float, *, is_doubtful: bool = False) -> None:
+        """Count the bits of a status; `is_doubtful`: its reply may have been corrupted.
+
+        Bits that are older than the connection are only noted.
+        """
+        today = datetime.now(UTC).astimezone()
+
+        def taken(entry: ErrorEntry) -> ErrorEntry:
+            if not is_latched(entry.bit, latched):
+                return entry
+            if latched.is_earlier:
+                return replace(entry, is_earlier=True)
+            return replace(
+                entry,
+                count=entry.count + 1,
+                last=today,
+                seen_at=now,
+                is_doubtful=is_doubtful,
+                is_uncleared=True,
+            )
+
+        self.entries = tuple(map(taken, self.entries))
+        self._changed()
+
+    def select(self, before: str, board: str) -> None:
+        """Show the counts of another board on the line; keep those of the one `before`."""
+        self._others[before] = self.entries
+        self.entries = self._others.pop(board, UNSEEN)
+        self._changed()
+
+    def clear(self) -> None:
+        """Take the errors as known; counts stay, and what is still active is reported again."""
+        self.entries = tuple(replace(entry, is_uncleared=False) for entry in self.entries)
+        self._changed()
+
+    def reset(self) -> None:
+        """Forget every count and time, too."""
+        self.entries = UNSEEN
+        self._changed()
