@@ -81,8 +81,8 @@ class Keeper:
     ) -> None:
         with self._saving("what was applied is"):
             if (aside := put_aside(self._records.path(new))) is not None:
-                whose = "What was kept for another board with this device number"
-                self._say(f"{whose} is in {aside} now.")
+                text = "What was kept for another board with this device number is in {0} now."
+                self._say(text.format(aside))
             self._records.save(new, record)
             if not keeps_old:
                 self._records.save(old, None)
