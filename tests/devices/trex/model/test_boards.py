@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterator
 from functools import partial
 from typing import Any
+from urllib.parse import quote
 
 import pytest
 from pytestqt.qtbot import QtBot
@@ -28,6 +29,7 @@ from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.simulator.line import TrexLine
 from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.preferences import Preferences
 
 
 class Stand:
@@ -52,6 +54,12 @@ class Stand:
     def connect(self, number: int | None = 7) -> None:
         self.device.connect_to(ConnectionSettings(self.simulator.url, device_number=number))
         self.wait(lambda: self.device.is_connected and self.device.motors.is_available)
+
+    def connect_known(self, number: int, *others: int) -> None:
+        """Connect to one of the boards that an earlier scan of this port has found."""
+        key = f"boards/{quote(self.simulator.url, safe='')}"
+        Preferences().set(key, ",".join(map(str, (number, *others))))
+        self.connect(number)
 
     def wait(self, condition: Callable[[], object]) -> None:
         self.qtbot.waitUntil(lambda: bool(condition()), timeout=60_000)
@@ -296,8 +304,7 @@ def test_held_controls_and_answers_are_not_handed_to_the_next_board(make: Make) 
 
 def test_board_that_is_off_is_not_selected(make: Make) -> None:
     stand = make("7", "9")
-    stand.connect(7)
-    stand.scan()
+    stand.connect_known(7, 9)
     stand.simulator.do("@9 power off")
     stand.select(9)
     assert stand.presences == {7: Presence.SELECTED, 9: Presence.SILENT}
@@ -309,8 +316,7 @@ def test_board_that_is_off_is_not_selected(make: Make) -> None:
 def test_edits_and_counts_of_each_board_return(make: Make) -> None:
     stand = make("7", "9")
     device = stand.device
-    stand.connect(7)
-    stand.scan()
+    stand.connect_known(7, 9)
     device.parameters.edit("serial_timeout", 5)
     device.parameters.edit("crc7_polynomial", 0x11)
     stand.line.boards[0].serial.report(UartError.FORMAT, shut_down=False)
@@ -386,8 +392,7 @@ class Work(ApplyToBoards):
 
 def test_settings_are_written_to_several_boards(make: Make) -> None:
     stand = make("3", "7", "9:trexjr", "12")
-    stand.connect(7)
-    stand.scan()
+    stand.connect_known(7, 3, 9, 12)
     stand.simulator.do("@12 power off")
     stand.device.parameters.edit("motor1_acceleration", 9)
     work = Work(stand)
@@ -423,8 +428,7 @@ def test_settings_are_written_to_several_boards(make: Make) -> None:
 
 def test_plan_names_values_beyond_inferred_limits(make: Make) -> None:
     stand = make("3", "7")
-    stand.connect(7)
-    stand.scan()
+    stand.connect_known(7, 3)
     stand.line.boards[0].eeprom.write("ignored_channels", 63)
     stand.simulator.do("@3 power cycle")
     work = Work(stand)
@@ -434,8 +438,7 @@ def test_plan_names_values_beyond_inferred_limits(make: Make) -> None:
 
 def test_first_error_while_writing_ends_the_work(make: Make) -> None:
     stand = make("3", "7", "9")
-    stand.connect(9)
-    stand.scan()
+    stand.connect_known(9, 3, 7)
     work = Work(stand)
     work.reviewed(wanted(serial_timeout=5), 3, 7, 9)
     stand.line.boards[0].eeprom.write("serial_timeout", 8)  # by another program
@@ -460,8 +463,7 @@ def test_first_error_while_writing_ends_the_work(make: Make) -> None:
 
 def test_work_is_cancelled_between_boards(make: Make) -> None:
     stand = make("3", "7", "9")
-    stand.connect(7)
-    stand.scan()
+    stand.connect_known(7, 3, 9)
     work = Work(stand)
     work.review(wanted(serial_timeout=5), (3, 7, 9))
     stand.wait(lambda: work.steps[3] is BoardStep.READING)
@@ -491,8 +493,7 @@ def test_work_is_cancelled_between_boards(make: Make) -> None:
 
 def test_stop_ends_the_work_and_leaves_no_board_half_written(make: Make) -> None:
     stand = make("3", "7", "9")
-    stand.connect(7)
-    stand.scan()
+    stand.connect_known(7, 3, 9)
     work, third = Work(stand), stand.line.boards[0]
     settings = wanted(serial_timeout=5, motor1_acceleration=9, motor2_acceleration=9)
 
@@ -517,8 +518,7 @@ def test_stop_ends_the_work_and_leaves_no_board_half_written(make: Make) -> None
 
 def test_rules_are_applied_to_each_board_with_its_changes(make: Make) -> None:
     stand = make("3", "7")
-    stand.connect(7)
-    stand.scan()
+    stand.connect_known(7, 3)
     stand.line.boards[0].eeprom.write("ignored_channels", 2)
     work = Work(stand)
     work.reviewed(wanted(required_channels=3), 3, 7)

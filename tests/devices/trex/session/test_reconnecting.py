@@ -95,7 +95,7 @@ class Place(Stage):
         return among(self.reports, Connected)
 
 
-def the_return(place: Place, moment: float = 6.0) -> Connected:
+def the_return(place: Place, moment: float = 5.0) -> Connected:
     """Run, and return what was told when the board was back."""
     place.end(moment)
     first, second = place.connections
@@ -119,7 +119,7 @@ def orders(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 
 
 def moment_of_end(new: LineSettings) -> float:
-    return 6.0 if new.baud > 4800 else 14.0
+    return 5.0 if new.baud > 4800 else 14.0
 
 
 # --- It is found again ------------------------------------------------------------------
