@@ -1,6 +1,7 @@
 """Looking for boards, as the window sees it."""
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 
 import pytest
 from pytestqt.qtbot import QtBot
@@ -8,12 +9,16 @@ from pytestqt.qtbot import QtBot
 from tests.support.program import new_controller, new_ports, scanner_of
 from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_time import VirtualRuntime
+from trex_gui.core.discovery import scan
+from trex_gui.core.discovery.prober import Prober, ProberInfo
+from trex_gui.core.plugin import Lazy
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.plugin import TREX
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.ports import Port, PortKind
-from trex_gui.ui.devices.scanner import DeviceScanner
+from trex_gui.ui.devices.scanner import DeviceScanner, ScanWorker
 from trex_gui.ui.devices.simulator import Simulator
 
 Until = Callable[[Callable[[], bool]], None]
@@ -134,3 +139,46 @@ def test_simulated_board_can_be_found_and_connected(until: Until) -> None:
     assert device.settings is not None
     assert device.settings.line == LineSettings()
     connector.shut_down()
+
+
+# --- Internal errors --------------------------------------------------------------------
+
+
+def _unexpected(settings: PortSettings, *, full: bool, known: bool) -> Prober:
+    raise ZeroDivisionError("on purpose")
+
+
+ODD = ProberInfo("Odd", _unexpected)
+
+
+@pytest.fixture
+def faulty(qtbot: QtBot) -> DeviceScanner:
+    odd = replace(TREX, key="odd", name="Odd", prober=Lazy(f"{__name__}:ODD"))
+    return DeviceScanner([TREX, odd])
+
+
+def test_internal_error_is_listed_and_the_scan_continues(
+    faulty: DeviceScanner, quick_simulator: SimulatedDevice, qtbot: QtBot
+) -> None:
+    faulty.start([at(quick_simulator.url), at("/dev/ttyNothing9")])
+    qtbot.waitUntil(lambda: not faulty.running)
+    first, second = faulty.findings
+    assert "(ZeroDivisionError: on purpose)" in first.text
+    assert second.text.startswith("There is no port /dev/ttyNothing9.")
+    assert faulty.summary == ("No board was found. 1 port could not be searched (internal error).")
+
+
+def test_ports_left_unscanned_are_counted(
+    faulty: DeviceScanner, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(ScanWorker, "run", lambda _worker: None)  # as a thread that dies
+    faulty.start([at("/dev/ttyNothing8"), at("/dev/ttyNothing9")])
+    qtbot.waitUntil(lambda: not faulty.running)
+    assert faulty.summary == ("No board was found. 2 ports could not be searched (internal error).")
+
+
+def test_scan_without_internal_error_mentions_none(faulty: DeviceScanner, qtbot: QtBot) -> None:
+    assert not scan.PortScan().is_fault
+    faulty.start([at("/dev/ttyNothing9")])
+    qtbot.waitUntil(lambda: not faulty.running)
+    assert faulty.summary == "No board was found."

@@ -151,6 +151,32 @@ def test_hidden_parameters_can_be_shown(parameters: ParametersDriver) -> None:
     assert "Serial Timeout" in help_text(parameters)
 
 
+def test_search_shows_how_many_rows_match(parameters: ParametersDriver) -> None:
+    for words, shown, count in (
+        ("brake duration", 1, "1 of 20"),
+        ("nowhere", 0, "None of 20 matches"),
+        ("", 20, ""),  # the text is hidden while every row is shown
+    ):
+        parameters.search(words)
+        assert parameters.rows.shown == shown
+        assert parameters.has("parameterCount") is bool(count)
+        assert not count or parameters.text("parameterCount") == count
+
+
+def test_group_and_check_boxes_filter_rows(parameters: ParametersDriver) -> None:
+    group = parameters.combo("parameterGroup")
+    group.setCurrentIndex(group.findData("serial"))
+    assert parameters.rows.shown == sum(spec.task == "serial" for spec in SPECS.readable)
+    parameters.model.edit("serial_timeout", 7)
+    parameters.model.edit("motor_mode", 1)
+    parameters.click("modifiedOnly")
+    assert parameters.rows.shown == 1
+    group.setCurrentIndex(0)
+    assert parameters.rows.shown == 2
+    parameters.click("notDefaultOnly")
+    assert parameters.rows.shown == 2
+
+
 def test_board_of_older_firmware_lacks_parameters(parameters: ParametersDriver) -> None:
     parameters.go_to("uart_response_delay")
     parameters.load(OLDER)

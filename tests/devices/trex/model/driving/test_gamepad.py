@@ -51,11 +51,6 @@ class GamepadSetup:
     def wait_for_speeds(self, left: int | None, right: int | None) -> None:
         self.qtbot.waitUntil(lambda: self.speeds() == (left, right))
 
-    def seen(self, axis: int) -> float | None:
-        """Where the gamepad was read to have this axis."""
-        state = self.gamepad.state
-        return None if state is None else state.axes[axis]
-
     def drive_forward(self) -> None:
         """Drive forward as fast as it goes."""
         self.pads.press(HOLD)
@@ -104,14 +99,6 @@ def test_full_stick_gives_the_ceiling_speed(setup: GamepadSetup) -> None:
     setup.pads.press(HOLD)
     setup.pads.move(Y, 1.0)
     setup.wait_for_speeds(-40, -40)
-
-
-def test_linked_motors_ignore_the_turn_axis(setup: GamepadSetup) -> None:
-    setup.motors.set_linked(True)
-    setup.pads.press(HOLD)
-    setup.pads.move(X, 1.0)
-    setup.pads.move(Y, -1.0)
-    setup.wait_for_speeds(FULL_SCALE, FULL_SCALE)
 
 
 def test_button_held_before_arming_does_not_drive(setup: GamepadSetup) -> None:

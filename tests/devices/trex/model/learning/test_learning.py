@@ -385,19 +385,6 @@ def test_dropped_values_do_not_request_a_test(
     assert requested_tests == []
 
 
-def test_only_apply_with_learned_values_requests_a_test(
-    setup: LearningSetup, requested_tests: list[tuple[int, ...]]
-) -> None:
-    setup.to_review(1)
-    setup.learning.use_values()
-    setup.device.parameters.edit("serial_timeout", 9)
-    setup.device.apply({"serial_timeout"})
-    setup.until(lambda: not setup.device.applying)
-    assert requested_tests == []
-    setup.write()
-    assert requested_tests == [(1,)]
-
-
 def test_reconnecting_forgets_the_pending_test(
     setup: LearningSetup, requested_tests: list[tuple[int, ...]]
 ) -> None:
