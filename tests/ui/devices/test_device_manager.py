@@ -76,25 +76,34 @@ def port(url: str, device: str) -> Port:
     return Port(PortKind.TYPED, url, url, device)
 
 
-@pytest.fixture
-def devices(qapp: QObject) -> tuple[FakeDevice, FakeDevice]:
-    return FakeDevice("first"), FakeDevice("second")
+class Devices:
+    """A manager of two devices, and what it told of stops that nobody asked for."""
+
+    def __init__(self) -> None:
+        self.first, self.second = FakeDevice("first"), FakeDevice("second")
+        first, second = cast("list[Controller]", [self.first, self.second])
+        makers = {"first": lambda: first, "second": lambda: second}
+        self.manager = DeviceManager(makers, DeviceScanner())
+        assert list(self.manager.controllers) == [first], "the others are made when they are needed"
+        assert self.manager.controller("second") is second
+        self.reports: list[str] = []
+        self.manager.stop_reported.connect(self.reports.append)
+
+    @property
+    def done(self) -> list[list[str]]:
+        return [self.first.done, self.second.done]
 
 
 @pytest.fixture
-def board(devices: tuple[FakeDevice, FakeDevice]) -> DeviceManager:
-    first, second = cast("list[Controller]", list(devices))
-    manager = DeviceManager({"first": lambda: first, "second": lambda: second}, DeviceScanner())
-    assert list(manager.controllers) == [first], "the others are made when they are needed"
-    assert manager.controller("second") is second
-    return manager
+def devices(qapp: QObject) -> Devices:
+    return Devices()
 
 
 def test_device_that_is_made_during_a_stop_does_not_end_it(
-    devices: tuple[FakeDevice, FakeDevice], monkeypatch: pytest.MonkeyPatch
+    qapp: QObject, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The stop comes from another thread."""
-    first, second = devices
+    first, second = FakeDevice("first"), FakeDevice("second")
     controller = cast("Controller", first)
     makers = {"first": lambda: controller, "second": lambda: cast("Controller", second)}
     manager = DeviceManager(makers, DeviceScanner())
@@ -109,170 +118,130 @@ def test_device_that_is_made_during_a_stop_does_not_end_it(
     assert stops == [True]
 
 
-def test_first_device_is_current_by_default(
-    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice]
-) -> None:
-    assert board.current.plugin.key == "first"
-    assert board.is_idle
-    board.connect_to(port("a", "first"))
-    assert devices[0].done == ["connect a"]
-    assert not board.is_idle
+def test_first_device_is_current_by_default(devices: Devices) -> None:
+    assert devices.manager.current.plugin.key == "first"
+    assert devices.manager.is_idle
+    devices.manager.connect_to(port("a", "first"))
+    assert devices.first.done == ["connect a"]
+    assert not devices.manager.is_idle
 
 
-def test_previous_device_disconnects_before_the_next_connects(
-    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice]
-) -> None:
-    first, second = devices
-    board.connect_to(port("a", "first"))
-    board.connect_to(port("b", "second"))
-    assert first.done[-1] == "leave"
-    assert (second.done, board.current.plugin.key) == ([], "first")
-    first.become(ConnectionState.DISCONNECTED)
-    assert second.done == ["connect b"]
-    assert board.current.plugin.key == "second"
+def test_previous_device_disconnects_before_the_next_connects(devices: Devices) -> None:
+    devices.manager.connect_to(port("a", "first"))
+    devices.manager.connect_to(port("b", "second"))
+    assert devices.first.done[-1] == "leave"
+    assert (devices.second.done, devices.manager.current.plugin.key) == ([], "first")
+    devices.first.become(ConnectionState.DISCONNECTED)
+    assert devices.second.done == ["connect b"]
+    assert devices.manager.current.plugin.key == "second"
 
 
-def test_idle_previous_device_is_left_too(
-    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice]
-) -> None:
-    board.connect_to(port("b", "second"))
-    assert devices[0].done == ["leave"]
-    assert devices[1].done == ["connect b"]
+def test_idle_previous_device_is_left_too(devices: Devices) -> None:
+    devices.manager.connect_to(port("b", "second"))
+    assert devices.first.done == ["leave"]
+    assert devices.second.done == ["connect b"]
 
 
-def test_leaving_cancels_the_pending_connection(
-    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice]
-) -> None:
-    first, second = devices
-    board.connect_to(port("a", "first"))
-    board.connect_to(port("b", "second"))
-    board.leave()
-    first.become(ConnectionState.DISCONNECTED)
-    assert second.done == []
+def test_leaving_cancels_the_pending_connection(devices: Devices) -> None:
+    devices.manager.connect_to(port("a", "first"))
+    devices.manager.connect_to(port("b", "second"))
+    devices.manager.leave()
+    devices.first.become(ConnectionState.DISCONNECTED)
+    assert devices.second.done == []
 
 
-def test_last_chosen_port_is_connected(
-    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice]
-) -> None:
-    first, second = devices
-    board.connect_to(port("a", "first"))
-    board.connect_to(port("b", "second"))
-    board.connect_with(port("c", "second"), PortSettings(""))
-    first.become(ConnectionState.DISCONNECTED)
-    assert second.done == ["with 9600 baud", "connect c"]
+def test_last_chosen_port_is_connected(devices: Devices) -> None:
+    devices.manager.connect_to(port("a", "first"))
+    devices.manager.connect_to(port("b", "second"))
+    devices.manager.connect_with(port("c", "second"), PortSettings(""))
+    devices.first.become(ConnectionState.DISCONNECTED)
+    assert devices.second.done == ["with 9600 baud", "connect c"]
 
 
-def test_another_kind_is_used_once_the_current_one_is_disconnected(
-    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice]
-) -> None:
+def test_another_kind_is_used_once_the_current_one_is_disconnected(devices: Devices) -> None:
     used: list[str] = []
 
     def note() -> None:
-        used.append(board.current.plugin.key)
+        used.append(devices.manager.current.plugin.key)
 
-    first, second = devices
-    board.connect_to(port("a", "first"))
-    assert not board.switch_to("second", note), "a connected device is not disconnected for it"
-    assert (used, first.link) == ([], ConnectionState.CONNECTED)
-    board.leave()
-    assert board.switch_to("second", note)
+    devices.manager.connect_to(port("a", "first"))
+    assert not devices.manager.switch_to("second", note), (
+        "a connected device is not disconnected for it"
+    )
+    assert (used, devices.first.link) == ([], ConnectionState.CONNECTED)
+    devices.manager.leave()
+    assert devices.manager.switch_to("second", note)
     assert used == []
-    first.become(ConnectionState.DISCONNECTED)
+    devices.first.become(ConnectionState.DISCONNECTED)
     assert used == ["second"]
-    assert board.switch_to("first", note)
-    assert board.switch_to("first", note)
+    assert devices.manager.switch_to("first", note)
+    assert devices.manager.switch_to("first", note)
     assert used == ["second", "first", "first"]
-    assert second.link is ConnectionState.DISCONNECTED
+    assert devices.second.link is ConnectionState.DISCONNECTED
 
 
-def test_connection_that_waits_is_not_replaced_by_a_file(
-    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice]
-) -> None:
-    first, second = devices
-    board.connect_to(port("a", "first"))
-    board.connect_to(port("b", "second"))
-    assert not board.switch_to("second", lambda: None)
-    first.become(ConnectionState.DISCONNECTED)
-    assert second.done == ["connect b"]
+def test_connection_that_waits_is_not_replaced_by_a_file(devices: Devices) -> None:
+    devices.manager.connect_to(port("a", "first"))
+    devices.manager.connect_to(port("b", "second"))
+    assert not devices.manager.switch_to("second", lambda: None)
+    devices.first.become(ConnectionState.DISCONNECTED)
+    assert devices.second.done == ["connect b"]
 
 
-def test_stop_reaches_every_device(
-    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice]
-) -> None:
-    board.press_stop()
-    assert [device.done for device in devices] == [["stop"], ["stop"]]
+def test_stop_reaches_every_device(devices: Devices) -> None:
+    devices.manager.press_stop()
+    assert devices.done == [["stop"], ["stop"]]
 
 
-def test_every_device_is_shut_down_when_one_does_not_end(
-    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice]
-) -> None:
-    assert not board.shut_down()
-    assert [device.done[-1] for device in devices] == ["shut down", "shut down"]
+def test_every_device_is_shut_down_when_one_does_not_end(devices: Devices) -> None:
+    assert not devices.manager.shut_down()
+    assert [done[-1] for done in devices.done] == ["shut down", "shut down"]
 
 
 def test_shutdown_begins_on_all_devices_before_waiting(
-    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice], monkeypatch: pytest.MonkeyPatch
+    devices: Devices, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    first, second = devices
     reports: list[list[str]] = []
 
     def shut_down() -> bool:
-        reports.append(list(second.done))
+        reports.append(list(devices.second.done))
         return True
 
-    monkeypatch.setattr(first, "shut_down", shut_down)
-    assert board.shut_down()
+    monkeypatch.setattr(devices.first, "shut_down", shut_down)
+    assert devices.manager.shut_down()
     assert reports == [["begin to shut down"]]
 
 
-def test_unconfirmed_stops_of_all_devices_are_listed(
-    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice]
-) -> None:
-    assert board.unconfirmed_stop == ""
-    devices[1].unconfirmed_stop = "The second may turn."
-    assert board.unconfirmed_stop == "The second may turn."
-    devices[0].unconfirmed_stop = "The first may turn."
-    assert board.unconfirmed_stop == "The first may turn.\nThe second may turn."
+def test_unconfirmed_stops_of_all_devices_are_listed(devices: Devices) -> None:
+    assert devices.manager.unconfirmed_stop == ""
+    devices.second.unconfirmed_stop = "The second may turn."
+    assert devices.manager.unconfirmed_stop == "The second may turn."
+    devices.first.unconfirmed_stop = "The first may turn."
+    assert devices.manager.unconfirmed_stop == "The first may turn.\nThe second may turn."
 
 
-@pytest.fixture
-def reports(board: DeviceManager) -> list[str]:
-    """What was told of stops that nobody asked for."""
-    reports: list[str] = []
-    board.stop_reported.connect(reports.append)
-    return reports
+def test_automatic_stop_reaches_all_and_current_device_reports(devices: Devices) -> None:
+    devices.manager.connect_to(port("b", "second"))
+    devices.manager.stop_because("It rains")
+    assert [done[-1] for done in devices.done] == ["stop: It rains"] * 2
+    assert devices.reports == ["It rains, so Second is told."]
 
 
-def test_automatic_stop_reaches_all_and_current_device_reports(
-    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice], reports: list[str]
-) -> None:
-    board.connect_to(port("b", "second"))
-    board.stop_because("It rains")
-    assert [device.done[-1] for device in devices] == ["stop: It rains"] * 2
-    assert reports == ["It rains, so Second is told."]
+def test_stop_report_is_forwarded_only_for_the_current_device(devices: Devices) -> None:
+    devices.second.stop_reported.emit("The second stands.")
+    assert devices.reports == []
+    devices.first.stop_reported.emit("The first stands.")
+    assert devices.reports == ["The first stands."]
 
 
-def test_stop_report_is_forwarded_only_for_the_current_device(
-    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice], reports: list[str]
-) -> None:
-    devices[1].stop_reported.emit("The second stands.")
-    assert reports == []
-    devices[0].stop_reported.emit("The first stands.")
-    assert reports == ["The first stands."]
+def test_unconnected_stop_is_reported_only_with_remedies(devices: Devices) -> None:
+    devices.manager.stop_because("It rains")
+    assert devices.reports == []
+    devices.manager.stop_because("The roof fell in", (Remedy.REPORT,))
+    assert devices.reports == ["The roof fell in."]
 
 
-def test_unconnected_stop_is_reported_only_with_remedies(
-    board: DeviceManager, reports: list[str]
-) -> None:
-    board.stop_because("It rains")
-    assert reports == []
-    board.stop_because("The roof fell in", (Remedy.REPORT,))
-    assert reports == ["The roof fell in."]
-
-
-def test_emergency_stop_reaches_every_device(
-    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice]
-) -> None:
-    board.stop_now()
-    board.stop_now(ending=True)
-    assert [device.done for device in devices] == [["stop now", "end"]] * 2
+def test_emergency_stop_reaches_every_device(devices: Devices) -> None:
+    devices.manager.stop_now()
+    devices.manager.stop_now(ending=True)
+    assert devices.done == [["stop now", "end"]] * 2

@@ -69,9 +69,10 @@ def source() -> Source:
 class TracePanelDriver(WidgetDriver):
     """The panel with its plot, its table and its list of events."""
 
-    def __init__(self, panel: TracePanel, qtbot: QtBot) -> None:
+    def __init__(self, panel: TracePanel, source: Source, qtbot: QtBot) -> None:
         super().__init__(panel, qtbot)
         self._panel = panel
+        self.source = source
         self.plot = panel.plot
         self.export = panel.export
         self.notifier = panel.notifier
@@ -102,7 +103,7 @@ def panel(qapp: QApplication, qtbot: QtBot, source: Source) -> Iterator[TracePan
     panel.set_source(source)
     panel.grab()
     panel.refresh()
-    yield TracePanelDriver(panel, qtbot)
+    yield TracePanelDriver(panel, source, qtbot)
     panel.export.finish()
 
 
@@ -248,45 +249,39 @@ def test_gap_in_samples_interrupts_the_line(plot: TracePlot, source: Source) -> 
 # --- What part is shown -----------------------------------------------------------------
 
 
-def test_pause_freezes_the_plot_and_the_table(
-    panel: TracePanelDriver, plot: TracePlot, source: Source
-) -> None:
+def test_pause_freezes_the_plot_and_the_table(panel: TracePanelDriver) -> None:
     pause = panel.button("pauseButton")
     pause.click()
-    end = plot.span.end
-    source.add(5, first=9)
+    end = panel.plot.span.end
+    panel.source.add(5, first=9)
     panel.refresh()
-    assert plot.span.end == end
+    assert panel.plot.span.end == end
     assert panel.cell("motor1", TraceColumn.PEAK) == "1.00 A"
     assert pause.text() == "Back to li&ve"
     pause.click()
-    assert plot.span.end == pytest.approx(end + 5)
+    assert panel.plot.span.end == pytest.approx(end + 5)
     assert panel.cell("motor1", TraceColumn.PEAK) == "9.00 A"
     assert pause.text() == "Pa&use"
 
 
-def test_window_lengths_range_from_ten_seconds_to_an_hour(
-    panel: TracePanelDriver, plot: TracePlot
-) -> None:
+def test_window_lengths_range_from_ten_seconds_to_an_hour(panel: TracePanelDriver) -> None:
     box = panel.combo("currentsWindow")
     texts = [box.itemText(row) for row in range(box.count())]
     assert texts == ["10 s", "30 s", "1 min", "5 min", "10 min", "30 min", "1 h"]
     box.activated.emit(6)
-    assert plot.span.length == 3600
+    assert panel.plot.span.length == 3600
 
 
-def test_drag_selects_a_span_and_pause_button_goes_live(
-    panel: TracePanelDriver, plot: TracePlot
-) -> None:
-    drag(plot, (40, 45), Qt.KeyboardModifier.NoModifier)
-    assert plot.span.start == pytest.approx(40, abs=0.1)
-    assert plot.span.end == pytest.approx(45, abs=0.1)
-    assert plot.mark_time is None
+def test_drag_selects_a_span_and_pause_button_goes_live(panel: TracePanelDriver) -> None:
+    drag(panel.plot, (40, 45), Qt.KeyboardModifier.NoModifier)
+    assert panel.plot.span.start == pytest.approx(40, abs=0.1)
+    assert panel.plot.span.end == pytest.approx(45, abs=0.1)
+    assert panel.plot.mark_time is None
     pause = panel.button("pauseButton")
     assert pause.isChecked()
     pause.click()
-    assert plot.span.live
-    assert plot.span.length == 30, "the zoom from before"
+    assert panel.plot.span.live
+    assert panel.plot.span.length == 30, "the zoom from before"
 
 
 def test_export_proposes_the_last_folder_and_a_name_with_the_date(
@@ -320,7 +315,7 @@ def test_choices_of_the_user_are_remembered(panel: TracePanelDriver, qtbot: QtBo
     again.resize(panel.root.size())
     again.set_source(Source())
     again.grab()
-    later = TracePanelDriver(again, qtbot)
+    later = TracePanelDriver(again, Source(), qtbot)
     assert again.plot.shown == {"motor2", "setpoint1"}
     assert again.plot.span.length == 30
     assert later.combo("currentsTop").currentText() == "0–5 A"
@@ -383,14 +378,12 @@ def curve_color(plot: TracePlot) -> QColor:
     return color
 
 
-def test_fixed_range_does_not_follow_the_values(
-    panel: TracePanelDriver, plot: TracePlot, source: Source
-) -> None:
+def test_fixed_range_does_not_follow_the_values(panel: TracePanelDriver) -> None:
     box, ends = panel.combo("currentsTop"), []
-    source.add(5, first=9)
+    panel.source.add(5, first=9)
     for amps in (2, 0):
         box.activated.emit(box.findData(amps))
-        ends.append(plot._left.ends)
+        ends.append(panel.plot._left.ends)
     assert ends == [(0, 2), (0, 10)]
 
 
@@ -480,29 +473,25 @@ def test_empty_plot_shows_and_describes_its_text(qapp: QApplication, qtbot: QtBo
 # --- Figures ----------------------------------------------------------------------------
 
 
-def test_table_shows_mean_rms_and_charge_of_the_shown_span(
-    panel: TracePanelDriver, plot: TracePlot
-) -> None:
-    plot.show_span(10, 46)
+def test_table_shows_mean_rms_and_charge_of_the_shown_span(panel: TracePanelDriver) -> None:
+    panel.plot.show_span(10, 46)
     assert panel.cell("motor2", TraceColumn.MEAN) == "3.000 A"
     assert panel.cell("motor2", TraceColumn.RMS) == "3.000 A"
     assert panel.cell("motor2", TraceColumn.CHARGE) == "30.00 mAh"
-    plot.show_span(10, 28)
+    panel.plot.show_span(10, 28)
     assert panel.cell("motor2", TraceColumn.CHARGE) == "15.00 mAh"
     assert panel.cell("motor1", TraceColumn.CHARGE) == "5.00 mAh"
     assert panel.cell("setpoint1", TraceColumn.MEAN) == ""  # it is not shown
 
 
-def test_cursor_shows_values_and_difference_from_the_mark(
-    panel: TracePanelDriver, plot: TracePlot, source: Source
-) -> None:
-    source.add(5, first=9)
+def test_cursor_shows_values_and_difference_from_the_mark(panel: TracePanelDriver) -> None:
+    panel.source.add(5, first=9)
     panel.refresh()
-    mouse(plot, QEvent.Type.MouseMove, 50)
+    mouse(panel.plot, QEvent.Type.MouseMove, 50)
     assert panel.cell("motor1", TraceColumn.CURSOR) == "1.00 A"
-    mouse(plot, QEvent.Type.MouseButtonPress, 50, Qt.MouseButton.LeftButton)
-    mouse(plot, QEvent.Type.MouseButtonRelease, 50, Qt.MouseButton.LeftButton)
-    mouse(plot, QEvent.Type.MouseMove, 63)
+    mouse(panel.plot, QEvent.Type.MouseButtonPress, 50, Qt.MouseButton.LeftButton)
+    mouse(panel.plot, QEvent.Type.MouseButtonRelease, 50, Qt.MouseButton.LeftButton)
+    mouse(panel.plot, QEvent.Type.MouseMove, 63)
     assert panel.cell("motor1", TraceColumn.CURSOR) == "9.00 A"
     assert panel.cell("motor1", TraceColumn.DIFFERENCE) == "8.00 A"
     assert "Motor 1: 9.00 A" in panel.text("cursorReadout")
@@ -511,14 +500,14 @@ def test_cursor_shows_values_and_difference_from_the_mark(
 
 @pytest.mark.parametrize("width", [860, 1040])
 def test_table_fits_beside_the_events_without_scrolling(
-    panel: TracePanelDriver, plot: TracePlot, source: Source, width: int, qtbot: QtBot
+    panel: TracePanelDriver, width: int, qtbot: QtBot
 ) -> None:
     panel.root.show()
     panel.root.resize(width, 500)
-    plot.set_cursor(30)
-    plot.set_mark(20)
+    panel.plot.set_cursor(30)
+    panel.plot.set_mark(20)
     if width > 1000:
-        source.limits["motor1"] = 5.0
+        panel.source.limits["motor1"] = 5.0
         panel.button("holdPeaksButton").click()
     view = panel.table
     qtbot.waitUntil(lambda: not view.horizontalScrollBar().isVisible())
@@ -530,14 +519,12 @@ def test_table_fits_beside_the_events_without_scrolling(
     assert panel.events.x() >= view.geometry().right(), "one lies over the other"
 
 
-def test_optional_columns_are_hidden_until_needed(
-    panel: TracePanelDriver, plot: TracePlot, source: Source
-) -> None:
+def test_optional_columns_are_hidden_until_needed(panel: TracePanelDriver) -> None:
     view = panel.table
     waiting = (TraceColumn.LIMIT, TraceColumn.DIFFERENCE, TraceColumn.HELD)
     assert all(view.isColumnHidden(column) for column in waiting)
-    source.limits["motor1"] = 5.0
-    plot.set_mark(20)
+    panel.source.limits["motor1"] = 5.0
+    panel.plot.set_mark(20)
     hold = panel.button("holdPeaksButton")
     hold.click()
     assert not any(view.isColumnHidden(column) for column in waiting)
@@ -553,13 +540,11 @@ def test_empty_event_list_is_described(panel: TracePanelDriver, source: Source) 
     assert "No events" not in listed.accessibleDescription()
 
 
-def test_held_peak_stays_after_its_sample_scrolls_out(
-    panel: TracePanelDriver, source: Source
-) -> None:
+def test_held_peak_stays_after_its_sample_scrolls_out(panel: TracePanelDriver) -> None:
     hold = panel.button("holdPeaksButton")
     hold.click()
-    source.add(1, first=7.5)
-    source.add(60)
+    panel.source.add(1, first=7.5)
+    panel.source.add(60)
     panel.refresh()
     assert panel.cell("motor1", TraceColumn.PEAK) == "1.00 A"
     assert panel.cell("motor1", TraceColumn.HELD) == "7.50 A"
@@ -574,17 +559,15 @@ def test_trace_table_passes_the_model_tester(plot: TracePlot, qtmodeltester: Mod
 # --- Events -----------------------------------------------------------------------------
 
 
-def test_events_are_marked_listed_and_navigable(
-    panel: TracePanelDriver, plot: TracePlot, source: Source
-) -> None:
-    before = count(plot, "danger")
-    source.events += [
+def test_events_are_marked_listed_and_navigable(panel: TracePanelDriver) -> None:
+    before = count(panel.plot, "danger")
+    panel.source.events += [
         Event(20.0, EventKind.LINK, "The board answers again"),
         Event(45.0, EventKind.STOP, "Stop: the window was closed"),
     ]
     panel.refresh()
-    assert count(plot, "danger") > before + 50
-    assert [one.text for _, one in plot._marks.marks] == ["Stop: the window was closed"]
+    assert count(panel.plot, "danger") > before + 50
+    assert [one.text for _, one in panel.plot._marks.marks] == ["Stop: the window was closed"]
     listed = panel.events
     texts = [str(listed.model().index(row, 0).data()) for row in range(2)]
     assert texts == [
@@ -592,21 +575,21 @@ def test_events_are_marked_listed_and_navigable(
         "0:45.000  Stop: the window was closed",
     ]
     listed.activated.emit(listed.model().index(0, 0))
-    assert plot.span.start < 20 < plot.span.end
-    assert not plot.span.live
-    assert plot.cursor_time == 20
+    assert panel.plot.span.start < 20 < panel.plot.span.end
+    assert not panel.plot.span.live
+    assert panel.plot.cursor_time == 20
 
 
 # --- Export -----------------------------------------------------------------------------
 
 
 def test_shown_span_is_exported_with_units_and_events(
-    panel: TracePanelDriver, plot: TracePlot, source: Source, qtbot: QtBot, tmp_path: Path
+    panel: TracePanelDriver, qtbot: QtBot, tmp_path: Path
 ) -> None:
-    source.events.append(Event(12.0, EventKind.APPLY, "Apply: Motor 1 Acceleration"))
-    plot.show_span(10, 20)
+    panel.source.events.append(Event(12.0, EventKind.APPLY, "Apply: Motor 1 Acceleration"))
+    panel.plot.show_span(10, 20)
     with qtbot.waitSignal(panel.notifier.info) as reported:
-        panel.export.save_table(tmp_path / "shown.csv", plot.span.start, plot.span.end)
+        panel.export.save_table(tmp_path / "shown.csv", panel.plot.span.start, panel.plot.span.end)
     assert "801 samples" in str(reported.args)
     with (tmp_path / "shown.csv").open(newline="") as file:
         rows = list(csv.reader(file))
@@ -617,9 +600,9 @@ def test_shown_span_is_exported_with_units_and_events(
 
 
 def test_whole_history_can_be_exported(
-    panel: TracePanelDriver, plot: TracePlot, qtbot: QtBot, tmp_path: Path
+    panel: TracePanelDriver, qtbot: QtBot, tmp_path: Path
 ) -> None:
-    plot.show_span(10, 20)
+    panel.plot.show_span(10, 20)
     with qtbot.waitSignal(panel.notifier.info):
         panel.export.save_table(tmp_path / "all.csv", -math.inf, math.inf)
     assert len((tmp_path / "all.csv").read_text().splitlines()) == 60 * RATE + 1

@@ -88,12 +88,12 @@ def driver(plot: CurvePlot, qtbot: QtBot) -> CurvePlotDriver:
     ],
 )
 def test_dragged_handle_changes_its_value_once_on_release(
-    plot: CurvePlot, driver: CurvePlotDriver, handle: Handle, field: str, target: int, expected: int
+    driver: CurvePlotDriver, handle: Handle, field: str, target: int, expected: int
 ) -> None:
     edited: list[Calibration] = []
     previewed: list[Calibration] = []
-    plot.edited.connect(edited.append)
-    plot.previewed.connect(previewed.append)
+    driver.plot.edited.connect(edited.append)
+    driver.plot.previewed.connect(previewed.append)
     driver.drag_handle(handle, target)
     assert len(edited) == 1
     assert len(previewed) == 3
@@ -115,40 +115,34 @@ def test_curve_follows_a_held_handle(plot: CurvePlot, driver: CurvePlotDriver) -
     driver.release(QPoint(round(plot.x_of(2600)), start.y()))
 
 
-def test_handle_blocked_by_another_shows_the_reason(
-    plot: CurvePlot, driver: CurvePlotDriver
-) -> None:
+def test_handle_blocked_by_another_shows_the_reason(driver: CurvePlotDriver) -> None:
     start = driver.place(Handle.MINIMUM)
-    beyond = QPoint(round(plot.x_of(4200)), start.y())
+    beyond = QPoint(round(driver.plot.x_of(4200)), start.y())
     edited: list[Calibration] = []
-    plot.edited.connect(edited.append)
+    driver.plot.edited.connect(edited.append)
     driver.press(start)
     driver.move(beyond)
-    assert plot.handles.message == "Minimum cannot pass neutral."
-    plot.grab()
+    assert driver.plot.handles.message == "Minimum cannot pass neutral."
+    driver.plot.grab()
     driver.release(beyond)
-    assert plot.handles.message == ""
+    assert driver.plot.handles.message == ""
     assert edited == [Calibration(3750, 3750, 5000, 75)]
 
 
-def test_handle_back_at_its_start_changes_nothing(
-    plot: CurvePlot, driver: CurvePlotDriver, qtbot: QtBot
-) -> None:
+def test_handle_back_at_its_start_changes_nothing(driver: CurvePlotDriver, qtbot: QtBot) -> None:
     flat = ChannelCurve(Calibration(3750, 3750, 5000, 75))
-    plot.show_channel(1, InputSource.RC, flat, flat, editable=True)
+    driver.plot.show_channel(1, InputSource.RC, flat, flat, editable=True)
     start = driver.place(Handle.MINIMUM)
-    end = QPoint(round(plot.x_of(4100)), start.y())
+    end = QPoint(round(driver.plot.x_of(4100)), start.y())
     driver.press(start)
     driver.move(end)
-    assert plot.handles.message == "Minimum cannot pass neutral."
-    with qtbot.assertNotEmitted(plot.edited), qtbot.waitSignal(plot.released):
+    assert driver.plot.handles.message == "Minimum cannot pass neutral."
+    with qtbot.assertNotEmitted(driver.plot.edited), qtbot.waitSignal(driver.plot.released):
         driver.release(end)
-    assert plot.handles.message == ""
+    assert driver.plot.handles.message == ""
 
 
-def test_axis_follows_a_handle_up_to_the_input_limits(
-    plot: CurvePlot, driver: CurvePlotDriver
-) -> None:
+def test_axis_follows_a_handle_up_to_the_input_limits(driver: CurvePlotDriver) -> None:
     for handle, count, reached, words in (
         (Handle.MAXIMUM, 5800, 5800, ""),
         (Handle.MAXIMUM, 7000, 6250, "A pulse cannot be longer than 2500 µs."),
@@ -156,74 +150,68 @@ def test_axis_follows_a_handle_up_to_the_input_limits(
         (Handle.MINIMUM, 300, 1250, "A pulse cannot be shorter than 500 µs."),
     ):
         start = driver.place(handle)
-        end = QPoint(round(plot.x_of(count)), start.y())
+        end = QPoint(round(driver.plot.x_of(count)), start.y())
         driver.press(start)
         driver.move(end)
-        assert plot.curve is not None
-        assert abs(handle.count(plot.curve.calibration) - reached) < 8
-        assert plot.handles.message == words
-        assert plot.handles.message_at is (handle if words else None)
-        low, high = plot.axis
-        assert low <= handle.count(plot.curve.calibration) <= high
-        shown = round(plot.x_of(handle.count(plot.curve.calibration)))
+        assert driver.plot.curve is not None
+        assert abs(handle.count(driver.plot.curve.calibration) - reached) < 8
+        assert driver.plot.handles.message == words
+        assert driver.plot.handles.message_at is (handle if words else None)
+        low, high = driver.plot.axis
+        assert low <= handle.count(driver.plot.curve.calibration) <= high
+        shown = round(driver.plot.x_of(handle.count(driver.plot.curve.calibration)))
         assert 0 < shown < driver.viewport.width(), "the handle can be seen"
         driver.release(end)
-        assert plot.axis == (2000, 5500), "the edit was not applied"
+        assert driver.plot.axis == (2000, 5500), "the edit was not applied"
 
 
-def test_handle_at_the_axis_end_moves_in_small_steps(
-    plot: CurvePlot, driver: CurvePlotDriver
-) -> None:
+def test_handle_at_the_axis_end_moves_in_small_steps(driver: CurvePlotDriver) -> None:
     start = driver.place(Handle.MAXIMUM)
-    edge = QPoint(round(plot.x_of(5520)), start.y())
+    edge = QPoint(round(driver.plot.x_of(5520)), start.y())
     driver.press(start)
     counts = []
     for _ in range(3):
         driver.move(edge - QPoint(1, 0))
         driver.move(edge)
-        assert plot.curve is not None
-        counts.append(plot.curve.calibration.maximum)
+        assert driver.plot.curve is not None
+        counts.append(driver.plot.curve.calibration.maximum)
     driver.release(edge)
     assert counts == sorted(counts)
     assert counts[-1] < 5700
 
 
-def test_rejected_value_is_explained_beside_its_handle(
-    plot: CurvePlot, driver: CurvePlotDriver
-) -> None:
-    plot.show_message(Handle.MINIMUM, "Minimum cannot be there.")
-    assert (plot.handles.message_at, plot.handles.message) == (
+def test_rejected_value_is_explained_beside_its_handle(driver: CurvePlotDriver) -> None:
+    driver.plot.show_message(Handle.MINIMUM, "Minimum cannot be there.")
+    assert (driver.plot.handles.message_at, driver.plot.handles.message) == (
         Handle.MINIMUM,
         "Minimum cannot be there.",
     )
     driver.move(QPoint(1, 1))
     driver.move(driver.place(Handle.NEUTRAL))
-    picture = plot.grab().toImage()
+    picture = driver.plot.grab().toImage()
     box = {
         picture.pixelColor(x, y).name()
-        for x in range(round(plot.x_of(2500)), round(plot.x_of(3500)))
+        for x in range(round(driver.plot.x_of(2500)), round(driver.plot.x_of(3500)))
         for y in range(picture.height() // 2)
     }
     assert theme().color("warning").name() in box
     driver.press(driver.place(Handle.MAXIMUM))
-    assert plot.handles.message == ""
+    assert driver.plot.handles.message == ""
     driver.release(driver.place(Handle.MAXIMUM))
-    plot.show_message(Handle.MINIMUM, "Minimum cannot be there.")
-    plot.show_channel(2, InputSource.RC, USUAL, USUAL, editable=True)
-    assert plot.handles.message_at is None
+    driver.plot.show_message(Handle.MINIMUM, "Minimum cannot be there.")
+    driver.plot.show_channel(2, InputSource.RC, USUAL, USUAL, editable=True)
+    assert driver.plot.handles.message_at is None
 
 
-def test_trace_is_tall_enough_and_its_labels_are_legible(
-    plot: CurvePlot, driver: CurvePlotDriver
-) -> None:
-    plot.resize(plot.width(), plot.minimumSizeHint().height())
-    picture = plot.grab().toImage()
+def test_trace_is_tall_enough_and_its_labels_are_legible(driver: CurvePlotDriver) -> None:
+    driver.plot.resize(driver.plot.width(), driver.plot.minimumSizeHint().height())
+    picture = driver.plot.grab().toImage()
     trace = driver.find_only(InputTrace)
     line = trace.fontMetrics().height()
     frame = trace.frame
     assert frame.height() >= 4.5 * line
-    top = trace.mapTo(plot, frame.topLeft().toPoint())
-    background, capital = picture.pixelColor(1, 1), plot.fontMetrics().capHeight()
+    top = trace.mapTo(driver.plot, frame.topLeft().toPoint())
+    background, capital = picture.pixelColor(1, 1), driver.plot.fontMetrics().capHeight()
     written = [
         y
         for y in range(top.y() - line, top.y() + line)
@@ -239,33 +227,29 @@ def test_click_moves_no_handle(plot: CurvePlot, driver: CurvePlotDriver, qtbot: 
             QTest.mouseClick(driver.viewport, LEFT, pos=driver.place(handle) + QPoint(3, 0))
 
 
-def test_read_only_plot_cannot_be_dragged(
-    plot: CurvePlot, driver: CurvePlotDriver, qtbot: QtBot
-) -> None:
-    plot.show_channel(1, InputSource.RC, USUAL, USUAL, editable=False)
-    with qtbot.assertNotEmitted(plot.previewed):
+def test_read_only_plot_cannot_be_dragged(driver: CurvePlotDriver, qtbot: QtBot) -> None:
+    driver.plot.show_channel(1, InputSource.RC, USUAL, USUAL, editable=False)
+    with qtbot.assertNotEmitted(driver.plot.previewed):
         driver.drag_handle(Handle.MAXIMUM, 5200)
 
 
 def test_held_handle_is_released_when_editing_is_disabled(
-    plot: CurvePlot, driver: CurvePlotDriver, qtbot: QtBot
+    driver: CurvePlotDriver, qtbot: QtBot
 ) -> None:
     start = driver.place(Handle.MAXIMUM)
     driver.press(start)
     driver.move(start + QPoint(20, 0))
-    plot.show_channel(1, InputSource.RC, USUAL, USUAL, editable=False)
-    with qtbot.assertNotEmitted(plot.edited):
+    driver.plot.show_channel(1, InputSource.RC, USUAL, USUAL, editable=False)
+    with qtbot.assertNotEmitted(driver.plot.edited):
         driver.release(start + QPoint(20, 0))
-    assert plot.curve == USUAL
+    assert driver.plot.curve == USUAL
 
 
-def test_nearby_handles_are_distinguished_by_height(
-    plot: CurvePlot, driver: CurvePlotDriver
-) -> None:
+def test_nearby_handles_are_distinguished_by_height(driver: CurvePlotDriver) -> None:
     narrow = ChannelCurve(Calibration(2500, 3750, 5000, 5))
-    plot.show_channel(1, InputSource.RC, narrow, narrow, editable=True)
+    driver.plot.show_channel(1, InputSource.RC, narrow, narrow, editable=True)
     edited: list[Calibration] = []
-    plot.edited.connect(edited.append)
+    driver.plot.edited.connect(edited.append)
     driver.drag_handle(Handle.NEUTRAL, 3500)
     driver.drag_handle(Handle.DEADBAND_HIGH, 4000)
     assert edited[0].neutral < 3600

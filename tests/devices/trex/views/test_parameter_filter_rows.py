@@ -65,24 +65,20 @@ def test_selected_task_is_shown_alone(rows: ParameterFilter, task: str) -> None:
     assert set(shown(rows)) == of_tasks(task)
 
 
-def test_modified_only_filter_follows_the_edits(
-    rows: ParameterFilter, model: ParameterModel
-) -> None:
+def test_modified_only_filter_follows_the_edits(rows: ParameterFilter) -> None:
     rows.narrow(modified_only=True)
     assert shown(rows) == []
-    model.edit("motor_mode", 1)
+    rows.parameters.edit("motor_mode", 1)
     assert shown(rows) == ["motor_mode"]
-    model.discard_edits()
+    rows.parameters.discard_edits()
     assert shown(rows) == []
 
 
-def test_not_default_filter_shows_changed_values(
-    rows: ParameterFilter, model: ParameterModel
-) -> None:
+def test_not_default_filter_shows_changed_values(rows: ParameterFilter) -> None:
     rows.narrow(not_default_only=True)
     assert shown(rows) == ["serial_timeout"]
-    model.edit("serial_timeout", FACTORY["serial_timeout"])
-    model.edit("motor_mode", 1)
+    rows.parameters.edit("serial_timeout", FACTORY["serial_timeout"])
+    rows.parameters.edit("motor_mode", 1)
     assert shown(rows) == ["motor_mode"]
 
 
@@ -114,14 +110,14 @@ def test_task_without_rows_has_no_heading(rows: ParameterFilter, model: Paramete
 
 
 def test_filter_passes_qt_model_tester_through_changes(
-    rows: ParameterFilter, model: ParameterModel, qtmodeltester: ModelTester
+    rows: ParameterFilter, qtmodeltester: ModelTester
 ) -> None:
     qtmodeltester.check(rows, force_py=True)  # type: ignore[no-untyped-call] # of pytest-qt
     rows.narrow(modified_only=True)
-    model.edit("motor_mode", 1)
-    model.edit("serial_timeout", 9)
-    model.load(SPECS, FACTORY, {}, power_cycled=True)
-    model.discard_edits()
+    rows.parameters.edit("motor_mode", 1)
+    rows.parameters.edit("serial_timeout", 9)
+    rows.parameters.load(SPECS, FACTORY, {}, power_cycled=True)
+    rows.parameters.discard_edits()
     rows.narrow(words="limit")
     qtmodeltester.check(rows, force_py=True)  # type: ignore[no-untyped-call] # of pytest-qt
 
