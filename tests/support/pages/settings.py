@@ -13,6 +13,7 @@ from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
 from trex_gui.devices.trex.model.settings.comparison_table import ComparisonColumn, ComparisonRole
+from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.devices.trex.views.history_dialog import HistoryDialog as HistoryWidget
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
 from trex_gui.ui.devices.connection import ConnectionState
@@ -171,6 +172,7 @@ class HistoryDialog(ComparisonDialog):
         self.widget = window.find(HistoryWidget, "historyDialog")
         super().__init__(self.widget, window.qtbot)
         self._action = window.find(QAction, "historyAction")
+        self.history = SettingsHistory()
 
     def open(self) -> None:
         self._action.trigger()

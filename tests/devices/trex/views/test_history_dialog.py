@@ -22,15 +22,10 @@ from tests.support.pages.settings import HistoryDialog
 from tests.support.snapshots import take
 from tests.support.window import WidgetDriver
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.settings.history import BOUND_FILE, Bound, SettingsHistory
+from trex_gui.devices.trex.settings.history import BOUND_FILE, Bound
 from trex_gui.devices.trex.views.history_dialog import HistoryDialog as HistoryWidget
 
 MINUTE = timedelta(minutes=1)
-
-
-@pytest.fixture
-def history() -> SettingsHistory:
-    return SettingsHistory()  # in a folder of the test's own
 
 
 @pytest.fixture
@@ -54,11 +49,9 @@ def test_empty_history_says_when_snapshots_are_taken(dialog: HistoryDialog) -> N
     assert not dialog.root.isModal()
 
 
-def test_newest_snapshot_is_compared_with_the_previous_one(
-    dialog: HistoryDialog, history: SettingsHistory
-) -> None:
-    take(history, MINUTE, serial_timeout=5)
-    take(history, serial_timeout=7)
+def test_newest_snapshot_is_compared_with_the_previous_one(dialog: HistoryDialog) -> None:
+    take(dialog.history, MINUTE, serial_timeout=5)
+    take(dialog.history, serial_timeout=7)
     dialog.open()
     assert dialog.values() == {"serial_timeout": ("0.5 s", "0.7 s")}
     assert "1 setting differs" in dialog.text("comparisonSummary")
@@ -67,21 +60,17 @@ def test_newest_snapshot_is_compared_with_the_previous_one(
     assert "No board is connected" in dialog.text("restoreNote")
 
 
-def test_older_snapshot_shows_what_restoring_it_would_change(
-    dialog: HistoryDialog, history: SettingsHistory
-) -> None:
-    take(history, MINUTE, serial_timeout=5)
-    take(history, serial_timeout=7)
+def test_older_snapshot_shows_what_restoring_it_would_change(dialog: HistoryDialog) -> None:
+    take(dialog.history, MINUTE, serial_timeout=5)
+    take(dialog.history, serial_timeout=7)
     dialog.open()
     dialog.select_snapshot(1)
     dialog.wait(lambda: dialog.values() == {"serial_timeout": ("0.7 s", "0.5 s")})
 
 
-def test_two_snapshots_are_compared_from_newer_to_older(
-    dialog: HistoryDialog, history: SettingsHistory
-) -> None:
+def test_two_snapshots_are_compared_from_newer_to_older(dialog: HistoryDialog) -> None:
     for ago, wire in ((3, 5), (2, 6), (1, 7)):
-        take(history, ago * MINUTE, serial_timeout=wire)
+        take(dialog.history, ago * MINUTE, serial_timeout=wire)
     dialog.open()
     dialog.select_snapshot(2, 0)
     dialog.wait(lambda: dialog.values() == {"serial_timeout": ("0.7 s", "0.5 s")})
@@ -89,11 +78,9 @@ def test_two_snapshots_are_compared_from_newer_to_older(
     dialog.wait_for_text("comparisonSummary", "two to compare")
 
 
-def test_reference_snapshot_can_be_selected_and_is_kept(
-    dialog: HistoryDialog, history: SettingsHistory
-) -> None:
+def test_reference_snapshot_can_be_selected_and_is_kept(dialog: HistoryDialog) -> None:
     for ago, wire in ((3, 5), (2, 6), (1, 7)):
-        take(history, ago * MINUTE, serial_timeout=wire)
+        take(dialog.history, ago * MINUTE, serial_timeout=wire)
     dialog.open()
     box = dialog.combo("compareWithCombo")
     model = box.model()
@@ -108,12 +95,9 @@ def test_reference_snapshot_can_be_selected_and_is_kept(
 
 
 def test_settings_file_can_be_the_reference(
-    dialog: HistoryDialog,
-    history: SettingsHistory,
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
+    dialog: HistoryDialog, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    snapshot = take(history, serial_timeout=7)
+    snapshot = take(dialog.history, serial_timeout=7)
     path = tmp_path / "rover.txt"
     path.write_bytes(snapshot.path.read_bytes().replace(b"serial_timeout: 7", b"serial_timeout: 4"))
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
@@ -123,21 +107,17 @@ def test_settings_file_can_be_the_reference(
     assert dialog.combo("compareWithCombo").currentText() == "rover.txt"
 
 
-def test_only_snapshot_shows_what_it_contains(
-    dialog: HistoryDialog, history: SettingsHistory
-) -> None:
-    take(history, serial_timeout=7)
+def test_only_snapshot_shows_what_it_contains(dialog: HistoryDialog) -> None:
+    take(dialog.history, serial_timeout=7)
     dialog.open()
     assert dialog.values()["serial_timeout"] == ("not given", "0.7 s")
     assert "no other snapshot of a TReX" in dialog.text("comparisonSummary")
 
 
-def test_damaged_snapshot_is_explained_and_never_offered(
-    dialog: HistoryDialog, history: SettingsHistory
-) -> None:
-    take(history, 2 * MINUTE)
-    take(history, MINUTE).path.write_text("rubbish\n", encoding="utf-8")
-    take(history)
+def test_damaged_snapshot_is_explained_and_never_offered(dialog: HistoryDialog) -> None:
+    take(dialog.history, 2 * MINUTE)
+    take(dialog.history, MINUTE).path.write_text("rubbish\n", encoding="utf-8")
+    take(dialog.history)
     dialog.open()
     dialog.select_snapshot(1)
     dialog.wait_for_text("comparisonSummary", "is damaged and cannot be restored")
@@ -153,9 +133,9 @@ def test_damaged_snapshot_is_explained_and_never_offered(
     dialog.wait_for_text("comparisonSummary", "is damaged")
 
 
-def test_search_filters_the_list(dialog: HistoryDialog, history: SettingsHistory) -> None:
-    take(history, MINUTE, reason="trexcmd set-settings rover.txt")
-    take(history)
+def test_search_filters_the_list(dialog: HistoryDialog) -> None:
+    take(dialog.history, MINUTE, reason="trexcmd set-settings rover.txt")
+    take(dialog.history)
     dialog.open()
     search = dialog.find(QLineEdit, "snapshotSearch")
     QTest.keyClicks(search, "rover")
@@ -169,12 +149,10 @@ def test_search_filters_the_list(dialog: HistoryDialog, history: SettingsHistory
     assert dialog.count() == 2
 
 
-def test_snapshot_of_another_program_appears_on_refresh(
-    dialog: HistoryDialog, history: SettingsHistory
-) -> None:
-    take(history, MINUTE, serial_timeout=5)
+def test_snapshot_of_another_program_appears_on_refresh(dialog: HistoryDialog) -> None:
+    take(dialog.history, MINUTE, serial_timeout=5)
     dialog.open()
-    take(history)
+    take(dialog.history)
     dialog.refresh()
     assert dialog.count() == 2
     assert dialog.selected_row() == 1  # what was looked at stays
@@ -183,11 +161,9 @@ def test_snapshot_of_another_program_appears_on_refresh(
 # --- User actions ---------------------------------------------------------------------
 
 
-def test_deletion_needs_confirmation_in_the_dialog(
-    dialog: HistoryDialog, history: SettingsHistory
-) -> None:
+def test_deletion_needs_confirmation_in_the_dialog(dialog: HistoryDialog) -> None:
     for ago in (3, 2, 1):
-        take(history, ago * MINUTE)
+        take(dialog.history, ago * MINUTE)
     dialog.open()
     dialog.select_snapshot(1)
     dialog.click("deleteSnapshotButton")
@@ -196,43 +172,36 @@ def test_deletion_needs_confirmation_in_the_dialog(
     names = [button.objectName() for button in dialog.find_all(QPushButton)]
     assert names.count("historyQuestionYes") == 1
     dialog.answer(yes=False)
-    assert len(history.snapshots()) == 3
-    gone = history.snapshots()[1]
+    assert len(dialog.history.snapshots()) == 3
+    gone = dialog.history.snapshots()[1]
     dialog.snapshots.setFocus()
     QTest.keyClick(dialog.snapshots, Qt.Key.Key_Delete)
     dialog.answer(yes=True)
-    assert gone not in history.snapshots()
-    assert len(history.snapshots()) == 2
+    assert gone not in dialog.history.snapshots()
+    assert len(dialog.history.snapshots()) == 2
     assert dialog.selected_row() == 1  # what took its place
 
 
-def test_deleting_the_last_snapshot_empties_the_history(
-    dialog: HistoryDialog, history: SettingsHistory
-) -> None:
-    take(history)
+def test_deleting_the_last_snapshot_empties_the_history(dialog: HistoryDialog) -> None:
+    take(dialog.history)
     dialog.open()
     dialog.click("deleteSnapshotButton")
     dialog.answer(yes=True)
     dialog.wait(dialog.find(QLabel, "historyEmpty").isVisible)
 
 
-def test_closing_with_an_open_question_deletes_nothing(
-    dialog: HistoryDialog, history: SettingsHistory
-) -> None:
-    take(history)
+def test_closing_with_an_open_question_deletes_nothing(dialog: HistoryDialog) -> None:
+    take(dialog.history)
     dialog.open()
     dialog.click("deleteSnapshotButton")
     dialog.root.close()
-    assert len(history.snapshots()) == 1
+    assert len(dialog.history.snapshots()) == 1
 
 
 def test_copy_is_saved_as_a_settings_file(
-    dialog: HistoryDialog,
-    history: SettingsHistory,
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
+    dialog: HistoryDialog, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    snapshot = take(history)
+    snapshot = take(dialog.history)
     path = tmp_path / "copy.txt"
     dialog.open()
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
@@ -250,79 +219,69 @@ def test_copy_is_saved_as_a_settings_file(
 # --- How many are kept ------------------------------------------------------------------
 
 
-def test_higher_bound_is_set_without_a_question(
-    dialog: HistoryDialog, history: SettingsHistory
-) -> None:
+def test_higher_bound_is_set_without_a_question(dialog: HistoryDialog) -> None:
     dialog.open()
     assert not dialog.is_enabled("keptButton")
     dialog.find(QSpinBox, "keptField").setValue(1000)
     dialog.click("keptButton")
     dialog.wait_for_files()
-    assert history.bound() == Bound(1000)
+    assert dialog.history.bound() == Bound(1000)
     dialog.combo("keptCombo").setCurrentIndex(1)
     dialog.click("keptButton")
     dialog.wait_for_files()
-    assert history.bound() == Bound(None)
+    assert dialog.history.bound() == Bound(None)
     assert not dialog.is_enabled("keptButton")
     assert not dialog.question.isVisible()
 
 
-def test_lower_bound_asks_and_says_how_many_are_removed(
-    dialog: HistoryDialog, history: SettingsHistory
-) -> None:
+def test_lower_bound_asks_and_says_how_many_are_removed(dialog: HistoryDialog) -> None:
     for ago in (3, 2, 1):
-        take(history, ago * MINUTE)
+        take(dialog.history, ago * MINUTE)
     dialog.open()
     dialog.find(QSpinBox, "keptField").setValue(1)
     dialog.click("keptButton")
     dialog.wait_for_files()
     assert dialog.question.text == "Permanently remove the oldest 2 of 3 snapshots?"
     dialog.answer(yes=False)
-    assert (len(history.snapshots()), history.bound()) == (3, Bound())
+    assert (len(dialog.history.snapshots()), dialog.history.bound()) == (3, Bound())
     assert dialog.find(QSpinBox, "keptField").value() == 500
     dialog.find(QSpinBox, "keptField").setValue(1)
     dialog.click("keptButton")
     dialog.wait_for_files()
     dialog.answer(yes=True)
-    assert (len(history.snapshots()), history.bound()) == (1, Bound(1))
+    assert (len(dialog.history.snapshots()), dialog.history.bound()) == (1, Bound(1))
     assert dialog.count() == 1
 
 
-def test_damaged_bound_is_reported_until_it_is_set(
-    dialog: HistoryDialog, history: SettingsHistory
-) -> None:
-    take(history)
-    (history.folder / BOUND_FILE).write_text("kept: some\n", encoding="utf-8")
+def test_damaged_bound_is_reported_until_it_is_set(dialog: HistoryDialog) -> None:
+    take(dialog.history)
+    (dialog.history.folder / BOUND_FILE).write_text("kept: some\n", encoding="utf-8")
     dialog.open()
     assert "none is removed" in dialog.banner
     dialog.combo("keptCombo").setCurrentIndex(0)
     dialog.find(QSpinBox, "keptField").setValue(20)
     dialog.click("keptButton")
     dialog.wait_for_files()
-    assert history.bound() == Bound(20)
+    assert dialog.history.bound() == Bound(20)
     assert dialog.banner == ""
 
 
-def test_bound_set_elsewhere_appears_on_refresh(
-    dialog: HistoryDialog, history: SettingsHistory
-) -> None:
-    take(history)
+def test_bound_set_elsewhere_appears_on_refresh(dialog: HistoryDialog) -> None:
+    take(dialog.history)
     dialog.open()
-    history.keep(77)
+    dialog.history.keep(77)
     dialog.refresh()
     assert dialog.find(QSpinBox, "keptField").value() == 77
 
 
-def test_bound_is_set_only_once_the_snapshots_are_counted(
-    dialog: HistoryDialog, history: SettingsHistory
-) -> None:
+def test_bound_is_set_only_once_the_snapshots_are_counted(dialog: HistoryDialog) -> None:
     """Otherwise it would remove snapshots without a question."""
-    take(history, MINUTE)
-    take(history)
+    take(dialog.history, MINUTE)
+    take(dialog.history)
     dialog._action.trigger()
     dialog.find(QSpinBox, "keptField").setValue(1)
     assert not dialog.is_enabled("keptButton")
     dialog.wait_for_files()
     dialog.click("keptButton")
     dialog.answer(yes=False)
-    assert len(history.snapshots()) == 2
+    assert len(dialog.history.snapshots()) == 2

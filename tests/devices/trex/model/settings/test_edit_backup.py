@@ -31,13 +31,12 @@ TREX = BoardIdentity(device_table().model("trex"), "1.2", 7)
 class Run:
     """One run of the program, which only ends by dying: nothing is closed in order."""
 
-    def __init__(self, qtbot: QtBot, url: str = "") -> None:
+    def __init__(self, qtbot: QtBot, url: str) -> None:
         self.qtbot = qtbot
         self.device = Device()
         self.backup = self.device.edit_backup
         self.draft = self.device.draft
-        if url:
-            self.connect(url)
+        self.connect(url)
 
     def connect(self, url: str) -> None:
         self.device.connect_to(ConnectionSettings(url))
@@ -79,11 +78,11 @@ class Run:
 
 
 @pytest.fixture
-def run(qtbot: QtBot) -> Iterator[Callable[..., Run]]:
+def run(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[Callable[..., Run]]:
     """Start the program again: the last run dies."""
     runs: list[Run] = []
 
-    def start(url: str = "") -> Run:
+    def start(url: str = quick_simulator.url) -> Run:
         if runs:
             runs.pop().die()
         runs.append(Run(qtbot, url))
@@ -101,51 +100,47 @@ def files() -> list[Path]:
     return sorted(folder.iterdir()) if folder.exists() else []
 
 
-def test_edits_are_offered_after_a_crash(run: Start, quick_simulator: SimulatedDevice) -> None:
-    first = run(quick_simulator.url)
+def test_edits_are_offered_after_a_crash(run: Start) -> None:
+    first = run()
     assert first.backup.offer is None
     first.edit(serial_timeout=15, motor1_acceleration=3)
     first.device.calibrations.edit(2, STICK)
     first.settle()
 
-    second = run(quick_simulator.url)
+    second = run()
     wanted = {"serial_timeout": 15, "motor1_acceleration": 3, RC_2: STICK}
     assert second.offered == wanted
     assert second.draft.pending == 0, "nothing is restored unasked"
     second.backup.restore()
     assert second.edits == wanted
     second.settle()
-    assert run(quick_simulator.url).offered == wanted, "they are pending still"
+    assert run().offered == wanted, "they are pending still"
 
 
 def test_edits_that_are_stored_by_now_are_not_offered(
     run: Start, quick_simulator: SimulatedDevice
 ) -> None:
-    run(quick_simulator.url).edit(serial_timeout=15, motor1_acceleration=3)
+    run().edit(serial_timeout=15, motor1_acceleration=3)
     quick_simulator.do("eeprom serial_timeout 15")
-    second = run(quick_simulator.url)
+    second = run()
     assert second.offered == {"motor1_acceleration": 3}
     quick_simulator.do("eeprom motor1_acceleration 3")
-    assert run(quick_simulator.url).offered == {}
+    assert run().offered == {}
     assert files() == []
 
 
-def test_discarded_edits_are_not_offered_again(
-    run: Start, quick_simulator: SimulatedDevice
-) -> None:
-    run(quick_simulator.url).edit(serial_timeout=15)
-    second = run(quick_simulator.url)
+def test_discarded_edits_are_not_offered_again(run: Start) -> None:
+    run().edit(serial_timeout=15)
+    second = run()
     second.backup.discard_offer()
     second.settle()
     assert files() == []
-    assert run(quick_simulator.url).offered == {}
+    assert run().offered == {}
 
 
 @pytest.mark.parametrize("how", ["apply", "discard", "undo"])
-def test_edits_that_are_done_with_leave_no_file(
-    run: Start, quick_simulator: SimulatedDevice, how: str
-) -> None:
-    first = run(quick_simulator.url)
+def test_edits_that_are_done_with_leave_no_file(run: Start, how: str) -> None:
+    first = run()
     first.edit(serial_timeout=15)
     assert len(files()) == 1
     if how == "apply":
@@ -159,12 +154,10 @@ def test_edits_that_are_done_with_leave_no_file(
     assert files() == []
 
 
-def test_undecided_edits_stay_saved_beside_new_ones(
-    run: Start, quick_simulator: SimulatedDevice
-) -> None:
-    run(quick_simulator.url).edit(serial_timeout=15, motor1_acceleration=3)
-    run(quick_simulator.url).edit(motor1_acceleration=4, motor2_acceleration=5)
-    third = run(quick_simulator.url)
+def test_undecided_edits_stay_saved_beside_new_ones(run: Start) -> None:
+    run().edit(serial_timeout=15, motor1_acceleration=3)
+    run().edit(motor1_acceleration=4, motor2_acceleration=5)
+    third = run()
     wanted = {"serial_timeout": 15, "motor1_acceleration": 4, "motor2_acceleration": 5}
     assert third.offered == wanted
     third.edit(serial_timeout=20)
@@ -176,7 +169,7 @@ def test_edits_of_a_replaced_board_are_offered_when_it_is_back(
     run: Start, quick_simulator: SimulatedDevice, start_simulator: StartSimulator
 ) -> None:
     other = start_simulator("--unpaced", "--model", "trexjr")
-    one = run(quick_simulator.url)
+    one = run()
     one.edit(serial_timeout=15)
     one.connect(other.url)
     assert one.draft.pending == 0
@@ -199,7 +192,7 @@ def test_no_edit_is_lost_if_another_model_answers_during_apply(
 ) -> None:
     other = start_simulator("--unpaced", "--model", "trexjr")
     assert isinstance(other, VirtualSimulator)
-    one = run(quick_simulator.url)
+    one = run()
     wanted = {"serial_timeout": 15, "motor1_acceleration": 3, "motor2_acceleration": 4}
     one.edit(**wanted)
     sent = itertools.count()
@@ -222,7 +215,7 @@ def test_no_edit_is_lost_if_another_model_answers_during_apply(
 def test_reset_that_is_not_written_discards_no_edit(
     run: Start, quick_simulator: VirtualSimulator
 ) -> None:
-    one = run(quick_simulator.url)
+    one = run()
     one.edit(serial_timeout=15)
     quick_simulator.do("eeprom motor1_acceleration 9")  # as if it were another board
     one.device.reset_to_factory()
@@ -234,18 +227,16 @@ def test_reset_that_is_not_written_discards_no_edit(
 
 
 def test_board_with_another_number_gets_no_offer(
-    run: Start, quick_simulator: SimulatedDevice, start_simulator: StartSimulator
+    run: Start, start_simulator: StartSimulator
 ) -> None:
-    run(quick_simulator.url).edit(serial_timeout=15)
+    run().edit(serial_timeout=15)
     other = start_simulator("--unpaced", "--device", "9")
     assert run(other.url).offered == {}
-    assert run(quick_simulator.url).offered == {"serial_timeout": 15}
+    assert run().offered == {"serial_timeout": 15}
 
 
-def test_edits_follow_a_board_that_gets_another_number(
-    run: Start, quick_simulator: SimulatedDevice
-) -> None:
-    first = run(quick_simulator.url)
+def test_edits_follow_a_board_that_gets_another_number(run: Start) -> None:
+    first = run()
     first.edit(device_number=9, serial_timeout=15)
     first.settle()
     (path,) = files()
@@ -262,29 +253,27 @@ def test_edits_follow_a_board_that_gets_another_number(
     assert aside.read_text(encoding="utf-8") == "edits of another board"
     renamed = record.with_name("trex-1.2-9.replaced-1.txt")
     assert all(str(each) in messages[-1] for each in (aside, renamed))
-    assert run(quick_simulator.url).offered == {"serial_timeout": 15}
+    assert run().offered == {"serial_timeout": 15}
 
 
 def test_calibrations_of_the_other_source_stay_saved(
     run: Start, quick_simulator: SimulatedDevice
 ) -> None:
-    first = run(quick_simulator.url)
+    first = run()
     first.device.calibrations.edit(2, STICK)
     first.settle()
     quick_simulator.do("eeprom channel_input_source 1")
     quick_simulator.do("power cycle")
-    second = run(quick_simulator.url)
+    second = run()
     assert second.offered == {}
     second.edit(serial_timeout=15)
     quick_simulator.do("eeprom channel_input_source 0")
     quick_simulator.do("power cycle")
-    assert run(quick_simulator.url).offered == {"serial_timeout": 15, RC_2: STICK}
+    assert run().offered == {"serial_timeout": 15, RC_2: STICK}
 
 
-def test_edit_of_a_setting_that_is_not_read_again_is_offered_later(
-    run: Start, quick_simulator: SimulatedDevice
-) -> None:
-    first = run(quick_simulator.url)
+def test_edit_of_a_setting_that_is_not_read_again_is_offered_later(run: Start) -> None:
+    first = run()
     first.edit(serial_timeout=15, motor1_acceleration=3)
     state = first.device.state
     assert state is not None
@@ -305,7 +294,7 @@ def test_edit_of_a_setting_that_is_not_read_again_is_offered_later(
 def test_discarded_calibration_of_the_other_source_is_not_kept(
     run: Start, quick_simulator: SimulatedDevice
 ) -> None:
-    first = run(quick_simulator.url)
+    first = run()
     first.device.calibrations.edit(2, STICK)
     first.settle()
     quick_simulator.do("eeprom channel_input_source 1")
@@ -317,21 +306,19 @@ def test_discarded_calibration_of_the_other_source_is_not_kept(
     assert files() == []
 
 
-def test_damaged_file_is_left_out(run: Start, quick_simulator: SimulatedDevice) -> None:
-    run(quick_simulator.url).edit(serial_timeout=15)
+def test_damaged_file_is_left_out(run: Start) -> None:
+    run().edit(serial_timeout=15)
     (path,) = files()
     path.write_bytes(b"\0\0")
-    second = run(quick_simulator.url)
+    second = run()
     assert second.offered == {}
     assert path.exists()
     second.edit(serial_timeout=20)
-    assert run(quick_simulator.url).offered == {"serial_timeout": 20}
+    assert run().offered == {"serial_timeout": 20}
 
 
-def test_failing_disk_is_reported_once(
-    run: Start, quick_simulator: SimulatedDevice, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    first = run(quick_simulator.url)
+def test_failing_disk_is_reported_once(run: Start, monkeypatch: pytest.MonkeyPatch) -> None:
+    first = run()
     errors: list[str] = []
     first.device.notifier.error.connect(errors.append)
     folder = EditFiles().folder
@@ -347,10 +334,8 @@ def test_failing_disk_is_reported_once(
         EditFiles(files()[0]).save(TREX, None)
 
 
-def test_edits_that_could_not_be_saved_are_saved_at_the_end(
-    run: Start, quick_simulator: SimulatedDevice
-) -> None:
-    first = run(quick_simulator.url)
+def test_edits_that_could_not_be_saved_are_saved_at_the_end(run: Start) -> None:
+    first = run()
     folder = EditFiles().folder
     folder.write_text("in the way")
     first.edit(serial_timeout=15)
@@ -367,10 +352,8 @@ def test_edits_of_a_simulated_board_are_kept_apart() -> None:
     assert EditFiles().path(real) != EditFiles().path(simulated)
 
 
-def test_edits_are_saved_within_a_second_while_they_go_on(
-    run: Start, quick_simulator: SimulatedDevice
-) -> None:
-    first = run(quick_simulator.url)
+def test_edits_are_saved_within_a_second_while_they_go_on(run: Start) -> None:
+    first = run()
     for wire in range(1, 40):
         first.device.parameters.edit("serial_timeout", wire)
         first.wait(_later(0.05))
