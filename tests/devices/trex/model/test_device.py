@@ -72,24 +72,32 @@ class DeviceRecorder:
         return self.results[-1]
 
 
+class RecorderOfBoard(DeviceRecorder):
+    """A device beside a simulated board."""
+
+    def __init__(self, simulator: SimulatedDevice, qtbot: QtBot) -> None:
+        super().__init__(qtbot)
+        self.simulator = simulator
+
+
 @pytest.fixture
-def recorder(qtbot: QtBot) -> Iterator[DeviceRecorder]:
-    recorder = DeviceRecorder(qtbot)
+def recorder(quick_simulator: SimulatedDevice, qtbot: QtBot) -> Iterator[RecorderOfBoard]:
+    """A device that is not connected."""
+    recorder = RecorderOfBoard(quick_simulator, qtbot)
     yield recorder
     qtbot.waitUntil(recorder.device.shut_down)  # no thread lives on
 
 
 @pytest.fixture
-def connected(recorder: DeviceRecorder, quick_simulator: SimulatedDevice) -> DeviceRecorder:
-    """A device that is connected to `quick_simulator`."""
-    recorder.connect(quick_simulator.url)
+def connected(recorder: RecorderOfBoard) -> RecorderOfBoard:
+    recorder.connect(recorder.simulator.url)
     return recorder
 
 
 # --- Connecting -------------------------------------------------------------------------
 
 
-def test_device_is_empty_before_connecting(recorder: DeviceRecorder) -> None:
+def test_device_is_empty_before_connecting(recorder: RecorderOfBoard) -> None:
     device = recorder.device
     assert device.link is ConnectionState.DISCONNECTED
     assert device.state is None
@@ -97,14 +105,12 @@ def test_device_is_empty_before_connecting(recorder: DeviceRecorder) -> None:
     assert not device.motors.is_available
 
 
-def test_connecting_reads_state_and_enables_arming(
-    connected: DeviceRecorder, quick_simulator: SimulatedDevice
-) -> None:
+def test_connecting_reads_state_and_enables_arming(connected: RecorderOfBoard) -> None:
     device = connected.device
     assert connected.links == [ConnectionState.CONNECTING, ConnectionState.CONNECTED]
     assert "Connected to TReX 1.2" in device.status
     assert device.state is not None
-    assert device.state.parameters == quick_simulator.show()["parameters"]
+    assert device.state.parameters == connected.simulator.show()["parameters"]
     assert device.calibrations.stored(1) == device.state.calibrations[1]
     assert device.telemetry.serial_controls is True
     assert device.motors.is_available
@@ -115,13 +121,13 @@ def test_connecting_reads_state_and_enables_arming(
 
 
 def test_echo_of_the_rs232_side_is_detected(
-    recorder: DeviceRecorder, start_simulator: StartSimulator
+    recorder: RecorderOfBoard, start_simulator: StartSimulator
 ) -> None:
     recorder.connect(start_simulator("--echo").url)
     assert recorder.device.connection.echo
 
 
-def test_missing_port_is_reported(recorder: DeviceRecorder) -> None:
+def test_missing_port_is_reported(recorder: RecorderOfBoard) -> None:
     recorder.device.connect_to(ConnectionSettings("/dev/ttyNothing9"))
     recorder.until_link(ConnectionState.DISCONNECTED)
     assert recorder.links == [ConnectionState.CONNECTING, ConnectionState.DISCONNECTED]
@@ -131,13 +137,13 @@ def test_missing_port_is_reported(recorder: DeviceRecorder) -> None:
 
 
 def test_errors_of_another_board_are_not_shown(
-    connected: DeviceRecorder, quick_simulator: SimulatedDevice, start_simulator: StartSimulator
+    connected: RecorderOfBoard, start_simulator: StartSimulator
 ) -> None:
     errors = connected.device.errors
-    quick_simulator.do("fault 2 on")
+    connected.simulator.do("fault 2 on")
     connected.until(lambda: errors.uncleared > 0)
-    quick_simulator.do("fault 2 off")
-    connected.connect(quick_simulator.url, again=True)
+    connected.simulator.do("fault 2 off")
+    connected.connect(connected.simulator.url, again=True)
     assert errors.uncleared, "the same board"
     connected.connect(start_simulator("--unpaced").url, again=True)
     assert not errors.uncleared
@@ -146,9 +152,7 @@ def test_errors_of_another_board_are_not_shown(
 # --- Editing ----------------------------------------------------------------------------
 
 
-def test_edits_are_applied_and_verified(
-    connected: DeviceRecorder, quick_simulator: SimulatedDevice
-) -> None:
+def test_edits_are_applied_and_verified(connected: RecorderOfBoard) -> None:
     connected.edit("serial_timeout", 15)
     connected.device.calibrations.edit(2, LEARNED)
     assert connected.device.draft.pending == 2
@@ -158,11 +162,11 @@ def test_edits_are_applied_and_verified(
         WriteResult("serial_timeout", 15),
     }
     assert connected.device.draft.pending == 0
-    assert quick_simulator.show()["parameters"]["serial_timeout"] == 15
+    assert connected.simulator.show()["parameters"]["serial_timeout"] == 15
     assert connected.device.calibrations.stored(2) == LEARNED
 
 
-def test_apply_saves_a_snapshot_of_old_values(connected: DeviceRecorder) -> None:
+def test_apply_saves_a_snapshot_of_old_values(connected: RecorderOfBoard) -> None:
     connected.edit("serial_timeout", 15)
     connected.edit("motor_mode", 1)
     connected.apply()
@@ -177,7 +181,7 @@ def test_apply_saves_a_snapshot_of_old_values(connected: DeviceRecorder) -> None
 
 
 def test_apply_without_a_snapshot_writes_nothing(
-    connected: DeviceRecorder, quick_simulator: SimulatedDevice, tmp_path: Path
+    connected: RecorderOfBoard, tmp_path: Path
 ) -> None:
     (tmp_path / "taken").write_text("a file where the folder should be", encoding="utf-8")
     connected.device.history.folder = tmp_path / "taken"
@@ -186,10 +190,10 @@ def test_apply_without_a_snapshot_writes_nothing(
     connected.until(lambda: not connected.device.applying)
     assert "Nothing was written" in connected.failures[-1]
     assert connected.device.draft.pending == 1
-    assert quick_simulator.show()["parameters"]["serial_timeout"] == 0
+    assert connected.simulator.show()["parameters"]["serial_timeout"] == 0
 
 
-def test_apply_without_edits_writes_nothing(connected: DeviceRecorder) -> None:
+def test_apply_without_edits_writes_nothing(connected: RecorderOfBoard) -> None:
     connected.device.apply()
     connected.device.reload()
     steps = len(connected.steps)
@@ -199,7 +203,7 @@ def test_apply_without_edits_writes_nothing(connected: DeviceRecorder) -> None:
     assert connected.results == []
 
 
-def test_reload_without_a_board_is_rejected(recorder: DeviceRecorder) -> None:
+def test_reload_without_a_board_is_rejected(recorder: RecorderOfBoard) -> None:
     recorder.device.reload()
     assert recorder.failures == ["No board is connected."]
 
@@ -207,17 +211,15 @@ def test_reload_without_a_board_is_rejected(recorder: DeviceRecorder) -> None:
 # --- Power ------------------------------------------------------------------------------
 
 
-def test_power_cycle_activates_waiting_parameter(
-    connected: DeviceRecorder, quick_simulator: SimulatedDevice
-) -> None:
+def test_power_cycle_activates_waiting_parameter(connected: RecorderOfBoard) -> None:
     connected.edit("motor_mode", 1)
     connected.apply()
     assert connected.device.parameters.waiting_for_power == ("Motor Mode",)
     assert connected.device.parameters.active_of("motor_mode") == 0
-    quick_simulator.do("power off")
+    connected.simulator.do("power off")
     connected.until_link(ConnectionState.NOT_RESPONDING)
     waiting = [connected.device.parameters.waiting_for_power]
-    quick_simulator.do("power on")
+    connected.simulator.do("power on")
     connected.until_link(ConnectionState.CONNECTED)
     waiting.append(connected.device.parameters.waiting_for_power)
     assert waiting == [("Motor Mode",), ()]
@@ -225,11 +227,9 @@ def test_power_cycle_activates_waiting_parameter(
     assert connected.failures == []
 
 
-def test_unpowered_board_cannot_be_driven(
-    connected: DeviceRecorder, quick_simulator: SimulatedDevice
-) -> None:
+def test_unpowered_board_cannot_be_driven(connected: RecorderOfBoard) -> None:
     connected.device.motors.arm()
-    quick_simulator.do("power off")
+    connected.simulator.do("power off")
     connected.until_link(ConnectionState.NOT_RESPONDING)
     assert not connected.device.motors.armed
     assert not connected.device.motors.is_available
@@ -239,17 +239,17 @@ def test_unpowered_board_cannot_be_driven(
 
 @pytest.mark.parametrize("maximum", [0x3F, 0x40])
 def test_edits_that_another_board_may_get_are_mentioned(
-    connected: DeviceRecorder, quick_simulator: SimulatedDevice, maximum: int
+    connected: RecorderOfBoard, maximum: int
 ) -> None:
     """The cable was moved to another board of the same model, or the board was switched off."""
     device, texts = connected.device, list[str]()
     device.notifier.delayed_info.connect(texts.append)
     connected.edit("motor1_acceleration", 5)
-    quick_simulator.do("line mute on")
+    connected.simulator.do("line mute on")
     connected.until_link(ConnectionState.NOT_RESPONDING)
-    quick_simulator.do(f"eeprom motor1_pwm_maximum {maximum}")
-    quick_simulator.do("power cycle")
-    quick_simulator.do("line mute off")
+    connected.simulator.do(f"eeprom motor1_pwm_maximum {maximum}")
+    connected.simulator.do("power cycle")
+    connected.simulator.do("line mute off")
     connected.until_link(ConnectionState.CONNECTED)
     assert device.draft.pending == 1
     may_be_other = maximum != 0x3F
@@ -258,18 +258,18 @@ def test_edits_that_another_board_may_get_are_mentioned(
 
 
 def test_record_of_a_board_at_another_adapter_is_doubted(
-    recorder: DeviceRecorder, quick_simulator: SimulatedDevice, start_simulator: StartSimulator
+    recorder: RecorderOfBoard, start_simulator: StartSimulator
 ) -> None:
     """Two boards as they come from the factory share what is kept of them."""
     device, second, said = recorder.device, start_simulator("--unpaced"), list[str]()
     device.kept.doubted.connect(said.append)
     connections = (
-        (quick_simulator, "0403:6001-A500001", 0),
-        (quick_simulator, "0403:6001-A500001", 0),
+        (recorder.simulator, "0403:6001-A500001", 0),
+        (recorder.simulator, "0403:6001-A500001", 0),
         (second, "0403:6001-B700002", 1),
         (second, "0403:6001-B700002", 1),
-        (quick_simulator, "", 1),
-        (quick_simulator, "0403:6001-A500001", 2),
+        (recorder.simulator, "", 1),
+        (recorder.simulator, "0403:6001-A500001", 2),
     )
     for simulator, adapter, count in connections:
         device.motors.adapter = adapter
@@ -285,7 +285,7 @@ def test_record_of_a_board_at_another_adapter_is_doubted(
 
 
 def test_board_that_lost_its_number_differs_from_what_was_applied(
-    recorder: DeviceRecorder, quick_simulator: SimulatedDevice, start_simulator: StartSimulator
+    recorder: RecorderOfBoard, start_simulator: StartSimulator
 ) -> None:
     device, memory, new = recorder.device, recorder.device.memory, start_simulator("--unpaced")
 
@@ -302,33 +302,31 @@ def test_board_that_lost_its_number_differs_from_what_was_applied(
         device.apply()
         recorder.until(lambda: bool(recorder.results) and device.kept.files.is_idle)
 
-    assert not connect(quick_simulator, "0403:6001-A500001"), "nothing was applied before"
+    assert not connect(recorder.simulator, "0403:6001-A500001"), "nothing was applied before"
     write(device_number=12, serial_timeout=15)
-    quick_simulator.do("factory")
+    recorder.simulator.do("factory")
     assert not connect(new, "0403:6001-B700002"), "another adapter"
-    assert connect(quick_simulator, "0403:6001-A500001") == {"device_number", "serial_timeout"}
+    assert connect(recorder.simulator, "0403:6001-A500001") == {"device_number", "serial_timeout"}
     assert memory.applied is not None
     assert memory.applied.parameters["device_number"] == 12
     memory.accept(utc_now())
     assert not memory.differing.rows
-    assert not connect(quick_simulator, "0403:6001-A500001"), "the user said so"
-    quick_simulator.do("eeprom serial_timeout 3")
-    quick_simulator.do("power cycle")
-    assert connect(quick_simulator, "0403:6001-A500001") == {"serial_timeout"}
+    assert not connect(recorder.simulator, "0403:6001-A500001"), "the user said so"
+    recorder.simulator.do("eeprom serial_timeout 3")
+    recorder.simulator.do("power cycle")
+    assert connect(recorder.simulator, "0403:6001-A500001") == {"serial_timeout"}
 
 
-def test_board_that_gets_its_number_back_gets_its_notes_back(
-    recorder: DeviceRecorder, quick_simulator: SimulatedDevice
-) -> None:
+def test_board_that_gets_its_number_back_gets_its_notes_back(recorder: RecorderOfBoard) -> None:
     device, memory = recorder.device, recorder.device.memory
     device.motors.adapter = "0403:6001-A500001"
-    recorder.connect(quick_simulator.url)
+    recorder.connect(recorder.simulator.url)
     recorder.until(lambda: device.kept.files.is_idle)
     device.draft.notes.edit("serial_timeout", "The radio drops out.")
     device.set_device_number(12)
     recorder.until(lambda: bool(recorder.results) and device.kept.files.is_idle)
-    quick_simulator.do("factory")
-    recorder.connect(quick_simulator.url, again=True)
+    recorder.simulator.do("factory")
+    recorder.connect(recorder.simulator.url, again=True)
     recorder.until(lambda: device.kept.files.is_idle and not background)
     assert {row.key for row in memory.differing.rows} == {"device_number"}
     assert not device.draft.notes.all
@@ -342,22 +340,20 @@ def test_board_that_gets_its_number_back_gets_its_notes_back(
 # --- Motors -----------------------------------------------------------------------------
 
 
-def test_unanswered_stop_is_reported(
-    connected: DeviceRecorder, quick_simulator: SimulatedDevice
-) -> None:
-    quick_simulator.do("power off")
+def test_unanswered_stop_is_reported(connected: RecorderOfBoard) -> None:
+    connected.simulator.do("power off")
     connected.device.motors.stop()
     connected.until(lambda: bool(connected.failures))
     assert "cut its power" in connected.failures[0]
 
 
-def test_stop_without_a_connection_is_harmless(recorder: DeviceRecorder) -> None:
+def test_stop_without_a_connection_is_harmless(recorder: RecorderOfBoard) -> None:
     recorder.device.motors.stop()
     assert recorder.failures == []
 
 
 def test_channel_driven_motors_cannot_be_armed(
-    recorder: DeviceRecorder, start_simulator: StartSimulator
+    recorder: RecorderOfBoard, start_simulator: StartSimulator
 ) -> None:
     recorder.connect(start_simulator("--mode", "rc").url)
     assert not recorder.device.motors.is_available
@@ -369,7 +365,7 @@ def test_channel_driven_motors_cannot_be_armed(
 # --- The end of a line ------------------------------------------------------------------
 
 
-def test_disconnecting_reports_no_failure(connected: DeviceRecorder) -> None:
+def test_disconnecting_reports_no_failure(connected: RecorderOfBoard) -> None:
     connected.device.disconnect_line()
     connected.device.disconnect_line()
     assert connected.device.link is ConnectionState.DISCONNECTING
@@ -382,11 +378,9 @@ def test_disconnecting_reports_no_failure(connected: DeviceRecorder) -> None:
     assert connected.device.parameters.rowCount() > 0  # still to be looked at
 
 
-def test_unplugged_cable_is_reported_within_half_a_second(
-    connected: DeviceRecorder, quick_simulator: SimulatedDevice
-) -> None:
+def test_unplugged_cable_is_reported_within_half_a_second(connected: RecorderOfBoard) -> None:
     connected.device.motors.arm()
-    quick_simulator.do("line unplug")
+    connected.simulator.do("line unplug")
     begun = now()
     connected.until_link(ConnectionState.DISCONNECTED)
     assert now() - begun < 0.5
@@ -396,9 +390,7 @@ def test_unplugged_cable_is_reported_within_half_a_second(
 
 
 def test_line_is_closed_before_another_is_opened(
-    connected: DeviceRecorder,
-    quick_simulator: SimulatedDevice,
-    start_simulator: StartSimulator,
+    connected: RecorderOfBoard, start_simulator: StartSimulator
 ) -> None:
     connected.edit("serial_timeout", 15)
     other = start_simulator("--model", "trexjr")
@@ -415,12 +407,12 @@ def test_line_is_closed_before_another_is_opened(
     assert connected.device.parameters.pending == ()
     assert connected.failures == []
     fresh = DeviceRecorder(connected.qtbot)
-    fresh.connect(quick_simulator.url)  # nobody holds it any more
+    fresh.connect(connected.simulator.url)  # nobody holds it any more
     fresh.until(fresh.device.shut_down)
 
 
 def test_last_of_several_chosen_ports_is_connected(
-    connected: DeviceRecorder, start_simulator: StartSimulator
+    connected: RecorderOfBoard, start_simulator: StartSimulator
 ) -> None:
     other = start_simulator("--model", "trexjr")
     connected.device.connect_to(ConnectionSettings("/dev/ttyNothing9"))
@@ -429,18 +421,18 @@ def test_last_of_several_chosen_ports_is_connected(
     assert connected.failures == []
 
 
-def test_missing_port_chosen_while_connected_is_reported(connected: DeviceRecorder) -> None:
+def test_missing_port_chosen_while_connected_is_reported(connected: RecorderOfBoard) -> None:
     connected.device.connect_to(ConnectionSettings("/dev/ttyNothing9"))
     connected.until_link(ConnectionState.DISCONNECTED)
     assert "There is no port" in connected.failures[0]
 
 
-def test_shutdown_without_a_connection_is_immediate(recorder: DeviceRecorder) -> None:
+def test_shutdown_without_a_connection_is_immediate(recorder: RecorderOfBoard) -> None:
     assert recorder.device.shut_down()
     assert recorder.links == []
 
 
-def test_device_does_not_change_after_shutdown(connected: DeviceRecorder, qtbot: QtBot) -> None:
+def test_device_does_not_change_after_shutdown(connected: RecorderOfBoard, qtbot: QtBot) -> None:
     connected.until(connected.device.shut_down)
     links = list(connected.links)
     states: list[None] = []
@@ -452,10 +444,8 @@ def test_device_does_not_change_after_shutdown(connected: DeviceRecorder, qtbot:
     assert connected.device.state is None
 
 
-def test_fault_on_a_noisy_line_without_crc_is_doubtful(
-    recorder: DeviceRecorder, quick_simulator: SimulatedDevice
-) -> None:
-    recorder.connect(quick_simulator.url)
+def test_fault_on_a_noisy_line_without_crc_is_doubtful(recorder: RecorderOfBoard) -> None:
+    recorder.connect(recorder.simulator.url)
     device = recorder.device
 
     def report(failures: int) -> str:

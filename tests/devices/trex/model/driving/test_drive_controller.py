@@ -2,6 +2,7 @@
 
 import threading
 import time
+from collections.abc import Iterator
 from itertools import pairwise
 
 import pytest
@@ -50,46 +51,49 @@ class RecordingConnection(Connection):
         ]
 
 
-@pytest.fixture
-def simulator(start_simulator: StartSimulator) -> SimulatedDevice:
-    return start_simulator("--unpaced")
-
-
-@pytest.fixture
-def driven(device: Device, simulator: SimulatedDevice, qtbot: QtBot) -> Device:
+class DrivenDevice(Device):
     """A device whose motor 1 runs."""
-    device.connect_to(ConnectionSettings(simulator.url))
-    qtbot.waitUntil(lambda: device.link is ConnectionState.CONNECTED and device.motors.is_available)
-    device.motors.arm()
-    device.motors.accelerate = False
-    device.motors.set_speed(1, 90)
-    qtbot.waitUntil(lambda: simulator.show()["motors"][0]["speed"] == 90)
-    return device
+
+    def __init__(self, simulator: SimulatedDevice, qtbot: QtBot) -> None:
+        super().__init__()
+        self.simulator = simulator
+        self.wait = qtbot.waitUntil
+        self.connect_to(ConnectionSettings(simulator.url))
+        self.wait(lambda: self.link is ConnectionState.CONNECTED and self.motors.is_available)
+        self.motors.arm()
+        self.motors.accelerate = False
+        self.motors.set_speed(1, 90)
+        self.wait(lambda: simulator.show()["motors"][0]["speed"] == 90)
+
+
+@pytest.fixture
+def driven(quick_simulator: SimulatedDevice, qtbot: QtBot) -> Iterator[DrivenDevice]:
+    driven = DrivenDevice(quick_simulator, qtbot)
+    yield driven
+    qtbot.waitUntil(driven.shut_down)
 
 
 def is_braked(simulator: SimulatedDevice) -> bool:
     return bool(simulator.show()["motors"][0]["direction"] == "brake")
 
 
-def test_stop_from_another_thread_drops_later_setpoints(
-    driven: Device, simulator: SimulatedDevice, qtbot: QtBot
-) -> None:
+def test_stop_from_another_thread_drops_later_setpoints(driven: DrivenDevice) -> None:
     thread = threading.Thread(target=driven.connection.stop_now)
     thread.start()
     thread.join()
     # The window does not know of it yet, and continues to send setpoints.
     driven.motors.set_speed(1, 70)
-    qtbot.waitUntil(lambda: is_braked(simulator))
+    driven.wait(lambda: is_braked(driven.simulator))
     driven.motors.set_speed(1, 80)
     driven.motors.stop()
-    qtbot.waitUntil(lambda: not driven.may_move)
-    assert is_braked(simulator)
+    driven.wait(lambda: not driven.may_move)
+    assert is_braked(driven.simulator)
     driven.motors.arm()
     driven.motors.set_speed(1, 40)
-    qtbot.waitUntil(lambda: simulator.show()["motors"][0]["speed"] == 40)
+    driven.wait(lambda: driven.simulator.show()["motors"][0]["speed"] == 40)
 
 
-def test_stop_without_an_outcome_is_answered_when_the_line_ends(driven: Device) -> None:
+def test_stop_without_an_outcome_is_answered_when_the_line_ends(driven: DrivenDevice) -> None:
     answers: list[StudioError | None] = []
     driven.driving.stop(answers.append)
     assert driven.shut_down()
@@ -98,45 +102,40 @@ def test_stop_without_an_outcome_is_answered_when_the_line_ends(driven: Device) 
     ]
 
 
-def test_restarted_board_disarms_the_motors(
-    driven: Device, simulator: SimulatedDevice, qtbot: QtBot
-) -> None:
+def test_restarted_board_disarms_the_motors(driven: DrivenDevice) -> None:
     """The restart is so short that only the changed input source reveals it."""
-    simulator.do("eeprom channel_input_source 1")
-    simulator.do("power cycle")
-    qtbot.waitUntil(lambda: not driven.motors.armed)
+    driven.simulator.do("eeprom channel_input_source 1")
+    driven.simulator.do("power cycle")
+    driven.wait(lambda: not driven.motors.armed)
     assert "restarted" in driven.motors.stop_reason
-    qtbot.waitUntil(lambda: not driven.may_move)
+    driven.wait(lambda: not driven.may_move)
     assert not driven.motors.armed
 
 
-def test_line_error_disarms_and_clears_setpoints(
-    driven: Device, simulator: SimulatedDevice, qtbot: QtBot
-) -> None:
-    simulator.do("line error framing 1")
-    qtbot.waitUntil(lambda: not driven.motors.armed)
+def test_line_error_disarms_and_clears_setpoints(driven: DrivenDevice) -> None:
+    driven.simulator.do("line error framing 1")
+    driven.wait(lambda: not driven.motors.armed)
     assert "framing error" in driven.motors.stop_reason
     assert driven.motors.text == ""
-    qtbot.waitUntil(lambda: not driven.may_move)
-    assert is_braked(simulator)
+    driven.wait(lambda: not driven.may_move)
+    assert is_braked(driven.simulator)
 
 
-def test_frozen_window_reports_the_confirmed_stop(
-    driven: Device, simulator: SimulatedDevice, qtbot: QtBot
-) -> None:
+def test_frozen_window_reports_the_confirmed_stop(driven: DrivenDevice) -> None:
     said: list[str] = []
     driven.notifier.error.connect(said.append)
     deadline = now() + 15
-    while not is_braked(simulator):  # and no event of the window is served meanwhile
+    while not is_braked(driven.simulator):  # and no event of the window is served meanwhile
         assert now() < deadline, "the motor was not stopped"
         runtime().sleep(0.05)
-    qtbot.waitUntil(lambda: not driven.may_move)
+    driven.wait(lambda: not driven.may_move)
     assert said == [f"{STOOD_STILL} The motors were stopped. Press Run motor to continue."]
     assert driven.motors.stop_reason == STOOD_STILL
 
 
-def hang(simulator: SimulatedDevice, seconds: float, qtbot: QtBot) -> None:
+def hang(driven: DrivenDevice, seconds: float) -> None:
     """Let the session hang when it next writes, and wait until it does."""
+    simulator = driven.simulator
     assert isinstance(simulator, VirtualSimulator)
     hanging: list[bytes] = []
 
@@ -146,7 +145,7 @@ def hang(simulator: SimulatedDevice, seconds: float, qtbot: QtBot) -> None:
             runtime().sleep(seconds)
 
     simulator.on_write = block
-    qtbot.waitUntil(lambda: bool(hanging))
+    driven.wait(lambda: bool(hanging))
 
 
 @pytest.mark.parametrize(
@@ -154,24 +153,20 @@ def hang(simulator: SimulatedDevice, seconds: float, qtbot: QtBot) -> None:
     [(True, "The guardian process sends it now."), (False, "Cut the power.")],
 )
 def test_stop_that_a_hanging_session_cannot_send_is_reported(
-    is_guarded: bool,
-    remedy: str,
-    driven: Device,
-    simulator: SimulatedDevice,
-    qtbot: QtBot,
+    is_guarded: bool, remedy: str, driven: DrivenDevice
 ) -> None:
     said: list[str] = []
     driven.notifier.danger.connect(said.append)
-    hang(simulator, 2.0, qtbot)
+    hang(driven, 2.0)
     driven.connection.is_guarded = is_guarded
     pressed = now()
     driven.motors.press_stop()
-    qtbot.waitUntil(lambda: bool(said))
+    driven.wait(lambda: bool(said))
     assert now() - pressed < 0.6
     assert "The connection is not responding, so the stop could not be sent." in said[0]
     assert remedy in said[0]
-    qtbot.waitUntil(lambda: not driven.may_move)
-    assert is_braked(simulator)
+    driven.wait(lambda: not driven.may_move)
+    assert is_braked(driven.simulator)
 
 
 @pytest.mark.parametrize(
@@ -182,26 +177,26 @@ def test_stop_that_a_hanging_session_cannot_send_is_reported(
     ],
 )
 def test_session_that_hangs_is_noticed_within_a_second(
-    result: str, news: list[str], driven: Device, simulator: SimulatedDevice, qtbot: QtBot
+    result: str, news: list[str], driven: DrivenDevice
 ) -> None:
     said: list[str] = []
     told: list[str] = []
     driven.notifier.danger.connect(said.append)
     driven.notifier.info.connect(told.append)
-    hang(simulator, 2.0, qtbot)
+    hang(driven, 2.0)
     began = now()
     log_file().parent.mkdir(parents=True, exist_ok=True)
     line = f"{time.strftime('%Y-%m-%d %H:%M:%S')} {result}: in time\n"
     log_file().write_text(line, encoding="utf-8")
-    qtbot.waitUntil(lambda: bool(said))
+    driven.wait(lambda: bool(said))
     assert now() - began < 1.0
     assert said[0].startswith("Motor 1 may still be turning. Cut the power.")
     assert driven.motors.stop_reason == "The connection is not responding."
-    qtbot.waitUntil(lambda: not driven.may_move)
+    driven.wait(lambda: not driven.may_move)
     assert told == news
 
 
-def test_arming_on_a_noisy_line_recommends_crc(driven: Device, qtbot: QtBot) -> None:
+def test_arming_on_a_noisy_line_recommends_crc(driven: DrivenDevice, qtbot: QtBot) -> None:
     driven.quality.is_noisy = True
     with qtbot.waitSignal(driven.notifier.remedies_offered) as offered:
         driven.motors.arming_changed.emit()
@@ -209,11 +204,11 @@ def test_arming_on_a_noisy_line_recommends_crc(driven: Device, qtbot: QtBot) -> 
 
 
 def test_stop_that_is_pressed_again_and_again_is_reported_in_time(
-    driven: Device, simulator: SimulatedDevice, qtbot: QtBot, virtual_time: VirtualRuntime
+    driven: DrivenDevice, virtual_time: VirtualRuntime
 ) -> None:
     said: list[str] = []
     driven.notifier.danger.connect(said.append)
-    hang(simulator, 2.0, qtbot)
+    hang(driven, 2.0)
     for _ in range(3):
         driven.motors.press_stop()
         virtual_time.advance(0.24)
@@ -221,19 +216,17 @@ def test_stop_that_is_pressed_again_and_again_is_reported_in_time(
     assert "The connection is not responding, so the stop could not be sent." in said[0]
 
 
-def test_session_that_did_not_respond_disarms_the_motors(
-    driven: Device, simulator: SimulatedDevice, qtbot: QtBot
-) -> None:
+def test_session_that_did_not_respond_disarms_the_motors(driven: DrivenDevice) -> None:
     """What the window had sent before does not start a motor afterwards."""
     said: list[str] = []
     driven.notifier.error.connect(said.append)
-    hang(simulator, 0.55, qtbot)
+    hang(driven, 0.55)
     driven.motors.set_speed(1, 90)
-    qtbot.waitUntil(lambda: not driven.motors.armed)
-    qtbot.waitUntil(lambda: not driven.may_move)
+    driven.wait(lambda: not driven.motors.armed)
+    driven.wait(lambda: not driven.may_move)
     assert driven.motors.stop_reason == STOOD_STILL
     assert len(said) == 1
-    assert is_braked(simulator)
+    assert is_braked(driven.simulator)
 
 
 def test_unconfirmed_stop_is_reported_as_unconfirmed(qtbot: QtBot) -> None:
@@ -307,14 +300,14 @@ def test_line_closed_with_motors_at_rest_is_not_reported_as_lost(
 
 
 def test_stop_of_another_board_warns_about_the_lost_one(
-    driven: Device, simulator: SimulatedDevice, start_simulator: StartSimulator, qtbot: QtBot
+    driven: DrivenDevice, start_simulator: StartSimulator
 ) -> None:
     failures: list[str] = []
-    simulator.do("line unplug")
-    qtbot.waitUntil(lambda: driven.link is ConnectionState.DISCONNECTED)
+    driven.simulator.do("line unplug")
+    driven.wait(lambda: driven.link is ConnectionState.DISCONNECTED)
     driven.notifier.error.connect(failures.append)
     driven.connect_to(ConnectionSettings(start_simulator().url))
-    qtbot.waitUntil(lambda: bool(failures))
+    driven.wait(lambda: bool(failures))
     assert not driven.may_move
-    assert simulator.url in failures[0]
+    assert driven.simulator.url in failures[0]
     assert "cut the power of the first" in failures[0]

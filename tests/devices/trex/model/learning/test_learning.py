@@ -32,6 +32,7 @@ class LearningSetup:
         self.transmitter = Transmitter(
             simulator, {1: Stick(), 2: Stick(rest=1520, forward_is_down=True)}
         )
+        self.requested_tests: list[tuple[int, ...]] = []  # the channels of each
         self._qtbot = qtbot
         failures: list[str] = []
         self.device.notifier.error.connect(failures.append)
@@ -39,6 +40,10 @@ class LearningSetup:
         self.until(lambda: self.device.link is ConnectionState.CONNECTED or bool(failures))
         assert not failures, (failures, simulator.show()["power"], simulator.show()["active_uart"])
         self.until(lambda: self.transmitter.is_at_rest(self.device.telemetry.raw_of))
+        self.learning.stored.connect(self._on_stored)
+
+    def _on_stored(self) -> None:
+        self.requested_tests.append(self.learning.numbers)
 
     def until(self, condition: Callable[[], bool], timeout: int = 30_000) -> None:
         self._qtbot.waitUntil(condition, timeout=timeout)
@@ -363,18 +368,8 @@ def test_stop_outcome_is_reported_once_per_request(setup: LearningSetup) -> None
 # --- Learned values until they are stored ----------------------------------------------
 
 
-@pytest.fixture
-def requested_tests(setup: LearningSetup) -> list[tuple[int, ...]]:
-    """The channels of each requested test."""
-    found: list[tuple[int, ...]] = []
-    setup.learning.stored.connect(lambda: found.append(setup.learning.numbers))
-    return found
-
-
 @pytest.mark.parametrize("how", ["undo", "discard"])
-def test_dropped_values_do_not_request_a_test(
-    setup: LearningSetup, requested_tests: list[tuple[int, ...]], how: str
-) -> None:
+def test_dropped_values_do_not_request_a_test(setup: LearningSetup, how: str) -> None:
     setup.to_review(1)
     setup.learning.use_values()
     draft = setup.device.draft
@@ -382,12 +377,10 @@ def test_dropped_values_do_not_request_a_test(
     setup.device.parameters.edit("serial_timeout", 9)
     setup.write()
     assert setup.device.parameters.stored_of("serial_timeout") == 9
-    assert requested_tests == []
+    assert setup.requested_tests == []
 
 
-def test_reconnecting_forgets_the_pending_test(
-    setup: LearningSetup, requested_tests: list[tuple[int, ...]]
-) -> None:
+def test_reconnecting_forgets_the_pending_test(setup: LearningSetup) -> None:
     setup.to_review(1)
     setup.learning.use_values()
     setup.device.disconnect_line()
@@ -397,45 +390,38 @@ def test_reconnecting_forgets_the_pending_test(
     assert setup.device.draft.pending
     setup.write()
     assert setup.device.draft.pending == 0
-    assert requested_tests == []
+    assert setup.requested_tests == []
 
 
-def test_requesting_a_test_does_not_stop_running_motors(
-    setup: LearningSetup, requested_tests: list[tuple[int, ...]]
-) -> None:
+def test_requesting_a_test_does_not_stop_running_motors(setup: LearningSetup) -> None:
     setup.to_review(1)
     setup.learning.use_values()
     setup.device.motors.arm()
     setup.device.motors.set_speed(1, 40)
     setup.until(lambda: setup.simulator.show()["motors"][0]["speed"] == 40)
     setup.write()
-    assert requested_tests == [(1,)]
+    assert setup.requested_tests == [(1,)]
     assert setup.learning.motors_armed  # the user confirms before the test begins
     assert setup.learning.step is LearningStep.ENDED
     assert setup.simulator.show()["motors"][0]["speed"] == 40
     setup.device.motors.stop()
 
 
-def test_each_written_channel_requests_its_own_test(
-    setup: LearningSetup, requested_tests: list[tuple[int, ...]]
-) -> None:
+def test_each_written_channel_requests_its_own_test(setup: LearningSetup) -> None:
     setup.to_review(1, 2)
     setup.learning.use_values()
     setup.device.apply({"rc_channel_2"})
     setup.until(lambda: not setup.device.applying)
-    assert requested_tests == [(2,)]
+    assert setup.requested_tests == [(2,)]
     setup.write()
-    assert requested_tests == [(2,), (1,)]
+    assert setup.requested_tests == [(2,), (1,)]
 
 
 @pytest.mark.parametrize(
     ("failed", "expected"), [((2,), (1,)), ((1, 2), None), ((), (1, 2))], ids=str
 )
 def test_only_written_channels_request_a_test(
-    setup: LearningSetup,
-    requested_tests: list[tuple[int, ...]],
-    failed: tuple[int, ...],
-    expected: tuple[int, ...] | None,
+    setup: LearningSetup, failed: tuple[int, ...], expected: tuple[int, ...] | None
 ) -> None:
     setup.to_review(1, 2)
     values = {c.number: c.choice.calibration for c in setup.learning.channels if c.choice}
@@ -450,12 +436,10 @@ def test_only_written_channels_request_a_test(
         {number: value for number, value in values.items() if number not in failed}
     )
     setup.device.applied.emit(results)
-    assert requested_tests == ([] if expected is None else [expected])
+    assert setup.requested_tests == ([] if expected is None else [expected])
 
 
-def test_already_stored_values_request_the_test_at_once(
-    setup: LearningSetup, requested_tests: list[tuple[int, ...]]
-) -> None:
+def test_already_stored_values_request_the_test_at_once(setup: LearningSetup) -> None:
     taken: list[bool] = []
     setup.learning.edited.connect(lambda: taken.append(True))
     setup.to_review(1)
@@ -464,7 +448,7 @@ def test_already_stored_values_request_the_test_at_once(
     setup.learning.choose(1, calibration=channel.curve_before.calibration, reversed_=False)
     setup.learning.use_values()
     assert taken == []
-    assert requested_tests == [(1,)]
+    assert setup.requested_tests == [(1,)]
     setup.learning.begin_test(setup.learning.numbers)
     setup.until_step(LearningStep.TEST)
     assert setup.learning.news == "These values are stored already."
@@ -492,13 +476,11 @@ def test_old_values_come_from_the_board_despite_edits(setup: LearningSetup) -> N
 
 
 @pytest.mark.parametrize("how", ["mode", "motors"])
-def test_failed_test_does_not_deny_the_written_values(
-    setup: LearningSetup, requested_tests: list[tuple[int, ...]], how: str
-) -> None:
+def test_failed_test_does_not_deny_the_written_values(setup: LearningSetup, how: str) -> None:
     setup.to_review(1)
     setup.learning.use_values()
     setup.write()
-    assert requested_tests
+    assert setup.requested_tests
     setup.learning.begin_test(setup.learning.numbers)
     setup.until_step(LearningStep.TEST)
     if how == "motors":

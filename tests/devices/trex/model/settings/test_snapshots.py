@@ -28,14 +28,17 @@ MINUTE = timedelta(minutes=1)
 DAY = timedelta(days=1)
 
 
-@pytest.fixture
-def history(tmp_path: Path) -> SettingsHistory:
-    return SettingsHistory(tmp_path / "snapshots")
+class ListedHistory(SnapshotTable):
+    """The table of a history that tests add to."""
+
+    def __init__(self, history: SettingsHistory) -> None:
+        super().__init__(history)
+        self.history = history
 
 
 @pytest.fixture
-def table(qtbot: QtBot, history: SettingsHistory) -> SnapshotTable:
-    return SnapshotTable(history)
+def table(qtbot: QtBot, tmp_path: Path) -> ListedHistory:
+    return ListedHistory(SettingsHistory(tmp_path / "snapshots"))
 
 
 def refresh(table: SnapshotTable) -> None:
@@ -62,24 +65,20 @@ def text(table: SnapshotTable, row: int, column: SnapshotColumn) -> str:
     return str(table.index(row, column).data())
 
 
-def test_table_passes_qt_model_tester(
-    table: SnapshotTable, history: SettingsHistory, qtmodeltester: ModelTester
-) -> None:
+def test_table_passes_qt_model_tester(table: ListedHistory, qtmodeltester: ModelTester) -> None:
     qtmodeltester.check(table)  # type: ignore[no-untyped-call] # of pytest-qt
     refresh(table)
-    first, *_ = [take(history, ago * MINUTE) for ago in (3, 9, 5)]
+    first, *_ = [take(table.history, ago * MINUTE) for ago in (3, 9, 5)]
     refresh(table)
-    take(history)
-    history.remove(first)
+    take(table.history)
+    table.history.remove(first)
     refresh(table)
     assert table.rowCount() == 3
 
 
-def test_newest_snapshot_comes_first_with_all_columns(
-    table: SnapshotTable, history: SettingsHistory
-) -> None:
-    take(history, 5 * MINUTE, reason="trexcmd restore-defaults")
-    take(history, device_number=9)
+def test_newest_snapshot_comes_first_with_all_columns(table: ListedHistory) -> None:
+    take(table.history, 5 * MINUTE, reason="trexcmd restore-defaults")
+    take(table.history, device_number=9)
     refresh(table)
     assert text(table, 0, SnapshotColumn.REASON) == "Apply of 2 settings"
     assert text(table, 0, SnapshotColumn.BOARD) == "TReX 1.2"
@@ -90,12 +89,10 @@ def test_newest_snapshot_comes_first_with_all_columns(
     assert heads == ["Time", "Before", "Board", "No.", "Adapter"]
 
 
-def test_times_are_local_and_recent_days_are_named(
-    table: SnapshotTable, history: SettingsHistory
-) -> None:
+def test_times_are_local_and_recent_days_are_named(table: ListedHistory) -> None:
     noon = datetime.now().astimezone().replace(hour=12, minute=3, second=0, microsecond=0)
     now = datetime.now().astimezone()
-    taken = [take(history, now - noon + days * DAY) for days in (0, 1, 400)]
+    taken = [take(table.history, now - noon + days * DAY) for days in (0, 1, 400)]
     refresh(table)
     assert table.time_text(taken[0]) == "today 12:03"
     assert table.time_text(taken[1]) == f"yesterday {taken[1].taken.astimezone():%H:%M}"
@@ -103,31 +100,25 @@ def test_times_are_local_and_recent_days_are_named(
     assert table.time_text(taken[2]) == f"{long_ago.day} {long_ago:%b %Y} {long_ago:%H:%M}"
 
 
-def test_snapshots_of_one_minute_show_seconds(
-    table: SnapshotTable, history: SettingsHistory
-) -> None:
+def test_snapshots_of_one_minute_show_seconds(table: ListedHistory) -> None:
     noon = datetime.now().astimezone().replace(hour=12, minute=3, second=1, microsecond=0)
     now = datetime.now().astimezone()
-    taken = [take(history, now - noon - timedelta(seconds=seconds)) for seconds in (0, 30)]
+    taken = [take(table.history, now - noon - timedelta(seconds=seconds)) for seconds in (0, 30)]
     refresh(table)
     times = [text(table, row, SnapshotColumn.TIME) for row in range(2)]
     assert times == [f"today 12:03:{one.taken.astimezone():%S}" for one in reversed(taken)]
 
 
-def test_damaged_header_is_shown_after_refresh(
-    table: SnapshotTable, history: SettingsHistory
-) -> None:
-    take(history).path.write_text("rubbish", encoding="utf-8")
+def test_damaged_header_is_shown_after_refresh(table: ListedHistory) -> None:
+    take(table.history).path.write_text("rubbish", encoding="utf-8")
     refresh(table)
     assert text(table, 0, SnapshotColumn.BOARD) == "damaged"
     assert table.index(0, SnapshotColumn.BOARD).data(Qt.ItemDataRole.DecorationRole)
     assert "cannot be restored" in table.index(0, 0).data(Qt.ItemDataRole.ToolTipRole)
 
 
-def test_damaged_body_is_shown_from_load_until_repair(
-    table: SnapshotTable, history: SettingsHistory
-) -> None:
-    path = take(history).path
+def test_damaged_body_is_shown_from_load_until_repair(table: ListedHistory) -> None:
+    path = take(table.history).path
     sound = path.read_text(encoding="utf-8")
     path.write_text(f"{sound}nonsense: 3\n" * 9, encoding="utf-8")
     refresh(table)
@@ -143,10 +134,8 @@ def test_damaged_body_is_shown_from_load_until_repair(
     assert isinstance(content_of(table, table.snapshots[0]), Settings)
 
 
-def test_snapshot_is_reloaded_only_after_a_file_change(
-    table: SnapshotTable, history: SettingsHistory
-) -> None:
-    path = take(history).path
+def test_snapshot_is_reloaded_only_after_a_file_change(table: ListedHistory) -> None:
+    path = take(table.history).path
     refresh(table)
     first = content_of(table, table.snapshots[0])
     refresh(table)
@@ -160,10 +149,10 @@ def test_snapshot_is_reloaded_only_after_a_file_change(
 
 
 def test_window_reads_no_snapshot_itself(
-    table: SnapshotTable, history: SettingsHistory, monkeypatch: pytest.MonkeyPatch
+    table: ListedHistory, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """In virtual time a thread has not begun before the test lets time pass."""
-    take(history)
+    take(table.history)
     refresh(table)
     read: list[str] = []
     for name in ("files", "look_at", "load", "bound"):
@@ -183,10 +172,8 @@ def test_window_reads_no_snapshot_itself(
     assert isinstance(table.content_of(table.snapshots[0]), Settings)
 
 
-def test_newest_snapshots_are_shown_before_all_are_read(
-    table: SnapshotTable, history: SettingsHistory
-) -> None:
-    first = take(history)
+def test_newest_snapshots_are_shown_before_all_are_read(table: ListedHistory) -> None:
+    first = take(table.history)
     for number in range(300):
         shutil.copy(first.path, first.path.with_name(f"20200101T{number:06}Z-trex-1.2.txt"))
     found: list[int] = []
@@ -224,15 +211,13 @@ def test_row_edits_make_the_rows_shown_those_wanted(before: set[int], after: set
     assert not list(row_edits(wanted, wanted))
 
 
-def test_neighbour_is_next_newer_or_older_of_same_product(
-    table: SnapshotTable, history: SettingsHistory
-) -> None:
+def test_neighbour_is_next_newer_or_older_of_same_product(table: ListedHistory) -> None:
     oldest, junior, middle, damaged, newest = (
-        take(history, 9 * MINUTE),
-        take(history, 8 * MINUTE, model="trexjr"),
-        take(history, 7 * MINUTE),
-        take(history, 6 * MINUTE),
-        take(history),
+        take(table.history, 9 * MINUTE),
+        take(table.history, 8 * MINUTE, model="trexjr"),
+        take(table.history, 7 * MINUTE),
+        take(table.history, 6 * MINUTE),
+        take(table.history),
     )
     damaged.path.write_text("", encoding="utf-8")
     refresh(table)
@@ -240,7 +225,7 @@ def test_neighbour_is_next_newer_or_older_of_same_product(
     assert table.neighbour(middle) == newest
     assert table.neighbour(newest) == middle
     assert table.neighbour(junior) is None
-    history.remove(newest)
+    table.history.remove(newest)
     refresh(table)
     assert table.neighbour(newest) is None
 
@@ -252,13 +237,11 @@ def test_neighbour_is_next_newer_or_older_of_same_product(
         *(("cp2102 9", 1), ("cp2102 apply", 0)),
     ],
 )
-def test_words_match_in_every_column(
-    table: SnapshotTable, history: SettingsHistory, words: str, count: int
-) -> None:
+def test_words_match_in_every_column(table: ListedHistory, words: str, count: int) -> None:
     now = datetime.now().astimezone()
     noon = now - now.replace(hour=12)
-    take(history, noon)
-    take(history, noon, reason="restore-defaults", adapter="CP2102 (COM9)", device_number=9)
+    take(table.history, noon)
+    take(table.history, noon, reason="restore-defaults", adapter="CP2102 (COM9)", device_number=9)
     refresh(table)
     table.set_words(words)
     finish()
