@@ -20,22 +20,25 @@ from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
 
 
-@pytest.fixture
-def simulator(qtbot: QtBot) -> Iterator[Overheard]:
-    simulator = Overheard()
-    with qtbot.waitSignal(simulator.ready):
-        simulator.start()
-    yield simulator
-    simulator.stop()
+class OverheardBoard(DemoBoard):
+    """A simulated board whose control lines are written down."""
+
+    def __init__(self, qtbot: QtBot) -> None:
+        self.simulator = Overheard()
+        super().__init__(self.simulator)
+        self.wait = qtbot.waitUntil
+        with qtbot.waitSignal(self.simulator.ready):
+            self.simulator.start()
+        self.watch(True)
+        self.wait(lambda: self.snapshot is not None)
 
 
 @pytest.fixture
-def board(simulator: Overheard, qtbot: QtBot) -> Iterator[DemoBoard]:
-    board = DemoBoard(simulator)
-    board.watch(True)
-    qtbot.waitUntil(lambda: board.snapshot is not None)
+def board(qtbot: QtBot) -> Iterator[OverheardBoard]:
+    board = OverheardBoard(qtbot)
     yield board
     board.watch(False)
+    board.simulator.stop()
 
 
 def seen(board: DemoBoard) -> DemoSnapshot:
@@ -46,7 +49,7 @@ def seen(board: DemoBoard) -> DemoSnapshot:
 # --- What is seen -----------------------------------------------------------------------
 
 
-def test_new_board_is_powered_in_serial_mode_with_moving_sticks(board: DemoBoard) -> None:
+def test_new_board_is_powered_in_serial_mode_with_moving_sticks(board: OverheardBoard) -> None:
     assert seen(board).power
     assert seen(board).mode is Mode.SERIAL_RC
     assert seen(board).active_mode_jumper == seen(board).jumpers.mode == "serial"
@@ -56,31 +59,27 @@ def test_new_board_is_powered_in_serial_mode_with_moving_sticks(board: DemoBoard
     assert board.automatic == frozenset(CHANNELS)
 
 
-def test_unwatched_board_is_not_polled(
-    board: DemoBoard, simulator: Overheard, qtbot: QtBot
-) -> None:
+def test_unwatched_board_is_not_polled(board: OverheardBoard) -> None:
     board.watch(False)
     board.watch(True)  # asks at once
     board.watch(False)
-    simulator.lines.clear()
+    board.simulator.lines.clear()
     board.set_mix(True)
     answers: list[str] = []
-    simulator.send("jumper mix on", answers.append)
-    qtbot.waitUntil(lambda: answers != [])
-    assert simulator.lines == ["jumper mix on", "jumper mix on"]
+    board.simulator.send("jumper mix on", answers.append)
+    board.wait(lambda: answers != [])
+    assert board.simulator.lines == ["jumper mix on", "jumper mix on"]
 
 
-def test_ended_simulator_clears_the_snapshot(
-    board: DemoBoard, simulator: Overheard, qtbot: QtBot
-) -> None:
+def test_ended_simulator_clears_the_snapshot(board: OverheardBoard, qtbot: QtBot) -> None:
     board.hold_stick(1, 1200)
-    with qtbot.waitSignal(simulator.ended):
-        simulator.stop()
+    with qtbot.waitSignal(board.simulator.ended):
+        board.simulator.stop()
     assert board.snapshot is None
     assert board.automatic == frozenset(CHANNELS)
-    with qtbot.waitSignal(simulator.ready):
-        simulator.start()
-    qtbot.waitUntil(lambda: board.snapshot is not None)
+    with qtbot.waitSignal(board.simulator.ready):
+        board.simulator.start()
+    board.wait(lambda: board.snapshot is not None)
 
 
 def test_snapshot_is_parsed_from_show() -> None:
@@ -147,71 +146,61 @@ def test_stick_position_follows_its_signal(
     ],
 )
 def test_each_hand_sends_its_control_line(
-    board: DemoBoard,
-    simulator: Overheard,
-    qtbot: QtBot,
-    act: Callable[[DemoBoard], None],
-    line: str,
+    board: OverheardBoard, qtbot: QtBot, act: Callable[[DemoBoard], None], line: str
 ) -> None:
-    """The tests of the simulator show what each line does."""
-    simulator.lines.clear()
+    """The tests of the board.simulator show what each line does."""
+    board.simulator.lines.clear()
     answers: list[str] = []
     with qtbot.assertNotEmitted(board.rejected):
         act(board)
-        simulator.send("show", answers.append)
-        qtbot.waitUntil(lambda: bool(answers))
-    assert simulator.orders() == [line]
+        board.simulator.send("show", answers.append)
+        board.wait(lambda: bool(answers))
+    assert board.simulator.orders() == [line]
 
 
-def test_power_cycle_is_visible_and_runs_once(
-    board: DemoBoard, simulator: Overheard, qtbot: QtBot
-) -> None:
+def test_power_cycle_is_visible_and_runs_once(board: OverheardBoard) -> None:
     off: list[bool] = []
 
     def note() -> None:
         off.append(board.snapshot is not None and not board.snapshot.power)
 
     board.changed.connect(note)
-    simulator.lines.clear()
+    board.simulator.lines.clear()
     board.power_cycle()
     board.power_cycle()  # is under way
-    qtbot.waitUntil(lambda: "power on" in simulator.lines and seen(board).power)
-    assert simulator.orders() == ["power off", "power on"]
+    board.wait(lambda: "power on" in board.simulator.lines and seen(board).power)
+    assert board.simulator.orders() == ["power off", "power on"]
     assert any(off)
 
 
-def test_mode_jumper_takes_effect_at_next_power_up(board: DemoBoard, qtbot: QtBot) -> None:
+def test_mode_jumper_takes_effect_at_next_power_up(board: OverheardBoard) -> None:
     board.set_mode_jumper("rc")
-    qtbot.waitUntil(lambda: seen(board).jumpers.mode == "rc")
+    board.wait(lambda: seen(board).jumpers.mode == "rc")
     assert seen(board).active_mode_jumper == "serial"
     board.power_cycle()
-    qtbot.waitUntil(lambda: seen(board).mode is Mode.RC)
+    board.wait(lambda: seen(board).mode is Mode.RC)
     assert seen(board).safe_start
 
 
-def test_held_stick_keeps_its_position(board: DemoBoard, qtbot: QtBot) -> None:
+def test_held_stick_keeps_its_position(board: OverheardBoard) -> None:
     board.hold_stick(2, 1850)
     assert board.automatic == {1, 3, 4, 5}
-    qtbot.waitUntil(lambda: seen(board).channels[1].raw == InputSource.RC.counts(1850))
+    board.wait(lambda: seen(board).channels[1].raw == InputSource.RC.counts(1850))
 
 
-def test_stick_positions_are_coalesced_to_first_and_last(
-    board: DemoBoard, simulator: Overheard, qtbot: QtBot
-) -> None:
-    simulator.lines.clear()
+def test_stick_positions_are_coalesced_to_first_and_last(board: OverheardBoard) -> None:
+    board.simulator.lines.clear()
     for microseconds in range(1000, 2001):
         board.hold_stick(1, microseconds)
-    qtbot.waitUntil(lambda: seen(board).channels[0].raw == InputSource.RC.counts(2000))
-    assert simulator.orders() == ["channel 1 1000us", "channel 1 2000us"]
+    board.wait(lambda: seen(board).channels[0].raw == InputSource.RC.counts(2000))
+    assert board.simulator.orders() == ["channel 1 1000us", "channel 1 2000us"]
 
 
-def test_snapshot_older_than_a_command_is_not_shown(
-    board: DemoBoard, simulator: Overheard, qtbot: QtBot
-) -> None:
+def test_snapshot_older_than_a_command_is_not_shown(board: OverheardBoard) -> None:
     board.hold_stick(1, 1000)
-    qtbot.waitUntil(lambda: seen(board).channels[0].signal == "1000us")
+    board.wait(lambda: seen(board).channels[0].signal == "1000us")
     shown: list[str] = []
-    qtbot.waitUntil(lambda: simulator.lines[-1] == "show")  # a look is under way, or just was
+    board.wait(lambda: board.simulator.lines[-1] == "show")  # a look is under way, or just was
     board.hold_stick(1, 2000)
 
     def note() -> None:
@@ -219,96 +208,92 @@ def test_snapshot_older_than_a_command_is_not_shown(
             shown.append(board.snapshot.channels[0].signal)
 
     board.changed.connect(note)
-    qtbot.waitUntil(lambda: "2000us" in shown)
+    board.wait(lambda: "2000us" in shown)
     assert "1000us" not in shown
 
 
-def test_restored_signal_returns_to_the_stick_position(board: DemoBoard, qtbot: QtBot) -> None:
+def test_restored_signal_returns_to_the_stick_position(board: OverheardBoard) -> None:
     board.hold_stick(3, 1700)
     board.set_silent(3, True)
-    qtbot.waitUntil(lambda: not seen(board).channels[2].has_signal)
-    qtbot.waitUntil(lambda: seen(board).channels[2].raw is None)
+    board.wait(lambda: not seen(board).channels[2].has_signal)
+    board.wait(lambda: seen(board).channels[2].raw is None)
     board.set_silent(3, False)
-    qtbot.waitUntil(lambda: seen(board).channels[2].raw == InputSource.RC.counts(1700))
+    board.wait(lambda: seen(board).channels[2].raw == InputSource.RC.counts(1700))
     board.set_silent(1, True)
-    qtbot.waitUntil(lambda: not seen(board).channels[0].has_signal)
+    board.wait(lambda: not seen(board).channels[0].has_signal)
     board.set_silent(1, False)
-    qtbot.waitUntil(lambda: seen(board).channels[0].raw is not None)
+    board.wait(lambda: seen(board).channels[0].raw is not None)
     assert 1 in board.automatic
 
 
-def test_automatic_sticks_can_be_stopped_and_restarted(
-    board: DemoBoard, simulator: Overheard, qtbot: QtBot
-) -> None:
+def test_automatic_sticks_can_be_stopped_and_restarted(board: OverheardBoard) -> None:
     board.set_automatic(False)
     assert board.automatic == frozenset()
-    assert len(simulator.orders()) == 5
+    assert len(board.simulator.orders()) == 5
     board.set_automatic(True)
     assert board.automatic == frozenset(CHANNELS)
     first = seen(board).channels[0].raw
-    qtbot.waitUntil(lambda: seen(board).channels[0].raw != first)
+    board.wait(lambda: seen(board).channels[0].raw != first)
 
 
-def test_silent_input_stays_silent_when_sticks_move(board: DemoBoard, qtbot: QtBot) -> None:
+def test_silent_input_stays_silent_when_sticks_move(board: OverheardBoard) -> None:
     board.set_silent(2, True)
-    qtbot.waitUntil(lambda: not seen(board).channels[1].has_signal)
+    board.wait(lambda: not seen(board).channels[1].has_signal)
     board.set_automatic(False)
     board.centre_sticks()
     board.set_automatic(True)
     board.set_mix(True)
-    qtbot.waitUntil(lambda: seen(board).jumpers.mix)
+    board.wait(lambda: seen(board).jumpers.mix)
     assert not seen(board).channels[1].has_signal
 
 
-def test_centering_the_sticks_ends_safe_start(board: DemoBoard, qtbot: QtBot) -> None:
+def test_centering_the_sticks_ends_safe_start(board: OverheardBoard) -> None:
     board.hold_stick(1, 2000)
     board.set_mode_jumper("rc")
     board.power_cycle()
-    qtbot.waitUntil(lambda: seen(board).mode is Mode.RC and seen(board).safe_start)
+    board.wait(lambda: seen(board).mode is Mode.RC and seen(board).safe_start)
     board.centre_sticks()
-    qtbot.waitUntil(lambda: not seen(board).safe_start)
+    board.wait(lambda: not seen(board).safe_start)
 
 
-def test_held_sticks_keep_their_position_in_analog_mode(board: DemoBoard, qtbot: QtBot) -> None:
+def test_held_sticks_keep_their_position_in_analog_mode(board: OverheardBoard) -> None:
     board.hold_stick(1, 2100)
     board.hold_stick(2, 1500)
     board.set_mode_jumper("analog")
     board.power_cycle()
-    qtbot.waitUntil(lambda: seen(board).channels[0].raw == 1023)
-    qtbot.waitUntil(lambda: seen(board).channels[1].raw == InputSource.ANALOG.counts(2.5))
+    board.wait(lambda: seen(board).channels[0].raw == 1023)
+    board.wait(lambda: seen(board).channels[1].raw == InputSource.ANALOG.counts(2.5))
 
 
-def test_replugged_cable_gets_a_working_url(
-    board: DemoBoard, simulator: Overheard, qtbot: QtBot
-) -> None:
+def test_replugged_cable_gets_a_working_url(board: OverheardBoard, qtbot: QtBot) -> None:
     board.set_plugged(False)
-    qtbot.waitUntil(lambda: not simulator.plugged and not seen(board).line.plugged)
+    board.wait(lambda: not board.simulator.plugged and not seen(board).line.plugged)
     board.set_plugged(True)
-    qtbot.waitUntil(lambda: simulator.plugged and seen(board).line.plugged)
-    with qtbot.waitSignal(simulator.ready) as again:
-        simulator.start()
-    assert again.args == [simulator.url]
+    board.wait(lambda: board.simulator.plugged and seen(board).line.plugged)
+    with qtbot.waitSignal(board.simulator.ready) as again:
+        board.simulator.start()
+    assert again.args == [board.simulator.url]
 
 
-def test_factory_reset_restores_board_and_sticks(board: DemoBoard, qtbot: QtBot) -> None:
+def test_factory_reset_restores_board_and_sticks(board: OverheardBoard) -> None:
     board.set_mode_jumper("rc")
     board.power_cycle()
     board.hold_stick(1, 1100)
     board.set_silent(4, True)
     board.set_noise(0.02)
     board.set_mute(True)
-    qtbot.waitUntil(lambda: not seen(board).channels[3].has_signal and seen(board).line.mute)
+    board.wait(lambda: not seen(board).channels[3].has_signal and seen(board).line.mute)
     board.restore_factory()
-    qtbot.waitUntil(lambda: seen(board).power and seen(board).mode is Mode.SERIAL_RC)
+    board.wait(lambda: seen(board).power and seen(board).mode is Mode.SERIAL_RC)
     assert not seen(board).line.mute
     assert seen(board).line.noise == 0
     assert seen(board).jumpers.mode == "serial"
     assert board.automatic == frozenset(CHANNELS)
     first = seen(board).channels[0].raw
-    qtbot.waitUntil(lambda: seen(board).channels[0].raw != first)
+    board.wait(lambda: seen(board).channels[0].raw != first)
 
 
-def test_refused_command_emits_a_sentence(board: DemoBoard, qtbot: QtBot) -> None:
+def test_refused_command_emits_a_sentence(board: OverheardBoard, qtbot: QtBot) -> None:
     with qtbot.waitSignal(board.changed), qtbot.waitSignal(board.rejected) as refused:
         board.set_mode_jumper("boat")
     assert refused.args[0].startswith("Usage: jumper mode serial|rc|analog")
