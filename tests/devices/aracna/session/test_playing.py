@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.devices.aracna.session.scripted_session import ScriptedSession
+from tests.support.matrix import examples
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.session import Outcome
 from trex_gui.devices.aracna.protocol.joints import travel_seconds
@@ -53,6 +54,7 @@ def described(session: ScriptedSession) -> list[tuple[str, int, int]]:
 # --- Timing ---------------------------------------------------------------------------------
 
 
+@examples(60)
 @given(
     seconds=st.lists(st.floats(0.3, 2.0), min_size=1, max_size=4),
     positions=st.lists(st.integers(0, 1023), min_size=4, max_size=4),

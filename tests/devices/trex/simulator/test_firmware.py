@@ -80,17 +80,6 @@ class TestPower:
 
 
 class TestParameters:
-    def test_parameter_takes_effect_when_its_write_ends(self) -> None:
-        board = Board()
-        assert board.set_parameter(0x0E, 10) is ResultCode.OK
-        assert board.memory.busy_for == pytest.approx(0.004)
-        board.advance(0.0039)
-        assert board.memory.get(0x0E) == 0
-        board.advance(0.0001)
-        assert board.memory.get(0x0E) == 10
-        assert board.memory.active["motor1_acceleration"] == 10
-        assert board.memory.busy_for == 0
-
     @pytest.mark.parametrize(
         ("number", "value", "code"),
         [

@@ -114,7 +114,8 @@ def test_lower_setpoint_applies_over_current_limit() -> None:
             st.integers(0, 127),
             st.integers(0, 127),
             st.integers(0, 255),
-        )
+        ),
+        max_size=20,
     ),
 )
 def test_speed_never_leaves_its_range(

@@ -60,23 +60,6 @@ class TestSafety:
         assert board.serial.take_uart_errors()
 
     @either_firmware
-    def test_bytes_defer_timeout_and_next_command_restarts_motor(
-        self, *, needs_shutdown: bool
-    ) -> None:
-        board = Board(timeout_needs_shutdown=needs_shutdown)
-        write(board, "serial_timeout", 1)
-        board.serial.drive(1, FORWARD, 100)
-        for _ in range(50):
-            board.note_byte()
-            board.advance(0.09)
-        assert board.motors[0].speed == 100
-        board.advance(0.1)
-        assert board.motors[0].direction is BRAKE
-        board.note_byte()
-        board.serial.drive(1, REVERSE, 5)
-        assert (board.motors[0].direction, board.motors[0].speed) == (REVERSE, 5)
-
-    @either_firmware
     def test_old_setpoint_is_not_resumed_after_serial_timeout(
         self, *, needs_shutdown: bool
     ) -> None:
