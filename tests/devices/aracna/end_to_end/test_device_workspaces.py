@@ -6,10 +6,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.pages.robot import RobotWindow
 from tests.support.program import aracna, trex
-from tests.support.simulator import SimulatedDevice, StartSimulator
-from tests.support.virtual_time import VirtualRuntime
-from trex_gui.core.transport.settings import PortSettings
-from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from tests.support.simulator import SimulatedDevice
 from trex_gui.ui.devices.connection import ConnectionState
 
 TREX_MENUS = ["File", "Edit", "Device", "Window", "Help"]
@@ -84,12 +81,7 @@ def test_escape_stops_robot_from_each_page(connected_window: RobotWindow) -> Non
     window.choose_demo()
 
 
-def test_newest_device_choice_wins(
-    window: RobotWindow,
-    quick_simulator: SimulatedDevice,
-    start_simulator: StartSimulator,
-    virtual_time: VirtualRuntime,
-) -> None:
+def test_newest_device_choice_wins(window: RobotWindow, quick_simulator: SimulatedDevice) -> None:
     program = window.program
     port = program.ports.add_typed(quick_simulator.url)
     finder = program.device_manager.scanner
@@ -100,26 +92,3 @@ def test_newest_device_choice_wins(
     window.wait(lambda: not finder.running)
     assert window.device.link is ConnectionState.DISCONNECTED
     window.press_disconnect()
-
-    settings = ConnectionSettings(quick_simulator.url)
-    window.device.connect_to(settings)
-    window.wait_until_up("trex")
-    window.device.connect_to(settings)
-    window.device.disconnect_line()
-    window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
-    assert trex(program).controller.port is None
-    virtual_time.advance(0.5)
-    assert window.device.link is ConnectionState.DISCONNECTED, (
-        "disconnecting drops the connection to come"
-    )
-
-    robot = PortSettings(start_simulator("--aracna", "--unpaced").url)
-    window.robot.open(robot)
-    window.wait_until_up()
-    window.robot.open(robot)
-    window.robot.close()
-    window.wait(lambda: window.robot.link is ConnectionState.DISCONNECTED)
-    virtual_time.advance(0.5)
-    assert window.robot.link is ConnectionState.DISCONNECTED, (
-        "disconnecting drops the connection to come"
-    )

@@ -171,27 +171,6 @@ def seen(robot: DemoRobot) -> RobotSnapshot:
 
 
 @pseudo_terminals
-def test_faults_appear_in_snapshot_and_mend_clears_them(robot: DemoRobot, qtbot: QtBot) -> None:
-    robot.set_dead(1, True)
-    robot.set_blocked(2, True)
-    robot.set_load(3, 0.5)
-    robot.set_servo_power(False)
-    robot.set_mute(True)
-    robot.set_noise(0.01)
-    qtbot.waitUntil(lambda: seen(robot).line.noise == 0.01, timeout=15_000)
-    assert seen(robot).servos[1].dead
-    assert seen(robot).servos[2].blocked
-    assert seen(robot).servos[3].load == 0.5
-    assert not seen(robot).servo_power
-    assert seen(robot).line.mute
-    robot.repair()
-    qtbot.waitUntil(lambda: seen(robot).servo_power, timeout=15_000)
-    assert all(is_whole(servo) for servo in seen(robot).servos)
-    assert not seen(robot).line.mute
-    assert seen(robot).line.noise == 0
-
-
-@pseudo_terminals
 def test_dragged_load_sends_only_first_and_newest_value(
     robot: DemoRobot, simulator: Overheard, qtbot: QtBot
 ) -> None:

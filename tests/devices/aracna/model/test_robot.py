@@ -8,6 +8,7 @@ from PySide6.QtCore import QSettings
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.virtual_time import VirtualRuntime
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
@@ -300,15 +301,6 @@ def steps(*goals: tuple[int, ...]) -> tuple[Step, ...]:
     return tuple(Step(goal, 0.2, f"step {index}") for index, goal in enumerate(goals))
 
 
-def test_playback_begins_slowly_from_unknown_positions(robot: Robot, harness: RobotHarness) -> None:
-    assert robot.play(Play(0, steps((500,) * 8, (520,) * 8)))
-    assert robot.state.play is not None
-    harness.wait(lambda: bool(harness.of(SpeedsHeld)))
-    assert max(harness.speeds) <= FIRST_SPEED
-    harness.wait(lambda: robot.state.play is None)
-    assert harness.sent == [(500,) * 8, (500,) * 8, (520,) * 8]
-
-
 def test_cropped_steps_of_a_sequence_are_reported(robot: Robot, harness: RobotHarness) -> None:
     robot.play(Play(0, steps((0,) * 8, (500,) * 8, (1023,) * 8)))
     assert harness.messages == ["Cropped to the limits of the joints: 2 steps."]
@@ -366,15 +358,6 @@ def test_move_during_sequence_is_rejected(robot: Robot, harness: RobotHarness) -
     assert (500,) * 8 not in harness.sent
 
 
-def test_chosen_speeds_apply_again_after_sequence(robot: Robot, harness: RobotHarness) -> None:
-    robot.set_speeds((150,) * 8)
-    harness.move(LOW)
-    robot.play(Play(0, steps(HIGH, LOW)))
-    harness.wait(lambda: robot.state.play is None)
-    harness.move((310,) * 8)
-    assert harness.speeds == [150] * 8
-
-
 def test_board_restart_is_reported_and_speeds_are_resent(
     robot: Robot, harness: RobotHarness
 ) -> None:
@@ -412,3 +395,13 @@ def test_two_motor_robot_has_two_goals_and_speeds(
     harness.move((500, 500))
     assert robot.state.present == (500, 500) or not robot.state.missed_goals
     harness.end()
+
+
+def test_closing_drops_the_connection_to_come(
+    robot: Robot, harness: RobotHarness, virtual_time: VirtualRuntime
+) -> None:
+    robot.open(PortSettings(harness.simulator.url))
+    robot.close()
+    harness.wait(lambda: robot.link is ConnectionState.DISCONNECTED)
+    virtual_time.advance(0.5)
+    assert robot.link is ConnectionState.DISCONNECTED

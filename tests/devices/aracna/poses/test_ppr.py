@@ -34,11 +34,6 @@ def test_pypose_file_is_written_back_byte_for_byte() -> None:
     assert write_ppr(project) == AS_PYPOSE_WRITES
 
 
-def test_windows_line_ends_are_kept() -> None:
-    text = AS_PYPOSE_WRITES.replace("\n", "\r\n")
-    assert write_ppr(read_ppr(text)[0]) == text
-
-
 def test_carriage_return_line_ends_are_kept() -> None:
     text = AS_PYPOSE_WRITES.replace("\n", "\r")
     project, _ = read_ppr(text)

@@ -14,7 +14,6 @@ from trex_gui.devices.aracna.session.client import (
     LateReply,
     PartialReply,
     ReplyLost,
-    Voided,
 )
 from trex_gui.devices.aracna.session.errors import printable
 
@@ -101,24 +100,6 @@ def test_lost_move_ends_when_following_query_is_answered() -> None:
     assert late.motor is None
     assert isinstance(lost, ReplyLost)
     assert lost.robot_free
-
-
-@pytest.mark.parametrize("letter", ["q", "v", "c"])
-def test_hello_voids_pending_command(letter: str) -> None:
-    stage = AracnaStage()
-    client = client_of(stage)
-    match letter:
-        case "q":
-            client.query()
-        case "v":
-            client.set_speeds(THERE)
-        case _:
-            client.move(THERE, 5.0)
-    stage.do("reset")
-    [voided] = [one for one in received(client, 0.5) if isinstance(one, Voided)]
-    assert voided.command is not None
-    assert voided.command.letter == letter
-    assert client.pending is None
 
 
 def test_printable_bytes_are_shown_as_text_and_others_as_hex() -> None:

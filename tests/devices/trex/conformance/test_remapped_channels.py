@@ -46,28 +46,20 @@ def test_rc_and_analog_ends_give_the_same_remapped_values(trex: Trex) -> None:
         assert trex.ask("87 07") == "FF 00 7F"
 
 
-def test_value_at_or_above_maximum_is_127(trex: Trex) -> None:
-    """CMD10 0x87: "greater than or equal to the channel maximum"."""
+@pytest.mark.parametrize(
+    ("widths", "byte"),
+    [
+        pytest.param((2000, 2001, 2500), "7F", id="at or above maximum"),
+        pytest.param((500, 999, 1000), "FF", id="at or below minimum"),
+        pytest.param((1460, 1500, 1540), "00", id="within deadband"),
+    ],
+)
+def test_value_at_ends_and_within_deadband(trex: Trex, widths: tuple[int, ...], byte: str) -> None:
+    """CMD10 0x87: "greater than or equal to the channel maximum"; bit 7 is the direction."""
     calibrate(trex)
-    for width in (2000, 2001, 2500):
+    for width in widths:
         trex.connect(c1=f"{width}us")
-        assert trex.ask("87 01") == "7F", width
-
-
-def test_value_at_or_below_minimum_is_127_in_reverse(trex: Trex) -> None:
-    """CMD10 0x87: bit 7 is the direction, bits 6:0 the magnitude."""
-    calibrate(trex)
-    for width in (500, 999, 1000):
-        trex.connect(c1=f"{width}us")
-        assert trex.ask("87 01") == "FF", width
-
-
-def test_value_within_deadband_is_0(trex: Trex) -> None:
-    """CMD10 0x87."""
-    calibrate(trex)
-    for width in (1460, 1500, 1540):
-        trex.connect(c1=f"{width}us")
-        assert trex.ask("87 01") == "00", width
+        assert trex.ask("87 01") == byte, width
 
 
 def test_magnitude_grows_with_distance_from_neutral(trex: Trex) -> None:
