@@ -295,7 +295,9 @@ def test_find_prints_port_option_for_aracna(trexcmd: RunCommand, robot: Simulate
     result = trexcmd("find")
     assert result.exit_code == 0, result.stderr
     assert result.stdout == f"--port {robot.url}\n"
-    assert "Aracna 1, 8 motors" in result.stderr
+    searching, found = result.stderr.splitlines()
+    assert searching == f"Searching {robot.url} ..."
+    assert found.startswith(f"Aracna 1, 8 motors, on {robot.url} at 38400 baud, no error detection")
     assert not any(servo["torque"] for servo in robot.show()["servos"])
     assert trexcmd("aracna", "query", *result.stdout.split()).exit_code == 0
 

@@ -8,14 +8,6 @@ from tests.support.virtual_time import VirtualRuntime
 from trex_gui.core.transport.settings import PortSettings
 
 
-def test_find_reports_robot_without_errors(trexcmd: RunCommand, robot: SimulatedDevice) -> None:
-    result = trexcmd("find", "--port", robot.url)
-    assert result.stdout == f"--port {robot.url}\n"
-    searching, found = result.stderr.splitlines()
-    assert searching == f"Searching {robot.url} ..."
-    assert found.startswith(f"Aracna 1, 8 motors, on {robot.url} at 38400 baud, no error detection")
-
-
 def test_find_reports_aracna_and_trex_in_same_format(
     trexcmd: RunCommand, robot: SimulatedDevice, quick_simulator: SimulatedDevice
 ) -> None:

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import QPoint, QRect, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QAccessible
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
@@ -12,8 +12,6 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QDockWidget,
-    QLabel,
-    QScrollArea,
     QWidget,
 )
 
@@ -44,10 +42,6 @@ class DemoRobotPanel(WidgetDriver):
         snapshot = aracna(self.window.program).controller.demo_robot.snapshot
         assert snapshot is not None
         return snapshot
-
-    @property
-    def scroll_area(self) -> QScrollArea:
-        return self.find_only(QScrollArea)
 
     def gauge(self, motor: int) -> ServoGauge:
         return self.find(ServoGauge, f"aracnaDemoGauge{motor}")
@@ -291,25 +285,3 @@ def test_every_control_has_name_and_is_reached_by_tab(panel: DemoRobotPanel) -> 
     assert set(reached) == NAMES
     assert len(reached) == len(set(reached))
     assert stand_in_order(panel.dock, reached)
-
-
-def test_window_and_panel_fit_small_screen(panel: DemoRobotPanel) -> None:
-    window, area = panel.window.window, panel.scroll_area
-    view = area.widget()
-    assert view is not None
-    for page in range(window.pages.count()):
-        window.resize(1200, 640)
-        window.pages.setCurrentIndex(page)
-        window.resize(1054, 480)
-        panel.wait(lambda: (window.width(), window.height()) == (1054, 480))
-        panel.wait(lambda: view.width() <= area.viewport().width())
-        for widget in WidgetDriver(view, panel.qtbot).find_all(QWidget):
-            if not widget.isVisible() or not widget.objectName().startswith("aracnaDemo"):
-                continue
-            place = QRect(widget.mapTo(view, QPoint()), widget.size())
-            case = f"{widget.objectName()} on page {page}"
-            assert view.rect().contains(place), case
-            if isinstance(widget, QAbstractButton | QComboBox | QLabel):
-                assert widget.width() >= widget.minimumSizeHint().width(), case
-        stop = panel.window.button("aracnaStopButton")
-        assert window.rect().contains(QRect(stop.mapTo(window, QPoint()), stop.size())), page

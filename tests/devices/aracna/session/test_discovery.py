@@ -5,8 +5,7 @@ from collections.abc import Iterable
 
 import pytest
 
-from tests.devices.trex.discovery.test_prober import OWN, State, Wire, hear, orders
-from tests.devices.trex.simulator.ports import a_board
+from tests.devices.trex.discovery.test_prober import OWN, State, hear, orders
 from tests.support.aracna import AracnaStage
 from trex_gui.core.discovery.prober import FLUSH_BYTE, FLUSH_LINE
 from trex_gui.core.discovery.scan import PortScan, scan_port
@@ -18,7 +17,6 @@ from trex_gui.devices.aracna.session.client import LINE
 from trex_gui.devices.trex.discovery import TREX_PROBER
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
-from trex_gui.devices.trex.simulator.line import TrexLine
 
 VIRTUAL = ConnectionSettings("virtual", LineSettings(9600, Detection.ODD), device_number=9)
 
@@ -124,15 +122,6 @@ def test_robot_that_boots_but_never_answers_is_reported() -> None:
     stage.do("power off")
     stage.line.inject(b".h\r\n")
     assert "restarting repeatedly" in diagnosis(stage)
-
-
-def test_echo_is_reported() -> None:
-    board = a_board()
-    board.power_off()
-    line = TrexLine([board], echo=True)
-    wire = Wire(line)
-    result = search_at(wire)
-    assert "comes back" in result.diagnoses[0].text
 
 
 def test_network_port_of_fixed_rate_is_not_probed() -> None:

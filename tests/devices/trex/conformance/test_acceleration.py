@@ -157,15 +157,6 @@ def test_acceleration_does_not_apply_to_braking(trex: Trex, brake: str) -> None:
     assert trex.motor(1) == ("brake", 0x20)
 
 
-def test_acceleration_does_not_apply_to_deceleration(trex: Trex) -> None:
-    """CMD10 0xC4, note."""
-    trex.set_up(motor2_acceleration=1)
-    trex.report("C9 7F")
-    trex.report("CD 00")
-    trex.wait(0.012)
-    assert trex.motor(2) == ("reverse", 0)
-
-
 def test_accelerate_both_handles_each_motor_independently(trex: Trex) -> None:
     """CMD10 0xE0: each has a target direction of its own, and its own parameters."""
     trex.set_up(motor1_acceleration=20, motor2_acceleration=0)

@@ -56,15 +56,6 @@ def test_crc_follows_reply_to_set_command(trex: Trex) -> None:
 
 
 @only(with_crc)
-def test_motor_commands_need_a_crc(trex: Trex) -> None:
-    """CMD10 General Overview: "every command packet"."""
-    trex.report("F0 55")
-    assert trex.show()["aux"]["speed"] == 0x55
-    trex.report(trex.head("F0 2A"))
-    assert trex.show()["aux"]["speed"] == 0x55
-
-
-@only(with_crc)
 def test_packet_with_flipped_data_bit_is_discarded(trex: Trex) -> None:
     """CMD10 0x85: a CRC that does not match is an error; no single flipped bit goes unseen."""
     packet = trex.packet("F0 7F")

@@ -29,11 +29,6 @@ def wrong_crc(trex: Trex, text: str) -> bytes:
     return packet[:-1] + bytes([packet[-1] ^ 0x01])
 
 
-def test_uart_error_byte_is_zero_without_errors(trex: Trex) -> None:
-    """CMD10 0x85."""
-    assert trex.ask("85") == "00"
-
-
 def test_host_waiting_for_replies_causes_no_overrun(trex: Trex) -> None:
     """CMD10 0x85: "so long as you don't transmit" before the data has come, it is fine."""
     for _ in range(5):

@@ -54,12 +54,6 @@ def test_set_commands_are_rejected_outside_serial_mode(trex: Trex, mode: str) ->
     assert [trex.ask(f"{command:02X}") for command in range(0x90, 0x95)] == before
 
 
-def test_set_commands_are_answered_in_serial_mode(trex: Trex) -> None:
-    """CMD10 General Overview."""
-    assert trex.ask(PARAMETER) == "00"
-    assert [trex.ask(packet) for packet in CALIBRATIONS] == ["00"] * 5
-
-
 @pytest.mark.parametrize("mode", ["serial", "rc", "analog"])
 def test_motor_commands_have_no_reply_in_any_mode(trex: Trex, mode: str) -> None:
     """CMD10 General Overview: 0xC0 - 0xF1."""
@@ -85,17 +79,6 @@ def test_motors_respond_during_serial_override(trex: Trex, mode: str, low: str) 
     trex.connect(c5=low)
     trex.report("D6 30 40", "F0 50")
     assert (trex.motor(1), trex.motor(2)) == (("forward", 0x30), ("reverse", 0x40))
-    assert trex.show()["aux"]["speed"] == 0x50
-
-
-def test_override_applies_motor_commands_received_before_it(
-    trex: Trex,
-) -> None:
-    """CMD10 General Overview."""
-    trex.start("rc")
-    trex.report("D6 30 40", "F0 50", "C2 31")
-    trex.connect(c5="1000us")
-    assert (trex.motor(1), trex.motor(2)) == (("forward", 0x31), ("reverse", 0x40))
     assert trex.show()["aux"]["speed"] == 0x50
 
 

@@ -26,12 +26,6 @@ def test_written_parameters_read_back(trex: Trex) -> None:
     assert {number: trex.number(f"9F {number:02X}") for number in IMMEDIATE} == IMMEDIATE
 
 
-def test_valid_parameter_write_returns_0(trex: Trex) -> None:
-    """CMD10 0xAF."""
-    assert trex.ask(write(0x0E, 0x7F)) == "00"
-    assert trex.ask("9F 0E") == "7F"
-
-
 @pytest.mark.parametrize("number", [0x18, 0x40, 0x7A])
 def test_unknown_parameter_write_returns_1(trex: Trex, number: int) -> None:
     """CMD10 0xAF; that nothing lies between 0x17 and 0x7B: the lists of two clients."""

@@ -51,15 +51,6 @@ def test_show_reports_active_line_settings(
     assert report(board)["active_uart"] == expected
 
 
-def test_invalid_channel_is_shown_as_null(board: Board) -> None:
-    board.advance(0.025)
-    assert report(board)["channels"][0] == {"raw": 3750, "remapped": 0, "signal": "rest"}
-    board.channels.signals[1] = Signal.parse("invalid", InputSource.RC)
-    assert report(board)["channels"][0] == {"raw": 3750, "remapped": 0, "signal": "invalid"}
-    board.advance(0.025)
-    assert report(board)["channels"][0] == {"raw": None, "remapped": 0, "signal": "invalid"}
-
-
 def test_leds_show_serial_control_and_packet_activity(board: Board, port: SerialPort) -> None:
     board.advance(2)
     assert report(board)["leds"] == {"red": "on", "green": "off"}
@@ -137,18 +128,6 @@ def test_show_reports_motor_load_and_rpm(board: Board, port: SerialPort) -> None
     assert -15_000 < motor["rpm"] < -10_000
     assert other["rpm"] == 0
     assert isinstance(motor["rpm"], int)
-
-
-def test_show_reports_supply_sag(board: Board, port: SerialPort) -> None:
-    ask(port, "D0 7F 7F")
-    board.advance(0.0025)
-    assert report(board)["supply"] == 12.0
-    ask(port, "DA 7F 7F")
-    board.advance(0.0025)
-    constants = board.machine.constants
-    both = constants.resistance / 2
-    expected = 12 * both / (both + constants.battery_resistance)
-    assert report(board)["supply"] == pytest.approx(expected, abs=0.01)
 
 
 def test_show_reports_calibrations_and_learned_channels(board: Board) -> None:
