@@ -69,12 +69,6 @@ def test_invalid_time_scale_is_rejected(time_scale: float) -> None:
         steps_of(SEQUENCE, BUILT_IN_POSES, LIMITS, time_scale)
 
 
-@pytest.mark.parametrize("gait", GAITS, ids=lambda gait: gait.name)
-def test_gaits_stay_within_limits(gait: object) -> None:
-    for step in steps_of(gait, (), LIMITS):  # type: ignore[arg-type]  # parametrize knows no type
-        assert all(limit.allow(goal) for limit, goal in zip(LIMITS, step.goals, strict=True))
-
-
 def test_step_goals_match_motor_count() -> None:
     assert steps_of(SEQUENCE, BUILT_IN_POSES, factory_limits(2))[0].goals == (600, 40)
 

@@ -1,6 +1,5 @@
 from itertools import pairwise
 
-from trex_gui.devices.trex.simulator.channels import Signal
 from trex_gui.devices.trex.simulator.command import demonstrate
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
@@ -39,15 +38,6 @@ def test_demo_moves_voltages_in_analog_mode() -> None:
     first = [raw[0] for raw in seen if raw[0] is not None]
     assert 0 <= min(first) < 200
     assert 800 < max(first) <= 1023
-
-
-def test_demo_leaves_user_set_channel_alone() -> None:
-    line = demo_line()
-    watch(line, 1)
-    line.boards[0].channels.signals[2] = Signal.pulses(1234)
-    seen = watch(line, 5)
-    assert {raw[1] for raw in seen} == {3085}
-    assert len({raw[0] for raw in seen}) > 100
 
 
 def test_demo_puts_light_load_on_motors() -> None:

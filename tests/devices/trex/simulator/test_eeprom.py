@@ -81,6 +81,11 @@ def _document(**changes: Any) -> str:
     return json.dumps(eeprom._document() | changes)
 
 
+def _calibrated(**changes: float) -> str:
+    row = {"minimum": 5, "neutral": 6, "maximum": 9, "deadband": 1} | changes
+    return _document(rc_calibration=[row] * 5)
+
+
 @pytest.mark.parametrize(
     ("text", "why"),
     [
@@ -101,24 +106,8 @@ def _document(**changes: Any) -> str:
             _document(analog_calibration=[{"minimum": 5, "neutral": 4, "maximum": 9}] * 5),
             "analog_calibration, channel 1 does not have minimum",
         ),
-        (
-            _document(
-                rc_calibration=[
-                    {"minimum": 5, "neutral": 6, "maximum": 16384, "deadband": 1},
-                ]
-                * 5
-            ),
-            "maximum is not a number from 0 to 16383",
-        ),
-        (
-            _document(
-                analog_calibration=[
-                    {"minimum": 5, "neutral": 4.5, "maximum": 9, "deadband": 1},
-                ]
-                * 5
-            ),
-            "neutral is not a number",
-        ),
+        (_calibrated(maximum=16384), "maximum is not a number from 0 to 16383"),
+        (_calibrated(neutral=4.5), "neutral is not a number"),
     ],
 )
 def test_damaged_file_is_reported_in_one_line(tmp_path: Path, text: str, why: str) -> None:
