@@ -1,21 +1,13 @@
-"""A simulated Aracna, as a process of its own and in virtual time."""
+"""A simulated Aracna in virtual time."""
 
 from typing import Any
 
-from tests.support.simulator import SimulatorProcess
 from tests.support.transport import SimulatedTransport
 from trex_gui.devices.aracna.simulator.control import control
 from trex_gui.devices.aracna.simulator.line import AracnaLine
 
 BOOT = 1.1
 """Seconds after which a board that was switched on listens."""
-
-
-class AracnaProcess(SimulatorProcess):
-    """`trex-sim --aracna` in a process of its own, and its control line."""
-
-    def __init__(self, *arguments: str) -> None:
-        super().__init__("--aracna", *arguments)
 
 
 class AracnaStage:
