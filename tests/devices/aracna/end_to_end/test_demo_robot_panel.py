@@ -144,13 +144,6 @@ def test_unplugged_cable_is_reported_until_plugged_in(panel: DemoRobotPanel) -> 
     assert "The cable is unplugged" in panel.text("aracnaDemoState")
     assert not panel.is_enabled("aracnaDemoNoise")
 
-    window.click("connectButton")
-    window.wait_for_text("bannerText", "Check “Plugged in” on its panel")
-    assert panel.robot.link is ConnectionState.DISCONNECTED
-    assert panel.dock.isVisible()
-    assert window.text("statusLabel") == "Not connected."
-    assert window.is_enabled("connectButton")
-
     panel.click("aracnaDemoCable")
     panel.wait(
         lambda: panel.text("aracnaDemoState") == "The cable is plugged in again. Press Connect."
@@ -198,55 +191,6 @@ def test_all_faults_are_cleared_at_once(panel: DemoRobotPanel) -> None:
         assert not panel.find(QCheckBox, name).isChecked(), name
     panel.window.wait_until_up()
     panel.window.move()
-
-
-# --- Visibility -------------------------------------------------------------------------
-
-
-def test_panel_is_shown_only_with_demo_robot(window: RobotWindow) -> None:
-    panel, action = DemoRobotPanel(window), window.action("aracna_demo")
-    assert panel.dock.isHidden()
-    assert not action.isEnabled()
-
-    window.choose_demo()
-    panel.wait(panel.dock.isVisible)
-    assert window.window.dockWidgetArea(panel.dock) is Qt.DockWidgetArea.RightDockWidgetArea
-    assert not window.has("demoPanel")
-    window.choose_demo("trex")
-    window.wait(lambda: window.has("demoPanel"))
-    assert panel.dock.isHidden()
-    assert not action.isVisible()
-    window.choose_demo()
-    panel.wait(panel.dock.isVisible)
-    assert not window.has("demoPanel")
-
-    window.click("connectButton")
-    panel.wait(panel.dock.isHidden)
-    window.wait(window.is_idle)
-    window.choose_demo()
-    panel.wait(panel.dock.isVisible)
-    window.program.connect_to_port("/dev/ttyNothing7", "aracna")
-    panel.wait(panel.dock.isHidden)
-    assert not action.isEnabled()
-
-
-def test_closed_panel_stays_closed_until_menu_shows_it(panel: DemoRobotPanel) -> None:
-    window, action = panel.window, panel.window.action("aracna_demo")
-    assert action.isChecked()
-    panel.dock.close()
-    assert not action.isChecked()
-    window.press_disconnect()
-    window.choose_demo()
-    assert panel.dock.isHidden()
-
-    window.simulated()  # what was under way has been answered before
-    panel.robot.move((400,) * 8)
-    panel.wait(lambda: panel.robot.state.moved is not None)
-    assert panel.snapshot.servos[0].position == 512, "a hidden panel asks for nothing"
-    action.trigger()
-    panel.wait(panel.dock.isVisible)
-    assert action.isChecked()
-    panel.wait(lambda: panel.snapshot.servos[0].position == panel.robot.state.present[0])
 
 
 # --- Accessibility ----------------------------------------------------------------------

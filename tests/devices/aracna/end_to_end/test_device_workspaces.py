@@ -19,6 +19,7 @@ def assert_trex_workspace(window: RobotWindow) -> None:
     assert not window.has("aracnaTabs")
     assert window.menus == TREX_MENUS
     assert window.has("demoPanel")
+    assert not window.has("aracnaDemoPanel")
     assert trex(window.program).controller.demo_in_use
 
 
@@ -28,6 +29,7 @@ def assert_robot_workspace(window: RobotWindow) -> None:
     assert not window.has("tabs")
     assert window.menus == ARACNA_MENUS
     assert not window.has("demoPanel")
+    assert window.has("aracnaDemoPanel")
     assert not trex(window.program).controller.demo_in_use
     assert window.text("statusLabel") == "Connected to Aracna: firmware 1, 8 motors."
     assert not window.is_enabled("lineButton")
