@@ -193,29 +193,3 @@ def test_each_loss_sends_its_control_line(
         simulator.send("show", answers.append)
         qtbot.waitUntil(lambda: bool(answers), timeout=15_000)
     assert simulator.orders() == [f"line {loss}"]
-
-
-@pseudo_terminals
-def test_restart_of_unpowered_board_is_rejected(robot: DemoRobot, qtbot: QtBot) -> None:
-    robot.set_power(False)
-    qtbot.waitUntil(lambda: not seen(robot).power, timeout=15_000)
-    with qtbot.waitSignal(robot.rejected, timeout=15_000) as refusal:
-        robot.restart()
-    assert refusal.args == ["The board has no power; power on starts it."]
-    robot.set_power(True)
-    qtbot.waitUntil(lambda: seen(robot).state is FirmwareState.IDLE, timeout=15_000)
-    robot.restart()
-    qtbot.waitUntil(lambda: seen(robot).boots == 3, timeout=15_000)
-
-
-@pseudo_terminals
-def test_snapshot_is_cleared_while_simulator_is_stopped(
-    robot: DemoRobot, simulator: Overheard, qtbot: QtBot
-) -> None:
-    with qtbot.waitSignal(simulator.ended, timeout=15_000):
-        simulator.stop()
-    assert robot.snapshot is None
-    robot.repair()
-    with qtbot.waitSignal(simulator.ready, timeout=15_000):
-        simulator.start()
-    qtbot.waitUntil(lambda: robot.snapshot is not None, timeout=15_000)

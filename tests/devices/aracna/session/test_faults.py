@@ -296,18 +296,6 @@ def test_second_failed_servo_is_reported_stuck_too() -> None:
     assert [stuck.motor for stuck in session.of(Stuck)] == [3, 5]
 
 
-def test_move_succeeds_after_line_was_mute_in_mid_reply() -> None:
-    session = ScriptedSession()
-    session.at(0.5, Move(1, (500, 300, *(400,) * 6), (30,) * 8))
-    session.at(2.0, lambda: session.stage.do("line mute on"))
-    session.at(30.0, lambda: session.stage.do("line mute off"))
-    session.at(40.0, Move(2, (450,) * 8, (30,) * 8)).until(50.0)
-    session.run()
-    outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
-    assert outcomes[1] is not None
-    assert outcomes[2] is None
-
-
 def test_move_sent_right_after_lost_reply_succeeds() -> None:
     """The move waits until the robot answers `.q` instead of being rejected."""
     session = (

@@ -87,13 +87,6 @@ class TestDeafness:
         line.send(b"\x82")
         assert line.read(9, 1) == b"r"
 
-    def test_power_cut_during_write_prevents_reply(self, line: TrexLine) -> None:
-        line.send(bytes.fromhex("AF 07 0F 55 2A"))
-        line.advance(5 * BYTE + 0.002)
-        line.boards[0].power_cycle()
-        assert line.read(1, 1) == b""
-        assert line.boards[0].memory.get(0x07) == 0
-
 
 class TestHostSettings:
     @pytest.mark.parametrize(
@@ -194,9 +187,14 @@ class TestFaults:
         line.faults.mute = False
         assert ask("82") == "72"
 
-    def test_drop_loses_bytes_of_reply(self, line: TrexLine, ask: Ask) -> None:
-        line.faults.to_drop = 3
-        assert ask("81") == b"X1.2".hex(" ")
+    @pytest.mark.parametrize(
+        ("fault", "count", "reply"), [("to_drop", 3, b"X1.2"), ("to_double", 2, b"TTRReX1.2")]
+    )
+    def test_fault_drops_or_doubles_bytes_of_reply(
+        self, line: TrexLine, ask: Ask, fault: str, count: int, reply: bytes
+    ) -> None:
+        setattr(line.faults, fault, count)
+        assert ask("81") == reply.hex(" ")
         assert ask("82") == "72"
 
     def test_drop_sent_loses_bytes_of_request(self, line: TrexLine, ask: Ask) -> None:
@@ -209,11 +207,6 @@ class TestFaults:
         line.faults.to_corrupt = 2
         reply = bytes.fromhex(ask("81"))
         assert [a == b for a, b in zip(reply, b"TReX1.2", strict=True)] == [False] * 2 + [True] * 5
-        assert ask("82") == "72"
-
-    def test_doubled_bytes_of_reply_arrive_twice(self, line: TrexLine, ask: Ask) -> None:
-        line.faults.to_double = 2
-        assert ask("81") == b"TTRReX1.2".hex(" ")
         assert ask("82") == "72"
 
     def test_delayed_reply_arrives_late_and_in_order(self, line: TrexLine) -> None:

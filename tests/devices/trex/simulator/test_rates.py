@@ -113,22 +113,6 @@ def test_reply_at_another_rate_is_garbage_of_varying_length() -> None:
     assert max(lengths) > 7
 
 
-@pytest.mark.parametrize("paced", [True, False])
-@pytest.mark.parametrize(
-    ("baud", "errors"),
-    [(9600, UartError.FRAMING), (115200, UartError(0))],  # the latter is too short to be seen
-)
-def test_request_and_motor_command_at_wrong_rate_do_nothing(
-    baud: int, errors: UartError, paced: bool
-) -> None:
-    line = a_line(5, paced=paced)
-    line.host = LineSettings(baud)
-    assert ask(line, "81 F0 7F") == b""
-    board = line.boards[0]
-    assert UartError.FRAMING & board.serial.uart_errors == errors
-    assert board.aux.speed == 0
-
-
 def test_board_replies_again_at_correct_rate() -> None:
     for code, host in permutations(range(len(baud_rates())), 2):
         line = a_line(code, paced=True)
