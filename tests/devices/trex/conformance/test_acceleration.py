@@ -14,26 +14,17 @@ MOTORS = [
 """Number; set forward; accelerate forward; accelerate in reverse."""
 
 
-@pytest.mark.parametrize(("motor", "_set", "forward", "_reverse"), MOTORS)
-def test_motor_speed_is_updated_100_times_per_second(
-    trex: Trex, motor: int, _set: str, forward: str, _reverse: str
+@pytest.mark.parametrize(("motor", "set_", "forward", "_reverse"), MOTORS)
+@pytest.mark.parametrize("acceleration", [25, 127])
+def test_update_adds_a_tenth_of_acceleration_100_times_a_second(
+    trex: Trex, motor: int, set_: str, forward: str, _reverse: str, acceleration: int
 ) -> None:
-    """CMD10 0xC4; an acceleration of 10 adds 1 an update."""
-    trex.set_up(**{f"motor{motor}_acceleration": 10})
+    """CMD10 0xC4: motor speed = motor speed + acceleration/10."""
+    trex.set_up(**{f"motor{motor}_acceleration": acceleration})
+    trex.report(f"{set_} 0A")
     trex.report(f"{forward} 7F")
     for state in trex.watch(0.1):
         speed = state["motors"][motor - 1]["speed"]
-        assert min(127, trex.fewest_updates) <= speed <= trex.most_updates
-
-
-@pytest.mark.parametrize("acceleration", [25, 127])
-def test_update_adds_a_tenth_of_acceleration_below_target(trex: Trex, acceleration: int) -> None:
-    """CMD10 0xC4: motor speed = motor speed + acceleration/10."""
-    trex.set_up(motor1_acceleration=acceleration)
-    trex.report("C2 0A")
-    trex.report("C6 7F")
-    for state in trex.watch(0.1):
-        speed = state["motors"][0]["speed"]
         assert speed >= min(127, 10 + int(trex.fewest_updates * acceleration / 10))
         assert speed <= min(127, 10 + trex.most_updates * acceleration / 10)
 

@@ -20,13 +20,6 @@ def stored(trex: Trex, channel: int) -> tuple[int, ...]:
     return tuple(words(trex.ask(f"{0x90 + channel - 1:02X}")))
 
 
-def test_calibration_reads_back_for_each_channel(trex: Trex) -> None:
-    """CMD10 0x90: 0x90 refers to channel 1, ... 0x94 to channel 5; in that order."""
-    for channel in CHANNELS:
-        assert trex.ask(calibration(channel, *GIVEN[channel])) == "00"
-    assert {channel: stored(trex, channel) for channel in CHANNELS} == GIVEN
-
-
 def test_low_byte_of_each_value_is_sent_first(trex: Trex) -> None:
     """CMD10 0x90."""
     assert trex.ask(calibration(1, 0x0102, 0x0304, 0x0506, 0x0108)) == "00"
@@ -61,11 +54,6 @@ def test_calibration_write_applies_to_channel_input_source(trex: Trex) -> None:
     assert stored(trex, 1) == (101, 501, 901, 11)
     trex.set_up(channel_input_source=0)
     assert stored(trex, 1) == before
-
-
-def test_new_board_has_no_calibrated_channel(trex: Trex) -> None:
-    """CMD10 0x95: channels "that differ from the defaults"."""
-    assert trex.ask("95") == "00"
 
 
 def test_calibration_command_sets_bit_of_its_channel(trex: Trex) -> None:

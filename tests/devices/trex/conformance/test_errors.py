@@ -148,16 +148,6 @@ def test_invalid_data_byte_is_a_format_error(trex: Trex) -> None:
         assert trex.ask("85") == "40", bad
 
 
-def test_packet_with_format_error_is_discarded(trex: Trex) -> None:
-    """CMD10 0x85: "discarded as untrustworthy"."""
-    trex.report(trex.head("C2") + b"\xff")
-    trex.report(trex.head("F0") + b"\xff")
-    assert trex.motor(1)[0] == "brake"
-    assert trex.show()["aux"]["speed"] == 0
-    assert trex.unanswered("AF 0E 05 55 55")
-    assert trex.ask("9F 0E") == "00"
-
-
 def test_serial_timeout_stops_motors_and_sets_its_bit(trex: Trex) -> None:
     """CMD10 0x85: bit 7; the unit of 100 ms is that of two clients, see trex.md."""
     assert trex.ask("AF 07 01 55 2A") == "00"

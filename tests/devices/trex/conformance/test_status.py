@@ -43,17 +43,6 @@ def test_motor_fault_sets_its_status_bit(trex: Trex, motor: int, bit: int) -> No
     assert trex.number("84") == bit
 
 
-def test_status_bits_3_to_1_are_unused(trex: Trex) -> None:
-    """CMD10 0x84; every used bit is set here."""
-    drive_with_limits(trex)
-    for motor in (1, 2):
-        exceed_the_limit(trex, motor)
-        trex.do(f"fault {motor} on")
-    trex.report(b"\x88")
-    trex.wait(0.02)
-    assert trex.ask("84") == "F1"
-
-
 def test_status_bit_0_is_a_uart_error(trex: Trex) -> None:
     """CMD10 0x84: "read UART error byte for more information"."""
     assert trex.ask("84") == "00"
@@ -75,7 +64,7 @@ def test_status_bits_are_latched_until_read(trex: Trex) -> None:
 
 
 def test_reading_status_byte_clears_all_its_bits(trex: Trex) -> None:
-    """CMD10 0x84."""
+    """CMD10 0x84; every used bit is set here, bits 3 to 1 are not used."""
     drive_with_limits(trex)
     for motor in (1, 2):
         exceed_the_limit(trex, motor)
