@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 import pytest
 
+from tests.devices.trex.simulator.ports import SETTLED
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
 from trex_gui.devices.trex.simulator.uart import SerialPort
@@ -45,3 +46,12 @@ def asking() -> Callable[[TrexLine], Ask]:
 @pytest.fixture
 def ask(line: TrexLine) -> Ask:
     return make_ask(line)
+
+
+@pytest.fixture
+def rc() -> Board:
+    """A board in RC mode that has left safe-start."""
+    board = Board(mode="rc")
+    board.advance(SETTLED)
+    assert not board.sticks.safe_start
+    return board

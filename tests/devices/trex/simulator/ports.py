@@ -1,5 +1,6 @@
 """Packets to the UART of a board and its answers, in hex, without a wire."""
 
+from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.memory import Eeprom
@@ -48,3 +49,10 @@ def a_board(number: int = 7, settings: int = 0x05, model: str = "trex", **parame
     for key, value in cells.items():
         eeprom.write(key, value)
     return Board(eeprom=eeprom)
+
+
+def write(board: Board, key: str, value: int) -> None:
+    """Write a parameter and wait until it is stored."""
+    spec = board.memory.parameters[key]
+    assert board.set_parameter(spec.number, value) is ResultCode.OK
+    board.advance(0.005)

@@ -1,5 +1,6 @@
 import pytest
 
+from tests.devices.trex.simulator.ports import write
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.flags import InputSource, UartError
@@ -10,13 +11,6 @@ from trex_gui.devices.trex.simulator.memory import Eeprom
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
 FORWARD = MotorDirection.FORWARD
-
-
-def write(board: Board, key: str, value: int) -> None:
-    """Write a parameter and wait until it is stored."""
-    spec = board.memory.parameters[key]
-    assert board.set_parameter(spec.number, value) is ResultCode.OK
-    board.advance(0.005)
 
 
 class TestPower:

@@ -2,8 +2,7 @@
 
 import pytest
 
-from tests.devices.trex.simulator.ports import SETTLED
-from trex_gui.devices.trex.protocol.errors import ResultCode
+from tests.devices.trex.simulator.ports import SETTLED, write
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.devices.trex.simulator.channels import Signal
 from trex_gui.devices.trex.simulator.firmware import Board
@@ -11,22 +10,6 @@ from trex_gui.devices.trex.simulator.memory import Eeprom
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
 FORWARD, REVERSE, BRAKE = MotorDirection.FORWARD, MotorDirection.REVERSE, MotorDirection.BRAKE
-
-
-def write(board: Board, key: str, value: int) -> None:
-    """Write a parameter and wait until it is stored."""
-    spec = board.memory.parameters[key]
-    assert board.set_parameter(spec.number, value) is ResultCode.OK
-    board.advance(0.005)
-
-
-@pytest.fixture
-def rc() -> Board:
-    """A board in RC mode that has left safe-start."""
-    board = Board(mode="rc")
-    board.advance(SETTLED)
-    assert not board.sticks.safe_start
-    return board
 
 
 either_firmware = pytest.mark.parametrize("needs_shutdown", [False, True])

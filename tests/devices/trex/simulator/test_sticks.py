@@ -23,15 +23,6 @@ def waits(board: Board) -> bool:
     return board.sticks.safe_start
 
 
-@pytest.fixture
-def rc() -> Board:
-    """A board in RC mode that has left safe-start."""
-    board = Board(mode="rc")
-    board.advance(SETTLED)
-    assert not board.sticks.safe_start
-    return board
-
-
 class TestChannelControl:
     @pytest.mark.parametrize("tick", range(8))  # of the inputs' 20 ms
     @pytest.mark.parametrize("text", ["invalid", "1300us"])
