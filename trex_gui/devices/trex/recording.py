@@ -12,13 +12,13 @@ from trex_gui.core.recording.kinds import (
     MARKERS,
     Column,
     Marker,
-    Physical,
     RecordingFormat,
     SampleKind,
     Value,
 )
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import (
+    POLLED,
     Control,
     Currents,
     LatchedStatus,
@@ -30,15 +30,7 @@ from trex_gui.devices.trex.client.telemetry import (
 from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetMotor
 from trex_gui.devices.trex.protocol.device_table import Model, device_table
 from trex_gui.devices.trex.protocol.driving import Direction, Drive
-from trex_gui.devices.trex.protocol.flags import (
-    CHANNELS,
-    STATUS_MEANING,
-    UART_MEANING,
-    InputSource,
-    Mode,
-    Status,
-    UartError,
-)
+from trex_gui.devices.trex.protocol.flags import InputSource, Mode
 from trex_gui.devices.trex.settings.document import settings_of
 from trex_gui.devices.trex.settings.writer import write_settings
 
@@ -161,87 +153,10 @@ class Header:
 
 def sample_kinds(source: InputSource, current_unit: float) -> tuple[SampleKind, ...]:
     """Return the kinds of samples; `current_unit` is in A per count."""
-    unit, digits = ("us", 1) if source is InputSource.RC else ("V", 4)
-    scale = 1 / source.counts_per_unit
-    bits: list[tuple[str, Status | UartError, str]] = [
-        *((f"status_{str(bit.name).lower()}", bit, STATUS_MEANING[bit][0]) for bit in Status),
-        *((f"uart_{str(bit.name).lower()}", bit, UART_MEANING[bit][0]) for bit in UartError),
-    ]
-
-    def raw(channel: int) -> Column:
-        physical = Physical(f"channel_{channel}_{unit}", scale, digits)
-        description = f"channel {channel}: counts, {source.unit}; NULL without a valid signal"
-        return Column(f"channel_{channel}_raw", "INTEGER", description, physical, optional=True)
-
-    def remapped(channel: int) -> Column:
-        description = f"channel {channel}: -127 to 127"
-        return Column(f"channel_{channel}_remapped", "INTEGER", description)
-
-    def current(motor: int) -> Column:
-        physical = Physical(f"motor_{motor}_current_A", current_unit, 4)
-        description = f"current of motor {motor}: counts, A"
-        return Column(f"motor_{motor}_current_counts", "INTEGER", description, physical)
-
-    def latched_status(time: float, *values: int) -> LatchedStatus:
-        status, uart = Status(0), UartError(0)
-        for (_, bit, _), value in zip(bits, values, strict=True):
-            if value and isinstance(bit, Status):
-                status |= bit
-            elif value and isinstance(bit, UartError):
-                uart |= bit
-        return LatchedStatus(time, status, uart)
-
+    polled = [value.kind(source, current_unit) for value in POLLED.values()]
     return (
-        SampleKind(
-            "raw",
-            Raw,
-            tuple(map(raw, CHANNELS)),
-            lambda r: r.counts,
-            lambda time, *counts: Raw(time, counts),
-            held=True,
-        ),
-        SampleKind(
-            "remapped",
-            Remapped,
-            tuple(map(remapped, CHANNELS)),
-            lambda r: r.values,
-            lambda time, *values: Remapped(time, values),
-            held=True,
-        ),
-        SampleKind(
-            "currents",
-            Currents,
-            (current(1), current(2)),
-            lambda r: r.counts,
-            lambda time, one, two: Currents(time, (one, two)),
-            held=True,
-        ),
-        SampleKind(
-            "control",
-            Control,
-            (Column("serial_controls", "INTEGER", "1: serial commands reach the motors"),),
-            lambda r: (int(r.by_serial),),
-            lambda time, value: Control(time, bool(value)),
-            held=True,
-        ),
-        SampleKind(
-            "mode",
-            ModeSample,
-            (Column("mode", "TEXT", "R, A: RC, analog; r, a: serial with RC, analog inputs"),),
-            lambda r: (r.mode.value,),
-            lambda time, value: ModeSample(time, Mode(value)),
-            held=True,
-        ),
-        SampleKind(
-            "status",
-            LatchedStatus,
-            tuple(Column(name, "INTEGER", f"1: {meaning}") for name, _, meaning in bits),
-            lambda r: tuple(
-                int(bool(bit & (r.status if isinstance(bit, Status) else r.uart)))
-                for _, bit, _ in bits
-            ),
-            latched_status,
-        ),
+        *(kind for kind in polled if kind.held),
+        *(kind for kind in polled if not kind.held),
         SampleKind(
             "setpoint",
             SetpointRecord,

@@ -14,7 +14,7 @@ from tests.support.simulator import SimulatedDevice
 from trex_gui.core.recording.backlog import Backlog
 from trex_gui.core.recording.kept import kept_path, make_kept_folder, make_room
 from trex_gui.core.recording.kinds import Marker
-from trex_gui.devices.trex.client.telemetry import Control, Currents, ModeSample, Raw, Remapped
+from trex_gui.devices.trex.client.telemetry import Control, Currents, Raw, Remapped, Sample
 from trex_gui.devices.trex.model import recorder
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.recorder import EventRecorder, Recorder
@@ -93,11 +93,7 @@ def test_every_reported_sample_is_recorded(session: RecorderSetup, tmp_path: Pat
     assert session.recorder.start(path)
     session.wait(lambda: len(session.samples) > 400)
     session.end_recording()
-    samples = [
-        record
-        for record in everything(path)
-        if isinstance(record, Currents | Raw | Remapped | Control | ModeSample)
-    ]
+    samples = [record for record in everything(path) if isinstance(record, Sample)]
     assert samples == session.samples
     assert session.recorder.size == path.stat().st_size
     assert {Currents, Raw, Remapped, Control} <= {type(sample) for sample in samples}

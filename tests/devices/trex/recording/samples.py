@@ -1,6 +1,6 @@
 """Recordings to write and read: arbitrary ones, and an hour of a plausible one."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
@@ -11,12 +11,14 @@ from hypothesis import strategies as st
 from trex_gui.core.recording.kinds import Marker
 from trex_gui.core.recording.store import CHUNK, Recording, RecordingWriter
 from trex_gui.devices.trex.client.telemetry import (
+    POLLED,
     Control,
     Currents,
     LatchedStatus,
     ModeSample,
     Raw,
     Remapped,
+    Sample,
 )
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.driving import Direction, Drive
@@ -46,15 +48,22 @@ bytes_ = st.integers(0, 255)
 seven_bits = st.integers(0, 127)
 texts = st.text(st.characters(exclude_categories=["Cs"]), max_size=40)
 
-records: st.SearchStrategy[Record] = st.one_of(
-    st.builds(Currents, times, st.tuples(bytes_, bytes_)),
-    st.builds(Raw, times, st.tuples(*[st.none() | st.integers(0, 6250)] * 5)),
-    st.builds(Remapped, times, st.tuples(*[st.integers(-127, 127)] * 5)),
-    st.builds(
+polled: Mapping[type[Sample], st.SearchStrategy[Sample]] = {
+    Currents: st.builds(Currents, times, st.tuples(bytes_, bytes_)),
+    Raw: st.builds(Raw, times, st.tuples(*[st.none() | st.integers(0, 6250)] * 5)),
+    Remapped: st.builds(Remapped, times, st.tuples(*[st.integers(-127, 127)] * 5)),
+    LatchedStatus: st.builds(
         LatchedStatus, times, bytes_.map(lambda bits: Status(bits & 0xF1)), bytes_.map(UartError)
     ),
-    st.builds(Control, times, st.booleans()),
-    st.builds(ModeSample, times, st.sampled_from(Mode)),
+    Control: st.builds(Control, times, st.booleans()),
+    ModeSample: st.builds(ModeSample, times, st.sampled_from(Mode)),
+}
+"""Samples of each polled value, for the tests of recordings and messages."""
+
+assert polled.keys() == POLLED.keys()
+
+records: st.SearchStrategy[Record] = st.one_of(
+    *polled.values(),
     st.builds(
         SetpointRecord,
         times,

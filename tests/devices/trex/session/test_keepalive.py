@@ -11,7 +11,7 @@ from tests.support.matrix import sampled
 from tests.support.virtual import Stage, VirtualTransport
 from trex_gui.core.session import Outcome
 from trex_gui.core.transport.serial_port import latency_of
-from trex_gui.devices.trex.client.telemetry import LatchedStatus, Raw
+from trex_gui.devices.trex.client.telemetry import Control, Currents, LatchedStatus, ModeSample, Raw
 from trex_gui.devices.trex.driving.requests import (
     Arm,
     Heartbeat,
@@ -26,7 +26,6 @@ from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameter_number
 from trex_gui.devices.trex.session.messages import Connected, Report, Write
 from trex_gui.devices.trex.session.polling import (
-    Topic,
     silence,
     survives_a_loss,
     too_slow,
@@ -178,7 +177,7 @@ def test_reply_lost_after_arming_lets_no_timeout_fire(ahead: float) -> None:
 
 
 def test_too_slow_polls_follow_from_size_and_baud_rate() -> None:
-    assert too_slow(LineSettings(1200), 0.1) == {Topic.RAW}
+    assert too_slow(LineSettings(1200), 0.1) == {Raw}
     assert too_slow(LineSettings(1200), 0.2) == frozenset()
     assert too_slow(LineSettings(2400), 0.1) == frozenset()
     assert too_slow(LineSettings(1200), 0) == frozenset()
@@ -190,7 +189,7 @@ def test_every_rate_leaves_polls_that_fit_100_ms_timeout() -> None:
     for baud, detection, stop_bits in itertools.product(baud_rates(), Detection, (1, 2)):
         line = LineSettings(baud, detection, stop_bits)
         left_out = too_slow(line, 0.1)
-        needed = {Topic.CURRENTS, Topic.CONTROL, Topic.STATUS, Topic.MODE}
+        needed = {Currents, Control, LatchedStatus, ModeSample}
         assert needed.isdisjoint(left_out), line.text()
 
 

@@ -2,9 +2,9 @@
 
 from tests.devices.trex.session.helpers import staged
 from trex_gui.core.timing import Timeouts
+from trex_gui.devices.trex.client.telemetry import Control, Currents, ModeSample, Raw
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
-from trex_gui.devices.trex.session.polling import Topic
 from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
 
 ELSEWHERE = (ConnectionSettings("virtual", LineSettings(57600)),)
@@ -27,16 +27,16 @@ def test_reply_between_failures_keeps_board_responding() -> None:
 
 def test_topic_that_always_fails_counts_despite_other_replies() -> None:
     """Where wires touch, a request that comes back can pass for a measurement."""
-    for topic, fails in ((Topic.CONTROL, True), (Topic.MODE, True), (Topic.RAW, False)):
+    for topic, fails in ((Control, True), (ModeSample, True), (Raw, False)):
         liveness = LivenessMonitor(Timeouts())
         for _ in range(3):
             liveness.note_failure(1.0, topic)
-            liveness.note_answer(Topic.CURRENTS)
+            liveness.note_answer(Currents)
         assert liveness.silent is fails
     liveness = LivenessMonitor(Timeouts())
     for _ in range(9):
-        liveness.note_failure(1.0, Topic.MODE)
-        liveness.note_answer(Topic.MODE)
+        liveness.note_failure(1.0, ModeSample)
+        liveness.note_answer(ModeSample)
     assert not liveness.silent
 
 

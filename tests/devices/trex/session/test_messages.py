@@ -1,22 +1,20 @@
 """Messages cross threads and processes: each must be the same on the other side."""
 
 import pickle
-from typing import TypeVar, get_args
+from typing import TypeVar
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
+from tests.devices.trex.recording.samples import polled
 from tests.devices.trex.session.helpers import among, run_for, staged
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable, StudioError
 from trex_gui.core.session import Close, Closed, Outcome, Progress
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.telemetry import (
-    Control,
     Currents,
-    LatchedStatus,
-    ModeSample,
-    Raw,
-    Remapped,
     Sample,
 )
 from trex_gui.devices.trex.client.writing import WriteResult
@@ -41,7 +39,6 @@ from trex_gui.devices.trex.protocol.commands import (
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode, Rejected, ResultCode
-from trex_gui.devices.trex.protocol.flags import Mode, Status, UartError
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.raw_packets import packets_of
 from trex_gui.devices.trex.session.messages import (
@@ -91,30 +88,17 @@ ERRORS: list[StudioError] = [
     Rejected("Serial Timeout", ResultCode.NOT_SERIAL_MODE),
 ]
 
-SAMPLES = (
-    Raw(1.0, (1, None, 3, 4, 5)),
-    Remapped(1.0, (1, -2, 3, -4, 5)),
-    Currents(1.0, (3, 4)),
-    LatchedStatus(1.0, Status.MOTOR1_FAULT | Status.UART_ERROR, UartError.CRC | UartError.FORMAT),
-    Control(1.0, by_serial=True),
-    ModeSample(1.0, Mode.SERIAL_ANALOG),
-)
-
 REPORTS: list[Report] = [
     Progress(1, 2, "x"),
     ProbeProgress(1, 2, "x"),
     NotResponding("x", Counters(requests=3)),
     MotorsStopped(ErrorCode.NO_HEARTBEAT, confirmed=False),
-    Batch(SAMPLES, Counters(1, 2, 3, 4, 0.5)),
+    Batch((Currents(1.0, (3, 4)),), Counters(1, 2, 3, 4, 0.5)),
     Outcome(1, LEARNED),
     Outcome(2, (WriteResult(CalibrationKey.RC_CHANNEL_1, LEARNED), WriteResult("motor_mode", 1))),
     Closed(None),
     Closed(None, may_move=True),
 ]
-
-
-def test_every_kind_of_sample_is_among_the_examples() -> None:
-    assert {type(sample) for sample in SAMPLES} == set(get_args(Sample))
 
 
 def there_and_back(thing: ThingT) -> ThingT:
@@ -130,6 +114,11 @@ def test_request_survives_pickling(request_: Request) -> None:
 @pytest.mark.parametrize("report", REPORTS, ids=lambda report: type(report).__name__)
 def test_report_survives_pickling(report: Report) -> None:
     assert there_and_back(report) == report
+
+
+@given(samples=st.tuples(*polled.values()))
+def test_sample_of_each_polled_value_survives_pickling(samples: tuple[Sample, ...]) -> None:
+    assert there_and_back(samples) == samples
 
 
 def test_every_command_survives_pickling() -> None:

@@ -9,20 +9,18 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.matrix import examples
+from trex_gui.devices.trex.client.telemetry import (
+    POLLED,
+    Currents,
+    LatchedStatus,
+    ModeSample,
+    Raw,
+    Remapped,
+)
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.session.polling import Schedule, Topic, rates
 
 modest = examples(40)
-
-
-BYTES = {
-    Topic.CURRENTS: 3,
-    Topic.RAW: 12,
-    Topic.REMAPPED: 7,
-    Topic.STATUS: 2,
-    Topic.CONTROL: 2,
-    Topic.MODE: 2,
-}
 
 
 def simulate(
@@ -46,7 +44,10 @@ def simulate(
 
 
 def on_line(baud: int) -> dict[Topic, float]:
-    return {topic: size * 10 / baud for topic, size in BYTES.items()}
+    return {
+        topic: (1 + polled.query.data_size + polled.query.reply_size()) * 10 / baud
+        for topic, polled in POLLED.items()
+    }
 
 
 def test_unstarted_schedule_has_no_next_topic() -> None:
@@ -62,40 +63,40 @@ def test_every_topic_is_due_at_start() -> None:
     while topic := schedule.next(10.0):
         polled.add(topic)
         schedule.polled(topic, 10.0)
-    assert polled == set(Topic)
+    assert polled == POLLED.keys()
 
 
 def test_topic_is_not_due_before_its_period() -> None:
     schedule = Schedule()
-    schedule.start({Topic.MODE: 2.0}, 0.0)
-    schedule.polled(Topic.MODE, 0.0)
+    schedule.start({ModeSample: 2.0}, 0.0)
+    schedule.polled(ModeSample, 0.0)
     assert schedule.next(0.49) is None
     assert schedule.seconds_to_next(0.1) == pytest.approx(0.4)
-    assert schedule.next(0.5) is Topic.MODE
+    assert schedule.next(0.5) is ModeSample
     assert schedule.seconds_to_next(0.7) == 0.0
 
 
 def test_restart_discards_earlier_topics() -> None:
     schedule = Schedule()
-    schedule.start({Topic.MODE: 1.0, Topic.RAW: 50.0}, 0.0)
-    schedule.start({Topic.STATUS: 10.0}, 1.0)
-    assert schedule.next(1.0) is Topic.STATUS
-    schedule.polled(Topic.STATUS, 1.0)
+    schedule.start({ModeSample: 1.0, Raw: 50.0}, 0.0)
+    schedule.start({LatchedStatus: 10.0}, 1.0)
+    assert schedule.next(1.0) is LatchedStatus
+    schedule.polled(LatchedStatus, 1.0)
     assert schedule.next(1.05) is None
 
 
 def test_unscheduled_topic_is_ignored() -> None:
     schedule = Schedule()
-    schedule.start({Topic.MODE: 1.0}, 0.0)
-    schedule.polled(Topic.RAW, 0.0)
-    assert schedule.next(0.0) is Topic.MODE
+    schedule.start({ModeSample: 1.0}, 0.0)
+    schedule.polled(Raw, 0.0)
+    assert schedule.next(0.0) is ModeSample
 
 
 def test_poll_rates_match_update_rates_of_source() -> None:
-    assert rates(InputSource.RC)[Topic.CURRENTS] == 80
-    assert rates(InputSource.ANALOG)[Topic.CURRENTS] == 50
+    assert rates(InputSource.RC)[Currents] == 80
+    assert rates(InputSource.ANALOG)[Currents] == 50
     for source in InputSource:
-        assert rates(source)[Topic.RAW] == rates(source)[Topic.REMAPPED] == 50
+        assert rates(source)[Raw] == rates(source)[Remapped] == 50
 
 
 @pytest.mark.parametrize("source", list(InputSource))
@@ -109,24 +110,24 @@ def test_fast_line_meets_every_poll_rate(source: InputSource, baud: int) -> None
 
 def test_late_polls_do_not_lower_rate() -> None:
     schedule = Schedule()
-    schedule.start({Topic.STATUS: 10.0}, 0.0)
+    schedule.start({LatchedStatus: 10.0}, 0.0)
     polled = 0
     for step in range(1000):
         now = step * 0.013  # never at the right moment
         if schedule.next(now):
-            schedule.polled(Topic.STATUS, now)
+            schedule.polled(LatchedStatus, now)
             polled += 1
     assert polled == pytest.approx(130, abs=2)
 
 
 def test_polls_missed_in_pause_are_not_caught_up() -> None:
     schedule = Schedule()
-    schedule.start({Topic.CURRENTS: 80.0}, 0.0)
-    schedule.polled(Topic.CURRENTS, 0.0)
+    schedule.start({Currents: 80.0}, 0.0)
+    schedule.polled(Currents, 0.0)
     polled, now = 0, 100.0
     while now < 101.0:
         if schedule.next(now):
-            schedule.polled(Topic.CURRENTS, now)
+            schedule.polled(Currents, now)
             polled += 1
         now += 0.001
     assert polled < 95
@@ -135,27 +136,27 @@ def test_polls_missed_in_pause_are_not_caught_up() -> None:
 @modest
 @given(
     wanted=st.dictionaries(
-        st.sampled_from(list(Topic)), st.floats(1.0, 100.0), min_size=1, max_size=6
+        st.sampled_from(list(POLLED)), st.floats(1.0, 100.0), min_size=1, max_size=6
     ),
     cost=st.floats(0.0005, 0.1),
 )
 def test_no_topic_starves(*, wanted: dict[Topic, float], cost: float) -> None:
     load = max(1.0, cost * sum(wanted.values()))
-    polled = simulate(wanted, dict.fromkeys(Topic, cost), 3 * load / min(wanted.values()) + 1.0)
+    polled = simulate(wanted, dict.fromkeys(POLLED, cost), 3 * load / min(wanted.values()) + 1.0)
     assert all(polled[topic] >= 2 for topic in wanted)
 
 
 @modest
 @given(
     wanted=st.dictionaries(
-        st.sampled_from(list(Topic)), st.floats(1.0, 100.0), min_size=1, max_size=6
+        st.sampled_from(list(POLLED)), st.floats(1.0, 100.0), min_size=1, max_size=6
     ),
     share=st.floats(0.01, 0.7),
 )
 def test_poll_rates_are_met_and_not_exceeded(*, wanted: dict[Topic, float], share: float) -> None:
     cost = share / sum(wanted.values())
     seconds = 10 / min(wanted.values())
-    polled = simulate(wanted, dict.fromkeys(Topic, cost), seconds)
+    polled = simulate(wanted, dict.fromkeys(POLLED, cost), seconds)
     for topic, rate in wanted.items():
         assert polled[topic] == pytest.approx(rate * seconds, rel=0.02, abs=2)
 

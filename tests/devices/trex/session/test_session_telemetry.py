@@ -21,13 +21,13 @@ from trex_gui.core.session import Close
 from trex_gui.core.timing import FRAME, UNWATCHED_INTERVAL
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import (
+    POLLED,
     Control,
     Currents,
     LatchedStatus,
     ModeSample,
     Raw,
     Remapped,
-    Sample,
 )
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.driving.requests import Arm, SetMotor
@@ -44,28 +44,19 @@ from trex_gui.devices.trex.session.messages import (
     SetWatched,
     Write,
 )
-from trex_gui.devices.trex.session.polling import POLLED, Topic, rates
+from trex_gui.devices.trex.session.polling import Topic, rates
 from trex_gui.devices.trex.simulator.channels import Signal
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.ui.plotting.history import MAX_GAP
-
-KINDS: dict[Topic, type[Sample]] = {
-    Topic.CURRENTS: Currents,
-    Topic.RAW: Raw,
-    Topic.REMAPPED: Remapped,
-    Topic.CONTROL: Control,
-    Topic.MODE: ModeSample,
-}
-assert KINDS.keys() == POLLED.keys() - {Topic.STATUS}
 
 
 def rates_seen(stage: Stage, seconds: float) -> dict[Topic, float]:
     """Return how often a second each topic was asked in the last seconds of a session."""
     last = stage.line.now
     return {
-        topic: sum(sample.time > last - seconds for sample in samples(stage.reports, kind))
+        topic: sum(sample.time > last - seconds for sample in samples(stage.reports, topic))
         / seconds
-        for topic, kind in KINDS.items()
+        for topic in POLLED.keys() - {LatchedStatus}
     }
 
 
@@ -91,8 +82,8 @@ def test_unwatched_board_is_polled_slowly() -> None:
         assert rate == pytest.approx(wanted[topic], rel=0.04, abs=0.21), topic
     gaps = [later - sooner for sooner, later in itertools.pairwise(moments[:-1])]
     assert min(gaps) >= UNWATCHED_INTERVAL - 1e-9
-    assert wanted[Topic.CURRENTS] * MAX_GAP > 2, "the plot of currents has gaps"
-    safety = (Topic.STATUS, Topic.CONTROL, Topic.MODE)
+    assert wanted[Currents] * MAX_GAP > 2, "the plot of currents has gaps"
+    safety = (LatchedStatus, Control, ModeSample)
     assert all(wanted[topic] == POLLED[topic].rate for topic in safety)
 
 
@@ -105,7 +96,7 @@ def test_polling_is_fast_again_when_watched_or_motors_may_move(request_: Request
     stage, settings = staged(115200)
     stage.script.at(0.0, SetWatched(False)).at(3.0, request_)
     run_for(stage, 3.5, settings)
-    assert rates_seen(stage, 0.4)[Topic.CURRENTS] == pytest.approx(80, rel=0.1)
+    assert rates_seen(stage, 0.4)[Currents] == pytest.approx(80, rel=0.1)
 
 
 @pytest.fixture(scope="module")
@@ -335,7 +326,7 @@ def test_mode_change_adjusts_poll_rate_of_currents(stage: Stage) -> None:
 
     stage.script.at(1.0, rearrange)
     run_for(stage, 4.6)
-    assert rates_seen(stage, 2.0)[Topic.CURRENTS] == pytest.approx(50, rel=0.03)
+    assert rates_seen(stage, 2.0)[Currents] == pytest.approx(50, rel=0.03)
 
 
 def test_board_is_read_again_three_times_at_most_after_a_failed_write(

@@ -1,48 +1,70 @@
-"""Samples of polled values, and reading the latched status bits."""
+"""Samples of polled values, the table of these values, and reading the latched status bits."""
 
 import contextlib
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from trex_gui.core.errors import BadReply, NoReply
+from trex_gui.core.recording.kinds import Column, Physical, SampleKind
 from trex_gui.devices.trex.client.client import Requester
-from trex_gui.devices.trex.protocol.commands import GetStatus, GetUartErrors
-from trex_gui.devices.trex.protocol.flags import Mode, Status, UartError
+from trex_gui.devices.trex.protocol.commands import (
+    Command,
+    GetCurrents,
+    GetMode,
+    GetRawChannels,
+    GetRemappedChannels,
+    GetSerialControl,
+    GetStatus,
+    GetUartErrors,
+)
+from trex_gui.devices.trex.protocol.flags import (
+    CHANNELS,
+    STATUS_MEANING,
+    UART_MEANING,
+    InputSource,
+    Mode,
+    Status,
+    UartError,
+)
 
 
 @dataclass(frozen=True, slots=True)
-class Raw:
-    """Raw inputs of channels 1-5 in counts; `None` without a valid signal."""
+class Sample:
+    """A polled value, and when its reply arrived (s, on the session's clock)."""
 
     time: float
+
+
+@dataclass(frozen=True, slots=True)
+class Raw(Sample):
+    """Raw inputs of channels 1-5 in counts; `None` without a valid signal."""
+
     counts: tuple[int | None, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class Remapped:
+class Remapped(Sample):
     """Remapped inputs of channels 1-5, -127 to 127."""
 
-    time: float
     values: tuple[int, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class Currents:
+class Currents(Sample):
     """Currents of motors 1 and 2 in counts (`Model.current_unit` ampere each)."""
 
-    time: float
     counts: tuple[int, int]
 
 
 @dataclass(frozen=True, slots=True)
-class LatchedStatus:
+class LatchedStatus(Sample):
     """Status bits and UART error bits that were latched since they were last read.
 
     `is_earlier`: the bits were latched before the board was connected or selected, or by the
     search for it.
     """
 
-    time: float
     status: Status
     uart: UartError
     is_earlier: bool = False
@@ -58,22 +80,161 @@ class LatchedStatus:
 
 
 @dataclass(frozen=True, slots=True)
-class Control:
+class Control(Sample):
     """Whether serial commands reach the motors."""
 
-    time: float
     by_serial: bool
 
 
 @dataclass(frozen=True, slots=True)
-class ModeSample:
+class ModeSample(Sample):
     """The mode, which only changes with a power cycle."""
 
-    time: float
     mode: Mode
 
 
-Sample = Raw | Remapped | Currents | LatchedStatus | Control | ModeSample
+# --- The table of polled values ---------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class PolledValue:
+    """How a value is read and recorded."""
+
+    query: Command[Any]
+    rate: float  # times a second; `analog_rate`: with analog inputs, if it differs
+    # Makes its sample of a time and the reply; `None`: `StatusReader` reads it
+    sample: Callable[[float, Any], Sample] | None
+    # Columns of recordings, CSV and `trexcmd stream`; takes source of inputs, ampere per count.
+    kind: Callable[[InputSource, float], SampleKind]
+    analog_rate: float | None = None
+    # Times a second while nothing shows or records samples and no motor moves, if it differs
+    unwatched: float | None = None
+
+
+def _raw_column(channel: int, source: InputSource) -> Column:
+    unit, digits = ("us", 1) if source is InputSource.RC else ("V", 4)
+    physical = Physical(f"channel_{channel}_{unit}", 1 / source.counts_per_unit, digits)
+    description = f"channel {channel}: counts, {source.unit}; NULL without a valid signal"
+    return Column(f"channel_{channel}_raw", "INTEGER", description, physical, optional=True)
+
+
+def _current_column(motor: int, current_unit: float) -> Column:
+    physical = Physical(f"motor_{motor}_current_A", current_unit, 4)
+    description = f"current of motor {motor}: counts, A"
+    return Column(f"motor_{motor}_current_counts", "INTEGER", description, physical)
+
+
+def _bit_column(byte: str, bit: Status | UartError, meaning: str) -> Column:
+    return Column(f"{byte}_{bit.name}".lower(), "INTEGER", f"1: {meaning}")
+
+
+def _unpack_status(time: float, *values: int) -> LatchedStatus:
+    status, uart = Status(0), UartError(0)
+    for bit, value in zip((*Status, *UartError), values, strict=True):
+        if value and isinstance(bit, Status):
+            status |= bit
+        elif value and isinstance(bit, UartError):
+            uart |= bit
+    return LatchedStatus(time, status, uart)
+
+
+POLLED: Mapping[type[Sample], PolledValue] = {
+    Raw: PolledValue(
+        GetRawChannels(),
+        rate=50.0,
+        unwatched=2.0,
+        sample=lambda time, reply: Raw(time, tuple(reply.values())),
+        kind=lambda source, _: SampleKind(
+            "raw",
+            Raw,
+            tuple(_raw_column(channel, source) for channel in CHANNELS),
+            pack=lambda raw: raw.counts,
+            unpack=lambda time, *counts: Raw(time, counts),
+            held=True,
+        ),
+    ),
+    Remapped: PolledValue(
+        GetRemappedChannels(),
+        rate=50.0,
+        unwatched=2.0,
+        sample=lambda time, reply: Remapped(time, tuple(reply.values())),
+        kind=lambda *_: SampleKind(
+            "remapped",
+            Remapped,
+            tuple(
+                Column(f"channel_{channel}_remapped", "INTEGER", f"channel {channel}: -127 to 127")
+                for channel in CHANNELS
+            ),
+            pack=lambda remapped: remapped.values,
+            unpack=lambda time, *values: Remapped(time, values),
+            held=True,
+        ),
+    ),
+    Currents: PolledValue(
+        GetCurrents(),
+        rate=80.0,
+        analog_rate=50.0,
+        unwatched=20.0,  # the plot of currents keeps a curve without gaps
+        sample=Currents,
+        kind=lambda _, current_unit: SampleKind(
+            "currents",
+            Currents,
+            (_current_column(1, current_unit), _current_column(2, current_unit)),
+            pack=lambda currents: currents.counts,
+            unpack=lambda time, *counts: Currents(time, counts),
+            held=True,
+        ),
+    ),
+    LatchedStatus: PolledValue(
+        GetStatus(),
+        rate=10.0,  # bits are latched, so none is missed between two polls
+        sample=None,
+        kind=lambda *_: SampleKind(
+            "status",
+            LatchedStatus,
+            (
+                *(_bit_column("status", bit, STATUS_MEANING[bit][0]) for bit in Status),
+                *(_bit_column("uart", bit, UART_MEANING[bit][0]) for bit in UartError),
+            ),
+            pack=lambda latched: (
+                *(int(bit in latched.status) for bit in Status),
+                *(int(bit in latched.uart) for bit in UartError),
+            ),
+            unpack=_unpack_status,
+        ),
+    ),
+    Control: PolledValue(
+        GetSerialControl(),
+        rate=10.0,
+        sample=Control,
+        kind=lambda *_: SampleKind(
+            "control",
+            Control,
+            (Column("serial_controls", "INTEGER", "1: serial commands reach the motors"),),
+            pack=lambda control: (int(control.by_serial),),
+            unpack=lambda time, value: Control(time, bool(value)),
+            held=True,
+        ),
+    ),
+    ModeSample: PolledValue(
+        GetMode(),
+        rate=1.0,  # it only changes with the power
+        sample=ModeSample,
+        kind=lambda *_: SampleKind(
+            "mode",
+            ModeSample,
+            (Column("mode", "TEXT", "R, A: RC, analog; r, a: serial with RC, analog inputs"),),
+            pack=lambda sample: (sample.mode.value,),
+            unpack=lambda time, value: ModeSample(time, Mode(value)),
+            held=True,
+        ),
+    ),
+}
+"""Ref: command documentation 0x86 (inputs about 50 Hz), 0x8D (currents 50 Hz with analog, about
+80 Hz with RC inputs)."""
+
+
+# --- Status -----------------------------------------------------------------------------
 
 
 class StatusReader:

@@ -10,31 +10,13 @@ one query and the first byte of the next one.
 
 import math
 from collections.abc import Callable, Collection, Mapping
-from dataclasses import dataclass, replace
-from enum import IntEnum, auto
-from typing import Any
+from dataclasses import replace
 
 from trex_gui.core.timing import FRAME
 from trex_gui.devices.trex.client.client import Counters, Requester
-from trex_gui.devices.trex.client.telemetry import (
-    Control,
-    Currents,
-    ModeSample,
-    Raw,
-    Remapped,
-    Sample,
-    StatusReader,
-)
-from trex_gui.devices.trex.protocol.commands import (
-    Command,
-    GetCurrents,
-    GetMode,
-    GetRawChannels,
-    GetRemappedChannels,
-    GetSerialControl,
-    GetStatus,
-)
-from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
+from trex_gui.devices.trex.client.telemetry import POLLED, Control, Raw, Sample, StatusReader
+from trex_gui.devices.trex.protocol.commands import Command
+from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
 from trex_gui.devices.trex.session.messages import Batch
@@ -47,49 +29,7 @@ SAFETY_PARAMETERS = (
 )
 """What decides how the board protects motors by itself; read again all the time."""
 
-
-class Topic(IntEnum):
-    CURRENTS = auto()
-    RAW = auto()
-    REMAPPED = auto()
-    STATUS = auto()
-    CONTROL = auto()
-    MODE = auto()
-
-
-@dataclass(frozen=True, slots=True)
-class PolledValue:
-    query: Command[Any]
-    rate: float  # times a second; `analog_rate`: with analog inputs, if it differs
-    # Makes its sample of a time and the reply; `None`: `StatusReader` reads it
-    sample: Callable[[float, Any], Sample] | None
-    analog_rate: float | None = None
-    # Times a second while nothing shows or records samples and no motor moves, if it differs
-    unwatched: float | None = None
-
-
-def _channels(reply: Mapping[int, Any]) -> tuple[Any, ...]:
-    return tuple(reply[channel] for channel in CHANNELS)
-
-
-POLLED: Mapping[Topic, PolledValue] = {
-    Topic.CURRENTS: PolledValue(GetCurrents(), 80.0, Currents, analog_rate=50.0, unwatched=20.0),
-    Topic.RAW: PolledValue(
-        GetRawChannels(), 50.0, lambda time, raw: Raw(time, _channels(raw)), unwatched=2.0
-    ),
-    Topic.REMAPPED: PolledValue(
-        GetRemappedChannels(),
-        50.0,
-        lambda time, values: Remapped(time, _channels(values)),
-        unwatched=2.0,
-    ),
-    Topic.STATUS: PolledValue(GetStatus(), 10.0, None),
-    Topic.CONTROL: PolledValue(GetSerialControl(), 10.0, Control),
-    Topic.MODE: PolledValue(GetMode(), 1.0, ModeSample),
-}
-"""Ref: command documentation 0x86 (inputs about 50 Hz), 0x8D (currents 50 Hz with analog, about
-80 Hz with RC inputs). Status bits are latched, so none is missed between two polls. The mode only
-changes with the power. Unwatched, the plot of currents keeps a curve without gaps."""
+Topic = type[Sample]  # a polled value, by the class of its samples
 
 _LONGEST_LAG = 0.1  # seconds by which the schedule may be late before it stops catching up
 
@@ -99,17 +39,17 @@ cycle, and a busy host (some milliseconds, measured beside a window that paints)
 
 _KEEPALIVE_SHARE = 0.4  # of the serial timeout, after which something is polled in any case
 
-_CHEAPEST = Topic.CONTROL  # polled to feed the serial timeout: one byte out, one byte in
+_CHEAPEST = Control  # polled to feed the serial timeout: one byte out, one byte in
 
 
 def rates(source: InputSource, *, watched: bool = True) -> Mapping[Topic, float]:
-    """Return how often a second to poll each topic."""
+    """Return how often a second to poll each topic. Of those due at once, the first is polled."""
     is_analog = source is InputSource.ANALOG
     return {
         topic: (not watched and polled.unwatched)
         or (is_analog and polled.analog_rate)
         or polled.rate
-        for topic, polled in POLLED.items()
+        for topic, polled in sorted(POLLED.items(), key=lambda item: -item[1].rate)
     }
 
 
@@ -126,7 +66,7 @@ def too_slow(line: LineSettings, timeout: float) -> frozenset[Topic]:
     """Return the topics with replies that outlast a serial timeout (seconds, 0: off)."""
     if timeout <= 0:
         return frozenset()
-    return frozenset(topic for topic in Topic if silence(line, POLLED[topic].query) >= timeout)
+    return frozenset(topic for topic in POLLED if silence(line, POLLED[topic].query) >= timeout)
 
 
 def survives_a_loss(line: LineSettings, timeout: float, lateness: float) -> bool:
@@ -135,7 +75,7 @@ def survives_a_loss(line: LineSettings, timeout: float, lateness: float) -> bool
     `lateness`: seconds for which a reply is awaited beyond its time on the wire.
     """
     left_out = too_slow(line, timeout)
-    polled = [POLLED[topic].query for topic in Topic if topic not in left_out]
+    polled = [POLLED[topic].query for topic in POLLED if topic not in left_out]
     return timeout <= 0 or max(silence(line, query) for query in polled) + lateness < timeout
 
 
@@ -209,7 +149,7 @@ class Polling:
         """
         left_out: Collection[Topic] = too_slow(line, timeout) if armed else ()
         if careful:
-            left_out = {*left_out, Topic.RAW}  # 86 1F is one bit away from C6 1F, 87 1F brakes
+            left_out = {*left_out, Raw}  # 86 1F is one bit away from C6 1F, 87 1F brakes
         while topic := self._schedule.next(now):
             self._schedule.polled(topic, now)
             if topic not in left_out:

@@ -11,6 +11,7 @@ from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import query
+from trex_gui.devices.trex.client.telemetry import Control, ModeSample
 from trex_gui.devices.trex.probe import Attempt, ReplyKind, send_probe
 from trex_gui.devices.trex.protocol.commands import GetSignature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -23,7 +24,7 @@ log = logging.getLogger(__name__)
 
 _FAILURES = 3  # failed transactions in a row after which a board counts as not responding
 
-_STRICT = frozenset({Topic.CONTROL, Topic.MODE})
+_STRICT = frozenset({Control, ModeSample})
 """Topics that are counted by themselves, too: few bytes are a reply to them.
 
 Where wires touch, requests that come back can pass for measurements and go on without end.

@@ -601,10 +601,10 @@ class TrexSession:
     def _poll(self, topic: Topic) -> None:
         try:
             # Stops and setpoints have just been served; only a status may take two transactions.
-            request = self._request if topic is Topic.STATUS else self._line.request
+            request = self._request if topic is LatchedStatus else self._line.request
             sample = poll(request, topic, self._now, self._status)
             self._liveness.note_answer(topic)
-            if topic is Topic.STATUS:
+            if topic is LatchedStatus:
                 self._note_status(sample if isinstance(sample, LatchedStatus) else None)
             if sample is not None:
                 self._batcher.add(sample)
