@@ -19,6 +19,7 @@ from trex_gui.core.session import Close, Closed, Outcome, RequestQueue
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.board.errors import ErrorCounts, ErrorEntry
 from trex_gui.devices.trex.board.keeper import Keeper
+from trex_gui.devices.trex.board.newest import Newest
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import (
     Control,
@@ -155,7 +156,7 @@ class Trex:
         )
         _ = self._settings.framing
         self._ids = count(1)
-        self._newest: dict[type[Sample], Sample] = {}
+        self._newest = Newest()
         self._errors: dict[str, None] = {}
         self._outcomes: dict[int, Outcome] = {}
         self._closed: Closed | None = Closed(None, may_move=False)
@@ -166,7 +167,7 @@ class Trex:
     def __enter__(self) -> Self:
         """Open the port and read everything that the board stores; this moves nothing."""
         computer = host()
-        self._newest, self._errors, self._outcomes = {}, {}, {}
+        self._newest, self._errors, self._outcomes = Newest(), {}, {}
         self._counts = ErrorCounts()
         self._closed = self._state = None
         self._inbox = RequestQueue(computer.condition())
@@ -208,29 +209,24 @@ class Trex:
     def status(self) -> BoardStatus:
         """Return what the board measures now, and the errors since the last call."""
         self._require_open()
-        self._newest.clear()
+        self._newest = newest = Newest()
         wanted = {Raw, Remapped, Currents, Control}
-        self._wait_for(lambda: wanted <= self._newest.keys(), _STATUS_TIMEOUT)
-        raw, remapped = self._newest[Raw], self._newest[Remapped]
-        currents, control = self._newest[Currents], self._newest[Control]
-        assert isinstance(raw, Raw)  # noqa: S101 - for the type checker, as the others
-        assert isinstance(remapped, Remapped)  # noqa: S101
-        assert isinstance(currents, Currents)  # noqa: S101
-        assert isinstance(control, Control)  # noqa: S101
+        self._wait_for(lambda: wanted <= newest.samples.keys(), _STATUS_TIMEOUT)
         state, unit = self.state, self.state.signature.model.current_unit
+        currents = newest[Currents].counts
         errors, self._errors = tuple(self._errors), {}
         return BoardStatus(
             product=state.signature.model.name,
             firmware=state.signature.firmware,
             mode=MODE_TEXT[state.mode],
-            serial_controls=control.by_serial,
-            currents=(currents.counts[0] * unit, currents.counts[1] * unit),
+            serial_controls=newest[Control].by_serial,
+            currents=(currents[0] * unit, currents[1] * unit),
             channels={
                 channel: ChannelStatus(
                     counts, None if counts is None else state.source.physical(counts), value
                 )
                 for channel, counts, value in zip(
-                    CHANNELS, raw.counts, remapped.values, strict=True
+                    CHANNELS, newest[Raw].counts, newest[Remapped].values, strict=True
                 )
             },
             errors=errors,
@@ -376,8 +372,7 @@ class Trex:
         self._require_open()
         self._pump(self._clock())  # what was reported meanwhile may forbid it
         control = self._newest.get(Control)
-        by_serial = control.by_serial if isinstance(control, Control) else None
-        if not (self.state.serial_controls if by_serial is None else by_serial):
+        if not (self.state.serial_controls if control is None else control.by_serial):
             joint = self.state.parameters.get(ParameterKey.MOTOR_MODE) == 1
             raise BadRequest(who_controls(self.state.mode, by_serial=False, joint=joint))
         if not self._is_armed:
@@ -463,7 +458,7 @@ class Trex:
                 pass
 
     def _take_sample(self, sample: Sample) -> None:
-        self._newest[type(sample)] = sample
+        self._newest.take(sample)
         if self._listener is not None:
             self._listener(sample)
         if not isinstance(sample, LatchedStatus):

@@ -1,7 +1,7 @@
-"""Recordings of a board: header, sample kinds, and the state at any time."""
+"""Recordings of a board: header, sample kinds, and rows of measurements."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from datetime import UTC, datetime
 from typing import Any
 
@@ -19,12 +19,9 @@ from trex_gui.core.recording.kinds import (
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import (
     POLLED,
-    Control,
     Currents,
     LatchedStatus,
     ModeSample,
-    Raw,
-    Remapped,
     Sample,
 )
 from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetMotor
@@ -214,44 +211,6 @@ FORMAT = RecordingFormat(
     Header.from_values,
     lambda header: sample_kinds(header.mode.source, header.model.current_unit),
 )
-
-
-@dataclass(slots=True)
-class BoardSnapshot:
-    """The newest of everything; `None` while unknown. `setpoints` is by motor, 1 or 2."""
-
-    mode: Mode
-    settings: str
-    raw: tuple[int | None, ...] | None = None
-    remapped: tuple[int, ...] | None = None
-    currents: tuple[int, int] | None = None
-    by_serial: bool | None = None
-    setpoints: dict[int, Drive] = field(default_factory=dict)
-    auxiliary: int | None = None
-
-    def take(self, record: Record) -> None:
-        match record:
-            case Currents(counts=counts):
-                self.currents = counts
-            case Raw(counts=raw):
-                self.raw = raw
-            case Remapped(values=values):
-                self.remapped = values
-            case Control(by_serial=by_serial):
-                self.by_serial = by_serial
-            case ModeSample(mode=mode):
-                self.mode = mode
-            case SetpointRecord(motor=motor, drive=drive):
-                self.setpoints = {**self.setpoints, motor: drive}
-            case AuxiliarySetpointRecord(speed=speed):
-                self.auxiliary = speed
-            case Marker(kind=kind):
-                if kind == STOP:
-                    self.setpoints, self.auxiliary = {}, None
-            case SettingsSnapshot(text=text):
-                self.settings = text
-            case LatchedStatus():
-                pass
 
 
 Row = dict[str, float | int | str | None]

@@ -22,12 +22,12 @@ from tests.devices.trex.recording.samples import (
 from tests.support.playing import loading
 from trex_gui.core.recording.kinds import Marker
 from trex_gui.core.recording.store import CHUNK
-from trex_gui.devices.trex.client.telemetry import Control, Currents, Raw, Remapped
+from trex_gui.devices.trex.board.newest import BoardSnapshot
+from trex_gui.devices.trex.client.telemetry import Control, Currents, ModeSample, Raw, Remapped
 from trex_gui.devices.trex.model.playback import Playback, limits_in
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import Mode
 from trex_gui.devices.trex.recording import (
-    BoardSnapshot,
     Record,
     SetpointRecord,
     SettingsSnapshot,
@@ -85,7 +85,7 @@ def test_progress_of_reading_is_reported(tmp_path: Path, qtbot: QtBot) -> None:
 def test_seeking_gives_the_same_state_as_sequential_reading(minute: Playback) -> None:
     random = Random(3)
     places = [random.uniform(0, 60) for _ in range(60)]
-    straight = BoardSnapshot(HEADER.mode, HEADER.settings)
+    straight = BoardSnapshot.at_start(HEADER)
     records = deque(an_hour(60))
     expected: dict[float, BoardSnapshot] = {}
     for place in sorted(places):
@@ -104,7 +104,7 @@ def test_late_marker_does_not_disturb_seeking(tmp_path: Path, qtbot: QtBot) -> N
     control[CHUNK] = Marker(T0 + 5, "fault", "noted late")
     playback = playback_of(tmp_path / "a.trexrec", qtbot, *control)
     for second in (3, CHUNK - 3, CHUNK - 2, CHUNK + 3):
-        assert playback.state_at(T0 + second).by_serial == (second % 2 == 0)
+        assert playback.state_at(T0 + second)[Control].by_serial == (second % 2 == 0)
     playback.close()
 
 
@@ -135,7 +135,7 @@ def test_traces_hold_channels_and_setpoints(tmp_path: Path, qtbot: QtBot) -> Non
     assert traces.value_at("motor2_setpoint", T0 + 0.3) == 0
     playback.set_position(T0 + 0.15)
     assert playback.state().setpoints == {2: Drive.at(-70)}
-    assert playback.state().raw == (3750, None, 1, 2, 3)
+    assert playback.state()[Raw].counts == (3750, None, 1, 2, 3)
     playback.set_position(T0 + 0.25)
     assert playback.state().setpoints == {}
     playback.close()
@@ -160,7 +160,7 @@ def test_settings_follow_the_position_and_events_are_sorted(tmp_path: Path, qtbo
     assert playback.state().settings == HEADER.settings
     playback.set_position(T0 + 2)
     assert playback.state().settings == later
-    assert playback.state().mode is Mode.SERIAL_RC
+    assert playback.state()[ModeSample].mode is Mode.SERIAL_RC
     assert playback.traces.events_between(T0, T0 + 0.7) == playback.events[:1]
     playback.close()
 
@@ -235,7 +235,7 @@ def test_empty_recording_opens(tmp_path: Path, qtbot: QtBot) -> None:
     playback = playback_of(tmp_path / "a.trexrec", qtbot)
     assert playback.is_loaded
     assert playback.position == playback.end == T0
-    assert playback.state() == BoardSnapshot(HEADER.mode, HEADER.settings)
+    assert playback.state() == BoardSnapshot.at_start(HEADER)
     playback.close()
 
 

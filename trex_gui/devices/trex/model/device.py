@@ -11,7 +11,7 @@ from trex_gui.core.timing import Timeouts
 from trex_gui.core.translation import Number
 from trex_gui.devices.trex.board.errors import ErrorCounts
 from trex_gui.devices.trex.client.reading import DeviceState, may_be_same_board
-from trex_gui.devices.trex.client.telemetry import LatchedStatus
+from trex_gui.devices.trex.client.telemetry import Control, LatchedStatus
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.driving.timeout_stop import (
     TimeoutStop,
@@ -475,7 +475,7 @@ class Device(QObject):
             self.notifier.delayed_info.emit(text)
         if occasion is ReadReason.OPENED:
             self.telemetry.begin(state.signature.model.current_unit)
-        self.telemetry.serial_controls = state.serial_controls
+        self.telemetry.newest.take(Control(self.telemetry.latest, state.serial_controls))
         self.edit_backup.leave_board()
         opened = occasion is ReadReason.OPENED
         self.draft.take_state(
@@ -515,7 +515,7 @@ class Device(QObject):
             self.errors.select(f"{url} {BoardIdentity.of(before)}", f"{url} {board}")
         self.state = state
         self.telemetry.begin(state.signature.model.current_unit)
-        self.telemetry.serial_controls = state.serial_controls
+        self.telemetry.newest.take(Control(self.telemetry.latest, state.serial_controls))
         self.edit_backup.leave_board(is_deselected=True)
         self.draft.select_state(state, report.settings)
         self._take_files(report, opened=True)

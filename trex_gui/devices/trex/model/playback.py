@@ -3,18 +3,16 @@
 from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 
-import numpy as np
 from PySide6.QtCore import QObject
 
 from trex_gui.core.files import SettingsError
 from trex_gui.core.recording.kinds import Value
 from trex_gui.core.recording.store import Recording
+from trex_gui.devices.trex.board.newest import BoardSnapshot
 from trex_gui.devices.trex.client.telemetry import Currents
-from trex_gui.devices.trex.model.telemetry import Series, board_traces
-from trex_gui.devices.trex.protocol.driving import Drive
-from trex_gui.devices.trex.protocol.flags import CHANNELS
+from trex_gui.devices.trex.model.telemetry import Series, board_traces, values_of_series
 from trex_gui.devices.trex.protocol.parameters import MotorParameter
-from trex_gui.devices.trex.recording import BoardSnapshot, Header, Record
+from trex_gui.devices.trex.recording import Header, Record
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.ui.event_log import Event
 from trex_gui.ui.playback.player import Curves, RecordingPlayer
@@ -22,8 +20,6 @@ from trex_gui.ui.plotting.history import MAX_GAP, SampleHistory
 from trex_gui.ui.plotting.traces import Traces
 
 MAX_ROWS = 3_000_000  # rows that are drawn: ten hours at 80 a second, 240 MB
-_UNKNOWN = (np.nan,) * len(CHANNELS)
-_NO_SETPOINT = Drive.brake(0)
 
 
 class Playback(RecordingPlayer[Header, Record, BoardSnapshot]):
@@ -39,7 +35,7 @@ class Playback(RecordingPlayer[Header, Record, BoardSnapshot]):
         header = recording.header
         rows_of = partial(_rows, unit=header.model.current_unit)
         curves = Curves(len(Series), rows_of, max_rows, MAX_GAP)
-        super().__init__(recording, BoardSnapshot(header.mode, header.settings), curves, parent)
+        super().__init__(recording, BoardSnapshot.at_start(header), curves, parent)
         self._limits = limits_in(header.settings)
 
     def traces_of(self, history: SampleHistory, events: Sequence[Event]) -> Traces:
@@ -55,10 +51,8 @@ def _rows(state: BoardSnapshot, records: Iterable[Record], unit: float) -> list[
     for record in records:
         state.take(record)
         if isinstance(record, Currents):
-            one, two = (state.setpoints.get(motor, _NO_SETPOINT).signed for motor in (1, 2))
-            first, second = record.counts
-            channels = state.remapped or _UNKNOWN
-            rows.append((record.time, first * unit, second * unit, one, two, *channels))
+            values = values_of_series(state, state.setpoints.get, unit)
+            rows.append((record.time, *values))
     return rows
 
 

@@ -8,13 +8,14 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Slot
 
 from trex_gui.core.recording.kept import kept_path, make_room
+from trex_gui.devices.trex.board.newest import BoardSnapshot
 from trex_gui.devices.trex.client.reading import DeviceState
+from trex_gui.devices.trex.client.telemetry import ModeSample
 from trex_gui.devices.trex.driving.requests import SetMotor, SetpointRequest, setpoints_in
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.recording import (
     FORMAT,
     AuxiliarySetpointRecord,
-    BoardSnapshot,
     Header,
     Record,
     SetpointRecord,
@@ -199,9 +200,8 @@ class EventRecorder(Recorder):
             return
         start = self._recent[0].time if self._recent else now()
         started = datetime.now(UTC) - timedelta(seconds=now() - start)
-        header = replace(
-            header, started=started, clock=start, mode=before.mode, settings=before.settings
-        )
+        mode = before[ModeSample].mode
+        header = replace(header, started=started, clock=start, mode=mode, settings=before.settings)
         first: list[Record] = [
             SetpointRecord(start, motor, drive) for motor, drive in before.setpoints.items()
         ]
@@ -237,7 +237,7 @@ class EventRecorder(Recorder):
             return
         self._finish()
         self._template = header = self._header_of(state)
-        self._before = BoardSnapshot(header.mode, header.settings)
+        self._before = BoardSnapshot.at_start(header)
 
     @Slot()
     def _on_link_changed(self) -> None:

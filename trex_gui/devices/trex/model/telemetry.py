@@ -1,7 +1,7 @@
 """Polled values: inputs, currents, source of control."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from enum import IntEnum
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -10,8 +10,10 @@ from PySide6.QtCore import QObject, Signal
 
 from trex_gui.core.timing import TEXT_INTERVAL
 from trex_gui.core.translation import tr
+from trex_gui.devices.trex.board.newest import Newest
 from trex_gui.devices.trex.client.telemetry import Control, Currents, Raw, Remapped
 from trex_gui.devices.trex.model.motors import Motors
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.plotting.traces import TraceInfo
@@ -60,6 +62,20 @@ def board_traces() -> list[TraceInfo]:
     return [*currents, *setpoints, *channels]
 
 
+def values_of_series(
+    newest: Newest, setpoint: Callable[[int], Drive | None], ampere: float
+) -> tuple[float, ...]:
+    """Return the value of each `Series`. The speed setpoint is 0 for none and for braking.
+
+    `setpoint` returns that of a motor; `ampere` is A per count.
+    """
+    first, second = newest[Currents].counts
+    speeds = (drive.signed if (drive := setpoint(motor)) else 0 for motor in (1, 2))
+    remapped = newest.get(Remapped)
+    channels = _UNKNOWN if remapped is None else remapped.values
+    return (first * ampere, second * ampere, *speeds, *channels)
+
+
 def _new_history(columns: Sequence[str], capacity: int) -> "SampleHistory":
     from trex_gui.ui.plotting.history import SampleHistory  # noqa: PLC0415 - numpy takes long
 
@@ -82,10 +98,7 @@ class Telemetry(QObject):
 
     def __init__(self, motors: Motors, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.raw: tuple[int | None, ...] | None = None
-        self.remapped: tuple[int, ...] | None = None
-        self.motor_currents: tuple[float, float] | None = None
-        self.serial_controls: bool | None = None
+        self.newest = Newest()
         self.latest: float = 0.0
         self.samples = 0
         self._is_seen = True
@@ -109,26 +122,19 @@ class Telemetry(QObject):
         self.forget()
 
     def forget(self) -> None:
-        self.raw = self.remapped = self.motor_currents = self.serial_controls = None
+        self.newest.samples.clear()
         self.updated.emit()
         self._renew_views()
 
     def take(self, batch: Batch) -> None:
         for sample in batch.samples:
-            match sample:
-                case Raw(time=time, counts=counts):
-                    self.raw = counts
-                    values = (math.nan if count is None else count for count in counts)
-                    self.inputs.append(time, *values)
-                case Remapped(values=values):
-                    self.remapped = values
-                case Currents(time=time, counts=(first, second)):
-                    self.motor_currents = first * self.ampere, second * self.ampere
-                    setpoints = (self._setpoint(motor) for motor in (1, 2))
-                    channels = self.remapped or _UNKNOWN
-                    self.currents.append(time, *self.motor_currents, *setpoints, *channels)
-                case Control(by_serial=by_serial):
-                    self.serial_controls = by_serial
+            self.newest.take(sample)
+            if isinstance(sample, Raw):
+                values = (math.nan if count is None else count for count in sample.counts)
+                self.inputs.append(sample.time, *values)
+            elif isinstance(sample, Currents):
+                row = values_of_series(self.newest, self._motors.drive, self.ampere)
+                self.currents.append(sample.time, *row)
             self.latest = sample.time
         self.samples += len(batch.samples)
         self.updated.emit()
@@ -149,10 +155,29 @@ class Telemetry(QObject):
             self.frame_due.emit()
             self.text_due.emit()
 
-    def _setpoint(self, motor: int) -> int:
-        """Return a motor's speed setpoint; 0 for none and for braking."""
-        drive = self._motors.drive(motor)
-        return drive.signed if drive else 0
+    @property
+    def raw(self) -> tuple[int | None, ...] | None:
+        sample = self.newest.get(Raw)
+        return None if sample is None else sample.counts
+
+    @property
+    def remapped(self) -> tuple[int, ...] | None:
+        sample = self.newest.get(Remapped)
+        return None if sample is None else sample.values
+
+    @property
+    def motor_currents(self) -> tuple[float, float] | None:
+        """Currents of motors 1 and 2 in A."""
+        sample = self.newest.get(Currents)
+        if sample is None:
+            return None
+        first, second = sample.counts
+        return first * self.ampere, second * self.ampere
+
+    @property
+    def serial_controls(self) -> bool | None:
+        sample = self.newest.get(Control)
+        return None if sample is None else sample.by_serial
 
     def raw_of(self, channel: int) -> int | None:
         """Raw count of a channel (1-5); `None` without a valid signal or a connection."""

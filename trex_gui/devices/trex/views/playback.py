@@ -4,12 +4,13 @@ from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtWidgets import QLabel, QWidget
 
 from trex_gui.core.translation import Number
+from trex_gui.devices.trex.board.newest import BoardSnapshot
+from trex_gui.devices.trex.client.telemetry import Control, Currents, ModeSample, Raw, Remapped
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.playback import Playback
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import CHANNELS
-from trex_gui.devices.trex.recording import BoardSnapshot
 from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.ui.playback.transport import time_text
 from trex_gui.ui.playback.window import RecordingWindow
@@ -123,37 +124,37 @@ class ValuesPanel(QWidget):
     @Slot()
     def refresh(self) -> None:
         state = self._playback.state()
-        unit, source = self._playback.header.model.current_unit, state.mode.source
+        unit, source = self._playback.header.model.current_unit, state[ModeSample].mode.source
+        currents, raws, remapped = state.get(Currents), state.get(Raw), state.get(Remapped)
         self._control.setText(self._control_text(state))
         for motor in (1, 2):
             text = NO_VALUE
-            if state.currents is not None:
-                text = f"{Number(state.currents[motor - 1] * unit):.2f} A"
+            if currents is not None:
+                text = f"{Number(currents.counts[motor - 1] * unit):.2f} A"
             self._set(f"motor{motor}Current", text)
             self._set(f"motor{motor}Setpoint", self._drive_text(state.setpoints.get(motor)))
         auxiliary = state.auxiliary
         self._set("auxiliarySetpoint", NO_VALUE if auxiliary is None else str(auxiliary))
-        no_signal = self.tr("no signal") if state.raw is not None else NO_VALUE
+        no_signal = self.tr("no signal") if raws is not None else NO_VALUE
         for place, channel in enumerate(CHANNELS):
-            raw = state.raw[place] if state.raw is not None else None
+            raw = raws.counts[place] if raws is not None else None
             self._set(f"channel{channel}Raw", no_signal if raw is None else str(raw))
             self._set(f"channel{channel}Physical", NO_VALUE if raw is None else source.text(raw))
-            text = NO_VALUE if state.remapped is None else with_sign(state.remapped[place])
+            text = NO_VALUE if remapped is None else with_sign(remapped.values[place])
             self._set(f"channel{channel}Remapped", text)
 
     def _control_text(self, state: BoardSnapshot) -> str:
-        inputs = state.mode.source.word
-        if state.mode.is_serial:
+        board_mode, control = state[ModeSample].mode, state.get(Control)
+        inputs = board_mode.source.word
+        if board_mode.is_serial:
             mode = self.tr("Serial mode with {0} inputs").format(inputs)
         else:
             mode = self.tr("{0} mode").format(inputs)
-        match state.by_serial:
-            case None:
-                return self.tr("{0}.").format(mode)
-            case True:
-                return self.tr("{0}; serial commands reach the motors.").format(mode)
-            case False:
-                return self.tr("{0}; the channels control the motors.").format(mode)
+        if control is None:
+            return self.tr("{0}.").format(mode)
+        if control.by_serial:
+            return self.tr("{0}; serial commands reach the motors.").format(mode)
+        return self.tr("{0}; the channels control the motors.").format(mode)
 
     def _drive_text(self, drive: Drive | None) -> str:
         if drive is None:

@@ -10,6 +10,7 @@ from tests.support.simulator import SimulatedDevice
 from tests.support.transmitter import Stick, Transmitter
 from trex_gui.core.errors import NoReply, StudioError
 from trex_gui.devices.trex.calibration.problems import ProblemKind
+from trex_gui.devices.trex.client.telemetry import Control
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning, LearningStep
@@ -162,7 +163,7 @@ def test_mode_in_which_sticks_drive_is_refused(
 
 def test_channels_in_control_fail_learning_for_good(setup: LearningSetup) -> None:
     """After a short power break the mode may still be the old one when control is read."""
-    setup.device.telemetry.serial_controls = False
+    setup.device.telemetry.newest.take(Control(now(), by_serial=False))
     steps: list[LearningStep] = []
     setup.learning.changed.connect(lambda: steps.append(setup.learning.step))
     setup.learning.begin((1,))
