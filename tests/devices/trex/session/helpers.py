@@ -6,7 +6,7 @@ from typing import Any, TypeVar, cast
 from tests.support.virtual import Stage, VirtualTransport
 from trex_gui.core.session import Close, Outcome
 from trex_gui.devices.trex.client.client import Requester
-from trex_gui.devices.trex.client.telemetry import Sample
+from trex_gui.devices.trex.client.telemetry import PolledValue, Sample
 from trex_gui.devices.trex.protocol.commands import Command, ReplyT_co
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.framing import Packet, PacketParser
@@ -68,6 +68,11 @@ def samples(reports: Iterable[object], kind: type[KindT]) -> list[KindT]:
     for report in reports:
         batches += getattr(report, "samples", ())
     return among(batches, kind)
+
+
+def bytes_of(value: PolledValue) -> int:
+    """Return the bytes on the wire of one poll without device number and CRC."""
+    return 1 + value.query.data_size + value.query.reply_size()
 
 
 def commands(sent: bytes | bytearray, polynomial: int | None = None) -> list[Command[object]]:

@@ -24,7 +24,7 @@ from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.protocol.framing import Framing
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameter_number
-from trex_gui.devices.trex.session.messages import Connected, Report, Write
+from trex_gui.devices.trex.session.messages import Connected, NotResponding, Report, Write
 from trex_gui.devices.trex.session.polling import (
     silence,
     survives_a_loss,
@@ -121,9 +121,11 @@ def test_lost_reply_fires_timeout_only_where_predicted(baud: int, tenths: int) -
             # Somewhere else in the round of questions each time: each of them is hit.
             stage.script.at(start + (number + 0.05 * number) * INTERVAL, lose_an_answer)
     reports = run_for(stage, start + 81 * INTERVAL, settings)
+    # Where three replies in a row happen to be lost, the board counts as silent: not one loss.
+    replying = itertools.takewhile(lambda report: not isinstance(report, NotResponding), reports)
     fired = [
         one
-        for one in samples(reports, LatchedStatus)
+        for one in samples(replying, LatchedStatus)
         if one.uart & UartError.TIMEOUT and one.time > start + 0.9
     ]
     survives = survives_a_loss(settings.line, tenths / 10, stage.transport.latency)

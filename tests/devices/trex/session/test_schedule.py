@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.devices.trex.session.helpers import bytes_of
 from tests.support.matrix import examples
 from trex_gui.devices.trex.client.telemetry import (
     POLLED,
@@ -44,10 +45,7 @@ def simulate(
 
 
 def on_line(baud: int) -> dict[Topic, float]:
-    return {
-        topic: (1 + polled.query.data_size + polled.query.reply_size()) * 10 / baud
-        for topic, polled in POLLED.items()
-    }
+    return {topic: bytes_of(value) * 10 / baud for topic, value in POLLED.items()}
 
 
 def test_unstarted_schedule_has_no_next_topic() -> None:
