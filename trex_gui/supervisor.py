@@ -58,7 +58,7 @@ class SafetySupervisor(QObject):
         self._error_stopper = StopBroadcaster(program.stop_now, self)
         self._error = ""
         self._error_at = -math.inf
-        suspended = self.tr("The program was suspended (Ctrl-Z)")
+        suspended = tr("The program was suspended (Ctrl-Z)")
         self._signals = SignalWatch(
             lambda: program.stop_now(ending=True), lambda: self._stopper.stop(suspended), self
         )
@@ -267,4 +267,4 @@ class SuspendDetector(QObject):
     def look(self) -> None:
         before, self._known = self._known, self._slept()
         if self._known - before >= _LEAST_S:
-            self.woke.emit(self.tr("The computer was asleep"))
+            self.woke.emit(tr("The computer was asleep"))

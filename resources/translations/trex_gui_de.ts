@@ -4453,18 +4453,18 @@ bisher {1}</translation></message>
         <translation>Umgerechnet</translation></message>
     <message><source>Open the settings that the board stored at this time</source>
         <translation>Die Einstellungen öffnen, die das Board zu dieser Zeit gespeichert hatte</translation></message>
+    <message><source>{0}; the channels control the motors.</source>
+        <translation>{0}; die Kanäle steuern die Motoren.</translation></message>
     <message><source>Serial mode with {0} inputs</source>
         <translation>Serieller Modus, Eingänge: {0}</translation></message>
     <message><source>{0} mode</source>
         <translation>Modus {0}</translation></message>
-    <message><source>brake {0}</source>
-        <translation>Bremse {0}</translation></message>
     <message><source>{0}.</source>
         <translation>{0}.</translation></message>
     <message><source>{0}; serial commands reach the motors.</source>
         <translation>{0}; serielle Befehle erreichen die Motoren.</translation></message>
-    <message><source>{0}; the channels control the motors.</source>
-        <translation>{0}; die Kanäle steuern die Motoren.</translation></message>
+    <message><source>brake {0}</source>
+        <translation>Bremse {0}</translation></message>
     <message><source>The seconds around “{0}” were kept. File, Open fault or stop: {1}</source>
         <translation>Die Sekunden um „{0}“ wurden behalten. Datei, Störung oder Stopp öffnen: {1}</translation></message>
     <message><source>The seconds around “{0}” could not be kept. {1}</source>

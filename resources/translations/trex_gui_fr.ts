@@ -4453,18 +4453,18 @@ avant {1}</translation></message>
         <translation>Convertie</translation></message>
     <message><source>Open the settings that the board stored at this time</source>
         <translation>Ouvrir les réglages que la carte avait enregistrés à cet instant</translation></message>
+    <message><source>{0}; the channels control the motors.</source>
+        <translation>{0} ; les voies commandent les moteurs.</translation></message>
     <message><source>Serial mode with {0} inputs</source>
         <translation>Mode série, entrées {0}</translation></message>
     <message><source>{0} mode</source>
         <translation>Mode {0}</translation></message>
-    <message><source>brake {0}</source>
-        <translation>freinage {0}</translation></message>
     <message><source>{0}.</source>
         <translation>{0}.</translation></message>
     <message><source>{0}; serial commands reach the motors.</source>
         <translation>{0} ; les commandes série atteignent les moteurs.</translation></message>
-    <message><source>{0}; the channels control the motors.</source>
-        <translation>{0} ; les voies commandent les moteurs.</translation></message>
+    <message><source>brake {0}</source>
+        <translation>freinage {0}</translation></message>
     <message><source>The seconds around “{0}” were kept. File, Open fault or stop: {1}</source>
         <translation>Les secondes autour de « {0} » ont été conservées. Fichier, Ouvrir un défaut ou un arrêt : {1}</translation></message>
     <message><source>The seconds around “{0}” could not be kept. {1}</source>

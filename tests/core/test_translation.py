@@ -18,19 +18,23 @@ from trex_gui.ui.translations import CONTEXT
 _WORDS = {"off": "aus", "Serial Timeout": "Serielles Timeout"}
 
 
-def _english(text: str, _comment: str) -> str:
+def _english(text: str, _comment: str, _count: int) -> str:
     return text
 
 
 @pytest.fixture
 def german() -> Iterator[None]:
-    use_translations(lambda text, _comment: _WORDS.get(text, text), ",")
+    use_translations(lambda text, _comment, _count: _WORDS.get(text, text), ",")
     yield
     use_translations(partial(QCoreApplication.translate, CONTEXT))  # as the other tests want it
 
 
 def timeout() -> ParameterSpec:
     return parameters_of("trex", "1.2")["serial_timeout"]
+
+
+def test_count_takes_its_place_without_a_window() -> None:
+    assert tr("%n setting(s) of {0}", "", 3).format(4) == "3 setting(s) of 4"
 
 
 def test_texts_are_english_without_a_window() -> None:

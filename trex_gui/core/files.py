@@ -250,7 +250,7 @@ def decode(data: bytes, name: str) -> str:
     message, position = tr("this is a binary file; settings are text"), data.find(b"\0")
     has_mark = data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
     halves = data[:200:2], data[1:200:2]
-    if has_mark or (data and any(half and not half.strip(b"\0") for half in halves)):
+    if has_mark or (len(data) > 3 and any(half and not half.strip(b"\0") for half in halves)):
         message = tr("this is UTF-16 text, as PowerShell writes it with >; save it as UTF-8")
     elif position < 0:
         try:

@@ -10,23 +10,25 @@ P = ParamSpec("P")
 T = TypeVar("T")
 
 
-def _english(text: str, comment: str) -> str:
+def _english(text: str, comment: str, count: int) -> str:
     del comment
-    return text
+    return text if count < 0 else text.replace("%n", str(count))
 
 
-_translate: Callable[[str, str], str] = _english
+_translate: Callable[[str, str, int], str] = _english
 _decimal_point = "."
 _clear_caches: list[Callable[[], None]] = []
 _is_english = ContextVar("_is_english", default=False)
 
 
-def tr(text: str, comment: str = "") -> str:
+def tr(text: str, comment: str = "", count: int = -1) -> str:
     """Return a text for users in their language, with the same places: `{0}`.
 
-    A comment tells it apart from the same text that needs another translation.
+    A comment tells it apart from the same text that needs another translation. A `count` takes the
+    place of `%n`, and chooses the form of the text.
     """
-    return text if _is_english.get() else _translate(text, comment)
+    translate = _english if _is_english.get() else _translate
+    return translate(text, comment, count)
 
 
 def tr_noop(text: str, comment: str = "") -> str:
@@ -78,7 +80,7 @@ def in_english() -> Iterator[None]:
         _is_english.reset(before)
 
 
-def use_translations(translate: Callable[[str, str], str], decimal_point: str = ".") -> None:
+def use_translations(translate: Callable[[str, str, int], str], decimal_point: str = ".") -> None:
     """Translate with this function from now on."""
     global _translate, _decimal_point
     _translate, _decimal_point = translate, decimal_point

@@ -17,6 +17,7 @@ from PySide6.QtDBus import (
     QDBusUnixFileDescriptor,
 )
 
+from trex_gui.core.translation import tr
 from trex_gui.system.stop_wait import StopWait
 
 log = logging.getLogger(__name__)
@@ -60,17 +61,17 @@ class SessionEvents(QObject):
     @Slot(bool)
     def _on_sleep(self, begins: bool) -> None:
         if begins:
-            self.leaving.emit(self.tr("The computer goes to sleep"))
+            self.leaving.emit(tr("The computer goes to sleep"))
         self.sleeping.emit(begins)
 
     @Slot(bool)
     def _on_shut_down(self, begins: bool) -> None:
         if begins:
-            self.leaving.emit(self.tr("The computer shuts down"))
+            self.leaving.emit(tr("The computer shuts down"))
 
     @Slot()
     def _on_locked(self) -> None:
-        self.leaving.emit(self.tr("The screen was locked"))
+        self.leaving.emit(tr("The screen was locked"))
 
     @Slot(bool)
     def _on_saver(self, active: bool) -> None:
@@ -110,7 +111,7 @@ class SleepDelay(QObject):
         if self.holds or self._request is not None or not self._bus.isConnected():
             return
         call = QDBusMessage.createMethodCall(_LOGIN, _PATH, f"{_LOGIN}.Manager", "Inhibit")
-        why = self.tr("Motors that can be stopped are stopped before the computer sleeps")
+        why = tr("Motors that can be stopped are stopped before the computer sleeps")
         call.setArguments(["sleep", "TReX Studio", why, "delay"])
         call.setAutoStartService(False)
         self._request = QDBusPendingCallWatcher(self._bus.asyncCall(call), self)

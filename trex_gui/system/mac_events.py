@@ -12,6 +12,7 @@ from typing import Any, Protocol
 
 from PySide6.QtCore import QObject, Signal
 
+from trex_gui.core.translation import tr
 from trex_gui.system.stop_wait import StopWait
 
 CAN_SLEEP = 0xE0000270  # kIOMessageCanSystemSleep: an idle computer asks
@@ -134,7 +135,7 @@ class MacEvents(QObject):
 
     def _on_notification(self, name: str) -> None:
         if name in LOCKED:
-            self.leaving.emit(self.tr("The screen was locked"))
+            self.leaving.emit(tr("The screen was locked"))
 
     def _on_power(self, message: int, argument: int) -> None:
         if message == CAN_SLEEP:
@@ -142,7 +143,7 @@ class MacEvents(QObject):
         elif message == WILL_SLEEP:
             self._awaited = argument
             self._wait.start()
-            self.leaving.emit(self.tr("The computer goes to sleep"))
+            self.leaving.emit(tr("The computer goes to sleep"))
 
     def _allow(self) -> None:
         self._native.allow_power_change(self._awaited)

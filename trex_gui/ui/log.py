@@ -14,6 +14,7 @@ from PySide6.QtGui import QGuiApplication, QShowEvent, QTextCursor
 from PySide6.QtWidgets import QPlainTextEdit, QWidget
 
 from trex_gui.core.files import save
+from trex_gui.core.translation import tr
 from trex_gui.ui.event_log import Event, EventLog
 from trex_gui.ui.files import save_in_background
 from trex_gui.ui.help.messages import MessageHelp
@@ -104,41 +105,41 @@ class LogPage(QWidget):
         self._key = key
         self._notifier = notifier
         self._search = ui.search_field(
-            self, f"{key}LogSearch", self.tr("Search the log"), self.tr("Search the log (Ctrl+F)")
+            self, f"{key}LogSearch", tr("Search the log"), tr("Search the log (Ctrl+F)")
         )
         self._problems = ui.check_box(
-            self, f"{key}LogProblems", self.tr("O&nly problems"), on_toggle=self._fill
+            self, f"{key}LogProblems", tr("O&nly problems"), on_toggle=self._fill
         )
         self._help = ui.button(
             self,
             f"{key}LogHelp",
-            self.tr("E&xplain"),
+            tr("E&xplain"),
             icon="help",
-            tip=self.tr("Show the help on the message in the line with the cursor"),
+            tip=tr("Show the help on the message in the line with the cursor"),
             on_click=self._on_help_clicked,
         )
         copy = ui.button(
             self,
             f"{key}LogCopy",
-            self.tr("Cop&y"),
+            tr("Cop&y"),
             icon="copy",
-            tip=self.tr("Copy the lines shown"),
+            tip=tr("Copy the lines shown"),
             on_click=self._copy,
         )
         save_button = ui.button(
             self,
             f"{key}LogSave",
-            self.tr("Sa&ve…"),
+            tr("Sa&ve…"),
             icon="save",
-            tip=self.tr("Save the lines shown as text"),
+            tip=tr("Save the lines shown as text"),
             on_click=self._ask_and_save,
         )
-        self._text = ui.named(QPlainTextEdit(self), f"{key}Log", accessible=self.tr("Log"))
+        self._text = ui.named(QPlainTextEdit(self), f"{key}Log", accessible=tr("Log"))
         self._text.setReadOnly(True)
         self._text.setUndoRedoEnabled(False)
         self._text.setMaximumBlockCount(MOST_ENTRIES)
         self._text.setPlaceholderText(
-            self.tr("Messages, stops, lost connections and written settings will be listed here.")
+            tr("Messages, stops, lost connections and written settings will be listed here.")
         )
         self._text.cursorPositionChanged.connect(self._on_cursor_moved)
         above = ui.row((self._search, 1), self._problems, self._help, copy, save_button)
@@ -189,16 +190,16 @@ class LogPage(QWidget):
     def _copy(self) -> None:
         lines = self._lines
         QGuiApplication.clipboard().setText("".join(f"{line}\n" for line in lines))
-        self._notifier.info.emit(self.tr("%n line(s) copied.", "", len(lines)))
+        self._notifier.info.emit(tr("%n line(s) copied.", "", len(lines)))
 
     @Slot()
     def _ask_and_save(self) -> None:
         name = f"{self._key}_log_{datetime.now().astimezone():%Y-%m-%d_%H-%M-%S}.txt"
         path = file_questions.ask_to_save(
             self,
-            self.tr("Save the log"),
+            tr("Save the log"),
             file_questions.last_folder() / name,
-            self.tr("Text (*.txt)"),
+            tr("Text (*.txt)"),
             ".txt",
         )
         if path is not None:
@@ -208,5 +209,5 @@ class LogPage(QWidget):
         """Write the lines shown to a file, beside the window's thread."""
         file_questions.remember_folder(path)
         text = "".join(f"{line}\n" for line in self._lines)
-        saved = self.tr("The log was written to {0}.").format(path)
+        saved = tr("The log was written to {0}.").format(path)
         save_in_background(self, partial(save, path, text), self._notifier, saved)

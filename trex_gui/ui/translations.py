@@ -23,26 +23,6 @@ AS_THE_SYSTEM = "system"
 _KEY = "window/language"
 
 
-class _Catalog(QTranslator):
-    """The texts of the program in one language, whatever context Qt asks with."""
-
-    def translate(
-        self, context: str, source: str, disambiguation: str | None = None, n: int = -1
-    ) -> str | None:
-        del context
-        # `None`, unlike an empty text, lets Qt look further.
-        return super().translate(CONTEXT, source, disambiguation, n) or None
-
-
-class _Plurals(_Catalog):
-    """English: the program has all texts but the forms of those with a count."""
-
-    def translate(
-        self, context: str, source: str, disambiguation: str | None = None, n: int = -1
-    ) -> str | None:
-        return super().translate(context, source, disambiguation, n) if n >= 0 else None
-
-
 def chosen_language() -> str:
     """Return the code of the language that the user wants, or `AS_THE_SYSTEM`."""
     wanted = Preferences().text(_KEY, AS_THE_SYSTEM)
@@ -68,7 +48,7 @@ def install_translations(app: QApplication, locale: QLocale) -> list[QTranslator
     were made before stay as they are. Remove what is returned before another language is installed.
     """
     folder = str(resource("translations"))
-    english, catalog, of_qt = _Plurals(app), _Catalog(app), QTranslator(app)
+    english, catalog, of_qt = (QTranslator(app) for _ in range(3))
     english.load(ENGLISH, "trex_gui", "_", folder)
     installed: list[QTranslator] = [english]
     shown = ENGLISH
@@ -85,14 +65,6 @@ def install_translations(app: QApplication, locale: QLocale) -> list[QTranslator
     app.setLayoutDirection(shown.textDirection())
     use_translations(partial(QCoreApplication.translate, CONTEXT), formats.decimalPoint())
     return installed
-
-
-class Plural:
-    """Texts with a count outside of QObjects."""
-
-    @staticmethod
-    def tr(text: str, comment: str, count: int) -> str:
-        return QCoreApplication.translate(CONTEXT, text, comment, count)
 
 
 def error_text(error: BaseException) -> str:

@@ -13,6 +13,7 @@ from tests.support.pages.every_window import WINDOWS_WITH_STOP, open_bench, open
 from tests.support.program import aracna, trex
 from tests.support.scripts import load_script
 from tests.support.window import WindowDriver
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.bench.files import to_csv
 from trex_gui.devices.trex.bench.run import End
 from trex_gui.devices.trex.protocol.flags import CHANNELS
@@ -102,7 +103,7 @@ def _trex_windows(
     window.help.close()
     _open_wire_dialog(window)
     yield from _dialogs(window.window, "wire")
-    ArmDialog(window.device, window.window.tr("Writing …"), 0.5, window.window).open()
+    ArmDialog(window.device, tr("Writing …"), 0.5, window.window).open()
     yield from _dialogs(window.window, "arm")
     set_up = window.open_page("motorsPage").button("gamepadSetUpButton")
     set_up.setEnabled(True)  # without a gamepad

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QObject, QTimer, Slot
 
+from trex_gui.core.translation import tr
 from trex_gui.core.transport.linux_ports import holder_of
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.device_manager import DeviceManager
@@ -126,9 +127,9 @@ class AutoConnect(QObject):
         if not self._is_wanted or not found.is_same(missing):
             return False
         self._may_be_stale = True
-        self._notice = self.tr("Connected again to {0}. No motor was started.")
+        self._notice = tr("Connected again to {0}. No motor was started.")
         if found.url != missing.url:
-            self._notice = self.tr(
+            self._notice = tr(
                 "Connected again: the adapter of {1} is {0} now. No motor was started."
             )
         self._notice = self._notice.format(found.url, missing.url)

@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.errors import BadReply, NoReply, PortShared
 from trex_gui.core.session import Closed
+from trex_gui.core.translation import tr
 from trex_gui.core.transport.linux_ports import other_user_of
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.core.transport.traffic import Decoder, logged
@@ -47,7 +48,7 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
     def __init__(self, decoder: Decoder, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.link = ConnectionState.DISCONNECTED
-        self.status = self.tr("Not connected.")  # `link` as a sentence
+        self.status = tr("Not connected.")  # `link` as a sentence
         self.settings: SettingsT | None = None  # how the line is, or was last, opened
         self._next: SettingsT | None = None
         self.open_logged = logged(self.log, open_transport, now)
@@ -66,7 +67,7 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
             return
         self.settings = settings
         make_session = self.new_session(settings, may_move=may_move)
-        text = self.tr("Connecting to {0} …").format(settings.text())
+        text = tr("Connecting to {0} …").format(settings.text())
         self._set_state(ConnectionState.CONNECTING, text)
         self.start(make_session, may_move=may_move)
 
@@ -76,7 +77,7 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
         if self.is_open and self.link is not ConnectionState.DISCONNECTING:
             self.prepare_to_close()
             super().close()
-            self._set_state(ConnectionState.DISCONNECTING, self.tr("Disconnecting …"))
+            self._set_state(ConnectionState.DISCONNECTING, tr("Disconnecting …"))
 
     def shut_down(self) -> bool:
         self._next = None
@@ -84,7 +85,7 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
         in_time = super().shut_down()
         if was_open:
             self.line_closed.emit(self.last)
-            self._set_state(ConnectionState.DISCONNECTED, self.tr("Not connected."))
+            self._set_state(ConnectionState.DISCONNECTED, tr("Not connected."))
         return in_time
 
     # --- For each device ----------------------------------------------------------------
@@ -114,7 +115,7 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
         def report(program: str | None) -> None:
             if program is None or self.link is not link:
                 return
-            text = self.tr("{0} also has {1} open and may take replies. Close it there.")
+            text = tr("{0} also has {1} open and may take replies. Close it there.")
             is_closed = link is ConnectionState.DISCONNECTED
             remedies = (Remedy.RECONNECT,) if is_closed else ()
             self.interfered.emit(text.format(program, name), remedies)
@@ -128,7 +129,7 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
         if following is not None:
             self.open(following, may_move=last.may_move)
             return
-        self._set_state(ConnectionState.DISCONNECTED, self.tr("Not connected."))
+        self._set_state(ConnectionState.DISCONNECTED, tr("Not connected."))
         if last.error is not None:
             self.failed.emit(last.error)
             if isinstance(last.error, NoReply | BadReply | PortShared):

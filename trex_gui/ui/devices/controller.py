@@ -6,6 +6,7 @@ from typing import Generic, Protocol, TypeVar
 from PySide6.QtCore import QObject, Signal, SignalInstance, Slot
 
 from trex_gui.core.plugin import DevicePlugin
+from trex_gui.core.translation import tr
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.ui.devices.connection import ConnectionState, SettingsT
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
@@ -177,7 +178,7 @@ class DeviceController(QObject, Generic[SettingsT]):
         if not self.starting:
             return
         if not self.simulator.plugged:
-            text = self.tr(
+            text = tr(
                 "The cable of the Demo {0} is unplugged. Check “Plugged in” on its panel, then "
                 "connect again."
             )

@@ -403,9 +403,9 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
         self.show_head(snapshot)
         if snapshot is None:
             starting = self._use.starting or self._use.port is not None
-            text = self.tr("The Demo {0} is not running. Press Connect.")
+            text = tr("The Demo {0} is not running. Press Connect.")
             if starting:
-                text = self.tr("The Demo {0} is starting …")
+                text = tr("The Demo {0} is starting …")
             self._state.show_note(text.format(self._use.plugin.name), alarming=not starting)
             return
         todo = self._todo(snapshot)
@@ -416,9 +416,9 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
     def _todo(self, snapshot: SnapshotT) -> str:
         """Describe what the user has to do before connecting again."""
         if not snapshot.line.plugged:
-            return self.tr("The cable is unplugged. Check “Plugged in”, then press Connect.")
+            return tr("The cable is unplugged. Check “Plugged in”, then press Connect.")
         if self._use.demo_in_use and self._use.port is None:
             if not snapshot.power:
-                return self.tr("The power is off. Switch it on, then press Connect.")
-            return self.tr("The cable is plugged in again. Press Connect.")
+                return tr("The power is off. Switch it on, then press Connect.")
+            return tr("The cable is plugged in again. Press Connect.")
         return ""

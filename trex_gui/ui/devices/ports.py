@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 from serial.tools import list_ports
 
 from trex_gui.core.plugin import DevicePlugin
+from trex_gui.core.translation import tr
 from trex_gui.core.transport.adapters import Adapter
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.runtime import new_timer
@@ -125,7 +126,7 @@ class Ports(QObject):
             self._entry(PortKind.TYPED, url, url) for url in self._typed if url not in present
         ]
         for plugin in self.plugins:
-            label = self.tr("Demo {0} (no hardware)").format(plugin.name)
+            label = tr("Demo {0} (no hardware)").format(plugin.name)
             entries.append(Port(PortKind.DEMO, "", label, plugin.key))
         before, self.entries = self.entries, tuple(entries)
         if self.entries != before:
@@ -173,7 +174,7 @@ class Ports(QObject):
             return port
         if known.device != port.device:
             name = next(plugin.name for plugin in self.plugins if plugin.key == known.device)
-            label = self.tr("{0}: {1}").format(name, label)
+            label = tr("{0}: {1}").format(name, label)
         return replace(port, device=known.device, label=label, settings=known.settings)
 
     def find(self, url: str) -> Port | None:

@@ -13,6 +13,7 @@ from trex_gui.core.discovery.scan import PortScan, scan_port
 from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.plugin import DevicePlugin
 from trex_gui.core.timing import Timeouts, seconds_left
+from trex_gui.core.translation import tr
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import SHARED, PortSettings
 from trex_gui.core.transport.traffic import TrafficLog, logged
@@ -167,8 +168,8 @@ class DeviceScanner(QObject):
         if not self.running or self._cancelled or left is None:
             return ""
         if left <= _LONG:
-            return self.tr("At most {0} s left.").format(left)
-        return self.tr("At most {0} min left.").format(math.ceil(left / 60))
+            return tr("At most {0} s left.").format(left)
+        return tr("At most {0} min left.").format(math.ceil(left / 60))
 
     @property
     def was_cancelled(self) -> bool:
@@ -194,7 +195,7 @@ class DeviceScanner(QObject):
         self._begun = now()
         self.summary = ""
         self._cancelled = False
-        self.text = self.tr("Opening {0} …").format(_name(self._ports[0]))
+        self.text = tr("Opening {0} …").format(_name(self._ports[0]))
         jobs = [self._job(port) for port in self._ports]
         self._worker = ScanWorker(jobs, full=full, only_recall=only_recall, logs=self._logs)
         self._worker.stepped.connect(self._on_stepped, Qt.ConnectionType.QueuedConnection)
@@ -209,7 +210,7 @@ class DeviceScanner(QObject):
         """End the scan after the current probe; does not wait."""
         if self._worker is not None and not self._cancelled:
             self._cancelled = True
-            self.text = self.tr("Ending the search …")
+            self.text = tr("Ending the search …")
             self._worker.cancel()
             self.progressed.emit()
 
@@ -250,8 +251,8 @@ class DeviceScanner(QObject):
         if not self._cancelled:
             what = step.kind
             if step.number is not None:
-                what = self.tr("{0} with device number {1}").format(what, step.number)
-            text = self.tr("Looking for {0} at {1} on {2} …")
+                what = tr("{0} with device number {1}").format(what, step.number)
+            text = tr("Looking for {0} at {1} on {2} …")
             self.text = text.format(what, step.line.short, _name(self._ports[index]))
         self.progressed.emit()
 
@@ -267,7 +268,7 @@ class DeviceScanner(QObject):
             )
         elif not search.cancelled and not self._only_recall:
             command = search.error.command if isinstance(search.error, PortUnavailable) else ""
-            text = self.tr("No reply on {0}. Other devices share the line: nothing else was tried.")
+            text = tr("No reply on {0}. Other devices share the line: nothing else was tried.")
             lines = search.lines or [text.format(_name(port))]
             self.findings += (ScanFinding(port, "\n\n".join(lines), command=command),)
         self.changed.emit()
@@ -276,13 +277,13 @@ class DeviceScanner(QObject):
         settings = found.settings
         match found.device_number is not None, found.echo:
             case False, False:
-                text = self.tr("{0} on {1} at {2}.")
+                text = tr("{0} on {1} at {2}.")
             case False, True:
-                text = self.tr("{0} on {1} at {2} (RS-232 side).")
+                text = tr("{0} on {1} at {2} (RS-232 side).")
             case True, False:
-                text = self.tr("{0} on {1} at {2}, device {3}.")
+                text = tr("{0} on {1} at {2}, device {3}.")
             case _:
-                text = self.tr("{0} on {1} at {2}, device {3} (RS-232 side).")
+                text = tr("{0} on {1} at {2}, device {3} (RS-232 side).")
         text = text.format(found.name, settings.label, settings.short, found.device_number)
         return f"{text} {found.note}".strip()
 
@@ -303,13 +304,13 @@ class DeviceScanner(QObject):
         if self._only_recall:
             return ""
         if self._cancelled:
-            return self.tr("Search cancelled.")
+            return tr("Search cancelled.")
         boards = sum(finding.found is not None for finding in self.findings)
-        text = self.tr("No board was found.")
+        text = tr("No board was found.")
         if boards:
-            text = self.tr("%n board(s) found.", "", boards)
+            text = tr("%n board(s) found.", "", boards)
         if missed := self._faults + len(self._ports) - self._searched:
-            text += " " + self.tr("%n port(s) could not be searched (internal error).", "", missed)
+            text += " " + tr("%n port(s) could not be searched (internal error).", "", missed)
         return text
 
 

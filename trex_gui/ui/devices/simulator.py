@@ -9,6 +9,7 @@ from typing import Generic, Protocol, TypeVar
 from PySide6.QtCore import QObject, QProcess, Signal, Slot
 
 from trex_gui.core.plugin import DevicePlugin
+from trex_gui.core.translation import tr
 from trex_gui.ui.runtime import new_timer, runtime
 
 SIMULATOR_ARGUMENT = "--simulator"
@@ -35,7 +36,7 @@ class Simulator(QObject):
     def __init__(self, plugin: DevicePlugin, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._arguments = plugin.simulator_arguments
-        self.label = self.tr("the Demo {0}").format(plugin.name)
+        self.label = tr("the Demo {0}").format(plugin.name)
         # Address of the running simulator, empty while none runs; another one each time the cable
         # is plugged in.
         self.url = ""
@@ -98,7 +99,7 @@ class Simulator(QObject):
     @Slot(QProcess.ProcessError)
     def _on_error(self, error: QProcess.ProcessError) -> None:
         if error is QProcess.ProcessError.FailedToStart:
-            self.failed.emit(self.tr("The simulator does not start. Install the program again."))
+            self.failed.emit(tr("The simulator does not start. Install the program again."))
 
     @Slot()
     def _on_finished(self) -> None:
@@ -108,7 +109,7 @@ class Simulator(QObject):
         if not was_running and not self._ending:
             said = bytes(self._process.readAllStandardError().data()).decode(errors="replace")
             reason = said.strip().splitlines()[-1] if said.strip() else ""
-            self.failed.emit(self.tr("The simulator ended at once. {0}").format(reason).strip())
+            self.failed.emit(tr("The simulator ended at once. {0}").format(reason).strip())
 
 
 @dataclass(frozen=True, slots=True)

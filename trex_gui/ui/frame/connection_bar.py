@@ -5,6 +5,7 @@ from collections.abc import Callable, Sequence
 from PySide6.QtCore import QSignalBlocker, Signal, Slot
 from PySide6.QtWidgets import QComboBox, QInputDialog, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Port, Ports
@@ -63,30 +64,30 @@ class ConnectionBar(QWidget):
         self._on_link_changed()
 
     def _create_widgets(self) -> None:
-        self._combo = ui.named(ui.ComboBox(self), "portCombo", accessible=self.tr("Port"))
+        self._combo = ui.named(ui.ComboBox(self), "portCombo", accessible=tr("Port"))
         self._combo.setMinimumContentsLength(20)
         self._combo.setSizeAdjustPolicy(
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
         )
         # A double click on Connect does not disconnect.
-        self._connect = ui.named(ui.ConfirmButton(self.tr("&Connect"), self), "connectButton")
+        self._connect = ui.named(ui.ConfirmButton(tr("&Connect"), self), "connectButton")
         self._connect.clicked.connect(self.toggle)
         self._line = ui.tool_button(
             self,
             "lineButton",
             " ",  # the line settings follow
             icon="settings",
-            accessible=self.tr("Line settings"),
-            tip=self.tr("How this computer talks to the board"),
+            accessible=tr("Line settings"),
+            tip=tr("How this computer talks to the board"),
             on_click=self.line_settings_requested,
         )
         self._find = ui.tool_button(
             self,
             "findButton",
-            self.tr("F&ind…"),
+            tr("F&ind…"),
             icon="find",
-            accessible=self.tr("Find a board"),
-            tip=self.tr("Find a board whose line settings are unknown"),
+            accessible=tr("Find a board"),
+            tip=tr("Find a board whose line settings are unknown"),
             on_click=self.find_board,
         )
         state = QWidget(self)
@@ -98,17 +99,17 @@ class ConnectionBar(QWidget):
         self._remedy = ui.button(
             self,
             "setUpCrcButton",
-            self.tr("Set up CRC…"),
-            tip=self.tr("Let the board detect damaged bytes; shows what will be written first"),
+            tr("Set up CRC…"),
+            tip=tr("Let the board detect damaged bytes; shows what will be written first"),
             confirms=True,
             on_click=lambda: self.remedy_chosen.emit(Remedy.SET_UP_CRC),
         )
         self._remedy.hide()
-        self._progress = ui.progress_bar(self, "progressBar", self.tr("Progress"))
+        self._progress = ui.progress_bar(self, "progressBar", tr("Progress"))
         self._progress.setFixedWidth(70)
         self._progress.hide()
         ui.row(
-            ui.label(self, text=self.tr("&Port:"), buddy=self._combo),
+            ui.label(self, text=tr("&Port:"), buddy=self._combo),
             self._combo,
             self._connect,
             self._line,
@@ -219,8 +220,8 @@ class ConnectionBar(QWidget):
     def _ask_for_address(self) -> None:
         address, given = QInputDialog.getText(
             self,
-            self.tr("Other port or address"),
-            self.tr(
+            tr("Other port or address"),
+            tr(
                 "A device such as /dev/ttyUSB0 or COM3, or a network port such as "
                 "socket://host:port or rfc2217://host:port:"
             ),
@@ -249,13 +250,13 @@ class ConnectionBar(QWidget):
             self._manager.choose(shown)
         with QSignalBlocker(combo):
             combo.clear()
-            combo.addItem(self.tr("Not connected"), _NOT_CONNECTED)
+            combo.addItem(tr("Not connected"), _NOT_CONNECTED)
             for port in self._ports.entries:
                 combo.addItem(port.label, port)
                 if port == shown:
                     combo.setCurrentIndex(combo.count() - 1)
             combo.insertSeparator(combo.count())
-            combo.addItem(self.tr("Other port or address…"), _OTHER)
+            combo.addItem(tr("Other port or address…"), _OTHER)
             combo.setToolTip(ui.plain(combo.currentText()))  # may be elided
         self._show_button()
 
@@ -280,9 +281,7 @@ class ConnectionBar(QWidget):
             self._on_ports_changed()
         self._line.setText(device.line_text)
         self._status.show_text(
-            self.tr("Starting the Demo {0} …").format(device.plugin.name)
-            if starting
-            else device.status
+            tr("Starting the Demo {0} …").format(device.plugin.name) if starting else device.status
         )
         self._show_quality()
         self._progress.setVisible(opening)
@@ -301,7 +300,7 @@ class ConnectionBar(QWidget):
 
     def _show_button(self) -> None:
         connects = self.would_connect
-        text = self.tr("&Connect") if connects else self.tr("Dis&connect")
+        text = tr("&Connect") if connects else tr("Dis&connect")
         if text != self._connect.text():
             self._connect.hold_off()
             self._connect.setText(text)

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from trex_gui.core.translation import tr
 from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.devices.scanner import ScanFinding
@@ -55,7 +56,7 @@ class FindDialog(ReusedDialog):
         """
         super().__init__(parent)
         self.setObjectName("findDialog")
-        self.setWindowTitle(self.tr("Find a board"))
+        self.setWindowTitle(tr("Find a board"))
         resize_with_font(self, 620, 480)
         self._ports = ports
         self._manager = device_manager
@@ -80,7 +81,7 @@ class FindDialog(ReusedDialog):
         self._on_scanner_changed()
 
     def _create_widgets(self) -> None:
-        self._list = ui.named(QListWidget(self), "findPorts", accessible=self.tr("Ports to search"))
+        self._list = ui.named(QListWidget(self), "findPorts", accessible=tr("Ports to search"))
         self._list.setSelectionMode(QListWidget.SelectionMode.NoSelection)
         self._list.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self._list.itemChanged.connect(self._on_item_changed)
@@ -88,21 +89,19 @@ class FindDialog(ReusedDialog):
         self._disconnect = ui.button(
             self,
             "findDisconnectButton",
-            self.tr("&Disconnect"),
+            tr("&Disconnect"),
             icon="disconnect",
             on_click=lambda: self._unless_busy(self._manager.leave),
         )
         self._full = ui.check_box(
             self,
             "findFullBox",
-            self.tr(
-                "&Full search: also every CRC polynomial and every device number (some minutes)"
-            ),
+            tr("&Full search: also every CRC polynomial and every device number (some minutes)"),
         )
         self._start = ui.button(
             self,
             "findStartButton",
-            self.tr("&Start"),
+            tr("&Start"),
             icon="find",
             default=True,
             on_click=lambda: self._scanner.start(self._chosen, full=self._full.isChecked()),
@@ -110,18 +109,18 @@ class FindDialog(ReusedDialog):
         self._cancel = ui.button(
             self,
             "findCancelButton",
-            self.tr("C&ancel"),
+            tr("C&ancel"),
             default=False,
             on_click=self._scanner.cancel,
         )
-        self._progress = ui.progress_bar(self, "findProgress", self.tr("Progress of the search"))
+        self._progress = ui.progress_bar(self, "findProgress", tr("Progress of the search"))
         self._tried = ui.named(Note(2, self), "findProgressText")
-        self._results = ui.named(QWidget(self), "findResults", accessible=self.tr("Found devices"))
+        self._results = ui.named(QWidget(self), "findResults", accessible=tr("Found devices"))
         self._rows = ui.column(1, into=self._results, margins=0)
 
     def _arrange(self) -> None:
         intro = _text(
-            self.tr(
+            tr(
                 "Probes each port for a supported device: each kind at its likely settings, then "
                 "at every baud rate, with every parity and with CRC. A TReX or Aracna moves no "
                 "motor and changes no setting. Other devices on the line may: enter their numbers "
@@ -133,17 +132,15 @@ class FindDialog(ReusedDialog):
         self._check = ui.button(
             self,
             "findCheckButton",
-            self.tr("C&heck the board…"),
+            tr("C&heck the board…"),
             default=False,
-            tip=self.tr("What the LEDs mean, the wires, and how to restore serial settings"),
+            tip=tr("What the LEDs mean, the wires, and how to restore serial settings"),
             on_click=self.check_requested,
         )
-        close = ui.button(
-            self, "findCloseButton", self.tr("Close"), default=False, on_click=self.close
-        )
+        close = ui.button(self, "findCloseButton", tr("Close"), default=False, on_click=self.close)
         ui.column(
             intro,
-            ui.label(self, text=self.tr("Search &on:"), buddy=self._list),
+            ui.label(self, text=tr("Search &on:"), buddy=self._list),
             self._list,
             ui.row((self._busy, 1), self._disconnect),
             self._full,
@@ -197,7 +194,7 @@ class FindDialog(ReusedDialog):
 
     def _item(self, port: Port) -> QListWidgetItem:
         is_open = port == self._manager.current.port
-        text = self.tr("{0} – connected to this window") if is_open else "{0}"
+        text = tr("{0} – connected to this window") if is_open else "{0}"
         item = QListWidgetItem(text.format(port.label))
         item.setData(_PORT, port)
         item.setFlags(_CHECKABLE if is_open else _ENABLED | _CHECKABLE)
@@ -215,10 +212,10 @@ class FindDialog(ReusedDialog):
     def _on_actions_changed(self) -> None:
         running, port = self._scanner.running, self._manager.current.port
         if port is not None:
-            text = self.tr("{0} is connected to this window, so it is not searched.")
+            text = tr("{0} is connected to this window, so it is not searched.")
             self._busy.setText(text.format(port.url or port.label))
         elif self._list.count() == 0:
-            self._busy.setText(self.tr("This computer has no serial ports. Plug an adapter in."))
+            self._busy.setText(tr("This computer has no serial ports. Plug an adapter in."))
         self._busy.setVisible(port is not None or self._list.count() == 0)
         self._disconnect.setVisible(port is not None)
         if running:  # the focus goes there from Start
@@ -239,7 +236,7 @@ class FindDialog(ReusedDialog):
     def _on_progressed(self) -> None:
         self._progress.setRange(0, self._scanner.total)
         self._progress.setValue(self._scanner.done)
-        hint = self.tr(
+        hint = tr(
             "The likely settings come first; a port without a reply takes about half a minute."
         )
         text = f"{self._scanner.text} {self._scanner.time_left}".strip()
@@ -279,7 +276,7 @@ class FindDialog(ReusedDialog):
 
     def _fold(self, rows: list[QWidget]) -> QToolButton:
         """Return a button that shows and hides some rows."""
-        fold = ui.tool_button(self._results, "findFailures", self.tr("Ports &without a board"))
+        fold = ui.tool_button(self._results, "findFailures", tr("Ports &without a board"))
         fold.setAutoRaise(True)
         fold.setCheckable(True)
 
@@ -306,9 +303,9 @@ class FindDialog(ReusedDialog):
             connect = ui.button(
                 row,
                 f"connectFound{index}",
-                self.tr("Connect"),
+                tr("Connect"),
                 icon="connect",
-                accessible=self.tr("Connect to {0}").format(finding.text),
+                accessible=tr("Connect to {0}").format(finding.text),
                 default=False,
                 on_click=lambda: self._connect(finding),
             )
@@ -320,7 +317,7 @@ class FindDialog(ReusedDialog):
                 self._connects[button] = finding.port
                 layout.addWidget(button, 0, Qt.AlignmentFlag.AlignVCenter)
         if finding.command:
-            copy = ui.button(row, f"copyCommand{index}", self.tr("Copy command"), default=False)
+            copy = ui.button(row, f"copyCommand{index}", tr("Copy command"), default=False)
             copy.clicked.connect(lambda: QGuiApplication.clipboard().setText(finding.command))
             layout.addWidget(copy, 0, Qt.AlignmentFlag.AlignVCenter)
         return row
@@ -332,9 +329,9 @@ class FindDialog(ReusedDialog):
         button = ui.button(
             row,
             f"changeFound{index}",
-            self.tr("Connect and set"),
-            accessible=self.tr("Connect and set other line settings: {0}").format(finding.text),
-            tip=self.tr("Shows what will be written first"),
+            tr("Connect and set"),
+            accessible=tr("Connect and set other line settings: {0}").format(finding.text),
+            tip=tr("Shows what will be written first"),
             default=False,
         )
         menu = QMenu(button)

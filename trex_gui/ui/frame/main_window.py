@@ -30,6 +30,7 @@ from PySide6.QtWidgets import (
 
 from trex_gui import __version__
 from trex_gui.core.files import log_folder
+from trex_gui.core.translation import tr
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Port, Ports
@@ -102,7 +103,7 @@ class MainWindow(QMainWindow):
         restore_choices()  # before fonts are measured
         restore_units()
         self.setObjectName("mainWindow")
-        self.setWindowTitle(self.tr("TReX Studio"))
+        self.setWindowTitle(tr("TReX Studio"))
         self.setWindowIcon(application_icon())
         self._manager = device_manager
         self.ports = ports
@@ -125,7 +126,7 @@ class MainWindow(QMainWindow):
         self._menus_shown: list[QMenu] = []
         self.recent = RecentFiles(self)
         self.recent.changed.connect(self._fill_recent)
-        self._recent_menu = QMenu(self.tr("Recent &files"), self)
+        self._recent_menu = QMenu(tr("Recent &files"), self)
         self._recent_menu.setToolTipsVisible(True)
         self.help_dialog: HelpDialog | None = None
         self._was_connected = False
@@ -209,7 +210,7 @@ class MainWindow(QMainWindow):
 
     def _menus(self, workspaces: Sequence[Menus]) -> Iterator[tuple[str, Entries]]:
         """Yield titles and entries; menus that only one workspace has come before Window."""
-        tr, connection = self.tr, self._connection
+        connection = self._connection
 
         def shared(menu: Menu) -> Entries:
             return [entry for menus in workspaces for entry in (SEPARATOR, *menus.get(menu, ()))]
@@ -266,7 +267,7 @@ class MainWindow(QMainWindow):
         if len(paths) == 1:
             self.open_file(paths[0])
         else:
-            text = self.tr("{0} files were dropped, and none was opened: drop one at a time.")
+            text = tr("{0} files were dropped, and none was opened: drop one at a time.")
             self._notifier.error.emit(text.format(len(paths)))
 
     def open_file(self, path: Path) -> None:
@@ -279,12 +280,12 @@ class MainWindow(QMainWindow):
                 self._open_in(key, partial(kind.open, path), path.name, kind.name)
                 return
         names = "; ".join(f"{kind.name} ({', '.join(sorted(kind.suffixes))})" for _, kind in kinds)
-        text = self.tr("{0} was not opened: its type is not supported. Supported: {1}.")
+        text = tr("{0} was not opened: its type is not supported. Supported: {1}.")
         self._notifier.error.emit(text.format(path.name, names))
 
     def _open_in(self, key: str, then: Callable[[], object], name: str, kind: str) -> None:
         if not self._manager.switch_to(key, then):
-            text = self.tr(
+            text = tr(
                 "{0} is {1}. It was not opened, because this window is connected to {2}: "
                 "disconnect, then open it again."
             )
@@ -299,7 +300,7 @@ class MainWindow(QMainWindow):
                 self._open_again(file)
                 return
             self.recent.remove(file)
-            text = self.tr("{0} is no longer there; it was removed from the recent files.")
+            text = tr("{0} is no longer there; it was removed from the recent files.")
             self._notifier.error.emit(text.format(file.path))
 
         in_background(self, file.path.is_file, then, lambda _: None)
@@ -314,7 +315,7 @@ class MainWindow(QMainWindow):
                     workspace.key,
                     partial(workspace.openers[file.kind], file.path),
                     file.path.name,
-                    self.tr("a file of the {0}").format(device),
+                    tr("a file of the {0}").format(device),
                 )
 
     @Slot()
@@ -327,7 +328,7 @@ class MainWindow(QMainWindow):
             action.setToolTip(ui.plain(str(file.path)))
             menu.addAction(action)
         menu.addSeparator()
-        clear = menu.addAction(self.tr("&Clear list"))
+        clear = menu.addAction(tr("&Clear list"))
         clear.triggered.connect(self.recent.clear, Qt.ConnectionType.QueuedConnection)
         menu.setEnabled(bool(files))
 
@@ -381,21 +382,21 @@ class MainWindow(QMainWindow):
 
     def _show_title(self) -> None:
         name, port = self._workspace.device_name, self._manager.current.port
-        title = f"{self.tr('TReX Studio')}[*]"
+        title = f"{tr('TReX Studio')}[*]"
         if name and port is not None:
-            where = self.tr("{0} on {1}") if port.url else self.tr("{0} (demo)")
-            title = f"{where.format(name, port.url)}[*] – {self.tr('TReX Studio')}"
+            where = tr("{0} on {1}") if port.url else tr("{0} (demo)")
+            title = f"{where.format(name, port.url)}[*] – {tr('TReX Studio')}"
         self.setWindowTitle(title)
         self.setWindowModified(self._workspace.has_edits)
 
     @Slot(object)
     def _on_interruption_wanted(self, then: Callable[[], object]) -> None:
         self.question.ask(
-            self.tr(
+            tr(
                 "Settings are still being written. Disconnect anyway? Unwritten settings stay "
                 "pending."
             ),
-            Answer("disconnectYes", self.tr("Disconnect"), then),
+            Answer("disconnectYes", tr("Disconnect"), then),
             still=lambda: self._manager.current.is_busy,
         )
 
@@ -496,9 +497,9 @@ class MainWindow(QMainWindow):
 
         def then(is_there: bool) -> None:
             if not is_there:
-                text = self.tr("There is no log: {0} could not be written.")
+                text = tr("There is no log: {0} could not be written.")
             elif not QDesktopServices.openUrl(QUrl.fromLocalFile(str(folder))):
-                text = self.tr("No program of this computer shows folders. The log is in {0}.")
+                text = tr("No program of this computer shows folders. The log is in {0}.")
             else:
                 return
             self._notifier.error.emit(text.format(folder))
@@ -508,8 +509,8 @@ class MainWindow(QMainWindow):
     def _show_about(self) -> None:
         QMessageBox.about(
             self,
-            self.tr("About TReX Studio"),
-            self.tr(
+            tr("About TReX Studio"),
+            tr(
                 "TReX Studio {0}\n\nSet up, calibrate, drive and understand a Pololu TReX or "
                 "TReX Jr dual motor controller, and drive an Aracna robot.\n\n"
                 "Not a product of Pololu."
@@ -537,7 +538,7 @@ class MainWindow(QMainWindow):
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if self._manager.is_armed:  # whatever is asked first, and however long the answer takes
-            self._manager.stop_because(self.tr("The window was to be closed"))
+            self._manager.stop_because(tr("The window was to be closed"))
         if not self._warning.given and not all(
             workspace.may_close(self.reopen if self._is_reopening else self.close)
             for workspace in self._workspaces
@@ -648,7 +649,7 @@ class UnconfirmedStopWarning(QObject):
         self._window.activateWindow()
         self._question.ask(
             text,
-            Answer("closeUnstopped", self.tr("Close the window"), self._window.close),
+            Answer("closeUnstopped", tr("Close the window"), self._window.close),
             still=lambda: self._manager.unconfirmed_stop == text,
             otherwise=self._on_over,
         )

@@ -5,6 +5,7 @@ from pathlib import Path
 from PySide6.QtCore import QSignalBlocker, Signal, Slot
 from PySide6.QtWidgets import QDialogButtonBox, QFileDialog, QFormLayout, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.ui.devices.auto_connect import connects_automatically, set_automatic
 from trex_gui.ui.theme.theme import (
     FONT_SIZES,
@@ -32,59 +33,59 @@ class PreferencesDialog(ReusedDialog):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("preferencesDialog")
-        self.setWindowTitle(self.tr("Preferences"))
+        self.setWindowTitle(tr("Preferences"))
         names: dict[Scheme, str] = {
-            "system": self.tr("As the system"),
-            "light": self.tr("Light"),
-            "dark": self.tr("Dark"),
-            "high_contrast": self.tr("High contrast"),
+            "system": tr("As the system"),
+            "light": tr("Light"),
+            "dark": tr("Dark"),
+            "high_contrast": tr("High contrast"),
         }
         self._scheme = ui.combo_box(
             self,
             "schemeBox",
-            self.tr("Theme"),
+            tr("Theme"),
             items=[(names[scheme], scheme) for scheme in SCHEMES],
             on_activate=lambda index: choose_scheme(SCHEMES[index]),
         )
         self._font_size = ui.combo_box(
             self,
             "fontSizeBox",
-            self.tr("Font size"),
-            items=[(self.tr("{0} %").format(percent), percent) for percent in FONT_SIZES],
+            tr("Font size"),
+            items=[(tr("{0} %").format(percent), percent) for percent in FONT_SIZES],
             on_activate=lambda index: choose_font_size(FONT_SIZES[index]),
         )
         self._language = ui.combo_box(
             self,
             "languageBox",
-            self.tr("Language"),
-            items=[(self.tr("As the system"), AS_THE_SYSTEM)]
+            tr("Language"),
+            items=[(tr("As the system"), AS_THE_SYSTEM)]
             + [(name, code) for code, name in LANGUAGES.items()],
-            tip=self.tr("The window opens again; motors stop, and the board is connected again"),
+            tip=tr("The window opens again; motors stop, and the board is connected again"),
             on_activate=self._on_language_chosen,
         )
         self._units = ui.combo_box(
             self,
             "unitsBox",
-            self.tr("Units"),
+            tr("Units"),
             items=[
-                (self.tr("Physical units (µs, V, %, s)"), False),
-                (self.tr("Values of the board (counts, 0 to 127)"), True),
+                (tr("Physical units (µs, V, %, s)"), False),
+                (tr("Values of the board (counts, 0 to 127)"), True),
             ],
-            tip=self.tr("What is shown first, and what a number typed without a unit means"),
+            tip=tr("What is shown first, and what a number typed without a unit means"),
             on_activate=lambda index: choose_units(own_first=bool(index)),
         )
         self._own_folder = ui.check_box(
             self,
             "defaultFolderBox",
-            self.tr("&Begin file dialogs in one folder"),
-            tip=self.tr("Otherwise each begins in the folder that was used last"),
+            tr("&Begin file dialogs in one folder"),
+            tip=tr("Otherwise each begins in the folder that was used last"),
             on_click=self._on_own_folder_clicked,
         )
         self._folder = ui.named(ElidedLabel(_LEAST_PATH, self), "defaultFolder")
         self._choose = ui.button(
             self,
             "chooseFolderButton",
-            self.tr("C&hoose…"),
+            tr("C&hoose…"),
             icon="folder",
             default=False,
             on_click=self._choose_folder,
@@ -92,11 +93,11 @@ class PreferencesDialog(ReusedDialog):
         self._automatic = ui.check_box(
             self,
             "automaticBox",
-            self.tr("Connect to known boards automat&ically"),
+            tr("Connect to known boards automat&ically"),
             on_click=set_automatic,
         )
         explanation = Muted(
-            self.tr(
+            tr(
                 "When the program starts and when an adapter is plugged in at which a board was "
                 "found before, if just one board answers. Not after Disconnect, and not while "
                 "another program uses the port. No motor moves."
@@ -105,14 +106,14 @@ class PreferencesDialog(ReusedDialog):
         )
 
         form = QFormLayout()
-        form.addRow(self.tr("&Theme:"), self._scheme)
-        form.addRow(self.tr("&Font size:"), self._font_size)
-        form.addRow(self.tr("&Language:"), self._language)
-        form.addRow(self.tr("&Units:"), self._units)
+        form.addRow(tr("&Theme:"), self._scheme)
+        form.addRow(tr("&Font size:"), self._font_size)
+        form.addRow(tr("&Language:"), self._language)
+        form.addRow(tr("&Units:"), self._units)
         reset = ui.button(
             self,
             "preferencesReset",
-            self.tr("&Reset to defaults"),
+            tr("&Reset to defaults"),
             icon="default",
             default=False,
             on_click=self._reset,
@@ -176,7 +177,7 @@ class PreferencesDialog(ReusedDialog):
     @Slot()
     def _choose_folder(self) -> None:
         chosen = QFileDialog.getExistingDirectory(
-            self, self.tr("Folder of file dialogs"), str(file_questions.last_folder())
+            self, tr("Folder of file dialogs"), str(file_questions.last_folder())
         )
         if chosen:
             file_questions.set_default_folder(Path(chosen))

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.core.report import ReportFile, make_report, save_report, suggested_name
+from trex_gui.core.translation import tr
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.theme.theme import fixed_font, follow_theme
@@ -34,10 +35,10 @@ class ReportDialog(ReusedDialog):
         super().__init__(parent)
         self._notifier = notifier
         self.setObjectName("reportDialog")
-        self.setWindowTitle(self.tr("Save report for support"))
+        self.setWindowTitle(tr("Save report for support"))
         resize_with_font(self, 860, 520)
         about = Muted(
-            self.tr(
+            tr(
                 "This is what the report contains, and nothing else. It is only saved as a file, "
                 "never sent. Names of users and computers, network addresses and serial numbers "
                 "of adapters are masked. Clear the check box of a file to leave it out."
@@ -45,21 +46,21 @@ class ReportDialog(ReusedDialog):
             self,
         )
         self._list = ui.named(
-            QListWidget(self), "reportFiles", accessible=self.tr("Files of the report")
+            QListWidget(self), "reportFiles", accessible=tr("Files of the report")
         )
         self._text = ui.named(
-            QPlainTextEdit(self), "reportText", accessible=self.tr("Content of the file")
+            QPlainTextEdit(self), "reportText", accessible=tr("Content of the file")
         )
         self._text.setReadOnly(True)
         self._text.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
         self._text.setTabChangesFocus(True)
-        self._text.setPlaceholderText(self.tr("Collecting …"))
-        files = ui.label(self, text=self.tr("&Files:"), buddy=self._list)
-        content = ui.label(self, text=self.tr("Con&tent:"), buddy=self._text)
+        self._text.setPlaceholderText(tr("Collecting …"))
+        files = ui.label(self, text=tr("&Files:"), buddy=self._list)
+        content = ui.label(self, text=tr("Con&tent:"), buddy=self._text)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close, self)
         buttons.button(QDialogButtonBox.StandardButton.Close).setObjectName("reportClose")
         self._save = ui.button(
-            self, "reportSave", self.tr("&Save…"), icon="save", on_click=self._ask_and_save
+            self, "reportSave", tr("&Save…"), icon="save", on_click=self._ask_and_save
         )
         self._save.setDefault(True)
         buttons.addButton(self._save, QDialogButtonBox.ButtonRole.ActionRole)
@@ -86,7 +87,7 @@ class ReportDialog(ReusedDialog):
         self._list.clear()
         for file in files:
             size = QLocale().toString(len(file.data))
-            item = QListWidgetItem(self.tr("{0} ({1} bytes)").format(file.name, size))
+            item = QListWidgetItem(tr("{0} ({1} bytes)").format(file.name, size))
             item.setData(_FILE, file)
             item.setFlags(item.flags() | Qt.ItemFlag.ItemIsUserCheckable)
             item.setCheckState(Qt.CheckState.Checked)
@@ -116,14 +117,14 @@ class ReportDialog(ReusedDialog):
     @Slot()
     def _ask_and_save(self) -> None:
         suggested = file_questions.last_folder() / suggested_name()
-        title, kinds = self.tr("Save report for support"), self.tr("Zip archives (*.zip)")
+        title, kinds = tr("Save report for support"), tr("Zip archives (*.zip)")
         path = file_questions.ask_to_save(self, title, suggested, kinds, ".zip")
         if path is not None:
             self.save(path)
 
     def save(self, path: Path) -> None:
         file_questions.remember_folder(path)
-        saved = self.tr("The report was written to {0}.").format(path)
+        saved = tr("The report was written to {0}.").format(path)
         work = partial(save_report, path, self._chosen)
         in_background(self, work, lambda _: self._on_saved(saved), self._notifier.report_error)
 

@@ -9,6 +9,7 @@ from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QHideEvent
 from PySide6.QtWidgets import QAbstractButton, QPushButton, QStackedWidget, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.welcome import Welcome, is_first_start
@@ -78,17 +79,17 @@ class StartPanel(QWidget):
         self._none = ui.label(
             hardware,
             f"{texts.prefix}startNoPort",
-            self.tr("No serial port was found. Plug the adapter in: it is listed here at once."),
+            tr("No serial port was found. Plug the adapter in: it is listed here at once."),
             wrap=True,
         )
         find = self._button(
             hardware,
             "startFind",
-            self.tr("Find &my board…"),
+            tr("Find &my board…"),
             "find",
             partial(workspace.trigger, "find"),
         )
-        find.setToolTip(self.tr("Search every port and baud rate; no motor moves"))
+        find.setToolTip(tr("Search every port and baud rate; no motor moves"))
         begin = ui.column(steps, self._none, *_left(*self._ports, find), 1)
         top = (pictures, 0, Qt.AlignmentFlag.AlignTop)
         both = ui.row(top, (begin, 1), margins=0)
@@ -96,16 +97,14 @@ class StartPanel(QWidget):
 
         other = ui.GroupBox(texts.none, self)
         demo = self._button(other, "startDemo", texts.demo, "run", self._connect_to_demo)
-        demo.setToolTip(self.tr("A simulated board: nothing can be damaged"))
+        demo.setToolTip(tr("A simulated board: nothing can be damaged"))
         opening = [
             self._button(other, f"start_{key}", text, icon, partial(workspace.trigger, key))
             for key, text, icon in texts.files
         ]
         ui.row(demo, *opening, 1, into=other)
 
-        self._recent = ui.named(
-            ui.GroupBox(self.tr("Recent files"), self), f"{texts.prefix}startFiles"
-        )
+        self._recent = ui.named(ui.GroupBox(tr("Recent files"), self), f"{texts.prefix}startFiles")
         self._files = [
             self._button(
                 self._recent, "startRecent", "", "open", partial(self._on_file_clicked, at)
@@ -171,7 +170,7 @@ class StartPanel(QWidget):
         for button, port in zip_longest(self._ports, self._real_ports[:_MOST_PORTS]):
             button.setVisible(port is not None)
             if port is not None:
-                button.setText(self.tr("Connect to {0}").format(self._elided(port.label)))
+                button.setText(tr("Connect to {0}").format(self._elided(port.label)))
                 button.setToolTip(ui.plain(port.label))
 
     @Slot()

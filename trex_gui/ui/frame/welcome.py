@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.theme.theme import follow_theme, scaled_font
 from trex_gui.ui.widgets import builders as ui
@@ -35,34 +36,34 @@ class Welcome(QWidget):
         """`about` says what the program is for, and what is needed."""
         super().__init__(parent)
         self.setObjectName("welcome")
-        title = ui.label(self, "welcomeTitle", self.tr("Welcome to TReX Studio"))
+        title = ui.label(self, "welcomeTitle", tr("Welcome to TReX Studio"))
         follow_theme(title, "font", lambda: title.setFont(scaled_font(self.font(), 1.6)))
         choices = ui.grid(margins=0, spacing=(16, 12), stretch=[(1, 1)])
         for row, (name, text, icon, act, meaning) in enumerate(
             (
                 (
                     "welcomeConnect",
-                    self.tr("Connect my &board"),
+                    tr("Connect my &board"),
                     "connect",
                     self.connect_chosen.emit,
-                    self.tr("Shows the wiring for your adapter or receiver, then connects."),
+                    tr("Shows the wiring for your adapter or receiver, then connects."),
                 ),
                 (
                     "welcomeFind",
-                    self.tr("Find &my board…"),
+                    tr("Find &my board…"),
                     "find",
                     find,
-                    self.tr(
+                    tr(
                         "The board is wired, but you do not know its port or its serial settings. "
                         "The search moves no motor of a TReX."
                     ),
                 ),
                 (
                     "welcomeDemo",
-                    self.tr("&Try the demo"),
+                    tr("&Try the demo"),
                     "run",
                     demo,
-                    self.tr("A simulated board: nothing can be damaged."),
+                    tr("A simulated board: nothing can be damaged."),
                 ),
             )
         ):

@@ -7,6 +7,7 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.ui.theme.theme import follow_theme, theme
 from trex_gui.ui.widgets.painted import Painted, Painter
 
@@ -53,7 +54,7 @@ class WiringSketch(Painted):
         return max(metrics.averageCharWidth() * _LEAST_BOX, max(widths) + 2 * _MARGIN)
 
     def _titles(self) -> tuple[str, str]:
-        return self._wiring.adapter or self.tr("Adapter"), self._wiring.board
+        return self._wiring.adapter or tr("Adapter"), self._wiring.board
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event

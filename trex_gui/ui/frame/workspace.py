@@ -10,6 +10,7 @@ from PySide6.QtCore import QSignalBlocker, Signal
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabWidget, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.ui.help.messages import MessageHelp
 from trex_gui.ui.log import Log
 from trex_gui.ui.notifier import Notifier
@@ -92,7 +93,7 @@ class Workspace(QWidget):
         self.notifier = notifier
         self.key = key
         self.log = Log(self)  # of messages in the window while this workspace is shown, and more
-        self.stop_text = self.tr("&Stop motors")  # menu entry of Esc
+        self.stop_text = tr("&Stop motors")  # menu entry of Esc
         # Topics of the help by the object names of pages, docks and dialogs; see `HelpDialog`.
         self.help_topics: Mapping[str, str] = {}
         self.message_help = MessageHelp({})

@@ -22,6 +22,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QDialogButtonBox, QListWidget, QListWidgetItem, QTextBrowser, QWidget
 
 from trex_gui.core.resource_files import resource
+from trex_gui.core.translation import tr
 from trex_gui.ui.help.pages import anchor_of, pages, search
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.icons import application_icon
@@ -59,21 +60,19 @@ class HelpDialog(ReusedDialog):
         self.setWindowFlags(Qt.WindowType.Window)  # it may be maximised
         self.setWindowIcon(application_icon())
         self.setObjectName("helpDialog")
-        self.setWindowTitle(self.tr("Help"))
+        self.setWindowTitle(tr("Help"))
         resize_with_font(self, 1180, 800)
         self._search = ui.search_field(
-            self, "helpSearch", self.tr("Search the help"), self.tr("Search the help (Ctrl+F)")
+            self, "helpSearch", tr("Search the help"), tr("Search the help (Ctrl+F)")
         )
-        self._list = ui.named(
-            QListWidget(self), "helpPages", accessible=self.tr("Pages of the help")
-        )
+        self._list = ui.named(QListWidget(self), "helpPages", accessible=tr("Pages of the help"))
         self._list.setWordWrap(True)
         self._list.setSpacing(2)
         self._text = text = _Browser(self)
         steps = []
         for name, title, icon, step, available in (
-            ("helpBack", self.tr("&Back"), "undo", text.backward, text.backwardAvailable),
-            ("helpForward", self.tr("&Forward"), "redo", text.forward, text.forwardAvailable),
+            ("helpBack", tr("&Back"), "undo", text.backward, text.backwardAvailable),
+            ("helpForward", tr("&Forward"), "redo", text.forward, text.forwardAvailable),
         ):
             button = ui.button(self, name, title, icon=icon, default=False, on_click=step)
             button.setEnabled(False)
@@ -117,7 +116,7 @@ class HelpDialog(ReusedDialog):
                     title if section.title == title else f"{section.title}\n{title}", section.topic
                 )
             if words and not self._list.count():
-                self._list.addItem(self.tr("Nothing was found."))
+                self._list.addItem(tr("Nothing was found."))
                 self._list.item(0).setFlags(Qt.ItemFlag.NoItemFlags)
         self._select(self._text.source())
 
@@ -145,7 +144,7 @@ class _Browser(QTextBrowser):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
-        ui.named(self, "helpText", accessible=self.tr("Help"))
+        ui.named(self, "helpText", accessible=tr("Help"))
         # Always: pictures get the width that is left.
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOn)
         self._resized = new_timer(self, _RESIZED_MS, self.reload, single_shot=True)

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QFileDialog, QSizePolicy, QWidget
 from trex_gui.core.errors import StudioError
 from trex_gui.core.recording.kept import kept_folder
 from trex_gui.core.recording.store import SUFFIX, Recording, copy_recording
+from trex_gui.core.translation import tr
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.playback.transport import size_text, time_text
@@ -41,7 +42,7 @@ class RecordIndicator(QWidget):
         self, recorder: RecordThread[Any], parent: QWidget | None = None, *, prefix: str = ""
     ) -> None:
         super().__init__(parent)
-        builders.named(self, f"{prefix}recordIndicator", accessible=self.tr("Recording"))
+        builders.named(self, f"{prefix}recordIndicator", accessible=tr("Recording"))
         self._recorder = recorder
 
         dot = builders.label(self)
@@ -53,9 +54,9 @@ class RecordIndicator(QWidget):
         stop = builders.button(
             self,
             f"{prefix}stopRecordingButton",
-            self.tr("Stop recording"),
+            tr("Stop recording"),
             icon="ok",
-            tip=self.tr("End the recording; motors and connection are not affected"),
+            tip=tr("End the recording; motors and connection are not affected"),
             on_click=recorder.stop,
         )
         self._timer = new_timer(self, _UPDATE_INTERVAL_MS, self._update_text)
@@ -77,11 +78,11 @@ class RecordIndicator(QWidget):
     @Slot()
     def _update_text(self) -> None:
         recorder = self._recorder
-        text = self.tr("Recording  {0}  {1}").format(
+        text = tr("Recording  {0}  {1}").format(
             time_text(recorder.seconds), size_text(recorder.size)
         )
         if recorder.lost:
-            text += "  " + self.tr("%n sample(s) lost: the disk is too slow", "", recorder.lost)
+            text += "  " + tr("%n sample(s) lost: the disk is too slow", "", recorder.lost)
         self._text.setText(text)
         name = recorder.path.name if recorder.path is not None else ""
         width = max(0, self._file.width())
@@ -163,7 +164,7 @@ class RecordingManager(QObject, Generic[WindowT]):
         if self.recorder.recording:
             self.recorder.stop()
             return
-        path = self._ask_to_save(self.tr("Record"), self.proposal())
+        path = self._ask_to_save(tr("Record"), self.proposal())
         if path is not None:
             self.record(path)
 
@@ -177,7 +178,7 @@ class RecordingManager(QObject, Generic[WindowT]):
 
     def record(self, path: Path) -> None:
         if any(window.player.path == path for window in self.windows):
-            text = self.tr("{0} is open; close its window before recording over it.")
+            text = tr("{0} is open; close its window before recording over it.")
             self._notifier.error.emit(text.format(path.name))
         elif self.recorder.start(path):
             remember_folder(path, self._folder_key)
@@ -188,7 +189,7 @@ class RecordingManager(QObject, Generic[WindowT]):
         """Let the user choose a recording to open, by default from the last folder."""
         path, _ = QFileDialog.getOpenFileName(
             self._window,
-            title or self.tr("Open recording"),
+            title or tr("Open recording"),
             str(folder or last_folder(self._folder_key)),
             self._filter(),
         )
@@ -230,13 +231,11 @@ class RecordingManager(QObject, Generic[WindowT]):
     def _save_copy(self, window: WindowT) -> None:
         """Save a recording that the program made where it is not removed again."""
         source = window.player.path
-        path = self._ask_to_save(
-            self.tr("Save a copy"), last_folder(self._folder_key) / source.name
-        )
+        path = self._ask_to_save(tr("Save a copy"), last_folder(self._folder_key) / source.name)
         if path is None or path == source:
             return
         remember_folder(path, self._folder_key)
-        saved = self.tr("A copy was saved in {0}.").format(path)
+        saved = tr("A copy was saved in {0}.").format(path)
         in_background(
             window,
             partial(copy_recording, source, path),
@@ -268,14 +267,14 @@ class RecordingManager(QObject, Generic[WindowT]):
             self.windows.remove(window)
 
     def _filter(self) -> str:
-        return self.tr("Recordings (*{0})").format(SUFFIX)
+        return tr("Recordings (*{0})").format(SUFFIX)
 
     @Slot(object)
     def _on_ended(self, path: Path) -> None:
         self.changed.emit()
         self.used.emit(path)
         size = size_text(self.recorder.size)
-        text = self.tr("Recorded in {0} ({1}). {2} shows it.")
+        text = tr("Recorded in {0} ({1}). {2} shows it.")
         self._notifier.info.emit(text.format(path, size, self._texts.open_command))
 
     @Slot()

@@ -5,7 +5,7 @@ from PySide6.QtGui import QAccessible
 from PySide6.QtWidgets import QLabel, QSlider, QWidget
 
 from trex_gui.core.timing import FRAME_MS
-from trex_gui.core.translation import Number
+from trex_gui.core.translation import Number, tr
 from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.widgets import builders
@@ -106,15 +106,15 @@ class TransportBar(QWidget):
         self._slider = builders.named(
             _TimeSlider(self._time, self),
             "timeSlider",
-            accessible=self.tr("Time in the recording"),
+            accessible=tr("Time in the recording"),
         )
         self._slider.setSingleStep(_PER_SECOND)
         self._slider.setPageStep(10 * _PER_SECOND)
         self._speed = builders.combo_box(
             self,
             "speedCombo",
-            self.tr("Playback speed"),
-            tip=self.tr("Playback speed"),
+            tr("Playback speed"),
+            tip=tr("Playback speed"),
             items=[(f"{Number(speed):g} ×", speed) for speed in SPEEDS],
         )
         self._speed.setCurrentIndex(SPEEDS.index(1.0))
@@ -165,7 +165,7 @@ class TransportBar(QWidget):
     @Slot()
     def _on_playing_changed(self) -> None:
         playing = self._playback.playing
-        self._play.setText(self.tr("&Pause") if playing else self.tr("&Play"))
+        self._play.setText(tr("&Pause") if playing else tr("&Play"))
         set_icon(self._play, "pause" if playing else "run")
 
 

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QFileDialog, QMainWindow, QProgressBar, QWidget
 
 from trex_gui.core.optional_packages import install_command
 from trex_gui.core.recording.export import MCAP_SUFFIX, has_mcap
+from trex_gui.core.translation import tr
 from trex_gui.ui.event_log import Event
 from trex_gui.ui.notifier import CopyCommand, Notifier
 from trex_gui.ui.playback.player import RecordingPlayer
@@ -52,7 +53,7 @@ class RecordingWindow(QMainWindow):
         self.setObjectName(f"{name}Window")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowIcon(application_icon())
-        self.setWindowTitle(self.tr("{0} – recording").format(playback.path.name))
+        self.setWindowTitle(tr("{0} – recording").format(playback.path.name))
         self.player: RecordingPlayer[Any, Any, Any] = playback
         playback.setParent(self)
         self._name = name
@@ -64,35 +65,35 @@ class RecordingWindow(QMainWindow):
         self._show_all = builders.button(
             self,
             "showAllButton",
-            self.tr("Show &all"),
-            tip=self.tr("Show the whole recording again"),
+            tr("Show &all"),
+            tip=tr("Show the whole recording again"),
             on_click=self.show_all,
         )
         self._export = builders.button(
             self,
             "exportSpanButton",
-            self.tr("&Export span…"),
+            tr("&Export span…"),
             icon="save",
-            tip=self.tr("Save every sample in the plot as CSV or MCAP"),
+            tip=tr("Save every sample in the plot as CSV or MCAP"),
             on_click=self._on_export_clicked,
         )
         self._copy = builders.button(
             self,
             "copyRecordingButton",
-            self.tr("Save a cop&y…"),
+            tr("Save a cop&y…"),
             icon="copy",
-            tip=self.tr("Keep this recording: the oldest ones of faults and stops are removed"),
+            tip=tr("Keep this recording: the oldest ones of faults and stops are removed"),
             on_click=self.copy_wanted.emit,
         )
         self._copy.hide()
         self._progress = builders.named(
-            QProgressBar(self), "recordingProgress", accessible=self.tr("Progress")
+            QProgressBar(self), "recordingProgress", accessible=tr("Progress")
         )
         self._cancel = builders.button(
             self,
             "cancelRecordingButton",
-            self.tr("&Cancel"),
-            tip=self.tr("Stop loading or exporting"),
+            tr("&Cancel"),
+            tip=tr("Stop loading or exporting"),
             on_click=self._on_cancelled,
         )
         self.plot = TracePlot(parent=self, name=plot_name)
@@ -125,7 +126,7 @@ class RecordingWindow(QMainWindow):
         )
         left, right = QWidget(self), QWidget(self)
         builders.column((self.plot, 1), below_plot, into=left, margins=(0, 0, 6, 0))
-        heading = builders.label(self, text=self.tr("E&vents"), buddy=self._list)
+        heading = builders.label(self, text=tr("E&vents"), buddy=self._list)
         builders.column(above_events, heading, (self._list, 1), into=right, margins=(6, 0, 0, 0))
         halves = builders.splitter(
             self, f"{self._name}Splitter", Qt.Orientation.Horizontal, (left, 1), (right, 0)
@@ -183,7 +184,7 @@ class RecordingWindow(QMainWindow):
         self._progress.setVisible(player.is_busy)
         self._cancel.setVisible(player.is_busy)
         self._progress.setValue(round(100 * player.share))
-        text = self.tr("Exporting, %p %") if player.is_loaded else self.tr("Reading, %p %")
+        text = tr("Exporting, %p %") if player.is_loaded else tr("Reading, %p %")
         self._progress.setFormat(text)
 
     def show_curves(self) -> None:
@@ -201,13 +202,13 @@ class RecordingWindow(QMainWindow):
     def _on_loaded(self) -> None:
         self.show_curves()
         self.show_all()
-        self._list.set_placeholder(self.tr("This recording has no events."))
+        self._list.set_placeholder(tr("This recording has no events."))
         self._list.refresh()
         self.update_figures()
         self.plot.set_cursor(self.player.position)
         self.update_state()
         if self.player.problems:
-            text = self.tr("This recording is not complete. {0}")
+            text = tr("This recording is not complete. {0}")
             self.notifier.error.emit(text.format(" ".join(self.player.problems)))
 
     @Slot(str)
@@ -225,13 +226,13 @@ class RecordingWindow(QMainWindow):
     @Slot()
     def _on_export_clicked(self) -> None:
         kinds = {
-            self.tr("CSV for spreadsheets (*.csv)"): _CSV_SUFFIX,
-            self.tr("MCAP for PlotJuggler and Foxglove (*.mcap)"): MCAP_SUFFIX,
+            tr("CSV for spreadsheets (*.csv)"): _CSV_SUFFIX,
+            tr("MCAP for PlotJuggler and Foxglove (*.mcap)"): MCAP_SUFFIX,
         }
         path = self.player.path
         proposal = str(path.with_name(f"{path.stem}_span{_CSV_SUFFIX}"))
         chosen, kind = QFileDialog.getSaveFileName(
-            self, self.tr("Export span"), proposal, ";;".join(kinds)
+            self, tr("Export span"), proposal, ";;".join(kinds)
         )
         if chosen:
             target = Path(chosen)
@@ -241,11 +242,11 @@ class RecordingWindow(QMainWindow):
 
     def export(self, path: Path) -> None:
         if path == self.player.path:
-            text = self.tr("The open recording cannot be overwritten. Choose another file.")
+            text = tr("The open recording cannot be overwritten. Choose another file.")
             self.notifier.error.emit(text)
         elif path.suffix.lower() == MCAP_SUFFIX and not has_mcap():
             command = install_command("mcap")
-            text = self.tr("Exporting MCAP needs an optional package: {0}").format(command)
+            text = tr("Exporting MCAP needs an optional package: {0}").format(command)
             self.notifier.report(text, (CopyCommand(command),))
         else:
             span = self.plot.span
@@ -254,23 +255,23 @@ class RecordingWindow(QMainWindow):
 
     @Slot(object)
     def _on_exported(self, path: Path) -> None:
-        self.notifier.info.emit(self.tr("The span was saved in {0}.").format(path))
+        self.notifier.info.emit(tr("The span was saved in {0}.").format(path))
         self.update_state()
 
     def _board_text(self) -> str:
         begun = QDateTime.fromSecsSinceEpoch(int(self.player.header.started.timestamp()))
         started = QLocale().toString(begun, QLocale.FormatType.ShortFormat)
-        return self.tr("{0}, recorded {1}").format(self.device_text(), started)
+        return tr("{0}, recorded {1}").format(self.device_text(), started)
 
     def _heading_text(self) -> str:
         player = self.player
         text = self._board_text()
         if player.is_loaded:
             length = time_text(player.end - player.start)
-            text = self.tr("{0}, {1} long").format(text, length)
+            text = tr("{0}, {1} long").format(text, length)
         drawn, rows = player.drawn
         if drawn < rows:
-            text += ". " + self.tr(
+            text += ". " + tr(
                 "The curves show its last {0} of {1} samples; exports contain all of them."
             ).format(QLocale().toString(drawn), QLocale().toString(rows))
         return text

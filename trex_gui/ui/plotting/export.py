@@ -64,9 +64,9 @@ class ExportButton(QToolButton):
         """
         super().__init__(parent)
         self.setObjectName("exportButton" if tables else "pictureButton")
-        self.setText(self.tr("E&xport") if tables else self.tr("Pictu&re"))
+        self.setText(tr("E&xport") if tables else tr("Pictu&re"))
         self.setAccessibleName(self.text().replace("&", ""))
-        self.setToolTip("" if tables else self.tr("Save what the plot shows as PNG or SVG"))
+        self.setToolTip("" if tables else tr("Save what the plot shows as PNG or SVG"))
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.setMenu(QMenu(parent))
@@ -81,13 +81,13 @@ class ExportButton(QToolButton):
         self._tables.saved.connect(self._on_saved)
         self._tables.failed.connect(self._notifier.error)
         if tables:
-            self._add("exportShownAction", self.tr("&Visible range as CSV…"), "csv", False)
-            self._add("exportAllAction", self.tr("&Everything as CSV…"), "csv", True)
-        self._add("exportPngAction", self.tr("Picture as &PNG…"), "png")
-        self._add("exportSvgAction", self.tr("Picture as &SVG…"), "svg")
+            self._add("exportShownAction", tr("&Visible range as CSV…"), "csv", False)
+            self._add("exportAllAction", tr("&Everything as CSV…"), "csv", True)
+        self._add("exportPngAction", tr("Picture as &PNG…"), "png")
+        self._add("exportSvgAction", tr("Picture as &SVG…"), "svg")
         self.menu().addSeparator()
         self._light = action(
-            self, "exportLightAction", self.tr("Pictures on a &light background"), checkable=True
+            self, "exportLightAction", tr("Pictures on a &light background"), checkable=True
         )
         self._light.setChecked(self._store.flag(_LIGHT, default=True))
         self._light.toggled.connect(partial(self._store.set, _LIGHT))
@@ -97,13 +97,13 @@ class ExportButton(QToolButton):
         self.menu().addAction(action(self, name, text, on_trigger=partial(self._ask, kind, whole)))
 
     def _ask(self, kind: str, whole: bool) -> None:
-        kinds = self.tr("Tables (*.csv)") if kind == "csv" else self.tr("Pictures (*.{0})")
+        kinds = tr("Tables (*.csv)") if kind == "csv" else tr("Pictures (*.{0})")
         name = self._name
         if self._is_live:
             name += datetime.now().astimezone().strftime("_%Y-%m-%d_%H-%M-%S")
         proposal = file_questions.last_folder() / f"{name}.{kind}"
         path = file_questions.ask_to_save(
-            self.window(), self.tr("Export"), proposal, kinds.format(kind), f".{kind}"
+            self.window(), tr("Export"), proposal, kinds.format(kind), f".{kind}"
         )
         if path is None:
             return
@@ -118,7 +118,7 @@ class ExportButton(QToolButton):
     def save_table(self, path: Path, start: float, end: float) -> None:
         source = self._plot.source
         if source is None or source.span is None:
-            self._notifier.error.emit(self.tr("There is nothing to export yet."))
+            self._notifier.error.emit(tr("There is nothing to export yet."))
             return
         times, values = source.samples(start, end)
         write = partial(
@@ -133,13 +133,13 @@ class ExportButton(QToolButton):
 
     @Slot(int, object)
     def _on_saved(self, count: int, path: Path) -> None:
-        text = self.tr("{0} sample(s) written to {1}.", "", count)
+        text = tr("{0} sample(s) written to {1}.", "", count)
         self._notifier.info.emit(text.format(QLocale().toString(count), path))
 
     def save_picture(self, path: Path) -> None:
         source = self._plot.source
         if source is None or source.span is None:
-            self._notifier.error.emit(self.tr("There is nothing to export yet."))
+            self._notifier.error.emit(tr("There is nothing to export yet."))
             return
         scheme = "light" if self._light.isChecked() else theme().scheme
         heading = self.heading
@@ -151,7 +151,7 @@ class ExportButton(QToolButton):
             work = partial(save_picture, path, picture)
         else:
             work = partial(save, path, picture)
-        text = self.tr("The picture was written to {0}.").format(path)
+        text = tr("The picture was written to {0}.").format(path)
         save_in_background(self, work, self._notifier, text)
 
     def finish(self) -> None:

@@ -24,6 +24,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from trex_gui.core.translation import tr
 from trex_gui.ui.event_log import Event
 from trex_gui.ui.plotting.history import Statistics
 from trex_gui.ui.plotting.marks import EVENT_COLORS, charge_text, mean_text, value_text
@@ -70,20 +71,20 @@ class TraceTable(QAbstractTableModel):
         self._traces: tuple[TraceInfo, ...] = ()
         self._statistics: dict[str, Statistics] = {}
         self._heads = (  # as in `TraceColumn`
-            (self.tr("Curve"), self.tr("Select the curves to draw")),
-            (self.tr("Now"), self.tr("Newest value; ⚠ means 80 % of the limit or more")),
-            (self.tr("Peak"), self.tr("Highest value in the visible span")),
-            (self.tr("Mean"), self.tr("Mean over time in the visible span")),
-            (self.tr("RMS"), self.tr("Root mean square in the visible span: what heats wires")),
-            (self.tr("Charge"), self.tr("Current times time in the visible span, without gaps")),
-            (self.tr("Limit"), self.tr("Current limit that the board stores")),
-            (self.tr("Cursor"), self.tr("Value at the cursor")),
+            (tr("Curve"), tr("Select the curves to draw")),
+            (tr("Now"), tr("Newest value; ⚠ means 80 % of the limit or more")),
+            (tr("Peak"), tr("Highest value in the visible span")),
+            (tr("Mean"), tr("Mean over time in the visible span")),
+            (tr("RMS"), tr("Root mean square in the visible span: what heats wires")),
+            (tr("Charge"), tr("Current times time in the visible span, without gaps")),
+            (tr("Limit"), tr("Current limit that the board stores")),
+            (tr("Cursor"), tr("Value at the cursor")),
             (
-                self.tr("To mark"),
-                self.tr("From the mark to the cursor; click into the plot or press M to set it"),
+                tr("To mark"),
+                tr("From the mark to the cursor; click into the plot or press M to set it"),
             ),
-            (self.tr("Held"), self.tr("Highest value since Hold peaks was switched on")),
-            (self.tr("Low"), self.tr("Lowest value in the visible span")),
+            (tr("Held"), tr("Highest value since Hold peaks was switched on")),
+            (tr("Low"), tr("Lowest value in the visible span")),
         )
         self.show_source()
 
@@ -213,8 +214,8 @@ class TraceTable(QAbstractTableModel):
     def _spoken(self, trace: TraceInfo, column: TraceColumn) -> str:
         text = {
             LimitState.BELOW: "{0}, {1}: {2}",
-            LimitState.NEAR: self.tr("{0}, {1}: {2}, near its limit"),
-            LimitState.OVER: self.tr("{0}, {1}: {2}, over its limit"),
+            LimitState.NEAR: tr("{0}, {1}: {2}, near its limit"),
+            LimitState.OVER: tr("{0}, {1}: {2}, over its limit"),
         }[self._limit_state(trace, column)]
         return text.format(trace.label, self._heads[column][0], self._text(trace, column))
 
@@ -255,7 +256,7 @@ class TraceTableView(QTableView):
     def __init__(self, model: TraceTable, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._table = model
-        flat_table(self, "traceTable", self.tr("Curves and their figures"))
+        flat_table(self, "traceTable", tr("Curves and their figures"))
         set_row_height(self, _ROW_ROOM)
         self.setModel(model)
         header = self.horizontalHeader()
@@ -307,14 +308,14 @@ class EventList(QListWidget):
         self._placeholder = ""
         self.setObjectName("eventList")
         clear_corner(self)
-        self.setAccessibleName(self.tr("Events"))
+        self.setAccessibleName(tr("Events"))
         self.setUniformItemSizes(True)
         self.setTextElideMode(Qt.TextElideMode.ElideRight)
         self.itemActivated.connect(self._on_chosen)
         self.itemClicked.connect(self._on_chosen)
         theme().changed.connect(self._fill)
         self.set_placeholder(
-            self.tr("No events yet. Stops, Apply, faults and limits will be listed here.")
+            tr("No events yet. Stops, Apply, faults and limits will be listed here.")
         )
 
     def sizeHint(self) -> QSize:
@@ -350,10 +351,10 @@ class EventList(QListWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
         if not self._events:
-            paint_placeholder(self, self._placeholder, short=self.tr("No events"))
+            paint_placeholder(self, self._placeholder, short=tr("No events"))
 
     def _describe(self) -> None:
-        shown = self.tr("Choosing one shows its place in the plot.")
+        shown = tr("Choosing one shows its place in the plot.")
         self.setAccessibleDescription(shown if self._events else self._placeholder)
 
     def choose(self, event: Event) -> None:

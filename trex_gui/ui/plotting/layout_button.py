@@ -65,25 +65,25 @@ class LayoutButton(QToolButton):
         self._layout = layout
         self._use = use
         self.setObjectName("layoutButton")
-        self.setText(self.tr("La&yout"))
-        self.setAccessibleName(self.tr("Layout"))
-        self.setToolTip(self.tr("Colours of the curves; save and open how the plot is shown"))
+        self.setText(tr("La&yout"))
+        self.setAccessibleName(tr("Layout"))
+        self.setToolTip(tr("Colours of the curves; save and open how the plot is shown"))
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         set_icon(self, "settings")
         menu = QMenu(parent)
         self.setMenu(menu)
-        self._window = action(self, "plotWindowAction", self.tr("Show in a &window of its own"))
+        self._window = action(self, "plotWindowAction", tr("Show in a &window of its own"))
         self._window.setVisible(False)
-        self._colors = QMenu(self.tr("&Colours"), menu)
+        self._colors = QMenu(tr("&Colours"), menu)
         self._colors.aboutToShow.connect(self._fill_colors)
         menu.addAction(self._window)
         menu.addMenu(self._colors)
         menu.addSeparator()
         for name, text, slot in (
-            ("layoutOpenAction", self.tr("&Open layout…"), self._ask_and_open),
-            ("layoutSaveAction", self.tr("&Save layout…"), self._ask_and_save),
-            ("layoutResetAction", self.tr("&Reset layout"), partial(self._use, None)),
+            ("layoutOpenAction", tr("&Open layout…"), self._ask_and_open),
+            ("layoutSaveAction", tr("&Save layout…"), self._ask_and_save),
+            ("layoutResetAction", tr("&Reset layout"), partial(self._use, None)),
         ):
             menu.addAction(action(self, name, text, on_trigger=slot))
 
@@ -124,7 +124,7 @@ class LayoutButton(QToolButton):
     def _ask_and_open(self) -> None:
         chosen, _ = QFileDialog.getOpenFileName(
             self.window(),
-            self.tr("Open layout"),
+            tr("Open layout"),
             str(file_questions.last_folder()),
             self._filter(),
         )
@@ -137,19 +137,19 @@ class LayoutButton(QToolButton):
         known = [] if source is None else [trace.name for trace in source.traces]
 
         def work() -> PlotLayout:
-            return read_layout(load(path, self.tr("plot layouts"), LARGEST_FILE), str(path), known)
+            return read_layout(load(path, tr("plot layouts"), LARGEST_FILE), str(path), known)
 
         def use(layout: PlotLayout) -> None:
             file_questions.remember_folder(path)
             self._use(layout)
-            self._notifier.info.emit(self.tr("The layout of {0} is shown.").format(path.name))
+            self._notifier.info.emit(tr("The layout of {0} is shown.").format(path.name))
 
         in_background(self, work, use, self._notifier.report_error)
 
     def _ask_and_save(self) -> None:
         proposal = file_questions.last_folder() / f"plot_layout{_SUFFIX}"
         path = file_questions.ask_to_save(
-            self.window(), self.tr("Save layout"), proposal, self._filter(), _SUFFIX
+            self.window(), tr("Save layout"), proposal, self._filter(), _SUFFIX
         )
         if path is not None:
             self.save(path)
@@ -157,9 +157,9 @@ class LayoutButton(QToolButton):
     def save(self, path: Path) -> None:
         """Write how the plot is shown to a file, beside the window's thread."""
         file_questions.remember_folder(path)
-        saved = self.tr("The layout was saved in {0}.").format(path)
+        saved = tr("The layout was saved in {0}.").format(path)
         work = partial(save, path, write_layout(self._layout()))
         save_in_background(self, work, self._notifier, saved)
 
     def _filter(self) -> str:
-        return self.tr("Plot layouts (*{0})").format(_SUFFIX)
+        return tr("Plot layouts (*{0})").format(_SUFFIX)

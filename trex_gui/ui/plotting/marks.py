@@ -76,7 +76,7 @@ class EventMarks(Painted):
         }
         self.marks: list[tuple[float, Event]] = []
         self.setObjectName("eventMarks")
-        self.setAccessibleName(self.tr("Events in the plot"))
+        self.setAccessibleName(tr("Events in the plot"))
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         theme().changed.connect(self.update)
 
@@ -136,7 +136,7 @@ class CurveTags(Painted):
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self._traces: dict[str, TraceInfo] = {}
-        self.setAccessibleName(self.tr("Names of the curves"))
+        self.setAccessibleName(tr("Names of the curves"))
         self._heights: dict[str, float] = {}
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
@@ -201,12 +201,12 @@ class Readout(QLabel):
         lines = [clock_text(time - origin)]
         if mark is not None:
             since = f"{Number(time - mark):+.3f} s".replace("-", MINUS)
-            lines[0] = self.tr("{0} ({1} from the mark)").format(lines[0], since)
+            lines[0] = tr("{0} ({1} from the mark)").format(lines[0], since)
         for trace in source.traces:
             value = source.value_at(trace.name, time)
             if trace.name in shown and math.isfinite(value):
                 shown_value = value_text(value, trace.unit)
-                lines.append(self.tr("{0}: {1}").format(trace.label, shown_value))
+                lines.append(tr("{0}: {1}").format(trace.label, shown_value))
         text = "\n".join(lines)
         if text != self.text():
             self.setText(text)

@@ -6,7 +6,7 @@ Importing it loads pyqtgraph: do so when a plot is to be shown.
 from PySide6.QtCore import QEvent, QPoint, Qt, Slot
 from PySide6.QtWidgets import QSplitter, QWidget
 
-from trex_gui.core.translation import Number
+from trex_gui.core.translation import Number, tr
 from trex_gui.ui.event_log import Event
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.plotting.axes import MAX_SPAN, MIN_SPAN
@@ -45,32 +45,32 @@ class TracePanel(QWidget):
         self._window = combo_box(
             self,
             "currentsWindow",
-            self.tr("Time shown"),
+            tr("Time shown"),
             items=[(self._length_text(seconds), seconds) for seconds in _WINDOWS],
             on_activate=lambda index: self._choose_window(_WINDOWS[index]),
         )
-        window_label = label(self, text=self.tr("Show the &last"), buddy=self._window)
+        window_label = label(self, text=tr("Show the &last"), buddy=self._window)
         self._top = combo_box(
             self,
             "currentsTop",
-            self.tr("Range of the currents"),
-            items=[(self.tr("automatic"), 0), *((f"0–{amps} A", amps) for amps in _TOPS)],
-            tip=self.tr("A fixed range keeps plots comparable; peaks above it are cut off"),
+            tr("Range of the currents"),
+            items=[(tr("automatic"), 0), *((f"0–{amps} A", amps) for amps in _TOPS)],
+            tip=tr("A fixed range keeps plots comparable; peaks above it are cut off"),
             on_activate=lambda index: self._choose_top((0, *_TOPS)[index]),
         )
-        top_label = label(self, text=self.tr("Ran&ge"), buddy=self._top)
+        top_label = label(self, text=tr("Ran&ge"), buddy=self._top)
         self._pause = button(
             self,
             "pauseButton",
-            self.tr("Pa&use"),
+            tr("Pa&use"),
             checkable=True,
             on_click=self._on_pause_clicked,
         )
         self._hold = button(
             self,
             "holdPeaksButton",
-            self.tr("Hold pea&ks"),
-            tip=self.tr("Keep the highest value of each curve from now on, as a line and a figure"),
+            tr("Hold pea&ks"),
+            tip=tr("Keep the highest value of each curve from now on, as a line and a figure"),
             checkable=True,
             on_toggle=self._on_hold_toggled,
         )
@@ -153,10 +153,10 @@ class TracePanel(QWidget):
 
     def _length_text(self, seconds: float) -> str:
         if seconds < 60:
-            return self.tr("{n} s").format(n=f"{Number(seconds):.3g}")
+            return tr("{n} s").format(n=f"{Number(seconds):.3g}")
         if seconds < 3600:
-            return self.tr("{n} min").format(n=f"{Number(seconds / 60):.3g}")
-        return self.tr("{n} h").format(n=f"{Number(seconds / 3600):.3g}")
+            return tr("{n} min").format(n=f"{Number(seconds / 60):.3g}")
+        return tr("{n} h").format(n=f"{Number(seconds / 3600):.3g}")
 
     def _choose_window(self, seconds: float) -> None:
         self._store.set(f"{self._key}window", seconds)
@@ -241,7 +241,7 @@ class TracePanel(QWidget):
     def _show_state(self) -> None:
         span = self.plot.span
         self._pause.setChecked(not span.live)
-        self._pause.setText(self.tr("Pa&use") if span.live else self.tr("Back to li&ve"))
+        self._pause.setText(tr("Pa&use") if span.live else tr("Back to li&ve"))
         set_icon(self._pause, "pause" if span.live else "run")
         self._window.setCurrentIndex(self._window.findData(span.length))
         self._window.setPlaceholderText(self._length_text(span.length))

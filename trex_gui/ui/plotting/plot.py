@@ -12,6 +12,7 @@ from PySide6.QtCore import QEvent, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QAccessible, QFontMetrics, QKeyEvent
 from PySide6.QtWidgets import QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.ui.event_log import Event
 from trex_gui.ui.plotting.axes import Span, ValueAxis, ago_labels, clock_text, since_labels
 from trex_gui.ui.plotting.canvas import Curve, Line, PlotCanvas
@@ -77,7 +78,7 @@ class TracePlot(Painted):
         self._drawn_axes: object = None
         self._hovered: float | None = None  # pixels: under a mouse at rest the time moves on
         self.setObjectName("tracePlot")
-        self.setAccessibleName(name or self.tr("Plot of currents and speeds against time"))
+        self.setAccessibleName(name or tr("Plot of currents and speeds against time"))
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
 
         self._marks = EventMarks(self)
@@ -91,7 +92,7 @@ class TracePlot(Painted):
         self._cursor_line = self._canvas.add_line("pointer", vertical=True)
         self._mark_line = self._canvas.add_line("pointer", Qt.PenStyle.DashDotLine, vertical=True)
         self._tags = CurveTags(self._canvas)
-        self._empty = named(Muted(self.tr("No data yet"), self._canvas), "emptyLabel")
+        self._empty = named(Muted(tr("No data yet"), self._canvas), "emptyLabel")
         self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._empty.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._readout = Readout(self._canvas)
@@ -311,7 +312,7 @@ class TracePlot(Painted):
         time, source = self.cursor_time, self.source
         if time is None or source is None or not self.span.start <= time <= self.span.end:
             self._readout.hide()
-            keys = self.tr(
+            keys = tr(
                 "Left and Right move the cursor, with Shift in large steps; its values are read "
                 "out here. M sets a mark, plus and minus zoom, L goes back to live."
             )
@@ -392,7 +393,7 @@ class TracePlot(Painted):
 
     def _show_margins(self) -> None:
         metrics = QFontMetrics(self._canvas.small_font())
-        now = metrics.horizontalAdvance(self.tr("now")) // 2
+        now = metrics.horizontalAdvance(tr("now")) // 2
         right = max(now, self._tags.sizeHint().width()) + 2
         widest = f"{MINUS}0.005 {self._left.unit}"
         self._canvas.set_margins(

@@ -9,6 +9,7 @@ from PySide6.QtGui import QGuiApplication, QHideEvent, QKeySequence, QShowEvent
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from trex_gui.core.code import Language
+from trex_gui.core.translation import tr
 from trex_gui.core.transport.row_code import rows_as_code
 from trex_gui.core.transport.traffic import Transaction
 from trex_gui.ui.notifier import Notifier
@@ -56,27 +57,25 @@ class TrafficPage(QWidget):
         self._table = TrafficTable(traffic, self)
         self._saver = FileSaver(self, finishing_ms=_SAVE_TIMEOUT_MS)
 
-        hint = self.tr("Search bytes and meanings (Ctrl+F)")
-        self._search = ui.search_field(
-            self, f"{key}Search", self.tr("Search the traffic log"), hint
-        )
+        hint = tr("Search bytes and meanings (Ctrl+F)")
+        self._search = ui.search_field(self, f"{key}Search", tr("Search the traffic log"), hint)
         self._polling = ui.check_box(
             self,
             f"{key}Polling",
-            self.tr("&Show polling"),
-            tip=self.tr("Also show the requests that the program repeats many times a second"),
+            tr("&Show polling"),
+            tip=tr("Also show the requests that the program repeats many times a second"),
         )
         self._faults = ui.check_box(
             self,
             f"{key}Faults",
-            self.tr("O&nly faults"),
-            tip=self.tr("Show only failed transactions and line errors"),
+            tr("O&nly faults"),
+            tip=tr("Show only failed transactions and line errors"),
         )
         self._paused = ui.check_box(
             self,
             f"{key}Pause",
-            self.tr("Pa&use"),
-            tip=self.tr("Do not add rows for now; the traffic is still logged"),
+            tr("Pa&use"),
+            tip=tr("Do not add rows for now; the traffic is still logged"),
         )
         buttons = self._make_buttons(key)
         self._view = ui.named(TrafficView(self._table, self), f"{key}View")
@@ -91,11 +90,11 @@ class TrafficPage(QWidget):
         send = () if sender is None else (SendRow(sender, key, self),)
         ui.column(above, (self._view, 1), self._details, *send, self._summary, into=self)
 
-        self._add_action(f"{key}Copy", self.tr("&Copy"), QKeySequence.StandardKey.Copy, self._copy)
+        self._add_action(f"{key}Copy", tr("&Copy"), QKeySequence.StandardKey.Copy, self._copy)
         for language, text, shortcut in (
-            (Language.PYTHON, self.tr("Copy as &Python"), "Ctrl+Shift+P"),
-            (Language.C, self.tr("Copy as C (&POSIX)"), "Ctrl+Shift+C"),
-            (Language.ARDUINO, self.tr("Copy as &Arduino sketch"), "Ctrl+Shift+A"),
+            (Language.PYTHON, tr("Copy as &Python"), "Ctrl+Shift+P"),
+            (Language.C, tr("Copy as C (&POSIX)"), "Ctrl+Shift+C"),
+            (Language.ARDUINO, tr("Copy as &Arduino sketch"), "Ctrl+Shift+A"),
         ):
             copy_code = partial(self._copy_code, language)
             name = f"{key}Copy{language.value.capitalize()}"
@@ -139,25 +138,25 @@ class TrafficPage(QWidget):
         copy = ui.button(
             self,
             f"{key}CopyButton",
-            self.tr("Cop&y"),
+            tr("Cop&y"),
             icon="copy",
-            tip=self.tr("Copy the selected rows (Ctrl+C), or all rows shown"),
+            tip=tr("Copy the selected rows (Ctrl+C), or all rows shown"),
             on_click=self._copy,
         )
         save = ui.button(
             self,
             f"{key}SaveButton",
-            self.tr("Sa&ve…"),
+            tr("Sa&ve…"),
             icon="save",
-            tip=self.tr("Save the rows shown as text"),
+            tip=tr("Save the rows shown as text"),
             on_click=self._ask_and_save,
         )
         clear = ui.button(
             self,
             f"{key}ClearButton",
-            self.tr("C&lear"),
+            tr("C&lear"),
             icon="clear",
-            tip=self.tr("Remove every row"),
+            tip=tr("Remove every row"),
             on_click=self._traffic.clear,
         )
         return copy, save, clear
@@ -204,25 +203,25 @@ class TrafficPage(QWidget):
     def _summarize(self) -> None:
         traffic, count = self._traffic, QLocale().toString
         parts = [
-            self.tr("shown: {0}").format(count(self._table.rowCount())),
-            self.tr("transactions: {0}").format(count(traffic.everything.count)),
-            self.tr("faults: {0}").format(count(traffic.faults)),
+            tr("shown: {0}").format(count(self._table.rowCount())),
+            tr("transactions: {0}").format(count(traffic.everything.count)),
+            tr("faults: {0}").format(count(traffic.faults)),
         ]
         if not self._polling.isChecked():
-            parts.append(self.tr("polling is hidden"))
+            parts.append(tr("polling is hidden"))
         if self._paused.isChecked():
-            parts.append(self.tr("paused"))
+            parts.append(tr("paused"))
         if lost := traffic.log.lost:  # the GUI thread was blocked for too long
-            parts.append(self.tr("events lost: {0}").format(count(lost)))
+            parts.append(tr("events lost: {0}").format(count(lost)))
         self._summary.setText(" · ".join(parts))
         self._view.set_placeholder(self._placeholder())
 
     def _placeholder(self) -> str:
         if self._traffic.everything.rows and self._search.text().strip():
-            return self.tr("No row matches the search.")
+            return tr("No row matches the search.")
         if self._traffic.everything.rows and self._faults.isChecked():
-            return self.tr("No faults so far.")
-        return self.tr(
+            return tr("No faults so far.")
+        return tr(
             "No traffic yet. While {0} is connected, this page lists every byte on the line and "
             "its meaning."
         ).format(self._device)
@@ -251,18 +250,18 @@ class TrafficPage(QWidget):
 
     def _put_on_clipboard(self, text: str, rows: Sequence[Transaction]) -> None:
         if not rows:
-            self._notifier.error.emit(self.tr("No rows to copy."))
+            self._notifier.error.emit(tr("No rows to copy."))
             return
         QGuiApplication.clipboard().setText(text)
-        self._notifier.info.emit(self.tr("Copied rows: {0}.").format(QLocale().toString(len(rows))))
+        self._notifier.info.emit(tr("Copied rows: {0}.").format(QLocale().toString(len(rows))))
 
     @Slot()
     def _ask_and_save(self) -> None:
         if not self._table.rows:
-            self._notifier.error.emit(self.tr("No rows to save."))
+            self._notifier.error.emit(tr("No rows to save."))
             return
         suggested = file_questions.last_folder() / "traffic.txt"
-        title, kinds = self.tr("Save the traffic log"), self.tr("Text (*.txt *.tsv)")
+        title, kinds = tr("Save the traffic log"), tr("Text (*.txt *.tsv)")
         path = file_questions.ask_to_save(self, title, suggested, kinds, ".txt")
         if path is not None:
             self.save(path)
@@ -274,5 +273,5 @@ class TrafficPage(QWidget):
     @Slot(int, object)
     def _on_saved(self, count: int, path: Path) -> None:
         self._notifier.info.emit(
-            self.tr("{0} row(s) written to {1}.", "", count).format(QLocale().toString(count), path)
+            tr("{0} row(s) written to {1}.", "", count).format(QLocale().toString(count), path)
         )

@@ -6,6 +6,7 @@ from typing import Protocol
 from PySide6.QtCore import Qt, SignalInstance, Slot
 from PySide6.QtWidgets import QLineEdit, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import Note, Sign
 
@@ -44,19 +45,19 @@ class SendRow(QWidget):
     def __init__(self, sender: PacketSender, key: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._sender = sender
-        self._field = ui.named(QLineEdit(self), f"{key}Bytes", accessible=self.tr("Bytes to send"))
+        self._field = ui.named(QLineEdit(self), f"{key}Bytes", accessible=tr("Bytes to send"))
         self._field.setPlaceholderText(sender.hint)
         self._field.setClearButtonEnabled(True)
-        label = ui.label(self, text=self.tr("Bytes t&o send:"), buddy=self._field)
+        label = ui.label(self, text=tr("Bytes t&o send:"), buddy=self._field)
         self._sign = Sign(self)
         self._meaning = ui.named(Note(2, self), f"{key}Meaning")
         self._meaning.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         self._button = ui.button(
             self,
             f"{key}SendButton",
-            self.tr("Send &bytes"),
+            tr("Send &bytes"),
             icon="console",
-            tip=self.tr("Send these bytes as they are (Enter)"),
+            tip=tr("Send these bytes as they are (Enter)"),
             on_click=self._send,
         )
         sign_and_meaning = ui.row(self._sign, (self._meaning, 1))

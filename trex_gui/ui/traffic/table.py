@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.core.translation import Number
+from trex_gui.core.translation import Number, tr
 from trex_gui.core.transport.traffic import Transaction
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import fixed_font, follow_theme, theme
@@ -57,8 +57,8 @@ class TrafficTable(QAbstractTableModel):
         self._faults = False
         self._text = ""
         self._paused_at: int | None = None
-        heads = self.tr("Time"), self.tr("Sent"), self.tr("Received"), self.tr("Took (ms)")
-        self._heads = (*heads, self.tr("Meaning"))
+        heads = tr("Time"), tr("Sent"), tr("Received"), tr("Took (ms)")
+        self._heads = (*heads, tr("Meaning"))
         follow_theme(self, "font", self._take_font)
         traffic.cleared.connect(self.rebuild)
 
@@ -168,7 +168,7 @@ class TrafficTable(QAbstractTableModel):
             case Qt.ItemDataRole.DisplayRole:
                 return self.text(row, column)
             case Qt.ItemDataRole.AccessibleTextRole if column == WORDS and self._is_fault(row):
-                return self.tr("Fault: {0}").format(self.text(row, column))
+                return tr("Fault: {0}").format(self.text(row, column))
             case Qt.ItemDataRole.TextAlignmentRole:
                 return _alignment(column)
             case Qt.ItemDataRole.FontRole:
@@ -223,7 +223,7 @@ class TrafficView(QTableView):
         super().__init__(parent)
         self._placeholder = ""
         self._widths: list[int] = []
-        flat_table(self, "", self.tr("Traffic on the line"))
+        flat_table(self, "", tr("Traffic on the line"))
         self.setModel(table)
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.setWordWrap(False)
@@ -291,11 +291,11 @@ class RowDetails(QPlainTextEdit):
         super().__init__(parent)
         self._decoder = traffic.decoder
         self._table = table
-        self.setAccessibleName(self.tr("Details of the selected row"))
+        self.setAccessibleName(tr("Details of the selected row"))
         self.setReadOnly(True)
         self.setTabChangesFocus(True)
         self.setFrameShape(QFrame.Shape.StyledPanel)
-        self.setPlaceholderText(self.tr("Select a row to see all its bytes."))
+        self.setPlaceholderText(tr("Select a row to see all its bytes."))
         follow_theme(self, "room", self._take_room)
 
     def _take_room(self) -> None:
@@ -313,17 +313,15 @@ class RowDetails(QPlainTextEdit):
         settings = row.settings
         head = f"{self._table.text(row, TIME)}  #{row.number}"
         if settings is not None:
-            head = self.tr("{0} at {1}").format(head, settings.short)
+            head = tr("{0} at {1}").format(head, settings.short)
         lines = [head]
         if row.sent:
-            lines.append(self.tr("sent      {0}").format(shown(row.sent)))
+            lines.append(tr("sent      {0}").format(shown(row.sent)))
         if row.received:
-            lines.append(self.tr("received  {0}").format(shown(row.received)))
+            lines.append(tr("received  {0}").format(shown(row.received)))
         if row.seconds is not None and settings is not None:
             count = len(row.sent) + len(row.received)
-            text = self.tr(
-                "took      {0:.1f} ms; %n byte(s) need {1:.1f} ms on this wire", "", count
-            )
+            text = tr("took      {0:.1f} ms; %n byte(s) need {1:.1f} ms on this wire", "", count)
             wire = settings.line.seconds(count)
             lines.append(text.format(Number(row.seconds * 1e3), Number(wire * 1e3)))
         lines.append(self._decoder.decoded(row).text)

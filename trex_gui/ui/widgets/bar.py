@@ -18,6 +18,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.ui.theme.theme import scaled_font, theme
 from trex_gui.ui.widgets.accessible import SpokenRange
 from trex_gui.ui.widgets.painted import Painted, Painter
@@ -172,13 +173,13 @@ class Bar(Painted):
 
     def spoken_state(self) -> str:
         if self.state is BarState.DISCONNECTED:
-            return self.tr("not connected")
+            return tr("not connected")
         return self._caption() or self._spoken_value()
 
     def _caption(self) -> str:
         texts = {
-            BarState.WAITING: self.tr("no data yet"),
-            BarState.NO_SIGNAL: self.tr("no signal"),
+            BarState.WAITING: tr("no data yet"),
+            BarState.NO_SIGNAL: tr("no signal"),
         }
         return texts.get(self.state, "")
 

@@ -10,6 +10,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.ui.theme.icons import set_sign
 from trex_gui.ui.theme.theme import follow_theme, set_text_color, theme
 from trex_gui.ui.widgets.accessible import Spoken
@@ -103,12 +104,12 @@ class Sign(QLabel):
 
     def show_sign(self, name: str, color: str = "icon") -> None:
         spoken = {
-            "error": self.tr("Error"),
-            "info": self.tr("Information"),
-            "ok": self.tr("OK"),
-            "run": self.tr("Now"),
-            "todo": self.tr("Not done"),
-            "warning": self.tr("Warning"),
+            "error": tr("Error"),
+            "info": tr("Information"),
+            "ok": tr("OK"),
+            "run": tr("Now"),
+            "todo": tr("Not done"),
+            "warning": tr("Warning"),
         }
         self.setAccessibleName(spoken.get(name, ""))
         if name:
@@ -154,7 +155,7 @@ class LiveLabel(QLabel, Spoken):
         self.setAccessibleName(accessible)
 
     def spoken_name(self) -> str:
-        return self.tr("{0}: {1}").format(self.accessibleName(), self.text())
+        return tr("{0}: {1}").format(self.accessibleName(), self.text())
 
 
 class Muted(QLabel):

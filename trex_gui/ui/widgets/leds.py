@@ -6,6 +6,7 @@ from PySide6.QtCore import QPointF, QSize, Qt, Slot
 from PySide6.QtGui import QHideEvent, QPaintEvent, QPen, QShowEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.builders import label, plain, row
@@ -76,7 +77,7 @@ class Leds(QWidget):
         self._since = now()
         self._timer = new_timer(self, _FRAME_MS, self._on_frame)
         self.lamps = (Lamp("led_red", self), Lamp("led_green", self))
-        self._names = (self.tr("Red"), self.tr("Green"))
+        self._names = (tr("Red"), tr("Green"))
         self._words = (label(self), label(self))
 
         (red, green), (red_words, green_words) = self.lamps, self._words
@@ -90,9 +91,9 @@ class Leds(QWidget):
         self._shown = shown
         for index in range(2):
             name, meaning = self._names[index], meanings[index]
-            text = self.tr("{0}: {1}").format(name, words[index]) if words[index] else name
+            text = tr("{0}: {1}").format(name, words[index]) if words[index] else name
             self._words[index].setText(text)
-            spoken = self.tr("{0} LED: {1}").format(name, meaning or words[index])
+            spoken = tr("{0} LED: {1}").format(name, meaning or words[index])
             self.lamps[index].setAccessibleName(spoken)
             for widget in (self.lamps[index], self._words[index]):
                 widget.setToolTip(plain(spoken))

@@ -7,6 +7,7 @@ from PySide6.QtCore import QEvent, QObject, Qt, Signal, Slot
 from PySide6.QtGui import QGuiApplication, QKeyEvent, QMoveEvent, QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView, QApplication, QFrame, QPushButton, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.ui.notifier import (
     Answer,
     AnyRemedy,
@@ -86,12 +87,10 @@ class Banner(_MessageRow):
         self._offered: Remedies = ()
         self._is_left_out = False  # the newest message, because a danger lasts
         self._help = ui.button(
-            self, "bannerHelp", self.tr("Help"), default=False, on_click=self._on_help_clicked
+            self, "bannerHelp", tr("Help"), default=False, on_click=self._on_help_clicked
         )
         self._layout.addWidget(self._help)
-        self._dismiss = ui.tool_button(
-            self, "bannerDismiss", self.tr("Dismiss"), on_click=self.clear
-        )
+        self._dismiss = ui.tool_button(self, "bannerDismiss", tr("Dismiss"), on_click=self.clear)
         self._layout.addWidget(self._dismiss)
         if notifier is not None:
             notifier.info.connect(self.show_news)
@@ -149,21 +148,21 @@ class Banner(_MessageRow):
         for remedy in remedies:
             match remedy:
                 case Remedy.FIND:
-                    name, text = "bannerFind", self.tr("Find now")
+                    name, text = "bannerFind", tr("Find now")
                 case Remedy.RECONNECT | Remedy.PLUG_IN:
-                    name, text = "bannerReconnect", self.tr("Reconnect")
+                    name, text = "bannerReconnect", tr("Reconnect")
                 case Remedy.SET_UP_CRC:
-                    name, text = "bannerSetUpCrc", self.tr("Set up CRC…")
+                    name, text = "bannerSetUpCrc", tr("Set up CRC…")
                 case Remedy.CHECK_BOARD:
-                    name, text = "bannerCheckBoard", self.tr("Check the board…")
+                    name, text = "bannerCheckBoard", tr("Check the board…")
                 case Remedy.REPORT:
-                    name, text = "bannerReport", self.tr("Save report…")
+                    name, text = "bannerReport", tr("Save report…")
                 case Remedy.STOP_THEM:
-                    name, text = "bannerStop", self.tr("Stop them now")
+                    name, text = "bannerStop", tr("Stop them now")
                 case ConnectWith():
-                    name, text = "bannerConnectWith", self.tr("Connect with its settings")
+                    name, text = "bannerConnectWith", tr("Connect with its settings")
                 case CopyCommand():
-                    name, text = "bannerCopy", self.tr("Copy command")
+                    name, text = "bannerCopy", tr("Copy command")
                 case Answer():
                     name, text = remedy.name, remedy.text
             button = self._add_button(name, text, self._help)
@@ -176,7 +175,7 @@ class Banner(_MessageRow):
     def _on_chosen(self, button: QPushButton, remedy: AnyRemedy) -> None:
         if isinstance(remedy, CopyCommand):
             QGuiApplication.clipboard().setText(remedy.command)
-            button.setText(self.tr("Copied"))
+            button.setText(tr("Copied"))
         elif isinstance(remedy, Answer):
             self.clear()
             remedy.then()
@@ -198,7 +197,7 @@ class Banner(_MessageRow):
         self._text.setText(text)
         self._help.setVisible(bool(text and self._help_topic(text)))
         # Screen readers need a name while there is no message.
-        self._text.setAccessibleName("" if text else self.tr("No message"))
+        self._text.setAccessibleName("" if text else tr("No message"))
         self.setVisible(bool(text))
 
 
@@ -263,7 +262,7 @@ class InlinePrompt(_MessageRow):
         self._still: Callable[[], bool] = _always
         self._otherwise: Callable[[], object] = _nothing
         self._cancel = ui.button(
-            self, "questionCancel", self.tr("Cancel"), default=False, on_click=self.withdraw
+            self, "questionCancel", tr("Cancel"), default=False, on_click=self.withdraw
         )
         self._layout.addWidget(self._cancel)
         set_sign(self._sign, "warning", "warning", 4)

@@ -6,6 +6,7 @@ from PySide6.QtCore import QSize, Qt, Slot
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.ui.theme.theme import theme
 
 
@@ -27,7 +28,7 @@ class StepStrip(QLabel):
         if (steps, now, undone) != (self._steps, self._now, self._undone):
             self._steps, self._now, self._undone = steps, now, undone
             passed = [step for step in steps[:now] if step in undone]
-            text = self.tr("{0}. Not done: {1}.").format(steps[now], ", ".join(passed))
+            text = tr("{0}. Not done: {1}.").format(steps[now], ", ".join(passed))
             self.setAccessibleName(text if passed else steps[now])
             self._fit()
 

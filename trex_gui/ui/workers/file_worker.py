@@ -74,7 +74,7 @@ class FileWorker(WorkerThread):
             self.outcome = Done(error=error)
         except Exception as error:
             log.exception("work on a file")
-            text = self.tr("Internal error while processing this file ({0}).")
+            text = tr("Internal error while processing this file ({0}).")
             self.outcome = Done(error=StudioError(text.format(type(error).__name__)))
         else:
             if not self._cancelled.is_set():
@@ -177,7 +177,7 @@ class FileSaver(QObject):
     def save(self, path: Path, write: Callable[[TextIO, ProgressCallback], int]) -> None:
         """Let `write` write the file in a thread; it returns the number of rows."""
         if self.is_saving:
-            self.failed.emit(self.tr("Another file is still being written."))
+            self.failed.emit(tr("Another file is still being written."))
         else:
             self._path = path
             self._task.start(partial(write_text, path, write))
@@ -192,12 +192,12 @@ class FileSaver(QObject):
         if isinstance(done.error, RecordingError):
             self.failed.emit(str(done.error))
         elif done.error is not None:
-            text = self.tr("{0} was not written. {1}")
+            text = tr("{0} was not written. {1}")
             self.failed.emit(text.format(self._path.name, done.error))
         elif isinstance(done.result, int):
             self.saved.emit(done.result, self._path)
         else:
-            self.failed.emit(self.tr("{0} was not written.").format(self._path.name))
+            self.failed.emit(tr("{0} was not written.").format(self._path.name))
 
 
 def write_text(

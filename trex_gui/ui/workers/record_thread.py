@@ -17,6 +17,7 @@ from trex_gui.core.recording.kinds import (
     marker,
 )
 from trex_gui.core.recording.store import RecordingWriter
+from trex_gui.core.translation import tr
 from trex_gui.ui.event_log import Event
 from trex_gui.ui.runtime import now, runtime
 from trex_gui.ui.workers.threads import WorkerThread, adopt_orphan, release_orphan
@@ -57,7 +58,7 @@ class RecordWorker(WorkerThread, Generic[RecordT]):
             self.error = str(error)
         except Exception as error:
             log.exception("recording")
-            text = self.tr("Internal error while recording ({0}). The recording has ended.")
+            text = tr("Internal error while recording ({0}). The recording has ended.")
             self.error = text.format(type(error).__name__)
         finally:
             self._backlog.close(0.0)

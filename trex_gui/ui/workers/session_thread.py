@@ -8,6 +8,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, Signal, Slot
 
 from trex_gui.core.errors import InternalError
 from trex_gui.core.session import Close, Closed, Outcome, RequestQueue
+from trex_gui.core.translation import tr
 from trex_gui.core.transport.traffic import TrafficLog
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.workers.threads import WorkerThread, adopt_orphan, release_orphan
@@ -196,7 +197,7 @@ class SessionThread(QObject):
         self._writes.clear()
 
     def _fault(self) -> Closed:
-        error = InternalError(self.tr("Internal error: the connection was closed."))
+        error = InternalError(tr("Internal error: the connection was closed."))
         return Closed(error, self._may_move)
 
     def _end(self, last: Closed) -> None:

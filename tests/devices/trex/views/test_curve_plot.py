@@ -13,6 +13,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.catalogs import in_language
 from tests.support.pages.calibration import handle_position
 from tests.support.window import LEFT, WidgetDriver
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.calibration_moves import Handle
 from trex_gui.devices.trex.protocol.calibration import Calibration
@@ -323,7 +324,7 @@ def test_labels_have_room_in_each_language(qapp: QApplication, qtbot: QtBot, lan
         qtbot.addWidget(plot)
         plot.resize(500, 400)
         plot.show()
-        texts = plot.tr("Output"), plot.tr("Now")
+        texts = tr("Output"), tr("Now")
     for canvas in plot.findChildren(PlotCanvas):
         metrics = QFontMetrics(canvas.small_font())
         assert canvas.frame.left() > max(map(metrics.horizontalAdvance, texts))

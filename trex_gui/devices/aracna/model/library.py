@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtGui import QUndoStack
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.poses.gaits import BUILT_IN_POSES, GAITS, Gait
 from trex_gui.devices.aracna.poses.ppr import PoseFile, write_ppr
 from trex_gui.devices.aracna.poses.project import (
@@ -112,35 +113,33 @@ class Library(QObject):
             after = replace(
                 after, sequences=tuple(_renamed(one, name, new_name) for one in after.sequences)
             )
-        self._edit(self.tr("Rename {0}").format(name), after)
+        self._edit(tr("Rename {0}").format(name), after)
 
     def duplicate(self, kind: ItemKind, name: str) -> str:
         """Insert a copy after an item, and return the copy's name."""
         items, place = self._find(kind, name)
         copy = replace(items[place], name=free_name(name, [item.name for item in items]))
-        self._edit(
-            self.tr("Duplicate {0}").format(name), self._with(kind, place, [items[place], copy])
-        )
+        self._edit(tr("Duplicate {0}").format(name), self._with(kind, place, [items[place], copy]))
         return str(copy.name)
 
     def delete(self, kind: ItemKind, name: str) -> None:
         """Delete an item; sequences keep the names of deleted poses."""
         _, place = self._find(kind, name)
-        self._edit(self.tr("Delete {0}").format(name), self._with(kind, place, []))
+        self._edit(tr("Delete {0}").format(name), self._with(kind, place, []))
 
     def move(self, kind: ItemKind, name: str, place: int) -> None:
         """Move an item to a place in the order, from 0; one beyond the end is the end."""
         items, old = self._find(kind, name)
         others = [*items[:old], *items[old + 1 :]]
         others.insert(min(max(place, 0), len(others)), items[old])
-        self._edit(self.tr("Move {0}").format(name), self._with_items(kind, others))
+        self._edit(tr("Move {0}").format(name), self._with_items(kind, others))
 
     def add_pose(self, positions: Many[int], name: str = "") -> str:
         """Append a pose (0-1023, one position for each motor), and return its name."""
         taken = self.project.pose_names
-        name = checked_name(name.strip() or free_name(self.tr("pose"), taken), taken)
+        name = checked_name(name.strip() or free_name(tr("pose"), taken), taken)
         poses = (*self.project.poses, Pose(name, tuple(positions)))
-        self._edit(self.tr("Add pose {0}").format(name), replace(self.project, poses=poses))
+        self._edit(tr("Add pose {0}").format(name), replace(self.project, poses=poses))
         return name
 
     def capture(self, present: Many[int | None], name: str = "") -> str:
@@ -154,18 +153,18 @@ class Library(QObject):
         """Change a pose; successive edits with the same `run` are one undo step."""
         _, place = self._find(ItemKind.POSE, name)
         after = self._with(ItemKind.POSE, place, [Pose(name, tuple(positions))])
-        self._edit(self.tr("Change pose {0}").format(name), after, run)
+        self._edit(tr("Change pose {0}").format(name), after, run)
 
     def add_sequence(self, name: str = "", steps: Many[SequenceStep] = ()) -> str:
         taken = [sequence.name for sequence in self.project.sequences]
-        name = checked_name(name.strip() or free_name(self.tr("sequence"), taken), taken)
+        name = checked_name(name.strip() or free_name(tr("sequence"), taken), taken)
         self._add_sequence(self.project, Sequence(name, tuple(steps)))
         return name
 
     def set_steps(self, name: str, steps: Many[SequenceStep], *, run: object = None) -> None:
         _, place = self._find(ItemKind.SEQUENCE, name)
         after = self._with(ItemKind.SEQUENCE, place, [Sequence(name, tuple(steps))])
-        self._edit(self.tr("Change sequence {0}").format(name), after, run)
+        self._edit(tr("Change sequence {0}").format(name), after, run)
 
     def add_gait(self, gait: Gait) -> str:
         """Append a gait as a sequence, with those of its poses that are missing; return its name.
@@ -187,7 +186,7 @@ class Library(QObject):
 
     def _add_sequence(self, project: Project, sequence: Sequence) -> None:
         after = replace(project, sequences=(*project.sequences, sequence))
-        self._edit(self.tr("Add sequence {0}").format(sequence.name), after)
+        self._edit(tr("Add sequence {0}").format(sequence.name), after)
 
     def _find(self, kind: ItemKind, name: str) -> tuple[tuple[Any, ...], int]:
         items: tuple[Any, ...] = getattr(self.project, kind.value)

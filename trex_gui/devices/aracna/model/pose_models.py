@@ -66,7 +66,7 @@ class NameModel(QAbstractListModel):
         if role == _Role.EditRole:
             return key.name
         if role == _Role.DisplayRole:
-            return self.tr("{0} (built in)").format(key.name) if key.built_in else key.name
+            return tr("{0} (built in)").format(key.name) if key.built_in else key.name
         return plain(self._tool_tip(key)) if role == _Role.ToolTipRole else None
 
     def _tool_tip(self, key: ItemKey) -> str:
@@ -75,14 +75,14 @@ class NameModel(QAbstractListModel):
             return ", ".join(map(str, pose.positions)) if pose else ""
         played = self._library.playable(key)
         if isinstance(played, Gait):
-            ours = self.tr("Uses the authors' poses, but was not made by them.")
+            ours = tr("Uses the authors' poses, but was not made by them.")
             about = tr(played.about)
             return f"{about} {ours}" if played.ours else about
         if played is None:
             return ""
         if missing := played.missing(self._library.project.pose_names):
-            return self.tr("Undefined poses: {0}").format(", ".join(missing))
-        return self.tr("%n step(s), {0:g} s", "", len(played.steps)).format(Number(played.seconds))
+            return tr("Undefined poses: {0}").format(", ".join(missing))
+        return tr("%n step(s), {0:g} s", "", len(played.steps)).format(Number(played.seconds))
 
     def flags(self, index: _Index) -> Qt.ItemFlag:
         key = self.key(index.row()) if index.isValid() else None
@@ -101,7 +101,7 @@ class NameModel(QAbstractListModel):
         try:
             self._library.rename(self._kind, key.name, str(value))
         except BadRequest as error:
-            self._notifier.error.emit(self.tr("Not renamed: {0}.").format(error))
+            self._notifier.error.emit(tr("Not renamed: {0}.").format(error))
             return False
         return True
 
@@ -189,7 +189,7 @@ class StepTable(QAbstractTableModel):
     ) -> Any:
         if role != _Role.DisplayRole or orientation is not Qt.Orientation.Horizontal:
             return None
-        titles = (self.tr("Step"), self.tr("Pose"), self.tr("Time"), self.tr("Remarks"))
+        titles = (tr("Step"), tr("Pose"), tr("Time"), tr("Remarks"))
         return titles[section] if 0 <= section < len(titles) else None
 
     def data(self, index: _Index, role: int = _Role.DisplayRole) -> Any:
@@ -212,7 +212,7 @@ class StepTable(QAbstractTableModel):
                 return step.pose_name
             case StepColumn.TIME:
                 ms = step.milliseconds
-                return ms if role == _Role.EditRole else self.tr("{0} ms").format(ms)
+                return ms if role == _Role.EditRole else tr("{0} ms").format(ms)
             case StepColumn.NOTE:
                 return note
 

@@ -75,7 +75,7 @@ class AracnaRecorder(RecordThread[Record]):
     @Slot()
     def stop(self) -> None:
         """End the recording with a marker, which keeps its length if nothing has happened."""
-        self.put(marker(now(), EventKind.NOTE.value, self.tr("The recording ends here.")))
+        self.put(marker(now(), EventKind.NOTE.value, tr("The recording ends here.")))
         super().stop()
 
     def _known_at(self, time: float) -> Sequence[Record]:
@@ -108,9 +108,9 @@ class AracnaRecorder(RecordThread[Record]):
     @Slot()
     def _on_link_changed(self) -> None:
         if self.recording and self._robot.link is ConnectionState.DISCONNECTED:
-            self.end_because(self.tr("Recording {0} ended with the connection."))
+            self.end_because(tr("Recording {0} ended with the connection."))
         elif self.recording and self._robot.state.motors != self._motors:
-            self.end_because(self.tr("Recording {0} ended: the number of motors has changed."))
+            self.end_because(tr("Recording {0} ended: the number of motors has changed."))
         else:
             self.changed.emit()
 

@@ -155,7 +155,7 @@ class Robot(DeviceConnection[PortSettings]):
                     self.aim_at_present()
             case DragDropped(error=error):
                 self.dragging = False  # reported once, not for every goal
-                self._reject_because(self.tr("Not moved: {0}"), error)
+                self._reject_because(tr("Not moved: {0}"), error)
             case _:
                 pass
         if self.link is not ConnectionState.DISCONNECTING:
@@ -167,13 +167,13 @@ class Robot(DeviceConnection[PortSettings]):
     def _update_link(self, report: object) -> None:
         match report:
             case Connected(version=version, motors=motors):
-                text = self.tr("Connected to Aracna: firmware {0}, %n motor(s).", "", motors)
+                text = tr("Connected to Aracna: firmware {0}, %n motor(s).", "", motors)
                 self._set_state(ConnectionState.CONNECTED, text.format(version))
             case Restarted():
-                text = self.tr("The board has restarted; it is ready again in a second …")
+                text = tr("The board has restarted; it is ready again in a second …")
                 self._set_state(ConnectionState.NOT_RESPONDING, text)
             case NotResponding():
-                text = self.tr("The robot is not responding. Is its power on? Waiting for it …")
+                text = tr("The robot is not responding. Is its power on? Waiting for it …")
                 self._set_state(ConnectionState.NOT_RESPONDING, text)
             case _:
                 pass
@@ -195,9 +195,7 @@ class Robot(DeviceConnection[PortSettings]):
         self.targets.set_all(cropped)
         self._is_holding = False
         speeds = self.speeds
-        self.events.add(
-            EventKind.NOTE, self.tr("Move to {0}.").format(", ".join(map(str, cropped)))
-        )
+        self.events.add(EventKind.NOTE, tr("Move to {0}.").format(", ".join(map(str, cropped))))
         if self.state.moving is not None or self._pending_moves:
             return self.submit(Drag(cropped, speeds))
         if self.request(lambda number: Move(number, cropped, speeds), self._on_move_done):
@@ -257,10 +255,10 @@ class Robot(DeviceConnection[PortSettings]):
         if not self._can_move():
             return False
         if not play.steps:
-            self.rejected.emit(self.tr("There is nothing to play: the sequence has no steps."))
+            self.rejected.emit(tr("There is nothing to play: the sequence has no steps."))
             return False
         if cropped := sum(self.limits.crop(step.goals) != step.goals for step in play.steps):
-            self._inform(self.tr("Cropped to the limits of the joints: %n step(s).", "", cropped))
+            self._inform(tr("Cropped to the limits of the joints: %n step(s).", "", cropped))
         if None in self.state.present:
             play = self._with_slow_start(play)
         self._is_holding = False
@@ -268,10 +266,8 @@ class Robot(DeviceConnection[PortSettings]):
             return False
         steps, rounds = len(play.steps), play.rounds
         self.state.play = play
-        often = self.tr("%n time(s)", "", rounds) if rounds else self.tr("repeating")
-        self.events.add(
-            EventKind.NOTE, self.tr("Playing %n step(s), {0}.", "", steps).format(often)
-        )
+        often = tr("%n time(s)", "", rounds) if rounds else tr("repeating")
+        self.events.add(EventKind.NOTE, tr("Playing %n step(s), {0}.", "", steps).format(often))
         self.changed.emit()
         return True
 
@@ -279,7 +275,7 @@ class Robot(DeviceConnection[PortSettings]):
         """Prepend a step to the start: the whole travel at the first speed, at any time scale."""
         first = (*play.blend_in, *play.steps)[0]
         seconds = travel_seconds(HIGHEST, FIRST_SPEED) / play.time_scale
-        slow = Step(first.goals, seconds, self.tr("slowly to the start"))
+        slow = Step(first.goals, seconds, tr("slowly to the start"))
         return replace(play, blend_in=(slow, *play.blend_in))
 
     def end_play(self) -> None:
@@ -298,11 +294,9 @@ class Robot(DeviceConnection[PortSettings]):
         self.submit(Halt())
         self._is_holding = is_active or self.dragging or self._pending_moves > 0
         self.dragging = False
-        text = self.tr("Stopped: nothing more is sent.")
+        text = tr("Stopped: nothing more is sent.")
         if (left := self.remaining()) > 0:
-            more = self.tr("The running motion ends by itself in about {0:.1f} s.").format(
-                Number(left)
-            )
+            more = tr("The running motion ends by itself in about {0:.1f} s.").format(Number(left))
             text = f"{text} {more}"
         self.events.add(EventKind.STOP, text)
         self.halted.emit()
@@ -324,20 +318,20 @@ class Robot(DeviceConnection[PortSettings]):
         """
         left = self.remaining()
         if self.link is ConnectionState.DISCONNECTED:
-            text = self.tr("{0}. No robot is connected; the motion continues (about {1:.0f} s).")
+            text = tr("{0}. No robot is connected; the motion continues (about {1:.0f} s).")
             return text.format(reason, max(left, 1)) if left > 0 else ""
         is_stopped = self.is_at_rest
         self.events.add(EventKind.NOTE, f"{reason}.")
         self.halt()
         if left > 0:
-            text = self.tr(
+            text = tr(
                 "{0}. Nothing more is sent; the running motion continues to its goal (about "
                 "{1:.0f} s)."
             )
             return text.format(reason, max(left, 1))
         if is_stopped:
-            return self.tr("{0}. Nothing more is sent to the robot.").format(reason)
-        text = self.tr("{0}. Nothing more is sent; a running motion continues to its goal.")
+            return tr("{0}. Nothing more is sent to the robot.").format(reason)
+        text = tr("{0}. Nothing more is sent; a running motion continues to its goal.")
         return text.format(reason)
 
     @property
@@ -357,14 +351,14 @@ class Robot(DeviceConnection[PortSettings]):
     def move_blocker(self) -> str:
         """Why the robot cannot be moved now; empty if it can."""
         if self.link is not ConnectionState.CONNECTED:
-            return self.tr("No robot is connected.")
+            return tr("No robot is connected.")
         if self.state.play is not None:
-            return self.tr("A sequence is playing. Stop it first.")
+            return tr("A sequence is playing. Stop it first.")
         if (stuck := self.state.stuck) is None:
             return ""
         if stuck.motor is None:
-            return self.tr("The robot does not respond.")
-        text = self.tr("The robot is waiting for motor {0} and reads nothing until it responds.")
+            return tr("The robot does not respond.")
+        text = tr("The robot is waiting for motor {0} and reads nothing until it responds.")
         return text.format(stuck.motor)
 
     def _can_move(self) -> bool:
@@ -384,23 +378,23 @@ class Robot(DeviceConnection[PortSettings]):
     def _on_speeds_done(self, outcome: Outcome) -> None:
         self._pending_speeds = max(self._pending_speeds - 1, 0)
         if outcome.error is not None and not self._pending_speeds:  # else newer ones replaced it
-            self._reject_because(self.tr("Speeds not set: {0}"), outcome.error)
+            self._reject_because(tr("Speeds not set: {0}"), outcome.error)
 
     def _on_led_done(self, outcome: Outcome) -> None:
         if outcome.error is None:
             self.state.led = bool(outcome.value)
         else:
-            self._reject_because(self.tr("LED not switched: {0}"), outcome.error)
+            self._reject_because(tr("LED not switched: {0}"), outcome.error)
         self.changed.emit()
 
     def _on_move_done(self, outcome: Outcome) -> None:
         self._pending_moves -= 1
         if outcome.error is not None and not self._is_holding:
-            self._reject_because(self.tr("Not moved: {0}"), outcome.error)
+            self._reject_because(tr("Not moved: {0}"), outcome.error)
         self.changed.emit()
 
     def _on_play_done(self, outcome: Outcome) -> None:
         self.state.play = self.state.step = None
         if outcome.error is not None and not self._is_holding:
-            self._reject_because(self.tr("Aborted: {0}"), outcome.error)
+            self._reject_because(tr("Aborted: {0}"), outcome.error)
         self.changed.emit()

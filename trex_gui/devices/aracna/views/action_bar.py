@@ -3,7 +3,7 @@
 from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QWidget
 
-from trex_gui.core.translation import Number
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.session.messages import Play, StepBegun
 from trex_gui.ui.devices.connection import ConnectionState
@@ -21,8 +21,8 @@ class StopSequenceButton(RedButton):
     def __init__(self, robot: Robot, name: str, parent: QWidget | None = None) -> None:
         super().__init__(name, robot.halt, parent)
         self.describe(
-            self.tr("Stop sequence"),
-            self.tr("End the sequence, send nothing more, stay where the robot is (Esc, anywhere)"),
+            tr("Stop sequence"),
+            tr("End the sequence, send nothing more, stay where the robot is (Esc, anywhere)"),
         )
         self._robot = robot
         robot.link_changed.connect(self._on_link_changed)
@@ -47,13 +47,13 @@ class ActionBar(QWidget):
         self._end = ui.button(
             self,
             "aracnaEndButton",
-            self.tr("End afte&r this step"),
-            tip=self.tr("Let the step finish, then blend out"),
+            tr("End afte&r this step"),
+            tip=tr("Let the step finish, then blend out"),
             on_click=robot.end_play,
         )
         self._end.setMinimumHeight(stop.minimumHeight())
         self._activity = ui.named(Note(1, self), "aracnaMotionLabel")
-        hint = self.tr(
+        hint = tr(
             "This link has no stop: a running motion ends only by itself, or by cutting the servo "
             "power."
         )
@@ -83,10 +83,10 @@ class ActionBar(QWidget):
         """Return what the robot is known to do, and if that alarms; `left` is in seconds."""
         link, state = self._robot.link, self._robot.state
         if link not in {ConnectionState.CONNECTED, ConnectionState.NOT_RESPONDING}:
-            text = self.tr("No robot is connected.")
+            text = tr("No robot is connected.")
             if left <= 0:
                 return text, False
-            more = self.tr("The motion continues by itself for about {0:.0f} s.")
+            more = tr("The motion continues by itself for about {0:.0f} s.")
             return f"{text} {more.format(max(left, 1))}", True
         if state.stuck is not None:
             return self._stuck_text(state.stuck.motor), True
@@ -97,46 +97,44 @@ class ActionBar(QWidget):
             return wait, True
         if link is ConnectionState.NOT_RESPONDING or state.may_be_moving:
             return self._unobserved_text(left)
-        return self.tr("At rest: nothing is sent."), False
+        return tr("At rest: nothing is sent."), False
 
     def _unobserved_text(self, left: float) -> tuple[str, bool]:
         was_sent = self._robot.state.uncertain
         if left > 0 and was_sent:
-            text = self.tr("Unknown: the last motion may continue for about {0:.0f} s.")
+            text = tr("Unknown: the last motion may continue for about {0:.0f} s.")
         elif left > 0:
-            text = self.tr("Unknown: an earlier motion may continue for about {0:.0f} s.")
+            text = tr("Unknown: an earlier motion may continue for about {0:.0f} s.")
         elif was_sent:
-            text = self.tr("Unknown: the last motion may still be running.")
+            text = tr("Unknown: the last motion may still be running.")
         else:
-            text = self.tr("Nothing is sent. Whether it moves is unknown until its first move.")
+            text = tr("Nothing is sent. Whether it moves is unknown until its first move.")
         return text.format(max(left, 1)), was_sent or left > 0
 
     def _stuck_text(self, motor: int | None) -> str:
         if motor is None:
-            return self.tr("The robot does not respond.")
-        return self.tr("Stuck: the robot is waiting for motor {0} and reads nothing.").format(motor)
+            return tr("The robot does not respond.")
+        return tr("Stuck: the robot is waiting for motor {0} and reads nothing.").format(motor)
 
     def _wait_text(self, left: float) -> str:
         state = self._robot.state
         if state.moving is None:
             return ""
         if left > 0:
-            return self.tr("The motion ends by itself in about {0:.1f} s.").format(Number(left))
-        return self.tr("Waiting for motor {0} to arrive …").format(state.awaited_motor)
+            return tr("The motion ends by itself in about {0:.1f} s.").format(Number(left))
+        return tr("Waiting for motor {0} to arrive …").format(state.awaited_motor)
 
     def _playing_text(self, play: Play, step: StepBegun | None) -> str:
         if step is None:
-            return self.tr("The sequence begins.")
+            return tr("The sequence begins.")
         if step.part != "steps":
-            return (
-                self.tr("Playing blend-in.") if step.part == "in" else self.tr("Playing blend-out.")
-            )
+            return tr("Playing blend-in.") if step.part == "in" else tr("Playing blend-out.")
         number, steps, name = step.index + 1, len(play.steps), play.steps[step.index].name
-        text = self.tr("Playing step {0} of {1}.")
+        text = tr("Playing step {0} of {1}.")
         if name:
-            text = self.tr("Playing step {0} of {1} “{2}”.")
+            text = tr("Playing step {0} of {1} “{2}”.")
         if play.rounds != 1:
-            text = self.tr("Playing step {0} of {1}, round {3} of {4}.")
+            text = tr("Playing step {0} of {1}, round {3} of {4}.")
             if name:
-                text = self.tr("Playing step {0} of {1} “{2}”, round {3} of {4}.")
+                text = tr("Playing step {0} of {1} “{2}”, round {3} of {4}.")
         return text.format(number, steps, name, step.round + 1, play.rounds or "∞")

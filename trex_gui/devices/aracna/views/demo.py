@@ -37,7 +37,7 @@ _RADIUS = 4.5
 class RobotPanel(DemoDock):
     def __init__(self, controller: AracnaController, parent: QWidget | None = None) -> None:
         super().__init__("aracnaDemoPanel", "aracna/demo_panel", controller, parent)
-        self.setWindowTitle(self.tr("Demo Aracna"))
+        self.setWindowTitle(tr("Demo Aracna"))
         self.hold(DemoRobotView(controller, self))
 
 
@@ -46,19 +46,17 @@ class DemoRobotView(DemoPanelBody[RobotSnapshot]):
         robot = controller.demo_robot
         super().__init__(robot, controller, "aracnaDemoState", state_text, parent)
         head = QWidget(self)
-        tip = self.tr("The debug LED; it blinks while the firmware boots")
+        tip = tr("The debug LED; it blinks while the firmware boots")
         self._lamp = named(Lamp("led_green", head), "aracnaDemoLed", tip=tip)
         self._lit = label(head, "aracnaDemoLedText", tip=tip)
-        self._boots = label(
-            head, "aracnaDemoBoots", tip=self.tr("How often the firmware has started")
-        )
+        self._boots = label(head, "aracnaDemoBoots", tip=tr("How often the firmware has started"))
         row(self._lamp, (self._lit, 1), self._boots, into=head, margins=0)
         repair = button(
             self,
             "aracnaDemoRepair",
-            self.tr("Clear all faults"),
+            tr("Clear all faults"),
             icon="reload",
-            tip=self.tr("Servos alive, free and unloaded, a quiet line, everything switched on"),
+            tip=tr("Servos alive, free and unloaded, a quiet line, everything switched on"),
             on_click=robot.repair,
         )
         columns = Columns(tr("Noise"), "5.0\u00a0%")
@@ -75,14 +73,14 @@ class DemoRobotView(DemoPanelBody[RobotSnapshot]):
 
     def show_head(self, snapshot: RobotSnapshot | None) -> None:
         is_lit = snapshot is not None and snapshot.led
-        text = self.tr("LED: on") if is_lit else self.tr("LED: off")
+        text = tr("LED: on") if is_lit else tr("LED: off")
         if snapshot is not None and snapshot.state is FirmwareState.BOOTING:
-            text = self.tr("LED: blinks")
+            text = tr("LED: blinks")
         self._lamp.set_lit(is_lit)
         self._lit.setText(text)
         for widget in (self._lamp, self._lit):
             widget.setAccessibleName(text)
-        boots = "" if snapshot is None else self.tr("Starts: {0}").format(snapshot.boots)
+        boots = "" if snapshot is None else tr("Starts: {0}").format(snapshot.boots)
         self._boots.setText(boots)
 
 

@@ -4,7 +4,7 @@ from PySide6.QtCore import Slot
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QFormLayout, QWidget
 
-from trex_gui.core.translation import Number
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.help.messages import MessageHelp
@@ -19,14 +19,14 @@ class RobotLogPage(LogPage):
     ) -> None:
         super().__init__(log, "aracna", robot.notifier, message_help, parent)
         self._robot = robot
-        line = ui.GroupBox(self.tr("Line"), self)
+        line = ui.GroupBox(tr("Line"), self)
         self._traffic, self._failures = (
             ui.label(line, name, wrap=True, expand=True, selectable=True)
             for name in ("aracnaTrafficValue", "aracnaQualityValue")
         )
         form = QFormLayout(line)
-        form.addRow(self.tr("Requests:"), self._traffic)
-        form.addRow(self.tr("Failures:"), self._failures)
+        form.addRow(tr("Requests:"), self._traffic)
+        form.addRow(tr("Failures:"), self._failures)
         self.rows.addWidget(line)
         robot.changed.connect(self._on_changed)
 
@@ -38,13 +38,13 @@ class RobotLogPage(LogPage):
             ConnectionState.CONNECTED,
             ConnectionState.NOT_RESPONDING,
         }
-        traffic = failures = self.tr("N/A")
+        traffic = failures = tr("N/A")
         if is_valid:
             finished = stats.replies + stats.timeouts + stats.corrupted
-            traffic = self.tr("{0} replies to {1} requests ({2:.2f} %)").format(
+            traffic = tr("{0} replies to {1} requests ({2:.2f} %)").format(
                 stats.replies, finished, Number(100 * stats.replies / max(finished, 1))
             )
-            failures = self.tr(
+            failures = tr(
                 "Timeouts: {0}, corrupted: {1}, unrecognized lines: {2}, restarts: {3}; slowest "
                 "reply: {4:.0f}\u00a0ms (without motions)"
             ).format(

@@ -48,7 +48,7 @@ class RobotPlaybackWindow(RecordingWindow):
         caption = ui.label(
             self,
             "aracnaRecordedCaption",
-            self.tr("Full lines: as last reported; dashed: goal.") + f"\n* {assumed_text()}",
+            tr("Full lines: as last reported; dashed: goal.") + f"\n* {assumed_text()}",
             wrap=True,
         )
         caption.setForegroundRole(caption.palette().ColorRole.PlaceholderText)
@@ -75,7 +75,7 @@ class RobotPlaybackWindow(RecordingWindow):
 
     def device_text(self) -> str:
         header = self.playback.header
-        text = self.tr("Aracna, firmware {0}, %n motor(s)", "", header.motors)
+        text = tr("Aracna, firmware {0}, %n motor(s)", "", header.motors)
         return text.format(header.version)
 
     def show_curves(self) -> None:
@@ -112,14 +112,14 @@ class JointValues(QWidget):
         self._cells: dict[tuple[int, str], QLabel] = {}
         # Part of the object name: heading, name for screen readers, widest text.
         self._parts = {
-            "Present": (self.tr("Present"), self.tr("present position"), position_text(1023)),
-            "Goal": (self.tr("Goal"), self.tr("goal"), position_text(1023)),
-            "Difference": (self.tr("Difference"), self.tr("difference"), "1023 = 684 °/s"),
-            "Speed": (self.tr("Speed"), self.tr("speed"), "1023 = 684 °/s"),
+            "Present": (tr("Present"), tr("present position"), position_text(1023)),
+            "Goal": (tr("Goal"), tr("goal"), position_text(1023)),
+            "Difference": (tr("Difference"), tr("difference"), "1023 = 684 °/s"),
+            "Speed": (tr("Speed"), tr("speed"), "1023 = 684 °/s"),
         }
 
         grid = ui.grid(self, margins=0, spacing=(12, 2), stretch=[(len(self._parts) + 1, 1)])
-        headings = (self.tr("Curve"), *(heading for heading, _, _ in self._parts.values()))
+        headings = (tr("Curve"), *(heading for heading, _, _ in self._parts.values()))
         for column, text in enumerate(headings):
             label = ui.label(self, text=text)
             label.setAlignment(_LEFT if column == 0 else _RIGHT)
@@ -135,8 +135,8 @@ class JointValues(QWidget):
             self,
             f"aracnaCurveBox{motor}",
             joint_text(motor),
-            accessible=self.tr("{0}: draw its curve").format(spoken_joint(motor)),
-            tip=self.tr("Draw the position of this motor in the plot"),
+            accessible=tr("{0}: draw its curve").format(spoken_joint(motor)),
+            tip=tr("Draw the position of this motor in the plot"),
             checked=True,
             on_toggle=lambda on: self.toggled.emit(motor, on),
         )
@@ -172,7 +172,7 @@ class JointValues(QWidget):
         if held is None:
             return _NONE
         if held == UNREADABLE:
-            return self.tr("no reply (−1)")
+            return tr("no reply (−1)")
         return f"{held} = {speed_text(held)}" if held else speed_text(held)
 
     def _set(self, motor: int, part: str, text: str, *, bold: bool = False) -> None:

@@ -10,6 +10,7 @@ from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.recording.store import Recording
+from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.controller import AracnaController
 from trex_gui.devices.aracna.model.library import Library
 from trex_gui.devices.aracna.model.recordings import AracnaRecorder, RobotPlayback
@@ -49,8 +50,8 @@ class AracnaRecordings(RecordingManager["RobotPlaybackWindow"]):
     def __init__(self, robot: Robot, window: QWidget) -> None:
         texts = RecordingTexts(
             stem="aracna",
-            unavailable=window.tr("Nothing can be recorded: no robot is connected."),
-            open_command=window.tr("Aracna, Open recording"),
+            unavailable=tr("Nothing can be recorded: no robot is connected."),
+            open_command=tr("Aracna, Open recording"),
         )
         super().__init__(
             AracnaRecorder(robot),
@@ -87,19 +88,17 @@ class AracnaWorkspace(Workspace):
 
         tabs = self.pages
         tabs.setObjectName("aracnaTabs")
-        tabs.setAccessibleName(self.tr("Pages"))
+        tabs.setAccessibleName(tr("Pages"))
         self._frame = frame
         self._page = page = RobotPage(robot, self._make_start_panel(), self)
         self._poses = PosesPage(robot, self.library, self)
-        traffic = TrafficPage(
-            robot.traffic, "aracnaTranscript", self.tr("a robot"), self.notifier, self
-        )
+        traffic = TrafficPage(robot.traffic, "aracnaTranscript", tr("a robot"), self.notifier, self)
         self.add_pages(
             (
-                PageInfo("robot", self.tr("R&obot"), lambda: page),
-                PageInfo("poses", self.tr("Pos&es"), lambda: self._poses),
-                PageInfo("log", self.tr("Lo&g"), self._make_log_page),
-                PageInfo("transcript", self.tr("&Traffic"), lambda: traffic),
+                PageInfo("robot", tr("R&obot"), lambda: page),
+                PageInfo("poses", tr("Pos&es"), lambda: self._poses),
+                PageInfo("log", tr("Lo&g"), self._make_log_page),
+                PageInfo("transcript", tr("&Traffic"), lambda: traffic),
             )
         )
         self.recordings = AracnaRecordings(robot, self)
@@ -108,11 +107,11 @@ class AracnaWorkspace(Workspace):
         bar = ActionBar(robot, self)
         ui.column((tabs, 1), self.recordings.indicator, bar, into=self, margins=0)
         self._demo = RobotPanel(controller, frame)
-        self.stop_text = self.tr("&Stop sequence")  # this robot has no stop
+        self.stop_text = tr("&Stop sequence")  # this robot has no stop
         self.docks = (self._demo,)
         pose_files = self._poses.files
         pose_files.opened.connect(lambda: self.show_page("poses"))
-        poses = FileKind({SUFFIX}, self.tr("a pose file of an Aracna"), pose_files.open_file)
+        poses = FileKind({SUFFIX}, tr("a pose file of an Aracna"), pose_files.open_file)
         self.file_kinds = (poses,)
         self.openers = {"poses": pose_files.open_file, "recording": self.recordings.open_file}
         pose_files.used.connect(partial(frame.recent.note, self.key, "poses"))
@@ -130,7 +129,6 @@ class AracnaWorkspace(Workspace):
         self._undo_watch = self.library.undo.indexChanged.connect(self._on_changed)
 
     def _make_start_panel(self) -> StartPanel:
-        tr = self.tr
         texts = StartTexts(
             title=tr("Connect my Aracna"),
             ways=(
@@ -177,7 +175,7 @@ class AracnaWorkspace(Workspace):
     # --- Menus --------------------------------------------------------------------------
 
     def menus(self) -> Menus:
-        tr, keys = self.tr, QKeySequence.StandardKey
+        keys = QKeySequence.StandardKey
         controls, robot = self._page.controls, self._robot
         files, undo = self._poses.files, self.library.undo
         record, open_recording = self.recordings.toggle, self.recordings.choose_and_open
@@ -306,7 +304,7 @@ class AracnaWorkspace(Workspace):
         if not self._actions:
             return
         recording = self.recordings.recorder.recording
-        text = self.tr("Stop &recording") if recording else self.tr("&Record…")
+        text = tr("Stop &recording") if recording else tr("&Record…")
         self._actions["aracna_record"].setText(text)
         self._actions["aracna_demo"].setChecked(self._demo.wanted)
         self._actions["aracna_led"].setChecked(bool(self._robot.state.led))

@@ -7,6 +7,7 @@ from enum import Enum, auto
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.errors import BadRequest, StudioError
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.boards import BoardList
 from trex_gui.devices.trex.model.device import Device
@@ -151,7 +152,7 @@ class ApplyToBoards(QObject):
         if error is not None:
             problem = error_text(error)
             if isinstance(error, TrexError) and error.code is ErrorCode.NOT_SELECTED_SILENT:
-                problem = self.tr("It does not respond. Check that it has power.")
+                problem = tr("It does not respond. Check that it has power.")
             else:
                 self._is_cancelled = True
             self._set(number, BoardStep.FAILED, problem)
@@ -197,16 +198,14 @@ class ApplyToBoards(QObject):
 
     def _write(self, number: int, changes: Comparison) -> None:
         if changes != self._plan(number).changes:
-            problem = self.tr(
-                "Not written: the board stores other settings than when it was reviewed."
-            )
+            problem = tr("Not written: the board stores other settings than when it was reviewed.")
             self._set(number, BoardStep.FAILED, problem)
             self._go_on()
             return
         values = values_to_write(row for row in changes.rows if row.changed)
         self._current = number
         self._set(number, BoardStep.WRITING)
-        self._device.write(self.tr("The same settings for several boards"), *values)
+        self._device.write(tr("The same settings for several boards"), *values)
 
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
@@ -217,7 +216,7 @@ class ApplyToBoards(QObject):
         if failed:
             names = ", ".join(self._device.name_of(result.key) for result in failed)
             reasons = dict.fromkeys(error_text(one.error) for one in failed if one.error)
-            text = self.tr("Not verified: {0}. {1}").format(names, " ".join(reasons))
+            text = tr("Not verified: {0}. {1}").format(names, " ".join(reasons))
             self._set(number, BoardStep.FAILED, text)
             self._is_cancelled = True
         else:
@@ -246,7 +245,7 @@ class ApplyToBoards(QObject):
             return
         for plan in self.plans:
             if plan.step in {BoardStep.READING, BoardStep.WRITING}:
-                self._set(plan.number, BoardStep.FAILED, self.tr("The line was closed."))
+                self._set(plan.number, BoardStep.FAILED, tr("The line was closed."))
         self._current = self._home = None
         self._end()
 

@@ -6,7 +6,7 @@ from enum import Enum, auto
 
 from PySide6.QtCore import QObject, Qt, Signal, Slot
 
-from trex_gui.core.translation import Number
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.bench.run import End, Plan, Run
 from trex_gui.devices.trex.client.telemetry import Currents, LatchedStatus
 from trex_gui.devices.trex.model.device import Device
@@ -116,13 +116,13 @@ class Bench(QObject):
         """Why no test can start now and what to do, for the user; empty when one can."""
         device = self._device
         if device.is_connected and device.is_joint:
-            return self.tr(
+            return tr(
                 "In joint mode the board measures no current, so a test could not be aborted."
             )
         if reason := held_drive_blocker(device, _HOLDER, is_driving=self.is_driving):
             return reason
         if device.telemetry.motor_currents is None:
-            return self.tr("No current was read yet.")
+            return tr("No current was read yet.")
         return ""
 
     @property
@@ -169,7 +169,7 @@ class Bench(QObject):
             settings=self._settings(),
         )
         self.phase = Phase.DRIVING
-        text = self.tr("Bench test of motor {0}: {1}").format(plan.motor, self._run.title)
+        text = tr("Bench test of motor {0}: {1}").format(plan.motor, self._run.title)
         self._device.events.add(EventKind.NOTE, text)
         self._timer.start()
         self._on_step()
@@ -205,7 +205,7 @@ class Bench(QObject):
         elif past >= run.profile.duration:
             self._end(End.COMPLETE)
         elif now() - self._last_reading > (gap := self._device.timeouts.current_gap):
-            self.abort(self.tr("No current was read for {0:g} s.").format(Number(gap)))
+            self.abort(tr("No current was read for {0:g} s.").format(Number(gap)))
         else:
             speed = run.profile.speed_at(past)
             if not self._setpoints or self._setpoints[-1][1] != speed:
@@ -226,20 +226,18 @@ class Bench(QObject):
                 amps = sample.counts[run.motor - 1] * run.ampere
                 self._readings.append((sample.time - self._start, amps))
                 if amps > run.abort_current:
-                    text = self.tr(
-                        "Motor {0} drew {1:.2f} A, more than the abort current of {2:g} A."
-                    )
+                    text = tr("Motor {0} drew {1:.2f} A, more than the abort current of {2:g} A.")
                     self.abort(text.format(run.motor, Number(amps), Number(run.abort_current)))
             elif isinstance(sample, LatchedStatus):
                 self._check_status(run.motor, sample)
 
     def _check_status(self, motor: int, sample: LatchedStatus) -> None:
         if sample.status & MOTOR_FAULTS[motor]:
-            self.abort(self.tr("The driver of motor {0} reported a fault.").format(motor))
+            self.abort(tr("The driver of motor {0} reported a fault.").format(motor))
         elif sample.uart & UartError.TIMEOUT:
-            self.abort(self.tr("The board received nothing within its Serial Timeout."))
+            self.abort(tr("The board received nothing within its Serial Timeout."))
         elif self._ends_at_limit and sample.status & OVER_LIMITS[motor]:
-            self.abort(self.tr("Motor {0} exceeded its current limit.").format(motor))
+            self.abort(tr("Motor {0} exceeded its current limit.").format(motor))
 
     @Slot()
     def _on_motors_changed(self) -> None:
@@ -268,12 +266,12 @@ class Bench(QObject):
 
     def _external_reason(self) -> str:
         if self._device.link is ConnectionState.NOT_RESPONDING:
-            return self.tr("The board stopped responding.")
+            return tr("The board stopped responding.")
         if not self._device.is_connected:
-            return self.tr("The connection was closed.")
+            return tr("The connection was closed.")
         if self._device.telemetry.serial_controls is False:
-            return self.tr("Serial commands no longer control the motors.")
-        return self._motors.stop_reason or self.tr("Stop was pressed.")
+            return tr("Serial commands no longer control the motors.")
+        return self._motors.stop_reason or tr("Stop was pressed.")
 
     # --- The end ------------------------------------------------------------------------
 

@@ -56,15 +56,15 @@ class BoardEvents(EventLog):
         failed = len(results) - len(done)
         text = ", ".join(done[:_NAMED])
         if len(done) > _NAMED:
-            text = self.tr("{0} and {1} more").format(text, len(done) - _NAMED)
+            text = tr("{0} and {1} more").format(text, len(done) - _NAMED)
         if failed:
-            text = self.tr("{0} ({1} failed)").format(text, failed).strip()
-        self.add(EventKind.APPLY, self.tr("Apply: {0}").format(text), is_problem=failed > 0)
+            text = tr("{0} ({1} failed)").format(text, failed).strip()
+        self.add(EventKind.APPLY, tr("Apply: {0}").format(text), is_problem=failed > 0)
 
     @Slot()
     def _on_stop_requested(self) -> None:
         reason = self._motors.stop_reason
-        text = self.tr("Stop: {0}").format(reason) if reason else self.tr("Stop")
+        text = tr("Stop: {0}").format(reason) if reason else tr("Stop")
         self.add(EventKind.STOP, text)
 
     @Slot(object)
@@ -76,24 +76,24 @@ class BoardEvents(EventLog):
                 self._was_read = True
                 self.connected_at = self._clock()
                 self.restarts = self.returns = 0
-                text = self.tr("Connected to {0} on {1}.")
+                text = tr("Connected to {0} on {1}.")
                 self.add(
                     EventKind.LINK,
                     text.format(report.state.signature, report.settings.text()),
                 )
             case ReadReason.RETURNED:
                 self.returns += 1
-                self.add(EventKind.LINK, self.tr("The board responds again"))
+                self.add(EventKind.LINK, tr("The board responds again"))
             case ReadReason.RESTARTED:
                 self.restarts += 1
-                self.add(EventKind.LINK, self.tr("The board was switched off and on"))
+                self.add(EventKind.LINK, tr("The board was switched off and on"))
             case ReadReason.SETTING_CHANGED:
-                text = self.tr(
+                text = tr(
                     "A setting changed: the board was restarted, or another program wrote to it"
                 )
                 self.add(EventKind.LINK, text, is_problem=True)
             case ReadReason.SELECTED:
-                text = self.tr("Device {0} selected: {1}")
+                text = tr("Device {0} selected: {1}")
                 number = report.settings.device_number
                 self.add(EventKind.LINK, text.format(number, report.state.signature))
             case ReadReason.RELOADED:
@@ -101,7 +101,7 @@ class BoardEvents(EventLog):
 
     @Slot()
     def _on_not_responding(self) -> None:
-        self.add(EventKind.LINK, self.tr("The board stopped responding"), is_problem=True)
+        self.add(EventKind.LINK, tr("The board stopped responding"), is_problem=True)
 
     @Slot(object)
     def _on_closed(self, last: Closed | None) -> None:
@@ -109,9 +109,9 @@ class BoardEvents(EventLog):
         if self._was_read:
             self._was_read = False
             may_move = last is not None and last.may_move
-            text = self.tr("Disconnected")
+            text = tr("Disconnected")
             if may_move:
-                text = self.tr("Disconnected before a stop was confirmed: motors may still turn")
+                text = tr("Disconnected before a stop was confirmed: motors may still turn")
             self.add(EventKind.LINK, text, is_problem=may_move)
 
     def note_status(self, latched: LatchedStatus) -> None:
@@ -120,7 +120,7 @@ class BoardEvents(EventLog):
             # The kinds of UART errors say more than that there was one.
             has_kinds = bool(latched.uart)
             names = [tr(e.name) for e in bits if not (has_kinds and e.bit is Status.UART_ERROR)]
-            text = self.tr("Latched before connecting, perhaps by the search for the board: {0}")
+            text = tr("Latched before connecting, perhaps by the search for the board: {0}")
             self.add(EventKind.LINK, text.format(", ".join(names)), latched.time)
             return
         for bit, kind in _KINDS.items():

@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.errors import BadReply, StudioError
 from trex_gui.core.session import Outcome
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.discovery import NUMBERS
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.commands import Signature
@@ -165,11 +166,11 @@ class BoardList(QObject):
         self.boards = tuple(found)
         self._remember()
         if len(found) > 1:
-            text = self.tr("%n board(s) on this line.", "", len(found))
+            text = tr("%n board(s) on this line.", "", len(found))
             self._device.notifier.info.emit(text)
         else:
             self._device.notifier.info.emit(
-                self.tr(
+                tr(
                     "No other board replies on this line. Each needs power, the serial settings "
                     "of this one, and a device number of its own."
                 )
@@ -268,7 +269,7 @@ class BoardList(QObject):
                 device.connection.select(number, sharing, lambda outcome: finish(outcome.error))
 
         if device.motors.armed or device.may_move:
-            device.driving.stop(on_stopped, self.tr("Another board was selected."))
+            device.driving.stop(on_stopped, tr("Another board was selected."))
         else:
             on_stopped(None)
 

@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.session import Close, Outcome, Progress
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.driving.requests import (
     MotorsStopped,
@@ -114,7 +115,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
             then(outcome)
 
         self.leaving.emit()
-        text = self.tr("Selecting device {0} …").format(number)
+        text = tr("Selecting device {0} …").format(number)
         self._set_state(ConnectionState.CONNECTING, text)
         self.request(lambda request: SelectBoard(request, number, sharing), report)
 
@@ -145,7 +146,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
                 pass  # it was queued when the line was closed
             case Progress(done=done, total=total, what=what):
                 if isinstance(report, ProbeProgress):
-                    text = self.tr("No reply yet. Trying other settings: {0} …").format(what)
+                    text = tr("No reply yet. Trying other settings: {0} …").format(what)
                     self._set_state(ConnectionState.CONNECTING, text)
                 self.progressed.emit(done, total, what)
             case Connected():
@@ -154,9 +155,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
                 log.info("the board does not respond: %s", reason)
                 self.counters = counters
                 self.not_responding.emit()
-                text = self.tr(
-                    "The board has stopped responding. Is its power on? Waiting for it …"
-                )
+                text = tr("The board has stopped responding. Is its power on? Waiting for it …")
                 self._set_state(ConnectionState.NOT_RESPONDING, text)
 
     def _take_state(self, report: Connected) -> None:
@@ -170,7 +169,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
             self._decoder.board = signature
             self.traffic.decode_again()
         self.device_read.emit(report)
-        self._set_state(ConnectionState.CONNECTED, self.tr("Connected to {0}.").format(signature))
+        self._set_state(ConnectionState.CONNECTED, tr("Connected to {0}.").format(signature))
         self.ready.emit()
 
 

@@ -152,12 +152,12 @@ class TrexController(DeviceController[ConnectionSettings]):
         if quality.is_noisy is None or not device.is_connected:
             return LineQuality()
         if not quality.is_noisy:
-            return LineQuality(self.tr("Line: good"))
-        lost = self.tr("{0:.1f} % lost").format(Number(100 * quality.lost))
+            return LineQuality(tr("Line: good"))
+        lost = tr("{0:.1f} % lost").format(Number(100 * quality.lost))
         if device.settings is not None and device.settings.line.has_crc:
-            text = self.tr("{0}: noisy; shorten cable, check ground")
+            text = tr("{0}: noisy; shorten cable, check ground")
             return LineQuality(text.format(lost), is_bad=True)
-        text = self.tr("{0}: noisy; shorten cable, check ground, use CRC").format(lost)
+        text = tr("{0}: noisy; shorten cable, check ground, use CRC").format(lost)
         can_set_up = device.is_writable and not device.rejects_settings and not self.is_armed
         return LineQuality(text, is_bad=True, remedy=Remedy.SET_UP_CRC if can_set_up else None)
 
@@ -179,9 +179,7 @@ class TrexController(DeviceController[ConnectionSettings]):
             return ""
         texts = [self.device.driving.lost_board]
         if self.may_move:
-            texts.append(
-                self.tr("The stop is not confirmed. If a motor still turns, cut its power.")
-            )
+            texts.append(tr("The stop is not confirmed. If a motor still turns, cut its power."))
         return "\n".join(filter(None, texts))
 
     @property
@@ -210,7 +208,7 @@ class TrexController(DeviceController[ConnectionSettings]):
             text = device.driving.lost_board or device.loss_text
             device.notifier.warn(text, lasts=lambda: device.may_stop_matter)
             return
-        device.warn(self.tr("Trying to reach the board to stop it …"))
+        device.warn(tr("Trying to reach the board to stop it …"))
         self.connect_to(self.ports.now(self._last) or self._last)
 
     def stop_because(self, reason: str) -> str:
@@ -265,7 +263,7 @@ class AutomaticStop(QObject):
         self._device.driving.stop(
             lambda error: self._on_stopped(number, reason, error), reason=f"{reason}."
         )
-        return self.tr("{0}. The stop was sent, and is not confirmed yet.").format(reason)
+        return tr("{0}. The stop was sent, and is not confirmed yet.").format(reason)
 
     def _on_stopped(self, number: int, reason: str, error: StudioError | None) -> None:
         if number != self._newest:
@@ -274,12 +272,12 @@ class AutomaticStop(QObject):
             self._report(self._confirmed(reason))
             return
         if isinstance(error, TrexError) and error.code is ErrorCode.CLOSED:
-            is_closed = self.tr("{0}. The line is closed.").format(reason)
+            is_closed = tr("{0}. The line is closed.").format(reason)
             self._report(self._out_of_reach(reason) if self._device.may_move else is_closed)
             return
         if self._device.may_move:
             self._unconfirmed = reason
-        text = self.tr("{0}. The stop is not confirmed: {1} If a motor still turns, cut its power.")
+        text = tr("{0}. The stop is not confirmed: {1} If a motor still turns, cut its power.")
         if isinstance(error, NoReply):  # its text says what was sent, and what to do
             text = "{0}. {1}"
         self._report(text.format(reason, error_sentence(error)))
@@ -304,13 +302,13 @@ class AutomaticStop(QObject):
         """Say what the confirmation means: usually, but not always, motors at standstill."""
         by_serial = self._device.telemetry.serial_controls
         if by_serial is None:  # not read yet, or not responding
-            return self.tr("{0}. The board has confirmed the stop.").format(reason)
+            return tr("{0}. The board has confirmed the stop.").format(reason)
         if not by_serial:
             return f"{reason}. {tr(BEYOND_A_STOP)}"
-        return self.tr("{0}, so the motors were stopped.").format(reason)
+        return tr("{0}, so the motors were stopped.").format(reason)
 
     def _out_of_reach(self, reason: str) -> str:
-        text = self.tr(
+        text = tr(
             "{0}. No board is connected that could be stopped, and motors may still turn: cut "
             "their power."
         )

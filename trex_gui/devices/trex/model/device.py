@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 from trex_gui.core.errors import StudioError
 from trex_gui.core.session import Closed, Outcome
 from trex_gui.core.timing import Timeouts
-from trex_gui.core.translation import Number
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.board.errors import ErrorCounts
 from trex_gui.devices.trex.client.reading import DeviceState, may_be_same_board
 from trex_gui.devices.trex.client.telemetry import Control, LatchedStatus
@@ -162,7 +162,7 @@ class Device(QObject):
         """What lets the board accept writes again, for the user; empty if it does not reject."""
         if not self.rejects_settings:
             return ""
-        return self.tr(
+        return tr(
             "The board accepts changes in serial mode only: switch it off, remove the mode jumper, "
             "switch it on. Edits are kept."
         )
@@ -178,7 +178,7 @@ class Device(QObject):
             return ""
         number = self.parameters.stored_of(ParameterKey.DEVICE_NUMBER)
         name = str(self.state.signature)
-        return name if number is None else self.tr("{0}, device {1}").format(name, number)
+        return name if number is None else tr("{0}, device {1}").format(name, number)
 
     @property
     def settings(self) -> ConnectionSettings | None:
@@ -206,7 +206,7 @@ class Device(QObject):
         if key in CALIBRATION_KEYS:
             return CALIBRATION_KEYS[key].label
         if key == ParameterKey.FACTORY_RESET:
-            return self.tr("Reset to factory defaults")
+            return tr("Reset to factory defaults")
         parameters = self.parameters
         return parameters.spec_of(key).name if parameters.index_of(key).isValid() else key
 
@@ -314,14 +314,14 @@ class Device(QObject):
 
     def _set(self, key: str, wires_of: Callable[[ParameterSpec], Mapping[str, int]]) -> None:
         if self.state is None or not self.connection.is_open:
-            self._on_request_failed(self.tr("No board is connected."))
+            self._on_request_failed(tr("No board is connected."))
             return
         spec, stored = self.state.specs[key], self.state.parameters
         wires = wires_of(spec)
         if key in REACH:
             self._expect_after({**stored, **wires})
         changed = {name: wire for name, wire in wires.items() if stored.get(name) != wire}
-        self.write(self.tr("{0} set").format(spec.name), tuple((changed or wires).items()))
+        self.write(tr("{0} set").format(spec.name), tuple((changed or wires).items()))
 
     def write(
         self,
@@ -366,7 +366,7 @@ class Device(QObject):
     def _state_to_change(self) -> DeviceState | None:
         """Return what the board stores; `None` if a write would not reach it, or others, too."""
         if self.driving.reaches_several and self.connection.is_open:
-            text = self.tr(
+            text = tr(
                 "Nothing was written: without a device number it would reach several boards. "
                 "Select one of the boards on this line."
             )
@@ -402,12 +402,12 @@ class Device(QObject):
         self, make: Callable[[int], Reload | Write], then: Callable[[Outcome], None]
     ) -> None:
         if not self.connection.request(make, then):
-            self._on_request_failed(self.tr("No board is connected."))
+            self._on_request_failed(tr("No board is connected."))
 
     def _on_reloaded(self, outcome: Outcome) -> None:
         if outcome.error is not None:
             self._on_request_failed(
-                self.tr("Reading again failed. {0}").format(error_text(outcome.error))
+                tr("Reading again failed. {0}").format(error_text(outcome.error))
             )
 
     @Slot(object)
@@ -446,7 +446,7 @@ class Device(QObject):
             and not may_be_same_board(self.state, state)
         )
         if state != self.state:
-            reason = self.tr("Nothing was written: other settings were read from the board.")
+            reason = tr("Nothing was written: other settings were read from the board.")
             self._give_up_apply(reason)
         self.state = state
         pending, before = self.draft.pending, self.draft.stored
@@ -457,7 +457,7 @@ class Device(QObject):
             self.calibrations.forget_seen()
         is_same_kind = self.parameters.model_key == state.signature.model.key
         if pending and before is not None and not is_same_kind:
-            text = self.tr(
+            text = tr(
                 "%n edit(s) not applied to the previous {0}: kept, and offered when it is "
                 "connected again.",
                 "",
@@ -467,7 +467,7 @@ class Device(QObject):
         if occasion is not ReadReason.RELOADED:
             self._forget_quality()
         if pending and is_same_kind and is_other:
-            text = self.tr(
+            text = tr(
                 "%n earlier change(s) still pending. Click Apply to write to this board.",
                 "",
                 pending,
@@ -499,11 +499,11 @@ class Device(QObject):
 
     def _on_selected(self, report: Connected) -> None:
         """Show another board on the line, with its edits and counts; those of the last are kept."""
-        reason = self.tr("Nothing was written: another board was selected.")
+        reason = tr("Nothing was written: another board was selected.")
         self._give_up_apply(reason)
         before = self.draft.stored
         if pending := self.draft.pending:
-            text = self.tr(
+            text = tr(
                 "%n edit(s) of the former board kept: they return when it is selected again.",
                 "",
                 pending,
@@ -524,7 +524,7 @@ class Device(QObject):
     def _on_replaced(self, path: Path) -> None:
         """Name each file so far: a message takes the place of the one before."""
         self._replaced.append(path)
-        text = self.tr(
+        text = tr(
             "Edits, notes or settings were kept here for another board with this device number. "
             "They are in {0} now."
         )
@@ -532,10 +532,10 @@ class Device(QObject):
 
     @Slot()
     def _on_not_responding(self) -> None:
-        self._give_up_apply(self.tr("Nothing was written: the board does not respond."))
+        self._give_up_apply(tr("Nothing was written: the board does not respond."))
         self._forget_quality()
         if self.may_move:
-            text = self.tr("The board does not respond; the stop is being repeated.")
+            text = tr("The board does not respond; the stop is being repeated.")
             self.warn(text)
 
     def _give_up_apply(self, reason: str) -> None:
@@ -584,19 +584,17 @@ class Device(QObject):
         if not self.is_connected or not self.quality.take(time, batch.counters):
             return
         if self.quality.is_noisy and not was_noisy:
-            text = self.tr("The line is noisy: {0:.1f} % lost").format(
-                Number(100 * self.quality.lost)
-            )
+            text = tr("The line is noisy: {0:.1f} % lost").format(Number(100 * self.quality.lost))
             self.events.add(EventKind.LINK, text, time, is_problem=True)
         elif was_noisy and not self.quality.is_noisy:
-            self.events.add(EventKind.LINK, self.tr("The line is good again"), time)
+            self.events.add(EventKind.LINK, tr("The line is good again"), time)
         self.quality_changed.emit()
 
     @Slot()
     def _recommend_crc(self) -> None:
         settings = self.settings
         if self.motors.armed and self.quality.is_noisy and settings and not settings.line.has_crc:
-            text = self.tr("Noise on the line can turn a motor another way for an instant.")
+            text = tr("Noise on the line can turn a motor another way for an instant.")
             self.notifier.report(text, (Remedy.SET_UP_CRC,))
 
     def _forget_quality(self) -> None:

@@ -112,7 +112,7 @@ class DriveController(QObject):
         allowed = reaches_one and bool(self._telemetry.serial_controls)
         if allowed != self._motors.is_available:
             if self._motors.armed and self._is_connected and not allowed:
-                self._motors.stop(self.tr("Serial commands no longer reach the motors."))
+                self._motors.stop(tr("Serial commands no longer reach the motors."))
             self._motors.set_available(allowed)
 
     def set_reaching_several(self, several: bool) -> None:
@@ -170,7 +170,7 @@ class DriveController(QObject):
         seconds, settings = self._unreported * HEARTBEAT_INTERVAL, self._connection.settings
         # Two replies in a row may be late; the guardian acts before.
         if settings and seconds >= settings.timeouts.guardian + 5 * latency_of(settings.url):
-            self._motors.stop(self.tr("The connection is not responding."))
+            self._motors.stop(tr("The connection is not responding."))
             self._unsent.stop()
             self._on_stop_not_sent()
 
@@ -186,7 +186,7 @@ class DriveController(QObject):
 
         lockout = self._motors.locked_for
         if not self._connection.request(lambda number: Stop(number, lockout), report):
-            self._answer(waiting, NoReply(self.tr("No board is connected.")))
+            self._answer(waiting, NoReply(tr("No board is connected.")))
         elif (
             self.may_move
             and self._connection.settings is not None
@@ -204,10 +204,10 @@ class DriveController(QObject):
     @Slot()
     def _on_stop_not_sent(self) -> None:
         """Warn that the session does not respond; its guardian, which gets no heartbeat, stops."""
-        text = self.tr("The connection is not responding, so the stop could not be sent.")
-        parts = [turning_text(self.driven), self.tr("Cut the power."), text]
+        text = tr("The connection is not responding, so the stop could not be sent.")
+        parts = [turning_text(self.driven), tr("Cut the power."), text]
         if self._connection.is_guarded:
-            parts.append(self.tr("The guardian process sends it now."))
+            parts.append(tr("The guardian process sends it now."))
         self._notifier.warn(" ".join(parts), lasts=lambda: self.may_move)
         in_background(self, partial(logged_stops, 0), self._report_guardian, lambda _error: None)
 
@@ -216,7 +216,7 @@ class DriveController(QObject):
         if any(at >= self._armed_at and how is StopResult.CONFIRMED for at, how in stops[-1:]):
             self._notifier.danger_lasts = never
             self._notifier.info.emit(
-                self.tr("The guardian process stopped the motors, and the board confirmed it.")
+                tr("The guardian process stopped the motors, and the board confirmed it.")
             )
 
     def _on_stopped(self, outcome: Outcome) -> None:
@@ -232,9 +232,9 @@ class DriveController(QObject):
         if report.reason is not None:
             reason = describe(report.reason)
             if report.confirmed:
-                text = self.tr("{0} The motors were stopped. Press Run motor to continue.")
+                text = tr("{0} The motors were stopped. Press Run motor to continue.")
             else:
-                text = self.tr("{0} A stop was sent but is not confirmed yet.")
+                text = tr("{0} A stop was sent but is not confirmed yet.")
             self._notifier.error.emit(text.format(reason))
             self._motors.stop(reason)
         if report.confirmed:
@@ -255,7 +255,7 @@ class DriveController(QObject):
         """Warning about a board that may still be driven, with another one at the line."""
         if not self._lost:
             return ""
-        text = self.tr(
+        text = tr(
             "No stop is known to have reached the {0} that was driven at {1}: another board "
             "responded. If its motor still turns, cut its power."
         )
@@ -315,15 +315,15 @@ class DriveController(QObject):
             if report.may_move or self._motors.armed:  # while armed, setpoints may be queued
                 reason = ""
                 if report.occasion is ReadReason.SETTING_CHANGED:
-                    reason = self.tr("A setting of the board changed, so the motors were stopped.")
+                    reason = tr("A setting of the board changed, so the motors were stopped.")
                 elif report.occasion.power_cycled:
-                    reason = self.tr("The board was restarted, so the motors were stopped.")
+                    reason = tr("The board was restarted, so the motors were stopped.")
                 self._motors.stop(reason)
             self.may_move = report.may_move
             self._motors.set_available(False)
         if is_back:
             self.may_move = True
-            self._motors.stop(self.tr("The board that disconnected while driving is back."))
+            self._motors.stop(tr("The board that disconnected while driving is back."))
 
     @Slot()
     def _on_out_of_reach(self) -> None:
@@ -345,9 +345,9 @@ class DriveController(QObject):
         """Warn that the stopped board is not, or may not be, the one that was lost when driven."""
         if self._is_connected and not self._is_loss_reported and self._board is not None:
             self._is_loss_reported = True
-            text = self.tr("Another board responds now: {0}, at {1}.")
+            text = tr("Another board responds now: {0}, at {1}.")
             if self._lost and self._lost[-1].state.signature == self._board.state.signature:
-                text = self.tr(
+                text = tr(
                     "This may be another board: {0}, at {1}, does not store the settings of the "
                     "one that was driven."
                 )
@@ -358,7 +358,7 @@ class DriveController(QObject):
             return
         self._lost_with = None
         if settings is not None and self.place != self._lost_place:
-            text = self.tr(
+            text = tr(
                 "The line to {0} was lost before a stop was confirmed. The board at this port has "
                 "confirmed one; if it is another board, cut the power of the first."
             )

@@ -92,7 +92,7 @@ class Gamepad(QObject):
             self.on = False
             self.gone = ""
             self._timer.stop()
-            self._drive_with.abort(self.tr("Driving with a gamepad was switched off."))
+            self._drive_with.abort(tr("Driving with a gamepad was switched off."))
             self.pads = ()
             self._take(None)
             self._source.close()
@@ -102,14 +102,14 @@ class Gamepad(QObject):
         """Read this one from now on; motors that another drives stop."""
         if pad in self.pads and pad != self.pad:
             self._store.set("gamepad/last", pad.guid)
-            self._drive_with.abort(self.tr("Another gamepad was chosen."))
+            self._drive_with.abort(tr("Another gamepad was chosen."))
             self._take(pad)
             self._refresh()
 
     def set_profile(self, profile: GamepadProfile) -> None:
         """Use this profile for this kind of gamepad, now and later; motors that it drives stop."""
         if self.pad is not None and profile != self.profile:
-            self._drive_with.abort(self.tr("The gamepad settings were changed."))
+            self._drive_with.abort(tr("The gamepad settings were changed."))
             self._store.set(f"gamepad/profiles/{self.pad.guid}", profile.to_text())
             self._use(profile)
             self._refresh()
@@ -173,7 +173,7 @@ class Gamepad(QObject):
         """Stop what this one drives, and read it no more; the next look may find another."""
         self.gone = pad.name
         self._take(None)
-        self._drive_with.abort(self.tr("The gamepad “{0}” was disconnected.").format(pad.name))
+        self._drive_with.abort(tr("The gamepad “{0}” was disconnected.").format(pad.name))
 
     def _drive(self) -> None:
         if self._unattended or not self._motors.armed:
@@ -222,37 +222,37 @@ class Gamepad(QObject):
             return self.failure
         if self.pad is None:
             if not self.gone:
-                return self.tr("No gamepad is connected. Plug one in or switch it on.")
-            text = self.tr("The gamepad “{0}” was disconnected. Plug it in again to continue.")
+                return tr("No gamepad is connected. Plug one in or switch it on.")
+            text = tr("The gamepad “{0}” was disconnected. Plug it in again to continue.")
             return text.format(self.gone)
         if self._unattended:
             return self._unattended
         held = button_text(self.pad, self.profile.hold)
         if not self._motors.armed:
             if self.profile.hold is None:
-                return self.tr("Press Run motor, then move a stick.")
-            return self.tr("Press Run motor, then hold {0} and move a stick.").format(held)
+                return tr("Press Run motor, then move a stick.")
+            return tr("Press Run motor, then hold {0} and move a stick.").format(held)
         if self._motors.holder and not self.drives:
-            return self.tr("Another control drives now.")
+            return tr("Another control drives now.")
         return self._waits_text().format(held) if self._has_read else self.text
 
     def _waits_text(self) -> str:
         match self.request.waits:
             case Waits.REST:
-                return self.tr(
+                return tr(
                     "Release the sticks: driving starts only after both axes have been at rest. "
                     "A worn stick may need a wider dead zone."
                 )
             case Waits.RELEASE:
-                return self.tr("Release {0}, then hold it to drive.")
+                return tr("Release {0}, then hold it to drive.")
             case Waits.HOLD:
-                return self.tr("Hold {0} and move a stick to drive.")
+                return tr("Hold {0} and move a stick to drive.")
             case Waits.MOVE:
-                return self.tr("Move a stick to drive.")
+                return tr("Move a stick to drive.")
             case Waits.NOTHING if self.profile.hold is None:
-                return self.tr("Driving. Release the sticks to stop.")
+                return tr("Driving. Release the sticks to stop.")
             case Waits.NOTHING:
-                return self.tr("Driving. Release {0} to stop.")
+                return tr("Driving. Release {0} to stop.")
 
 
 def button_text(pad: Pad, number: int | None) -> str:

@@ -4,7 +4,7 @@ from functools import partial
 
 from PySide6.QtCore import QObject, Slot
 
-from trex_gui.core.translation import Number
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.driving.timeout_stop import TimeoutTrial
 from trex_gui.devices.trex.model.device import Device
@@ -59,7 +59,7 @@ class LossWhileDriven(QObject):
         self._lost_at, here = None, device.settings
         if here is None or device.driving.place != self._lost_place:
             return  # perhaps another board, of which `driving` warns
-        device.notifier.info.emit(self.tr("The board is back. It has confirmed the stop."))
+        device.notifier.info.emit(tr("The board is back. It has confirmed the stop."))
         seconds = now() - lost_at
         if not here.name and seconds > (device.serial_timeout_s or 0) + _MARGIN_S:
             self._silent_for = seconds
@@ -75,7 +75,7 @@ class LossWhileDriven(QObject):
     def _ask(self) -> None:
         if self._silent_for is None or not self._has_timed_out:
             return
-        text = self.tr(
+        text = tr(
             "The board is back. It has confirmed the stop. For {0:.0f} s it received nothing: did "
             "its Serial Timeout stop the motor meanwhile?"
         ).format(Number(self._silent_for))
@@ -84,6 +84,6 @@ class LossWhileDriven(QObject):
         worked, failed = TimeoutTrial(True, shutdown), TimeoutTrial(False, shutdown)
         self._device.notifier.ask(
             text,
-            Answer("timeoutWorked", self.tr("It stopped"), partial(save, worked)),
-            Answer("timeoutFailed", self.tr("It kept turning"), partial(save, failed)),
+            Answer("timeoutWorked", tr("It stopped"), partial(save, worked)),
+            Answer("timeoutFailed", tr("It kept turning"), partial(save, failed)),
         )

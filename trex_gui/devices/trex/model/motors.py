@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.texts import signed_text
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetMotor, SetMotors
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.driving import Drive
@@ -96,11 +97,11 @@ class Motors(QObject):
         parts = []
         for motor, drive in sorted(self._drives.items()):
             if drive.is_brake:
-                parts.append(self.tr("motor {0} brake").format(motor))
+                parts.append(tr("motor {0} brake").format(motor))
             else:
-                parts.append(self.tr("motor {0} {1}").format(motor, signed_text(drive.signed)))
+                parts.append(tr("motor {0} {1}").format(motor, signed_text(drive.signed)))
         if self.auxiliary:
-            parts.append(self.tr("auxiliary {0}").format(self.auxiliary))
+            parts.append(tr("auxiliary {0}").format(self.auxiliary))
         return ", ".join(parts)
 
     # --- Options ------------------------------------------------------------------------

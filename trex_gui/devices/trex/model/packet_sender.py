@@ -7,6 +7,7 @@ from PySide6.QtCore import QObject, Signal
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.session import Outcome
 from trex_gui.core.texts import hex_text
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.raw_packets import RawPacket, packets_of, parse_hexadecimal
@@ -25,7 +26,7 @@ class TrexPacketSender(QObject):
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._device = device
-        self.hint = self.tr("Hexadecimal, such as 9F 07")
+        self.hint = tr("Hexadecimal, such as 9F 07")
         device.link_changed.connect(self.changed)
         device.motors.arming_changed.connect(self.changed)
         device.driving.reach_changed.connect(self.changed)
@@ -43,7 +44,7 @@ class TrexPacketSender(QObject):
         by_risk = sorted(range(len(lines)), key=lambda index: not risky[index])
         shown = [lines[index] for index in sorted(by_risk[:_MOST_LINES])]
         if left := len(lines) - len(shown):
-            shown.append(self.tr("and %n more packet(s)", "", left))
+            shown.append(tr("and %n more packet(s)", "", left))
         text, details = "\n".join(shown), "\n".join(lines) if left else ""
         return SendPreview(text, self._blocker(packets), any(risky), details)
 
@@ -51,7 +52,7 @@ class TrexPacketSender(QObject):
         packets = self._packets(text)
         for packet in packets:
             if _is_risky(packet):
-                said = self.tr("Sent by hand: {0}").format(packet.words(self._board))
+                said = tr("Sent by hand: {0}").format(packet.words(self._board))
                 self._device.events.add(EventKind.NOTE, said)
             self._device.connection.traffic.expect_typed(packet.data)
             self._device.driving.send_packet(packet, partial(self._on_replied, packet))
@@ -68,42 +69,42 @@ class TrexPacketSender(QObject):
     def _line(self, packet: RawPacket) -> str:
         words = packet.words(self._board)
         if packet.moves:
-            return self.tr("{0} (may move a motor)").format(words)
+            return tr("{0} (may move a motor)").format(words)
         if packet.writes:
-            return self.tr("{0} (stored at once, without a snapshot)").format(words)
+            return tr("{0} (stored at once, without a snapshot)").format(words)
         return words
 
     def _blocker(self, packets: tuple[RawPacket, ...]) -> str:
         settings = self._device.settings
         if not self._device.is_connected or settings is None:
-            return self.tr("Connect a board to send this.")
+            return tr("Connect a board to send this.")
         if self._device.applying:
-            return self.tr("Settings are being written; wait until they are.")
+            return tr("Settings are being written; wait until they are.")
         moving = [packet for packet in packets if packet.moves]
         if moving and not self._device.motors.armed:
-            return self.tr("Choose Run motor first.")
+            return tr("Choose Run motor first.")
         if not all(packet.is_within_stop(settings.device_number) for packet in moving):
-            text = self.tr("A stop would not reach that board: address device {0}.")
+            text = tr("A stop would not reach that board: address device {0}.")
             return text.format(settings.device_number)
         if any(packet.writes_everywhere for packet in packets):
             if settings.device_number is not None:
-                text = self.tr("Every board on this line would store it: address {0}.")
+                text = tr("Every board on this line would store it: address {0}.")
                 return text.format(settings.device_number)
             if self._device.driving.reaches_several:
-                return self.tr("Every board on this line would store it: select one of them.")
+                return tr("Every board on this line would store it: select one of them.")
         return ""
 
     def _on_replied(self, packet: RawPacket, outcome: Outcome) -> None:
         notifier = self._device.notifier
         if outcome.error is not None:
-            text = self.tr("{0}: {1}")
+            text = tr("{0}: {1}")
             notifier.error.emit(text.format(packet.hexadecimal, error_text(outcome.error)))
         elif isinstance(outcome.value, bytes) and outcome.value:
-            text = self.tr("Sent {0}; the reply is {1}.")
+            text = tr("Sent {0}; the reply is {1}.")
             reply = hex_text(outcome.value)
             notifier.info.emit(text.format(packet.hexadecimal, reply))
         else:
-            text = self.tr("Sent {0}; there was no reply.")
+            text = tr("Sent {0}; there was no reply.")
             notifier.info.emit(text.format(packet.hexadecimal))
 
 

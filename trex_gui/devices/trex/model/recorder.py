@@ -8,6 +8,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Slot
 
 from trex_gui.core.recording.kept import kept_path, make_room
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.board.newest import BoardSnapshot
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import ModeSample
@@ -91,9 +92,7 @@ class Recorder(RecordThread[Record]):
         if self._identity(state) == self._board:
             self._put_settings(state)
         else:
-            self.end_because(
-                self.tr("Recording {0} ended: the board or its input source has changed.")
-            )
+            self.end_because(tr("Recording {0} ended: the board or its input source has changed."))
 
     def _identity(self, state: DeviceState) -> tuple[object, ...]:
         """Return what a recording is of; another board on the line has another `selection`."""
@@ -108,7 +107,7 @@ class Recorder(RecordThread[Record]):
     @Slot()
     def _on_link_changed(self) -> None:
         if self.recording and self._device.link is ConnectionState.DISCONNECTED:
-            self.end_because(self.tr("Recording {0} ended with the connection."))
+            self.end_because(tr("Recording {0} ended with the connection."))
         self.changed.emit()
 
 

@@ -6,7 +6,7 @@ from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtGui import QCursor
 from PySide6.QtWidgets import QPushButton, QWidget
 
-from trex_gui.core.translation import Number
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import recent_fault_text
 from trex_gui.devices.trex.model.drive_texts import TimeoutWarning, timeout_warning
@@ -34,7 +34,7 @@ class TimeoutNotice(QWidget):
         self._button = ui.button(
             self,
             "timeoutButton",
-            accessible=self.tr("Write the serial timeout"),
+            accessible=tr("Write the serial timeout"),
             on_click=self._on_clicked,
         )
         self._button.setFlat(True)
@@ -64,10 +64,10 @@ class TimeoutNotice(QWidget):
         if warning.seconds is None:
             return
         seconds = f"{Number(warning.seconds):g}"
-        self._button.setText(self.tr("Write &{0} s").format(seconds))
-        self._button.setAccessibleName(self.tr("Write a serial timeout of {0} s").format(seconds))
+        self._button.setText(tr("Write &{0} s").format(seconds))
+        self._button.setAccessibleName(tr("Write a serial timeout of {0} s").format(seconds))
         self._button.setToolTip(
-            self.tr(
+            tr(
                 "Writes Serial Timeout and UART-Error Shutdown now: the board should stop its "
                 "motors {0} s after the last byte. Other changes stay pending."
             ).format(seconds)
@@ -85,8 +85,8 @@ class StopButton(RedButton):
     def __init__(self, device: Device, name: str, parent: QWidget | None = None) -> None:
         super().__init__(name, device.press_stop, parent)
         self.describe(
-            self.tr("Stop motors"),
-            self.tr("Stop both motors and the auxiliary now (Esc, anywhere)"),
+            tr("Stop motors"),
+            tr("Stop both motors and the auxiliary now (Esc, anywhere)"),
         )
         self._device = device
         device.link_changed.connect(self._on_link_changed)
@@ -103,9 +103,9 @@ class RunButton(QPushButton):
     """Arms the motors; it is disabled while they are armed."""
 
     def __init__(self, device: Device, name: str, parent: QWidget) -> None:
-        super().__init__(self.tr("&Run motor"), parent)
+        super().__init__(tr("&Run motor"), parent)
         self._motors = motors = device.motors
-        text = self.tr("Lets both motors and the auxiliary be driven; nothing moves yet")
+        text = tr("Lets both motors and the auxiliary be driven; nothing moves yet")
         ui.named(self, name, tip=text)
         self.setAccessibleDescription(text)
         ui.set_bold(self)
@@ -143,14 +143,14 @@ class ActionBar(QWidget):
         self._state = ui.named(Note(1, self), "motorStateLabel")
         self._state.setAlignment(Qt.AlignmentFlag.AlignVCenter)
         self._unapplied = ui.label(
-            self, "unappliedLabel", self.tr("There are unapplied changes."), wrap=True
+            self, "unappliedLabel", tr("There are unapplied changes."), wrap=True
         )
         set_text_color(self._unapplied, "dirty")
         self._apply = ui.button(
             self,
             "applyButton",
-            self.tr("&Apply settings"),
-            tip=self.tr("Write the changed parameters into the board (Ctrl+Enter)"),
+            tr("&Apply settings"),
+            tip=tr("Write the changed parameters into the board (Ctrl+Enter)"),
             icon="apply",
             on_click=self.apply_requested,
         )
@@ -204,25 +204,25 @@ class ActionBar(QWidget):
         motors, link = self._device.motors, self._device.link
         if motors.armed:
             if not motors.text:
-                return self.tr("Armed. Drive them on the Motors page.")
-            return self.tr("Armed. Sent: {0}").format(motors.text)
+                return tr("Armed. Drive them on the Motors page.")
+            return tr("Armed. Sent: {0}").format(motors.text)
         if self._device.may_move:
             if self._is_out_of_reach:
                 return self._device.loss_text
-            return self.tr("Stopping …")
+            return tr("Stopping …")
         if self._device.driving.lost_board:
-            return self.tr("The board driven before may still turn its motors. Cut their power.")
+            return tr("The board driven before may still turn its motors. Cut their power.")
         if self._is_beyond_reach:
-            return self.tr("Channels control the motors: Stop does not affect them.")
+            return tr("Channels control the motors: Stop does not affect them.")
         if motors.locked_for:
             left = math.ceil(motors.locked_for)
-            return self.tr("Stopped. Motors are locked for {0} s.").format(left)
+            return tr("Stopped. Motors are locked for {0} s.").format(left)
         if link is not ConnectionState.CONNECTED:
-            return self.tr("No board is connected.")
+            return tr("No board is connected.")
         if motors.stop_reason:
-            return self.tr("Stopped. {0}").format(motors.stop_reason)
+            return tr("Stopped. {0}").format(motors.stop_reason)
         if self._device.driving.reaches_several:
-            return self.tr("Several boards on this line: select the one to drive.")
+            return tr("Several boards on this line: select the one to drive.")
         if motors.is_available:
-            return self.tr("Not armed: no command is sent until you click Run motor.")
-        return self.tr("Channels control the motors; Run motor needs serial control.")
+            return tr("Not armed: no command is sent until you click Run motor.")
+        return tr("Channels control the motors; Run motor needs serial control.")

@@ -5,6 +5,7 @@ from dataclasses import replace
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtWidgets import QHeaderView, QTableWidget, QTableWidgetItem, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.apply_to_boards import ApplyToBoards, BoardPlan, BoardStep
 from trex_gui.devices.trex.model.boards import BoardList
 from trex_gui.devices.trex.model.device import Device
@@ -67,7 +68,7 @@ class ApplyToBoardsDialog(ReusedDialog):
         self._intro = ui.label(
             self,
             "applyToBoardsIntro",
-            self.tr(
+            tr(
                 "Each checked board gets these settings, one board after the other, with a "
                 "snapshot before. Each keeps its device number and its serial settings. The first "
                 "error while writing ends the work."
@@ -75,11 +76,9 @@ class ApplyToBoardsDialog(ReusedDialog):
             wrap=True,
         )
         self._table = ui.flat_table(
-            QTableWidget(0, 3, self), "boardsToWrite", self.tr("Boards to write to")
+            QTableWidget(0, 3, self), "boardsToWrite", tr("Boards to write to")
         )
-        self._table.setHorizontalHeaderLabels(
-            [self.tr("Board"), self.tr("Changes"), self.tr("Result")]
-        )
+        self._table.setHorizontalHeaderLabels([tr("Board"), tr("Changes"), tr("Result")])
         header = self._table.horizontalHeader()
         for column in (0, 1):
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)
@@ -98,11 +97,11 @@ class ApplyToBoardsDialog(ReusedDialog):
         self._end = ui.button(
             self,
             "endBoardsButton",
-            self.tr("&End after this board"),
+            tr("&End after this board"),
             on_click=self.work.cancel,
         )
         self._close = ui.button(
-            self, "closeBoardsButton", self.tr("Close"), default=False, on_click=self.close
+            self, "closeBoardsButton", tr("Close"), default=False, on_click=self.close
         )
 
     def open_file(self, document: SettingsDocument) -> None:
@@ -111,13 +110,13 @@ class ApplyToBoardsDialog(ReusedDialog):
             self.show_in_front()
             return
         self._name = document.name
-        self.setWindowTitle(self.tr("Apply {0} to several boards").format(document.name))
+        self.setWindowTitle(tr("Apply {0} to several boards").format(document.name))
         self._cleared.clear()
         self._note.show_note("")
         self._changes.show_nothing()
         self._heading.setText("")
         if document.settings is None:
-            text = self.tr("This file cannot be used: it has errors. Nothing was changed.")
+            text = tr("This file cannot be used: it has errors. Nothing was changed.")
             self._note.show_note(text, alarming=True)
         else:
             self.work.review(document.settings, [one.number for one in self._boards.boards])
@@ -165,28 +164,26 @@ class ApplyToBoardsDialog(ReusedDialog):
         """Return how many settings change, and how far the board is."""
         changes = ""
         if plan.changes is not None:
-            changes = (
-                self.tr("%n setting(s)", "", plan.to_write) if plan.to_write else self.tr("none")
-            )
-        read = self.tr("nothing to write")
+            changes = tr("%n setting(s)", "", plan.to_write) if plan.to_write else tr("none")
+        read = tr("nothing to write")
         if plan.to_write:
-            read = self.tr("read, with warnings") if plan.findings else self.tr("read")
+            read = tr("read, with warnings") if plan.findings else tr("read")
         state = {
-            BoardStep.WAITING: self.tr("waiting"),
-            BoardStep.READING: self.tr("being read …"),
+            BoardStep.WAITING: tr("waiting"),
+            BoardStep.READING: tr("being read …"),
             BoardStep.REVIEWED: read,
-            BoardStep.WRITING: self.tr("being written …"),
-            BoardStep.WRITTEN: self.tr("written and verified"),
+            BoardStep.WRITING: tr("being written …"),
+            BoardStep.WRITTEN: tr("written and verified"),
             BoardStep.FAILED: plan.problem,
-            BoardStep.SKIPPED: self.tr("not tried"),
+            BoardStep.SKIPPED: tr("not tried"),
         }[plan.step]
         return changes, state
 
     def _update_buttons(self) -> None:
         running, chosen = self.work.is_running, self._chosen()
         is_driven = self._device.motors.armed or self._device.may_move
-        text = self.tr("&Write to %n board(s)", "", len(chosen))
-        self._write.setText(text if chosen else self.tr("&Write to boards"))
+        text = tr("&Write to %n board(s)", "", len(chosen))
+        self._write.setText(text if chosen else tr("&Write to boards"))
         can_write = self._device.is_writable and not is_driven
         self._write.setEnabled(bool(chosen) and not running and can_write)
         self._end.setEnabled(running)
@@ -221,13 +218,13 @@ class ApplyToBoardsDialog(ReusedDialog):
             self._heading.setText("")
             self._changes.show_nothing()
             return
-        heading = self.tr("Changes of board {0}").format(plan.number)
+        heading = tr("Changes of board {0}").format(plan.number)
         if heading == self._heading.text() and plan.step is not BoardStep.REVIEWED:
             return  # the same rows, which may have been scrolled
         self._heading.setText(heading)
         rows = tuple(one for one in plan.changes.rows if one.after is not None)
         given = Comparison(rows, plan.changes.left_out)
-        self._changes.show_comparison(given, self.tr("Stored"), self.tr("File"), with_ticks=False)
+        self._changes.show_comparison(given, tr("Stored"), tr("File"), with_ticks=False)
 
     # --- Writing ------------------------------------------------------------------------
 
@@ -254,9 +251,9 @@ class ApplyToBoardsDialog(ReusedDialog):
         left_out = [plan for plan in self.work.plans if plan.step in _LEFT_OUT]
         texts = []
         if self.work.was_stopped:
-            texts.append(self.tr("Stop was pressed, which has ended the work."))
+            texts.append(tr("Stop was pressed, which has ended the work."))
         if written:
-            texts.append(self.tr("Written to %n board(s).", "", written))
+            texts.append(tr("Written to %n board(s).", "", written))
         if not self.isVisible() and self.work.is_writing:
             texts += [self._outcome(plan) for plan in left_out]
             notifier = self._device.notifier
@@ -264,9 +261,9 @@ class ApplyToBoardsDialog(ReusedDialog):
             say.emit(" ".join(texts))
         elif left_out:
             count = len(left_out)
-            texts.append(self.tr("%n board(s) left out; the reason is beside each.", "", count))
+            texts.append(tr("%n board(s) left out; the reason is beside each.", "", count))
         self._note.show_note(" ".join(texts), alarming=bool(left_out))
 
     def _outcome(self, plan: BoardPlan) -> str:
-        text = self.tr("Board {0}: {1}").format(plan.number, self._texts(plan)[1])
+        text = tr("Board {0}: {1}").format(plan.number, self._texts(plan)[1])
         return text if text.endswith(".") else f"{text}."

@@ -3,7 +3,7 @@
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtWidgets import QDialog, QWidget
 
-from trex_gui.core.translation import Number
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_texts import timeout_warning
 from trex_gui.ui.widgets.builders import button, column, label, named, row
@@ -32,19 +32,19 @@ class ArmDialog(QDialog):
         super().__init__(parent)
         self.setObjectName("armDialog")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setWindowTitle(self.tr("Arm the motors"))
+        self.setWindowTitle(tr("Arm the motors"))
         self._device, self._seconds = device, seconds
-        remark = self.tr(
+        remark = tr(
             "“Arm without” is remembered for this board. Cut the power by hand then if the "
             "cable falls out."
         )
         self._note = named(Note(1, self), "armNote")
-        write = self.tr("&Write {0:g} s and arm").format(Number(seconds))
+        write = tr("&Write {0:g} s and arm").format(Number(seconds))
         self._choices = (
             button(self, "writeAndArmButton", write, default=True, on_click=self._on_write),
-            button(self, "armWithoutButton", self.tr("Arm with&out"), on_click=self._on_without),
+            button(self, "armWithoutButton", tr("Arm with&out"), on_click=self._on_without),
         )
-        cancel = button(self, "cancelArmButton", self.tr("Cancel"), on_click=self.close)
+        cancel = button(self, "cancelArmButton", tr("Cancel"), on_click=self.close)
         column(
             label(self, "armWarning", text, wrap=True),
             label(self, text=remark, wrap=True),
@@ -64,7 +64,7 @@ class ArmDialog(QDialog):
     @Slot()
     def _on_write(self) -> None:
         self._set_writing(True)
-        self._note.show_note(self.tr("Writing …"))
+        self._note.show_note(tr("Writing …"))
         self._device.set_serial_timeout(self._seconds)
 
     @Slot()
@@ -81,7 +81,7 @@ class ArmDialog(QDialog):
             self._device.motors.arm()
             self.close()
         else:
-            self._on_failed(self.tr("The board did not store the serial timeout."))
+            self._on_failed(tr("The board did not store the serial timeout."))
 
     @Slot(str)
     def _on_failed(self, reason: str) -> None:

@@ -6,7 +6,7 @@ from PySide6.QtCore import QRect, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QWidget
 
-from trex_gui.core.translation import Number
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.plotting.axes import Labels, spread, ticks, value_labels
@@ -72,7 +72,7 @@ class ChannelBar(Bar):
         self.marks: dict[str, int] = {}  # names and counts of the marks that are drawn
         self.axis = USUAL_AXIS[self._source]  # raw counts at the left and the right end
         super().__init__("bar", "bar_negative", parent)
-        self.setAccessibleName(self.tr("Channel input"))
+        self.setAccessibleName(tr("Channel input"))
         self._refresh()
 
     def set_source(self, source: InputSource) -> None:
@@ -93,10 +93,10 @@ class ChannelBar(Bar):
         marks: dict[str, int] = {}
         if calibration is not None:
             if minimum:
-                marks[self.tr("min")] = calibration.minimum
-            marks[self.tr("neutral")] = calibration.neutral
+                marks[tr("min")] = calibration.minimum
+            marks[tr("neutral")] = calibration.neutral
             if maximum:
-                marks[self.tr("max")] = calibration.maximum
+                marks[tr("max")] = calibration.maximum
         if (calibration, marks) != (self._calibration, self.marks):
             self._calibration, self.marks = calibration, marks
             self.axis = USUAL_AXIS[self._source]
@@ -145,12 +145,12 @@ class ChannelBar(Bar):
         if raw is None or calibration is None:
             return value
         if self._in_deadband(raw):
-            return self.tr("{value}, neutral").format(value=value)
+            return tr("{value}, neutral").format(value=value)
         distance = self._source.text(abs(raw - calibration.neutral))
         if raw > calibration.neutral:
-            text = self.tr("{value}, {distance} above neutral")
+            text = tr("{value}, {distance} above neutral")
         else:
-            text = self.tr("{value}, {distance} below neutral")
+            text = tr("{value}, {distance} below neutral")
         return text.format(value=value, distance=distance)
 
     def spoken_range(self) -> SpokenRange:
@@ -348,7 +348,7 @@ class OutputBar(_FilledBar):
     def __init__(self, parent: QWidget | None = None, *, bipolar: bool = True) -> None:
         self._bipolar = bipolar
         super().__init__(parent)
-        self.setAccessibleName(self.tr("Output"))
+        self.setAccessibleName(tr("Output"))
 
     def _axis(self) -> tuple[float, float]:
         return (-FULL_SCALE if self._bipolar else 0), FULL_SCALE
@@ -359,7 +359,7 @@ class OutputBar(_FilledBar):
         return with_sign(int(self.value)) if self._bipolar else f"{self.value:.0f}"
 
     def _spoken_value(self) -> str:
-        return self.tr("{value} of {full}").format(value=self._value_text(), full=FULL_SCALE)
+        return tr("{value} of {full}").format(value=self._value_text(), full=FULL_SCALE)
 
     def _widest_value(self) -> str:
         return with_sign(-FULL_SCALE) if self._bipolar else str(FULL_SCALE)
@@ -412,9 +412,9 @@ class CurrentBar(_FilledBar):
         if self._limit is None:
             return self._amps()
         text = {
-            LimitState.BELOW: self.tr("{value}, limit {limit:.2f} A"),
-            LimitState.NEAR: self.tr("{value}, near the limit of {limit:.2f} A"),
-            LimitState.OVER: self.tr("{value}, over the limit of {limit:.2f} A"),
+            LimitState.BELOW: tr("{value}, limit {limit:.2f} A"),
+            LimitState.NEAR: tr("{value}, near the limit of {limit:.2f} A"),
+            LimitState.OVER: tr("{value}, over the limit of {limit:.2f} A"),
         }[self.limit_state]
         return text.format(value=self._amps(), limit=Number(self._limit or 0))
 

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.discovery import NUMBERS
 from trex_gui.devices.trex.model.boards import BoardList, LineBoard, Presence
 from trex_gui.devices.trex.model.device import Device
@@ -40,7 +41,7 @@ class BoardPanel(QWidget):
         self._number: NumberDialog | None = None
         self._create_widgets()
         ui.column(
-            ui.label(self, "boardsTitle", self.tr("Boards on this line"), bold=True, wrap=True),
+            ui.label(self, "boardsTitle", tr("Boards on this line"), bold=True, wrap=True),
             (self._list, 1),
             self._scanned,
             self._progress,
@@ -58,50 +59,48 @@ class BoardPanel(QWidget):
         self._update()
 
     def _create_widgets(self) -> None:
-        self._list = ui.named(
-            QListWidget(self), "boardList", accessible=self.tr("Boards on this line")
-        )
+        self._list = ui.named(QListWidget(self), "boardList", accessible=tr("Boards on this line"))
         self._list.setWordWrap(True)
         self._list.setSpacing(3)
         self._list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._list.setToolTip(
-            self.tr("Click a board, or press Enter, to show it on every page. Motors stop first.")
+            tr("Click a board, or press Enter, to show it on every page. Motors stop first.")
         )
         self._list.itemClicked.connect(self._on_chosen)
         self._list.itemActivated.connect(self._on_chosen)
         self._scanned = Muted("", self)
         self._scanned.setObjectName("boardsScanned")
-        self._progress = ui.progress_bar(self, "boardsProgress", self.tr("Progress of the search"))
+        self._progress = ui.progress_bar(self, "boardsProgress", tr("Progress of the search"))
         self._progress.setRange(0, NUMBERS)
         self._scan = ui.button(
             self,
             "scanBoardsButton",
-            self.tr("Find boards"),
+            tr("Find boards"),
             icon="find",
-            tip=self.tr("Ask for each device number which board has it; nothing is changed"),
+            tip=tr("Ask for each device number which board has it; nothing is changed"),
             on_click=self._boards.scan,
         )
         self._cancel = ui.button(
             self,
             "cancelScanButton",
-            self.tr("Cancel"),
-            tip=self.tr("Ask for no more numbers"),
+            tr("Cancel"),
+            tip=tr("Ask for no more numbers"),
             on_click=self._boards.cancel_scan,
         )
         self._change = ui.button(
             self,
             "changeNumberButton",
-            self.tr("Change number…"),
+            tr("Change number…"),
             icon="edited",
-            tip=self.tr("Give the board that is selected another device number"),
+            tip=tr("Give the board that is selected another device number"),
             on_click=self.change_number,
         )
         self._file = ui.button(
             self,
             "fileToBoardsButton",
-            self.tr("Apply a file…"),
+            tr("Apply a file…"),
             icon="apply",
-            tip=self.tr("Write a settings file to several boards; each keeps its number"),
+            tip=tr("Write a settings file to several boards; each keeps its number"),
             on_click=self.file_requested,
         )
 
@@ -130,7 +129,7 @@ class BoardPanel(QWidget):
         is_scanning = boards.scanned is not None
         self.setVisible(is_open and (boards.has_several or is_scanning))
         self._show_boards()
-        text = self.tr("Number {0} of {1} …").format(boards.scanned, NUMBERS - 1)
+        text = tr("Number {0} of {1} …").format(boards.scanned, NUMBERS - 1)
         self._scanned.setText(text)
         self._progress.setValue(boards.scanned or 0)
         for widget in (self._scanned, self._progress, self._cancel):
@@ -165,33 +164,33 @@ class BoardPanel(QWidget):
         device = self._device
         match board.presence:
             case Presence.SELECTED if self._boards.is_selecting:
-                return self.tr("being left …")
+                return tr("being left …")
             case Presence.SELECTED if device.link is ConnectionState.NOT_RESPONDING:
-                return self.tr("selected, not responding")
+                return tr("selected, not responding")
             case Presence.SELECTED if device.motors.armed:
-                return self.tr("selected, armed")
+                return tr("selected, armed")
             case Presence.SELECTED if device.may_move:
-                return self.tr("selected, may be moving")
+                return tr("selected, may be moving")
             case Presence.SELECTED:
-                return self.tr("selected")
+                return tr("selected")
             case Presence.RESPONDING:
-                return self.tr("responding")
+                return tr("responding")
             case Presence.SILENT:
-                return self.tr("not responding")
+                return tr("not responding")
             case Presence.UNREADABLE:
-                return self.tr("reply unreadable")
+                return tr("reply unreadable")
             case Presence.UNKNOWN:
-                return self.tr("not asked yet")
+                return tr("not asked yet")
 
     def _tip(self, board: LineBoard) -> str:
         match board.presence:
             case Presence.UNREADABLE:
-                return self.tr(
+                return tr(
                     "Several boards seem to have this number. Switch off all but one, and give it "
                     "a number of its own."
                 )
             case Presence.SILENT:
-                return self.tr("It replied before. Check its power and its wires.")
+                return tr("It replied before. Check its power and its wires.")
         return ""
 
 
@@ -206,13 +205,13 @@ class NumberDialog(ReusedDialog):
     def __init__(self, boards: BoardList, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("numberDialog")
-        self.setWindowTitle(self.tr("Change device number"))
+        self.setWindowTitle(tr("Change device number"))
         self._boards = boards
         self._device = device
         intro = ui.label(
             self,
             "",
-            self.tr(
+            tr(
                 "Before it is written, the line is asked for the new number: if another board has "
                 "it, nothing is written. A board that is off, or has other serial settings, cannot "
                 "be noticed. The new number takes effect at once, and a snapshot is saved first."
@@ -220,9 +219,7 @@ class NumberDialog(ReusedDialog):
             wrap=True,
         )
         self._now = ui.label(self, "numberNow")
-        self._number = ui.spin_box(
-            self, "newNumberField", self.tr("New device number"), 0, NUMBERS - 1
-        )
+        self._number = ui.spin_box(self, "newNumberField", tr("New device number"), 0, NUMBERS - 1)
         self._number.valueChanged.connect(self._update)
         self._known = Muted("", self)
         self._known.setObjectName("numberKnown")
@@ -230,12 +227,12 @@ class NumberDialog(ReusedDialog):
             QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel, self
         )
         self._write = self._buttons.button(QDialogButtonBox.StandardButton.Ok)
-        self._write.setText(self.tr("&Write number"))
+        self._write.setText(tr("&Write number"))
         self._buttons.accepted.connect(self._on_accepted)
         self._buttons.rejected.connect(self.reject)
         form = QFormLayout()
-        form.addRow(self.tr("Board:"), self._now)
-        form.addRow(self.tr("&New number:"), self._number)
+        form.addRow(tr("Board:"), self._now)
+        form.addRow(tr("&New number:"), self._number)
         ui.column(intro, form, self._known, 1, self._buttons, into=self)
         resize_with_font(self, 460, 260)
         boards.changed.connect(self._update)
@@ -261,9 +258,9 @@ class NumberDialog(ReusedDialog):
         taken = next((one for one in boards.boards if one.number == new), None)
         text = ""
         if new == boards.selected:
-            text = self.tr("The board has this number already.")
+            text = tr("The board has this number already.")
         elif taken is not None:
-            text = self.tr("Taken: {0}.").format(board_name(taken))
+            text = tr("Taken: {0}.").format(board_name(taken))
         self._known.setText(text)
         self._write.setEnabled(boards.can_change_number and not text)
 

@@ -109,8 +109,8 @@ class SightsPage(QWidget):
             rows.addLayout(about, number, 1)
         rows.setRowStretch(len(_SIGHTS), 1)
         jumpers = JumperSketch(self)
-        jumpers.show_boards(JumperPlaces(self.tr("Jumpers to connect"), "", None))
-        caption = Muted(self.tr("Mode may also be on: the board responds in every mode."), self)
+        jumpers.show_boards(JumperPlaces(tr("Jumpers to connect"), "", None))
+        caption = Muted(tr("Mode may also be on: the board responds in every mode."), self)
         caption.setMaximumWidth(jumpers.width())
         right = ui.column(WiringSketch(wiring, "checkWiring", self), jumpers, caption, 1)
         ui.row((rows, 1), right, into=self, margins=12, spacing=20)
@@ -204,7 +204,7 @@ class HandShakePage(QWidget):
         self.setObjectName("handShakePage")
         self._at = 0
         intro = Muted(
-            self.tr(
+            tr(
                 "Search with Find first: it finds a board at any of its settings. If that fails, "
                 "these steps from Pololu's support forum restore the serial settings of the "
                 "factory (inferred). One user saw the LEDs alternate for three seconds only, and "
@@ -216,10 +216,10 @@ class HandShakePage(QWidget):
         self._strip = StepStrip(self)
         self._step = _StepView(self)
         self._back = ui.button(
-            self, "handShakeBack", self.tr("&Back"), default=False, on_click=partial(self._go, -1)
+            self, "handShakeBack", tr("&Back"), default=False, on_click=partial(self._go, -1)
         )
         self._next = ui.button(
-            self, "handShakeNext", self.tr("&Next"), default=False, on_click=partial(self._go, 1)
+            self, "handShakeNext", tr("&Next"), default=False, on_click=partial(self._go, 1)
         )
         for each in (self._back, self._next):
             keep_room(each)
@@ -259,9 +259,9 @@ class _StepView(QWidget):
         self._received = ui.label(self, "handShakeReceived", wrap=True)
         about = ui.column(
             self._to_do,
-            Muted(self.tr("What the LEDs show"), self),
+            Muted(tr("What the LEDs show"), self),
             ui.row(self._leds, (self._shown, 1)),
-            Muted(self.tr("What this computer receives"), self),
+            Muted(tr("What this computer receives"), self),
             self._received,
             1,
             margins=0,
@@ -271,7 +271,7 @@ class _StepView(QWidget):
         ui.row((self._sketch, 0, top), (about, 1), into=self, margins=0, spacing=20)
 
     def show_step(self, step: _Step) -> None:
-        places = JumperPlaces(self.tr("Jumpers"), "", step.mix, step.so_ground, step.next_one)
+        places = JumperPlaces(tr("Jumpers"), "", step.mix, step.so_ground, step.next_one)
         self._sketch.show_boards(places)
         self._to_do.setText(tr(step.to_do))
         self._leds.show_patterns(step.leds, ("", ""), (tr(step.shown),) * 2)
@@ -291,23 +291,23 @@ class CheckBoardDialog(ReusedDialog):
     def __init__(self, device: Device, wiring: Wiring, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("checkBoardDialog")
-        self.setWindowTitle(self.tr("Board does not respond"))
+        self.setWindowTitle(tr("Board does not respond"))
         resize_with_font(self, 860, 560)
         self._device = device
         self._tabs = QTabWidget(self)
         use_theme_style(self._tabs.tabBar())
         self._tabs.setDocumentMode(True)  # else its background is brighter than muted text bears
         self._tabs.setObjectName("checkTabs")
-        self._tabs.setAccessibleName(self.tr("Ways to a board that responds"))
+        self._tabs.setAccessibleName(tr("Ways to a board that responds"))
         self._steps = HandShakePage(self._tabs)
         sights = ScrollBox(SightsPage(wiring, self._tabs), self._tabs)
-        self._tabs.addTab(sights, self.tr("&What the board shows"))
-        self._tabs.addTab(self._steps, self.tr("&Lost serial settings"))
+        self._tabs.addTab(sights, tr("&What the board shows"))
+        self._tabs.addTab(self._steps, tr("&Lost serial settings"))
         self._result = ui.named(Note(2, self), "checkResult")
         self._find = ui.button(
             self,
             "checkFindButton",
-            self.tr("&Find now"),
+            tr("&Find now"),
             icon="find",
             default=True,
             on_click=self.find_requested,
@@ -315,15 +315,13 @@ class CheckBoardDialog(ReusedDialog):
         self._connect = ui.button(
             self,
             "checkConnectButton",
-            self.tr("&Connect at factory settings"),
+            tr("&Connect at factory settings"),
             icon="connect",
             default=False,
-            tip=self.tr("19200 baud, without parity and CRC, whatever the device number"),
+            tip=tr("19200 baud, without parity and CRC, whatever the device number"),
             on_click=lambda: self.connect_requested.emit(ConnectWith(ConnectionSettings(""))),
         )
-        close = ui.button(
-            self, "checkCloseButton", self.tr("Close"), default=False, on_click=self.close
-        )
+        close = ui.button(self, "checkCloseButton", tr("Close"), default=False, on_click=self.close)
         ui.column(
             (self._tabs, 1),
             self._result,

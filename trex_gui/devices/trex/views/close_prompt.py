@@ -5,6 +5,7 @@ from functools import partial
 
 from PySide6.QtCore import QObject, Slot
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.views.review.review_dialog import ReviewDialog
@@ -53,21 +54,21 @@ class ClosePrompt(QObject):
         self._frame.activateWindow()
         if device.applying:
             question.ask(
-                self.tr(
+                tr(
                     "Settings are still being written. Close anyway? Unwritten settings are "
                     "offered when the board is connected again."
                 ),
-                Answer("closeYes", self.tr("Close anyway"), keep),
+                Answer("closeYes", tr("Close anyway"), keep),
                 still=lambda: device.applying,
             )
         else:
-            apply = Answer("applyFirst", self.tr("Review and apply…"), self._review.review)
+            apply = Answer("applyFirst", tr("Review and apply…"), self._review.review)
             question.ask(
-                self.tr("There are unapplied changes."),
+                tr("There are unapplied changes."),
                 *([apply] if device.can_apply else []),
-                Answer("saveAndClose", self.tr("Save as a settings file…"), save_and_leave),
-                Answer("keepAndClose", self.tr("Keep and close"), keep),
-                Answer("closeYes", self.tr("Discard and close"), discard),
+                Answer("saveAndClose", tr("Save as a settings file…"), save_and_leave),
+                Answer("keepAndClose", tr("Keep and close"), keep),
+                Answer("closeYes", tr("Discard and close"), discard),
                 still=lambda: draft.pending > 0 and not device.applying,
             )
         return False

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.settings.comparison_table import (
     ComparisonColumn,
     ComparisonTable,
@@ -66,13 +67,13 @@ class ComparisonView(QWidget):
         self._equal = check_box(
             self,
             "showEqualBox",
-            self.tr("Show &matching settings, too"),
+            tr("Show &matching settings, too"),
             on_toggle=self._on_equal_toggled,
         )
         # Not default: Enter means something else in a dialog.
-        self._all = button(self, "tickAllButton", self.tr("Select &all"), default=False)
-        self._none = button(self, "tickNoneButton", self.tr("Select &none"), default=False)
-        self._view = flat_table(_Table(self), "comparisonTable", self.tr("Comparison of settings"))
+        self._all = button(self, "tickAllButton", tr("Select &all"), default=False)
+        self._none = button(self, "tickNoneButton", tr("Select &none"), default=False)
+        self._view = flat_table(_Table(self), "comparisonTable", tr("Comparison of settings"))
         self._view.setModel(self.table)
         self._view.setItemDelegate(_Delegate(self._view))
         self._view.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
@@ -118,7 +119,7 @@ class ComparisonView(QWidget):
 
     def show_nothing(self, reason: str = "") -> None:
         """Show an empty table, and why it is empty."""
-        before, after = self.tr("Before", "value"), self.tr("After", "value")
+        before, after = tr("Before", "value"), tr("After", "value")
         self.show_comparison(Comparison(()), before, after, with_ticks=False)
         self._has_comparison = False
         self._summary.setText(reason)

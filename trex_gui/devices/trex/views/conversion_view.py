@@ -7,6 +7,7 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QHeaderView, QTableWidget, QTableWidgetItem, QWidget
 
 from trex_gui.core.errors import StudioError
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.protocol.device_table import Model, device_table
@@ -37,7 +38,7 @@ class ConversionView(QWidget):
         self._conversion: Conversion | None = None
         self._summary = label(self, "conversionSummary", wrap=True)
         self._table = flat_table(
-            QTableWidget(0, 4, self), "conversionTable", self.tr("Converted settings")
+            QTableWidget(0, 4, self), "conversionTable", tr("Converted settings")
         )
         header = self._table.horizontalHeader()
         header.setStretchLastSection(True)
@@ -63,15 +64,15 @@ class ConversionView(QWidget):
         if conversion is None:
             return
         counts = (len(conversion.of(fate)) for fate in (Fate.CARRIED_OVER, *_SIGNS))
-        text = self.tr("For a {0}: {1} carried over, {2} changed, {3} left out.")
+        text = tr("For a {0}: {1} carried over, {2} changed, {3} left out.")
         self._summary.setText(text.format(conversion.board, *counts))
         results = {
-            Fate.CHANGED: self.tr("Changed."),
-            Fate.LEFT_OUT: self.tr("Left out."),
-            Fate.CARRIED_OVER: self.tr("Carried over."),
+            Fate.CHANGED: tr("Changed."),
+            Fate.LEFT_OUT: tr("Left out."),
+            Fate.CARRIED_OVER: tr("Carried over."),
         }
-        board = self.tr("For a {0}").format(conversion.board)
-        titles = (self.tr("Setting"), self.tr("In the file"), board, self.tr("Result"))
+        board = tr("For a {0}").format(conversion.board)
+        titles = (tr("Setting"), tr("In the file"), board, tr("Result"))
         self._table.setRowCount(len(conversion.rows))
         self._table.setHorizontalHeaderLabels(titles)
         for number, each in enumerate(conversion.rows):
@@ -102,15 +103,15 @@ class ConvertDialog(ReusedDialog):
         super().__init__(parent)
         self.setObjectName("convertDialog")
         self._document = document
-        self.setWindowTitle(self.tr("Convert {0}").format(document.name))
+        self.setWindowTitle(tr("Convert {0}").format(document.name))
         resize_with_font(self, 860, 520)
         boards = [(m, firmware) for m in device_table().models for firmware in m.firmware[::-1]]
         self._board = combo_box(
             self,
             "convertBoard",
-            self.tr("Board to convert for"),
+            tr("Board to convert for"),
             items=[
-                (self.tr("{0}, firmware {1}").format(model.name, firmware), (model, firmware))
+                (tr("{0}, firmware {1}").format(model.name, firmware), (model, firmware))
                 for model, firmware in boards
             ],
             on_activate=self._on_changed,
@@ -120,17 +121,17 @@ class ConvertDialog(ReusedDialog):
         note = label(
             self,
             "convertNote",
-            self.tr(
+            tr(
                 "Opens the converted settings as a new file, with the comments of this one. {0} "
                 "stays as it is."
             ).format(document.name),
             wrap=True,
         )
         self._convert = button(
-            self, "convertButton", self.tr("&Convert"), default=True, on_click=self._on_clicked
+            self, "convertButton", tr("&Convert"), default=True, on_click=self._on_clicked
         )
-        cancel = button(self, "cancelConvertButton", self.tr("Cancel"), on_click=self.close)
-        above = label(self, text=self.tr("Convert &for:"), buddy=self._board)
+        cancel = button(self, "cancelConvertButton", tr("Cancel"), on_click=self.close)
+        above = label(self, text=tr("Convert &for:"), buddy=self._board)
         column(
             row(above, self._board, 1),
             (self._view, 1),

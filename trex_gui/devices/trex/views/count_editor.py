@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QLineEdit, QSpinBox, QStyledItemDelegate, QWidget
 
 from trex_gui.core.decimals import DECIMAL, AmbiguousNumber, quantity
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.translation import with_decimal_point
+from trex_gui.core.translation import tr, with_decimal_point
 from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED, read_count
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.theme.icons import set_icon
@@ -42,7 +42,7 @@ class UnitSpinBox(QSpinBox):
         self.setKeyboardTracking(False)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccelerated(True)
-        self._problem = QAction(self.tr("Not a value"), self)
+        self._problem = QAction(tr("Not a value"), self)
         set_icon(self._problem, "warning", "danger")
         self.lineEdit().addAction(self._problem, QLineEdit.ActionPosition.LeadingPosition)
         self._problem.setVisible(False)  # only now: Qt shows what was hidden when it was added
@@ -79,7 +79,7 @@ class UnitSpinBox(QSpinBox):
             wanted, taken = quantity(self._typed, unit), quantity(number, unit)
             is_taken = self.parse(self._typed) == self.value()
             if is_taken and wanted and taken and not math.isclose(wanted, taken):
-                return self.tr("The nearest that the board can store is {0}.").format(stored)
+                return tr("The nearest that the board can store is {0}.").format(stored)
         return ""
 
     @Slot()
@@ -180,7 +180,7 @@ class CountEditor(UnitSpinBox):
     @property
     def other_text(self) -> str:
         """The value in the unit that is not shown, such as `3750 counts`."""
-        counts = self.tr("%n count(s)", "", self.value())
+        counts = tr("%n count(s)", "", self.value())
         return self._physical(self.value()) if self.own_first else counts
 
     def textFromValue(self, val: int) -> str:
@@ -200,12 +200,12 @@ class CountEditor(UnitSpinBox):
         except BadRequest:
             count, source = -1, None
         if source not in {None, self._source} or not 0 <= count <= HIGHEST_CODED:
-            message = self.tr("{0} is not a valid value. {1}")
+            message = tr("{0} is not a valid value. {1}")
             raise BadRequest(message.format(text.strip() or "“”", self._expected()))
         return count
 
     def _expected(self) -> str:
-        example = self.tr("Enter 0 to {0}, such as 2.5 V, 2500 mV or 512 counts.")
+        example = tr("Enter 0 to {0}, such as 2.5 V, 2500 mV or 512 counts.")
         if self._source is InputSource.RC:
-            example = self.tr("Enter 0 to {0}, such as 1500 µs, 1.5 ms or 3750 counts.")
+            example = tr("Enter 0 to {0}, such as 1500 µs, 1.5 ms or 3750 counts.")
         return example.format(self._source.text(HIGHEST_CODED))

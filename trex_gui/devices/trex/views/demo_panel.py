@@ -169,7 +169,7 @@ def motor_text(motor: DemoMotor) -> str:
 class DemoPanel(DemoDock):
     def __init__(self, controller: TrexController, parent: QWidget | None = None) -> None:
         super().__init__("demoPanel", "demo_panel/wanted", controller, parent)
-        self.setWindowTitle(self.tr("Demo TReX"))
+        self.setWindowTitle(tr("Demo TReX"))
         self.hold(DemoBoardView(controller, self))
 
 
@@ -177,13 +177,13 @@ class DemoBoardView(DemoPanelBody[DemoSnapshot]):
     def __init__(self, controller: TrexController, parent: QWidget | None = None) -> None:
         board = controller.demo_board
         super().__init__(board, controller, "demoState", state_text, parent)
-        self._leds = named(Leds(self), "demoLeds", accessible=self.tr("LEDs of the board"))
+        self._leds = named(Leds(self), "demoLeds", accessible=tr("LEDs of the board"))
         factory = button(
             self,
             "demoFactory",
-            self.tr("Factory state"),
+            tr("Factory state"),
             icon="reload",
-            tip=self.tr(
+            tip=tr(
                 "Resets everything: stored settings, jumpers, sticks, loads and faults of the line"
             ),
             on_click=board.restore_factory,

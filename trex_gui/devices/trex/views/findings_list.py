@@ -6,6 +6,7 @@ from functools import partial
 from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtWidgets import QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.settings.rules import LintFinding
 from trex_gui.ui.widgets.builders import button, column, label, row, tab_order
@@ -29,7 +30,7 @@ class FindingsList(QWidget):
         self._is_wide = is_wide
         self._where = where
         self.setObjectName(f"{where}Findings")
-        self.setAccessibleName(self.tr("Findings about the settings"))
+        self.setAccessibleName(tr("Findings about the settings"))
         self._linter: SettingsLinter | None = None
         self._concerns: Callable[[LintFinding], bool] = bool
         self._findings: tuple[LintFinding, ...] = ()
@@ -86,9 +87,9 @@ class FindingsList(QWidget):
         accept = button(
             line,
             f"{self._where}Accept{number}",
-            self.tr("Accept"),
+            tr("Accept"),
             accessible=finding.proposal,
-            tip=self.tr("Add this change to the edits; nothing is written until you click Apply"),
+            tip=tr("Add this change to the edits; nothing is written until you click Apply"),
             default=False,
             on_click=partial(self.accepted.emit, finding),
         )

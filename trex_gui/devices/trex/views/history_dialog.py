@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import load, save
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.snapshots import (
     Listing,
@@ -48,7 +49,7 @@ class HistoryDialog(ReusedDialog):
     def __init__(self, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("historyDialog")
-        self.setWindowTitle(self.tr("History"))
+        self.setWindowTitle(tr("History"))
         self.setWindowFlags(Qt.WindowType.Window)
         self._history = device.history
         self._table = SnapshotTable(device.history, self)
@@ -67,27 +68,27 @@ class HistoryDialog(ReusedDialog):
         button = partial(ui.button, self, default=False)  # Enter means something else
         self._save = button(
             "saveSnapshotButton",
-            self.tr("Save &as…"),
+            tr("Save &as…"),
             icon="save",
-            tip=self.tr("Save a copy as a settings file"),
+            tip=tr("Save a copy as a settings file"),
             on_click=self._on_save_clicked,
         )
-        delete_text = self.tr("&Delete…")
+        delete_text = tr("&Delete…")
         self._delete = button(
             "deleteSnapshotButton", delete_text, icon="clear", on_click=self._on_delete_clicked
         )
         self._pane = SnapshotPane(device, self._table, notifier, self)
         stop = StopButton(device, "historyStopButton", self)
         self._bound = _BoundField(self._history, self._question, notifier, self)
-        folder_text = self.tr("&Open folder")
+        folder_text = tr("&Open folder")
         self._folder = button(
             "openFolderButton", folder_text, icon="folder", on_click=self._on_folder_clicked
         )
-        close = button("closeHistoryButton", self.tr("&Close"), on_click=self.close)
+        close = button("closeHistoryButton", tr("&Close"), on_click=self.close)
         empty = ui.label(
             self,
             "historyEmpty",
-            self.tr(
+            tr(
                 "There are no snapshots yet.\n\nBefore settings are applied or defaults restored, "
                 "in this window or with trexcmd, everything that the board stores is saved here. "
                 "You can compare a snapshot with the board and restore all or part of it."
@@ -189,31 +190,29 @@ class HistoryDialog(ReusedDialog):
             return
         source = chosen[0].path
         path = file_questions.ask_to_save(
-            self, self.tr("Save a copy of the snapshot"), file_questions.last_folder() / source.name
+            self, tr("Save a copy of the snapshot"), file_questions.last_folder() / source.name
         )
         if path is not None:
             in_background(
                 self,
                 lambda: save(path, load(source)),
                 lambda _: self._on_copied(path),
-                lambda error: self._banner.show_problem(
-                    self.tr("Nothing was saved. {0}").format(error)
-                ),
+                lambda error: self._banner.show_problem(tr("Nothing was saved. {0}").format(error)),
             )
 
     def _on_copied(self, path: Path) -> None:
         file_questions.remember_folder(path)
-        self._banner.show_news(self.tr("A copy was saved in {0}.").format(path))
+        self._banner.show_news(tr("A copy was saved in {0}.").format(path))
 
     @Slot()
     def _on_delete_clicked(self) -> None:
         chosen = self._list.chosen
         if not chosen:
             return
-        text = self.tr("Permanently delete %n snapshot(s), the newest of {0}?", "", len(chosen))
+        text = tr("Permanently delete %n snapshot(s), the newest of {0}?", "", len(chosen))
         self._question.ask(
             text.format(self._table.time_text(chosen[0])),
-            Answer("historyQuestionYes", self.tr("Delete"), lambda: self._remove(chosen)),
+            Answer("historyQuestionYes", tr("Delete"), lambda: self._remove(chosen)),
         )
 
     def _remove(self, snapshots: tuple[Snapshot, ...]) -> None:
@@ -231,7 +230,7 @@ class HistoryDialog(ReusedDialog):
     def _on_folder_clicked(self) -> None:
         folder = self._history.folder
         if not QDesktopServices.openUrl(QUrl.fromLocalFile(str(folder))):
-            self._banner.show_news(self.tr("The snapshots are in {0}.").format(folder))
+            self._banner.show_news(tr("The snapshots are in {0}.").format(folder))
 
     def reject(self) -> None:
         """Hide the window: Esc, the Close button and the window's cross call this."""
@@ -254,9 +253,9 @@ class _SnapshotList(QWidget):
         self._vacant: int | None = None  # the row of what was chosen and is gone
         self._is_fitted = False
 
-        hint = self.tr("Search times, boards, adapters (Ctrl+F)")
-        self._search = ui.search_field(self, "snapshotSearch", self.tr("Search snapshots"), hint)
-        self._view = ui.flat_table(QTableView(self), "snapshotView", self.tr("Snapshots"))
+        hint = tr("Search times, boards, adapters (Ctrl+F)")
+        self._search = ui.search_field(self, "snapshotSearch", tr("Search snapshots"), hint)
+        self._view = ui.flat_table(QTableView(self), "snapshotView", tr("Snapshots"))
         # Before the view takes back what it selected.
         table.rowsAboutToBeRemoved.connect(self._on_rows_about_to_be_removed)
         self._view.setModel(table)
@@ -265,7 +264,7 @@ class _SnapshotList(QWidget):
         header = self._view.horizontalHeader()
         header.setStretchLastSection(True)
         header.setResizeContentsPrecision(50)  # rows that are measured for a width
-        self._none = ui.label(self, "snapshotNoMatch", self.tr("No snapshot matches the search."))
+        self._none = ui.label(self, "snapshotNoMatch", tr("No snapshot matches the search."))
 
         self._fit_columns()  # to their titles, as long as nothing is listed
 
@@ -360,20 +359,20 @@ class _BoundField(QWidget):
         self._which = ui.combo_box(
             self,
             "keptCombo",
-            self.tr("Which snapshots are kept"),
-            items=[self.tr("the newest"), self.tr("all")],
+            tr("Which snapshots are kept"),
+            items=[tr("the newest"), tr("all")],
             on_change=self._on_edited,
         )
         self._count = ui.spin_box(
-            self, "keptField", self.tr("How many snapshots are kept"), 1, _MOST_KEPT, value=KEPT
+            self, "keptField", tr("How many snapshots are kept"), 1, _MOST_KEPT, value=KEPT
         )
         self._count.setKeyboardTracking(True)
         self._count.valueChanged.connect(self._on_edited)
         self._set = ui.button(
-            self, "keptButton", self.tr("&Set"), default=False, on_click=self._on_set_clicked
+            self, "keptButton", tr("&Set"), default=False, on_click=self._on_set_clicked
         )
-        keep = ui.label(self, text=self.tr("&Keep"), buddy=self._which)
-        snapshots = ui.label(self, text=self.tr("snapshots"))
+        keep = ui.label(self, text=tr("&Keep"), buddy=self._which)
+        snapshots = ui.label(self, text=tr("snapshots"))
         ui.row(keep, self._which, self._count, snapshots, self._set, into=self, margins=0)
         self._on_edited()
 
@@ -410,12 +409,12 @@ class _BoundField(QWidget):
             self._keep(wanted)
             return
         self._question.ask(
-            self.tr("Permanently remove the oldest %n of {0} snapshots?", "", removed).format(
+            tr("Permanently remove the oldest %n of {0} snapshots?", "", removed).format(
                 self._total
             ),
             Answer(
                 "historyQuestionYes",
-                self.tr("Remove {0}").format(removed),
+                tr("Remove {0}").format(removed),
                 lambda: self._keep(wanted),
             ),
             otherwise=self._on_cancelled,

@@ -7,6 +7,7 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPen, QPolygonF, QTransform
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.behaviour import strokes
@@ -71,8 +72,8 @@ class InputStrip(Painted):
     def spoken_state(self) -> str:
         counts = [point.y() for line in self.lines for point in line.toList()]
         if not counts:
-            return self.tr("no signal")
-        return self.tr("{0:.0f} to {1:.0f} counts").format(min(counts), max(counts))
+            return tr("no signal")
+        return tr("{0:.0f} to {1:.0f} counts").format(min(counts), max(counts))
 
     def sizeHint(self) -> QSize:
         return QSize(self.fontMetrics().averageCharWidth() * 30, self.fontMetrics().height() * 3)

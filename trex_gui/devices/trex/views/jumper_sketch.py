@@ -7,6 +7,7 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.ui.theme.theme import follow_theme, theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.painted import Painted, Painter
@@ -47,11 +48,11 @@ class JumperSketch(Painted):
         self.update()
 
     def _describe(self, board: JumperPlaces) -> str:
-        mode = self.tr("mode jumper at {0}").format(board.mode)
-        texts = [mode if board.mode else self.tr("no mode jumper")]
+        mode = tr("mode jumper at {0}").format(board.mode)
+        texts = [mode if board.mode else tr("no mode jumper")]
         if board.mix is not None:
-            texts.append(self.tr("mix jumper on") if board.mix else self.tr("no mix jumper"))
-        texts.append(self.tr("SO–G jumper on") if board.so_ground else self.tr("no SO–G jumper"))
+            texts.append(tr("mix jumper on") if board.mix else tr("no mix jumper"))
+        texts.append(tr("SO–G jumper on") if board.so_ground else tr("no SO–G jumper"))
         return f"{board.title}: {', '.join(texts)}."
 
     def sizeHint(self) -> QSize:
@@ -68,15 +69,15 @@ class JumperSketch(Painted):
     def _rows(self) -> Sequence[tuple[str, str, str]]:
         """Return key, name and position of each pair of pins; without a position it is a word."""
         return (
-            ("mode", self.tr("Mode"), self.tr("RC")),
-            ("", "", self.tr("Analog")),
-            ("mix", self.tr("Mix"), ""),
-            ("so_ground", self.tr("SO–G"), ""),
+            ("mode", tr("Mode"), tr("RC")),
+            ("", "", tr("Analog")),
+            ("mix", tr("Mix"), ""),
+            ("so_ground", tr("SO–G"), ""),
         )
 
     def _words(self) -> dict[bool | None, str]:
-        on, off = self.tr("on", "jumper"), self.tr("off", "jumper")
-        return {True: on, False: off, None: self.tr("either")}
+        on, off = tr("on", "jumper"), tr("off", "jumper")
+        return {True: on, False: off, None: tr("either")}
 
     def _pins_at(self) -> float:
         """Return where the pins begin, right of the names; pixels."""

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Sequence
 
+from trex_gui.core.translation import tr
 from trex_gui.ui.notifier import Answer
 from trex_gui.ui.widgets.messages import InlinePrompt
 
@@ -15,9 +16,9 @@ class LimitsPrompt(InlinePrompt):
         if not named:
             write()
             return
-        text = self.tr(
+        text = tr(
             "{0}: beyond a limit that no document confirms (inferred). The board decides: it may "
             "reject the value, or store another one."
         )
-        answer = Answer("writeAnyway", self.tr("Write an&yway"), write)
+        answer = Answer("writeAnyway", tr("Write an&yway"), write)
         self.ask(text.format(", ".join(named)), answer, still=lambda: doubts() == named)

@@ -7,6 +7,7 @@ from PySide6.QtGui import QRegularExpressionValidator
 from PySide6.QtWidgets import QDialogButtonBox, QFormLayout, QLineEdit, QWidget
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings, numbers_in
 from trex_gui.devices.trex.protocol.line_settings import Detection
 from trex_gui.devices.trex.views.pages.parameters.editors import LineSettingsEditor
@@ -24,11 +25,11 @@ class LineSettingsDialog(ReusedDialog):
         super().__init__(parent)
         self.setObjectName("lineSettingsDialog")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setWindowTitle(self.tr("Line settings"))
+        self.setWindowTitle(tr("Line settings"))
         intro = ui.label(
             self,
             "",
-            self.tr(
+            tr(
                 "These must be the settings that the board has now. A new board talks at 19200 "
                 "baud, without error detection, with one stop bit. Changing them here changes "
                 "nothing in the board."
@@ -42,13 +43,13 @@ class LineSettingsDialog(ReusedDialog):
         self._addressed = ui.check_box(
             self,
             "addressedBox",
-            self.tr("&Address one board of several by its number (Pololu protocol)"),
+            tr("&Address one board of several by its number (Pololu protocol)"),
         )
         self._number = ui.spin_box(self, "deviceNumberField", "", 0, 127)
         self._reserved = ui.named(
             QLineEdit(self),
             "reservedField",
-            tip=self.tr(
+            tip=tr(
                 "Numbers of other devices on this line, such as 0,1 (older Pololu motor and servo "
                 "controllers). With one, every packet is addressed, to none of these numbers, and "
                 "no other baud rate is tried."
@@ -63,11 +64,11 @@ class LineSettingsDialog(ReusedDialog):
         )
 
         form = QFormLayout()
-        form.addRow(self.tr("&Line:"), self._line)
-        form.addRow(self.tr("CRC-7 &polynomial:"), self._polynomial)
+        form.addRow(tr("&Line:"), self._line)
+        form.addRow(tr("CRC-7 &polynomial:"), self._polynomial)
         form.addRow(self._addressed)
-        form.addRow(self.tr("&Device number:"), self._number)
-        form.addRow(self.tr("Nu&mbers of other devices:"), self._reserved)
+        form.addRow(tr("&Device number:"), self._number)
+        form.addRow(tr("Nu&mbers of other devices:"), self._reserved)
         self._clash = ui.named(Note(2, self), "lineClash")
         ui.column(intro, form, self._clash, 1, buttons, into=self)
 
@@ -78,7 +79,7 @@ class LineSettingsDialog(ReusedDialog):
         buttons.rejected.connect(self.reject)
         buttons.button(QDialogButtonBox.StandardButton.Ok).setDefault(True)
         restore = buttons.button(QDialogButtonBox.StandardButton.RestoreDefaults)
-        restore.setText(self.tr("&Restore defaults"))
+        restore.setText(tr("&Restore defaults"))
         restore.clicked.connect(self._on_restore_clicked)
         self.show_settings(settings)
 

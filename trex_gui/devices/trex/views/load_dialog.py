@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.model.settings.draft import diff_against_draft
@@ -39,10 +40,10 @@ class LoadDialog(ReusedDialog):
         super().__init__(parent)
         self.setObjectName("loadSettingsDialog")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setWindowTitle(self.tr("Load settings from {0}").format(document.name))
+        self.setWindowTitle(tr("Load settings from {0}").format(document.name))
         resize_with_font(self, 940, 620)
         self._device = device
-        self._heading = heading or self.tr("File")
+        self._heading = heading or tr("File")
         # The document itself may be edited or deleted meanwhile.
         self._name = document.name
         self._settings, self._read_findings = document.settings, document.findings
@@ -56,13 +57,13 @@ class LoadDialog(ReusedDialog):
         self._edit = button(
             self,
             "editFileButton",
-            self.tr("&Edit the file instead"),
+            tr("&Edit the file instead"),
             on_click=self._on_edit_clicked,
         )
         self._take = button(
             self, "takeChangesButton", icon="edited", default=True, on_click=self._on_take_clicked
         )
-        cancel = button(self, "cancelLoadButton", self.tr("Cancel"), on_click=self.close)
+        cancel = button(self, "cancelLoadButton", tr("Cancel"), on_click=self.close)
 
         column(
             self._head,
@@ -91,11 +92,11 @@ class LoadDialog(ReusedDialog):
         if not rows:
             return
         try:
-            self._device.draft.stage(rows, self.tr("Load {0}").format(self._name))
+            self._device.draft.stage(rows, tr("Load {0}").format(self._name))
         except BadRequest as error:
             self._trouble.show_note(error_sentence(error), alarming=True)
             return
-        text = self.tr("{0}: %n change(s) pending; Apply settings writes them.", "", len(rows))
+        text = tr("{0}: %n change(s) pending; Apply settings writes them.", "", len(rows))
         self.staged.emit(text.format(self._name))
         self.close()
 
@@ -109,7 +110,7 @@ class LoadDialog(ReusedDialog):
         if self._device.state is not None:
             self._update_take()
         elif self.isVisible():
-            text = self.tr("{0} was not loaded: the board is no longer connected.")
+            text = tr("{0} was not loaded: the board is no longer connected.")
             self.ended.emit(text.format(self._name))
             self.close()
 
@@ -120,7 +121,7 @@ class LoadDialog(ReusedDialog):
         settings, state = self._settings, self._device.state
         conversion: Conversion | None = None
         if settings is None:
-            trouble = self.tr("This file cannot be used: it has errors. Nothing was changed.")
+            trouble = tr("This file cannot be used: it has errors. Nothing was changed.")
         elif state is not None:
             board = state.signature
             conversion = convert(settings, board.model, board.firmware)
@@ -139,7 +140,7 @@ class LoadDialog(ReusedDialog):
         if comparison is not None:
             heading = self._heading
             if conversion is not None:
-                heading = self.tr("{0}, converted").format(heading)
+                heading = tr("{0}, converted").format(heading)
             self._show_rows(comparison, heading)
         self._show_findings(is_short=comparison is not None)
         self._conversion.setVisible(conversion is not None)
@@ -150,17 +151,17 @@ class LoadDialog(ReusedDialog):
         self._update_take()
 
     def _show_rows(self, comparison: Comparison, heading: str) -> None:
-        text = self.tr(
+        text = tr(
             "Checked changes become edits. Nothing is written to the board until you click Apply."
         )
         if missing := [row for row in comparison.rows if row.is_missing]:
             names = ", ".join(row.name for row in missing[:_NAMED])
             if len(missing) > _NAMED:
-                names = self.tr("{0} and {1} more").format(names, len(missing) - _NAMED)
-            text += "\n" + self.tr("Not in the file, so they stay as they are: {0}.").format(names)
+                names = tr("{0} and {1} more").format(names, len(missing) - _NAMED)
+            text += "\n" + tr("Not in the file, so they stay as they are: {0}.").format(names)
         self._foot.setText(text)
         given = replace(comparison, rows=tuple(r for r in comparison.rows if not r.is_missing))
-        now = self.tr("Board, as shown")
+        now = tr("Board, as shown")
         self._view.show_comparison(given, now, heading, keep_ticks=True)
 
     def _show_findings(self, *, is_short: bool) -> None:
@@ -177,20 +178,20 @@ class LoadDialog(ReusedDialog):
             return self._name
         product, firmware = settings.product, settings.firmware
         if state is not None and state.signature.model != product:
-            text = self.tr("{0}: settings for a {1}; the board is a {2}.")
+            text = tr("{0}: settings for a {1}; the board is a {2}.")
             return text.format(self._name, product.name, state.signature)
         if firmware is None:
-            return self.tr("{0}: settings for a {1}.").format(self._name, product.name)
-        text = self.tr("{0}: settings for a {1} with firmware {2}.")
+            return tr("{0}: settings for a {1}.").format(self._name, product.name)
+        text = tr("{0}: settings for a {1} with firmware {2}.")
         board = None if state is None else state.signature
         if board is not None and board.model == product and board.firmware != firmware:
-            text = self.tr("{0}: settings for a {1} with firmware {2}; the board has {3}.")
+            text = tr("{0}: settings for a {1} with firmware {2}; the board has {3}.")
             return text.format(self._name, product.name, firmware, board.firmware)
         return text.format(self._name, product.name, firmware)
 
     @Slot()
     def _update_take(self) -> None:
         count = len(self._view.table.ticked)
-        self._take.setText(self.tr("&Load %n change(s)", "", count))
+        self._take.setText(tr("&Load %n change(s)", "", count))
         offered = count > 0 and not self._view.isHidden()
         self._take.setEnabled(offered and self._device.is_writable)

@@ -4,6 +4,7 @@ from PySide6.QtCore import QSignalBlocker, Slot
 from PySide6.QtGui import QFocusEvent
 from PySide6.QtWidgets import QPlainTextEdit, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.settings.notes import Notes
 from trex_gui.devices.trex.settings.notes import clean_note
 from trex_gui.ui.theme.theme import follow_theme
@@ -23,9 +24,9 @@ class NoteField(QPlainTextEdit):
         self._key = ""
         self._name = ""
         self._run = object()
-        named(self, name, accessible=self.tr("Note"))
+        named(self, name, accessible=tr("Note"))
         self.setTabChangesFocus(True)
-        self.setPlaceholderText(self.tr("Why this value? Kept on this computer and in files."))
+        self.setPlaceholderText(tr("Why this value? Kept on this computer and in files."))
         follow_theme(self, "height", self._fit)
         self.textChanged.connect(self._on_typed)
         notes.changed.connect(self._renew)
@@ -40,7 +41,7 @@ class NoteField(QPlainTextEdit):
         if key != self._key:
             self._run = object()
         self._key, self._name = key, name
-        self.setAccessibleName(self.tr("Note on {0}").format(name) if key else self.tr("Note"))
+        self.setAccessibleName(tr("Note on {0}").format(name) if key else tr("Note"))
         self._renew()
 
     @Slot()

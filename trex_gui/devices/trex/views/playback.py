@@ -3,7 +3,7 @@
 from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtWidgets import QLabel, QWidget
 
-from trex_gui.core.translation import Number
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.board.newest import BoardSnapshot
 from trex_gui.devices.trex.client.telemetry import Control, Currents, ModeSample, Raw, Remapped
 from trex_gui.devices.trex.model.device import Device
@@ -32,9 +32,9 @@ class PlaybackWindow(RecordingWindow):
         self._settings = builders.button(
             self,
             "settingsAtPositionButton",
-            self.tr("&Settings at this time…"),
+            tr("&Settings at this time…"),
             icon="settings",
-            tip=self.tr("Open the settings that the board stored at this time"),
+            tip=tr("Open the settings that the board stored at this time"),
             on_click=self._on_settings_clicked,
         )
         self._table = TraceTable(self.plot, self)
@@ -69,7 +69,7 @@ class PlaybackWindow(RecordingWindow):
     @Slot()
     def _on_settings_clicked(self) -> None:
         seconds = self.playback.position - self.playback.start
-        name = self.tr("{0} at {1}").format(self.playback.path.stem, time_text(seconds))
+        name = tr("{0} at {1}").format(self.playback.path.stem, time_text(seconds))
         self.settings_wanted.emit(SettingsDocument(self.playback.state().settings, name))
 
 
@@ -86,15 +86,15 @@ class ValuesPanel(QWidget):
         self._grid = builders.grid(self, margins=0, spacing=(-1, 2), stretch=[(3, 1)])
         self._grid.addWidget(self._control, 0, 0, 1, 4)
         self._grid.setRowMinimumHeight(0, 2 * self.fontMetrics().lineSpacing())
-        self._add_headings(1, "", self.tr("Current"), self.tr("Setpoint"))
+        self._add_headings(1, "", tr("Current"), tr("Setpoint"))
         for motor in (1, 2):
-            name = self.tr("Motor {0}").format(motor)
+            name = tr("Motor {0}").format(motor)
             self._add_row(1 + motor, name, f"motor{motor}", "current", "setpoint")
-        self._add_row(4, self.tr("Auxiliary"), "auxiliary", "", "setpoint")
+        self._add_row(4, tr("Auxiliary"), "auxiliary", "", "setpoint")
         self._grid.setRowMinimumHeight(5, 6)
-        self._add_headings(6, "", self.tr("Signal"), self.tr("Counts"), self.tr("Remapped"))
+        self._add_headings(6, "", tr("Signal"), tr("Counts"), tr("Remapped"))
         for channel in CHANNELS:
-            name = self.tr("Channel {0}").format(channel)
+            name = tr("Channel {0}").format(channel)
             self._add_row(6 + channel, name, f"channel{channel}", "physical", "raw", "remapped")
 
         playback.moved.connect(self.refresh)
@@ -135,7 +135,7 @@ class ValuesPanel(QWidget):
             self._set(f"motor{motor}Setpoint", self._drive_text(state.setpoints.get(motor)))
         auxiliary = state.auxiliary
         self._set("auxiliarySetpoint", NO_VALUE if auxiliary is None else str(auxiliary))
-        no_signal = self.tr("no signal") if raws is not None else NO_VALUE
+        no_signal = tr("no signal") if raws is not None else NO_VALUE
         for place, channel in enumerate(CHANNELS):
             raw = raws.counts[place] if raws is not None else None
             self._set(f"channel{channel}Raw", no_signal if raw is None else str(raw))
@@ -147,20 +147,20 @@ class ValuesPanel(QWidget):
         board_mode, control = state[ModeSample].mode, state.get(Control)
         inputs = board_mode.source.word
         if board_mode.is_serial:
-            mode = self.tr("Serial mode with {0} inputs").format(inputs)
+            mode = tr("Serial mode with {0} inputs").format(inputs)
         else:
-            mode = self.tr("{0} mode").format(inputs)
+            mode = tr("{0} mode").format(inputs)
         if control is None:
-            return self.tr("{0}.").format(mode)
+            return tr("{0}.").format(mode)
         if control.by_serial:
-            return self.tr("{0}; serial commands reach the motors.").format(mode)
-        return self.tr("{0}; the channels control the motors.").format(mode)
+            return tr("{0}; serial commands reach the motors.").format(mode)
+        return tr("{0}; the channels control the motors.").format(mode)
 
     def _drive_text(self, drive: Drive | None) -> str:
         if drive is None:
             return NO_VALUE
         if drive.is_brake:
-            return self.tr("brake {0}").format(drive.speed)
+            return tr("brake {0}").format(drive.speed)
         return with_sign(drive.signed)
 
     def _set(self, name: str, text: str) -> None:

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.recording.kept import make_kept_folder
 from trex_gui.core.recording.store import Recording
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.recorder import EventRecorder, Recorder
 from trex_gui.devices.trex.recording import FORMAT, Header, Record
@@ -30,8 +31,8 @@ class Recordings(RecordingManager["PlaybackWindow"]):
     def __init__(self, device: Device, window: QWidget) -> None:
         texts = RecordingTexts(
             stem="trex",
-            unavailable=window.tr("Nothing can be recorded: no board is connected."),
-            open_command=window.tr("File, Open recording"),
+            unavailable=tr("Nothing can be recorded: no board is connected."),
+            open_command=tr("File, Open recording"),
         )
         recorder = Recorder(device)
         super().__init__(recorder, texts, device.notifier, window, store="recording")
@@ -68,7 +69,7 @@ class Recordings(RecordingManager["PlaybackWindow"]):
         in_background(
             self,
             make_kept_folder,
-            partial(self.choose_and_open, self.tr("Open fault or stop")),
+            partial(self.choose_and_open, tr("Open fault or stop")),
             lambda error: self._notifier.error.emit(str(error)),
         )
 
@@ -79,12 +80,12 @@ class Recordings(RecordingManager["PlaybackWindow"]):
 
     @Slot(object)
     def _on_event_kept(self, path: Path) -> None:
-        text = self.tr("The seconds around “{0}” were kept. File, Open fault or stop: {1}")
+        text = tr("The seconds around “{0}” were kept. File, Open fault or stop: {1}")
         self._notifier.logged.emit(text.format(self.events.cause, path.name), False)
 
     @Slot(str)
     def _on_event_lost(self, reason: str) -> None:
-        text = self.tr("The seconds around “{0}” could not be kept. {1}")
+        text = tr("The seconds around “{0}” could not be kept. {1}")
         self._notifier.logged.emit(text.format(self.events.cause, reason), True)
 
     def close_all(self) -> None:

@@ -76,7 +76,7 @@ class SettingsFiles(QObject):
         self._ask_and(lambda path: self._open(path, use))
 
     def _ask_and(self, use: Callable[[Path], object]) -> None:
-        title = self.tr("Open settings file")
+        title = tr("Open settings file")
         path = file_questions.ask_to_open(self._window, title)
         if path is not None:
             use(path)
@@ -86,7 +86,7 @@ class SettingsFiles(QObject):
         state = self._device.state
         key = state.signature.model.key if state is not None else "trex"
         proposal = file_questions.last_folder() / f"{key}_settings.txt"
-        title = self.tr("Save settings file")
+        title = tr("Save settings file")
         path = file_questions.ask_to_save(self._window, title, proposal)
         if path is not None:
             self.save_file(path, then)
@@ -100,7 +100,7 @@ class SettingsFiles(QObject):
         proposal = file_name(settings, next(iter(filters.values())))
         name = file_questions.last_folder() / proposal
         chosen, kind = QFileDialog.getSaveFileName(
-            self._window, self.tr("Export as code"), str(name), ";;".join(filters)
+            self._window, tr("Export as code"), str(name), ";;".join(filters)
         )
         if chosen:
             path = Path(chosen)
@@ -113,12 +113,12 @@ class SettingsFiles(QObject):
         dialog = QInputDialog(self._window)
         dialog.setObjectName("newSettingsDialog")
         dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        dialog.setWindowTitle(self.tr("New settings file"))
-        dialog.setLabelText(self.tr("&Start the new file with:"))
+        dialog.setWindowTitle(tr("New settings file"))
+        dialog.setLabelText(tr("&Start the new file with:"))
         dialog.setOption(QInputDialog.InputDialogOption.UseListViewForComboBoxItems)
         dialog.setComboBoxItems(list(makers))
         (view,) = dialog.findChildren(QListView, options=Qt.FindChildOption.FindDirectChildrenOnly)
-        named(view, "beginningsList", accessible=self.tr("Beginnings"))
+        named(view, "beginningsList", accessible=tr("Beginnings"))
         view.setCurrentIndex(view.model().index(0, 0))
         view.activated.connect(dialog.accept)
         dialog.textValueSelected.connect(lambda text: self.open_editor(makers[text]()))
@@ -132,11 +132,11 @@ class SettingsFiles(QObject):
         """Yield what a new file can begin with, by title."""
         shown = self._device.draft.shown
         if shown is not None and self._device.state is not None:
-            text, title = self.tr("The board as shown: {0}, firmware {1}"), "As shown."
+            text, title = tr("The board as shown: {0}, firmware {1}"), "As shown."
             name = f"{shown.product.key}_settings.txt"
             make = partial(SettingsDocument.of_settings, shown, name, title)
             yield text.format(shown.product.name, shown.firmware), make
-        text = self.tr("Factory defaults of a {0}, firmware {1}")
+        text = tr("Factory defaults of a {0}, firmware {1}")
         for model in device_table().models:
             for firmware in reversed(model.firmware):
                 make = partial(_from_factory, model, firmware)
@@ -144,7 +144,7 @@ class SettingsFiles(QObject):
         for path in sorted(resource("samples").glob("*.txt")):
             if path.stem in SAMPLES:
                 make = partial(SettingsDocument, path.read_text(encoding="utf-8"), path.name)
-                yield self.tr("Sample: {0}").format(tr(SAMPLES[path.stem])), make
+                yield tr("Sample: {0}").format(tr(SAMPLES[path.stem])), make
 
     # --- Opening ------------------------------------------------------------------------
 
@@ -204,7 +204,7 @@ class SettingsFiles(QObject):
         self.used.emit(path)
 
     def _on_not_opened(self, path: Path, error: StudioError) -> None:
-        text = self.tr("{0} was not opened: {1}.")
+        text = tr("{0} was not opened: {1}.")
         self._notifier.error.emit(text.format(path.name, reason_of(error)))
 
     @Slot(object)
@@ -230,9 +230,9 @@ class SettingsFiles(QObject):
 
     def offer_settings(self, settings: Settings, applied: str) -> None:
         """Offer settings that were applied to the board at this time."""
-        title = self.tr("Settings applied {0}").format(applied)
+        title = tr("Settings applied {0}").format(applied)
         document = SettingsDocument.of_settings(settings, title, "Settings applied.")
-        self._offer(document, self.tr("Applied")).offer_editing(False)
+        self._offer(document, tr("Applied")).offer_editing(False)
 
     def _offer(self, document: SettingsDocument, heading: str = "") -> LoadDialog:
         """Show what settings would change; `heading` names them in place of `File`."""
@@ -320,11 +320,11 @@ class SettingsFiles(QObject):
         )
 
     def _on_not_exported(self, path: Path, error: StudioError) -> None:
-        self._notifier.error.emit(self.tr("{0} was not written: {1}").format(path.name, error))
+        self._notifier.error.emit(tr("{0} was not written: {1}").format(path.name, error))
 
     def _on_exported(self, path: Path) -> None:
         file_questions.remember_folder(path)
-        text = self.tr("{0} applies and checks the settings shown; read its first lines.")
+        text = tr("{0} applies and checks the settings shown; read its first lines.")
         self._notifier.info.emit(text.format(path))
 
     def save_file(self, path: Path, then: Callable[[], object] = lambda: None) -> None:
@@ -337,7 +337,7 @@ class SettingsFiles(QObject):
         if settings is None:
             return
         if path in self._saving:
-            text = self.tr("{0} was not saved again: it is still being saved.")
+            text = tr("{0} was not saved again: it is still being saved.")
             self._notifier.error.emit(text.format(path.name))
             return
         self._saving.add(path)
@@ -373,12 +373,12 @@ class SettingsFiles(QObject):
 
     def _on_not_saved(self, path: Path, error: StudioError) -> None:
         self._saving.discard(path)
-        self._notifier.error.emit(self.tr("{0} was not saved: {1}").format(path.name, error))
+        self._notifier.error.emit(tr("{0} was not saved: {1}").format(path.name, error))
 
     def _on_saved(self, path: Path, kept: str, then: Callable[[], object]) -> None:
         self._saving.discard(path)
         self._note_used(path)
-        saved = self.tr("The settings shown were saved in {0}.").format(path)
+        saved = tr("The settings shown were saved in {0}.").format(path)
         self._notifier.info.emit(f"{saved} {kept}".rstrip())
         then()
 
@@ -394,14 +394,14 @@ class SettingsFiles(QObject):
         fresh = write_settings(settings, title_lines=[f"Saved by TReX Studio, {now}."])
         if content is None:
             return fresh, ""
-        reason = self.tr("is not a readable settings file.")
+        reason = tr("is not a readable settings file.")
         before, old = "", None
         if isinstance(content, bytes):
             with contextlib.suppress(SettingsError):
                 before, _ = text_of(content, path.name)
                 old, _ = read_settings(before, path.name)
         if old is not None and old.product.key != settings.product.key:
-            reason, old = self.tr("holds settings of a {0}.").format(old.product.name), None
+            reason, old = tr("holds settings of a {0}.").format(old.product.name), None
         if old is None:
             may_replace = file_questions.may_replace(self._window, path.name, reason)
             return (fresh if may_replace else None), ""
@@ -414,14 +414,14 @@ class SettingsFiles(QObject):
             trouble = error.findings[0].message
             return (fresh if file_questions.may_write_fresh(self._window, trouble) else None), ""
         names = ", ".join(sorted({key.source.word for key in hidden}))
-        kept = self.tr("Calibrations that the board does not show now were kept: {0}.")
+        kept = tr("Calibrations that the board does not show now were kept: {0}.")
         return text, kept.format(names) if hidden else ""
 
     def preview(self) -> QDialog | None:
         settings, state = self._device.draft.shown, self._device.state
         if settings is None or state is None:
             return None
-        name = self.tr("{0}, settings shown").format(state.signature)
+        name = tr("{0}, settings shown").format(state.signature)
         return PrintedSettings(settings, name).preview(self._window, self._notifier.error.emit)
 
 

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QComboBox, QSizePolicy, QWidget
 
 from trex_gui.core.errors import BadRequest, StudioError
 from trex_gui.core.files import load
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.draft import diff_against_draft
 from trex_gui.devices.trex.model.settings.snapshots import SnapshotTable
@@ -58,11 +59,9 @@ class SnapshotPane(QWidget):
         self._restore = ui.button(
             self,
             "restoreButton",
-            self.tr("&Restore selected as edits"),
+            tr("&Restore selected as edits"),
             icon="undo",
-            tip=self.tr(
-                "Turn the selected values into edits and review them; only Apply writes them"
-            ),
+            tip=tr("Turn the selected values into edits and review them; only Apply writes them"),
             default=False,
             on_click=self._on_restore_clicked,
         )
@@ -94,9 +93,9 @@ class SnapshotPane(QWidget):
             case (newer, older):
                 self._compare(older, newer)
             case ():
-                self._show_nothing(self.tr("Select a snapshot to see what it would restore."))
+                self._show_nothing(tr("Select a snapshot to see what it would restore."))
             case _:
-                self._show_nothing(self.tr("Select one snapshot, or two to compare them."))
+                self._show_nothing(tr("Select one snapshot, or two to compare them."))
         self._update_restore()
 
     def _show_nothing(self, reason: str) -> None:
@@ -117,7 +116,7 @@ class SnapshotPane(QWidget):
             return
         present = self.choice.present_for(snapshot, settings, other)
         if present is None:
-            self._show_no_rows(self.tr("Reading…"))
+            self._show_no_rows(tr("Reading…"))
             return
         self.choice.offer(snapshot, present)
         if present.settings is not None:
@@ -137,7 +136,7 @@ class SnapshotPane(QWidget):
         self._rows.show_comparison(
             comparison,
             present.title,
-            self.tr("Snapshot of {0}").format(self._table.time_text(snapshot)),
+            tr("Snapshot of {0}").format(self._table.time_text(snapshot)),
             with_ticks=self._against_board,
             summary=summary,
         )
@@ -147,20 +146,20 @@ class SnapshotPane(QWidget):
         content = self._table.content_of(snapshot)
         if isinstance(content, Settings):
             return content
-        text = self.tr("Reading…")
+        text = tr("Reading…")
         if content is not None:
-            text = self.tr("{0} is damaged and cannot be restored. {1}")
+            text = tr("{0} is damaged and cannot be restored. {1}")
         self._show_no_rows(text.format(snapshot.path.name, content))
         return None
 
     def _describe(self, snapshot: Snapshot) -> None:
-        title = self.tr("{0}, before {1}") if snapshot.reason else "{0}"
+        title = tr("{0}, before {1}") if snapshot.reason else "{0}"
         time = self._table.time_text(snapshot)
         self._title.setText(title.format(time[:1].upper() + time[1:], snapshot.reason))
         number = snapshot.device_number
         parts = (
             f"{snapshot.product} {snapshot.firmware}".strip(),
-            "" if number is None else self.tr("device number {0}").format(number),
+            "" if number is None else tr("device number {0}").format(number),
             snapshot.adapter,
         )
         self._details.setText(", ".join(part for part in parts if part))
@@ -168,29 +167,29 @@ class SnapshotPane(QWidget):
 
     def _board_counts(self, comparison: Comparison) -> str:
         if comparison.offered:
-            text = self.tr("%n setting(s) would be restored, {0} match.", "", comparison.offered)
+            text = tr("%n setting(s) would be restored, {0} match.", "", comparison.offered)
             text = text.format(comparison.equal)
         elif comparison.missing or comparison.left_out:
-            text = self.tr("This snapshot has no differences to restore.")
+            text = tr("This snapshot has no differences to restore.")
         else:
-            text = self.tr("The board, with the edits made here, matches this snapshot.")
+            text = tr("The board, with the edits made here, matches this snapshot.")
         if comparison.missing:
-            text += " " + self.tr(
+            text += " " + tr(
                 "%n setting(s) not in the snapshot would stay.", "", comparison.missing
             )
         return text
 
     def _counts(self, comparison: Comparison, snapshot: Snapshot, present: "_Present") -> str:
         if present.key == "":
-            return self.tr(
+            return tr(
                 "There is no other snapshot of a {0} to compare with. This one has %n setting(s).",
                 "",
                 len(comparison.rows),
             ).format(snapshot.product)
         differing = len(comparison.differing)
         if differing == 0:
-            return self.tr("Both are the same.")
-        text = self.tr("%n setting(s) differ, {0} match.", "", differing)
+            return tr("Both are the same.")
+        text = tr("%n setting(s) differ, {0} match.", "", differing)
         return text.format(comparison.equal)
 
     @Slot()
@@ -203,30 +202,30 @@ class SnapshotPane(QWidget):
         """Return why nothing can be restored now; empty if it can."""
         chosen = self._chosen
         if not chosen or len(chosen) > 2:
-            return self.tr("Nothing is selected to be restored.")
+            return tr("Nothing is selected to be restored.")
         if self._table.problem_of(chosen[-1]):
-            return self.tr("A damaged snapshot cannot be restored.")
+            return tr("A damaged snapshot cannot be restored.")
         if self._shown is None:
-            return self.tr("The snapshot is being read.")
+            return tr("The snapshot is being read.")
         if len(chosen) == 2:
-            return self.tr("To restore one of the two, select it alone.")
+            return tr("To restore one of the two, select it alone.")
         if blocker := self.choice.board_blocker(chosen[0]):
             return blocker
         if not self._against_board:
-            return self.tr("To restore, compare with the board.")
+            return tr("To restore, compare with the board.")
         if not self._device.is_connected:
-            return self.tr("The board does not respond, so nothing can be restored.")
+            return tr("The board does not respond, so nothing can be restored.")
         if self._device.applying:
-            return self.tr("Settings are being written; wait until that is done.")
+            return tr("Settings are being written; wait until that is done.")
         if self._rows.table.comparison.offered == 0:
-            return self.tr("There is nothing to restore.")
+            return tr("There is nothing to restore.")
         if not self._rows.table.ticked:
-            return self.tr("Select the settings to restore.")
+            return tr("Select the settings to restore.")
         return ""
 
     def _restore_note(self, snapshot: Snapshot) -> str:
         ticked = len(self._rows.table.ticked)
-        text = self.tr(
+        text = tr(
             "%n setting(s) would become edits; nothing is written until you click Apply.",
             "",
             ticked,
@@ -234,7 +233,7 @@ class SnapshotPane(QWidget):
         here = self._device.parameters.stored_of(ParameterKey.DEVICE_NUMBER)
         number = snapshot.device_number
         if number is not None and here is not None and number != here:
-            text += " " + self.tr(
+            text += " " + tr(
                 "Note: this snapshot is of device number {0}, the board here is number {1}."
             ).format(number, here)
         return text
@@ -245,11 +244,11 @@ class SnapshotPane(QWidget):
         if not self._restore.isEnabled():
             return
         when = self._table.time_text(self._chosen[0])
-        text = self.tr("Restore snapshot of {0}").format(when)
+        text = tr("Restore snapshot of {0}").format(when)
         try:
             self._device.draft.stage(self._rows.table.ticked, text)
         except BadRequest as error:
-            self._notifier.error.emit(self.tr("Nothing was restored: {0}").format(error))
+            self._notifier.error.emit(tr("Nothing was restored: {0}").format(error))
             return
         self.restore_requested.emit()
 
@@ -289,8 +288,8 @@ class _PresentChoice(QWidget):
         self._box.setMinimumContentsLength(28)
         self._box.setMaxVisibleItems(20)
         self._box.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self._box.setPlaceholderText(self.tr("nothing"))
-        label = ui.label(self, text=self.tr("Compare &with:"), buddy=self._box)
+        self._box.setPlaceholderText(tr("nothing"))
+        label = ui.label(self, text=tr("Compare &with:"), buddy=self._box)
         ui.row(label, (self._box, 1), into=self, margins=0)
 
     def present_for(
@@ -310,7 +309,7 @@ class _PresentChoice(QWidget):
             if chosen is not None and not self._table.problem_of(chosen):
                 return self._of_snapshot(chosen)
         if not self.board_blocker(snapshot):
-            return _Present(_BOARD, self.tr("Now, with edits"))
+            return _Present(_BOARD, tr("Now, with edits"))
         neighbour = self._table.neighbour(snapshot)
         if neighbour is not None:
             return self._of_snapshot(neighbour)  # if it turns out damaged, the next is tried
@@ -321,7 +320,7 @@ class _PresentChoice(QWidget):
         settings = self._table.content_of(snapshot)
         if not isinstance(settings, Settings):
             return None
-        title = self.tr("Snapshot of {0}").format(self._table.time_text(snapshot))
+        title = tr("Snapshot of {0}").format(self._table.time_text(snapshot))
         return _Present(str(snapshot.path), title, settings)
 
     def board_blocker(self, snapshot: Snapshot) -> str:
@@ -331,10 +330,10 @@ class _PresentChoice(QWidget):
             ConnectionState.DISCONNECTED,
             ConnectionState.DISCONNECTING,
         }:
-            return self.tr("No board is connected. Connect one to restore a snapshot.")
+            return tr("No board is connected. Connect one to restore a snapshot.")
         board = state.signature.model.name
         if snapshot.product != board:
-            return self.tr(
+            return tr(
                 "This snapshot is of a {0}, and the board here is a {1}: it cannot be restored."
             ).format(snapshot.product, board)
         return ""
@@ -366,7 +365,7 @@ class _PresentChoice(QWidget):
         box = self._box
         box.clear()
         box.setEnabled(True)
-        box.addItem(self.tr("the board as it is now, with edits"), _BOARD)
+        box.addItem(tr("the board as it is now, with edits"), _BOARD)
         model = box.model()
         if blocker and isinstance(model, QStandardItemModel):
             item = model.item(0)
@@ -374,9 +373,9 @@ class _PresentChoice(QWidget):
             item.setToolTip(ui.plain(blocker))
         if self._file is not None:
             box.addItem(self._file.title, self._file.key)
-        box.addItem(self.tr("a settings file…"), "")
+        box.addItem(tr("a settings file…"), "")
         box.insertSeparator(box.count())
-        plain, with_reason = self.tr("snapshot of {0}"), self.tr("snapshot of {0}, before {1}")
+        plain, with_reason = tr("snapshot of {0}"), tr("snapshot of {0}, before {1}")
         for other in others:
             text = with_reason if other.reason else plain
             when = self._table.time_text(other)
@@ -393,7 +392,7 @@ class _PresentChoice(QWidget):
 
     def _ask_for_file(self) -> None:
         """Let the user choose a settings file to compare with."""
-        title = self.tr("Compare with a settings file")
+        title = tr("Compare with a settings file")
         path = file_questions.ask_to_open(self, title)
         if path is not None:
             in_background(
@@ -410,5 +409,5 @@ class _PresentChoice(QWidget):
         self.chosen.emit()
 
     def _on_file_not_read(self, path: Path, error: StudioError) -> None:
-        text = self.tr("{0} cannot be compared with: {1}")
+        text = tr("{0} cannot be compared with: {1}")
         self._notifier.error.emit(text.format(path.name, error))

@@ -10,7 +10,6 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.trex.replay import RecordedTraffic
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
-from trex_gui.ui.translations import Plural
 from trex_gui.ui.widgets.file_questions import last_folder
 
 
@@ -26,7 +25,7 @@ def compare_traffic(notifier: Notifier, window: QWidget) -> None:
 def _report(notifier: Notifier, found: tuple[int, tuple[int, str, str, str] | None]) -> None:
     count, difference = found
     if difference is None:
-        text = Plural.tr("%n transaction(s): the simulated board replies the same.", "", count)
+        text = tr("%n transaction(s): the simulated board replies the same.", "", count)
         notifier.info.emit(text)
         return
     text = tr("First difference, line {0}: {1}. The simulated board: {2} ({3}).")

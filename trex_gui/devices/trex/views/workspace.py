@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QWidget
 from shiboken6 import Shiboken
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.boards import BoardList
 from trex_gui.devices.trex.model.controller import TrexController
@@ -82,9 +83,9 @@ class TrexWorkspace(Workspace):
         self._frame = frame
         self._linter = BoardLinter(device, self)
         self._wiring = Wiring(
-            self.tr("TReX"),
+            tr("TReX"),
             (("TX", "SI"), ("RX", "SO"), ("GND", "GND")),
-            self.tr("Wiring: TX of the adapter to SI, RX to SO, GND to GND of the board"),
+            tr("Wiring: TX of the adapter to SI, RX to SO, GND to GND of the board"),
         )
         self._safe_start = SafeStartWatch(device, self)
         self._offered_losses: set[ComparisonRow] = set()  # lost settings
@@ -97,18 +98,18 @@ class TrexWorkspace(Workspace):
         tabs = self.pages
         ui.tab_order(panel, tabs.tabBar())
         tabs.setObjectName("tabs")
-        tabs.setAccessibleName(self.tr("Pages"))
+        tabs.setAccessibleName(tr("Pages"))
         self.add_pages(
             (
-                PageInfo("status", self.tr("S&tatus"), self._make_status_page),
-                PageInfo("channels", self.tr("&Channels"), partial(ChannelsPage, device, self)),
-                PageInfo("calibration", self.tr("Cali&bration"), self._make_calibration_page),
-                PageInfo("motors", self.tr("&Motors"), self._make_motors_page),
-                PageInfo("currents", self.tr("C&urrents"), self._make_currents_page),
-                PageInfo("parameters", self.tr("&Parameters"), self._make_parameters_page),
-                PageInfo("errors", self.tr("&Errors"), self._make_errors_page),
-                PageInfo("log", self.tr("Lo&g"), self._make_log_page),
-                PageInfo("transcript", self.tr("T&raffic"), self._make_traffic_page),
+                PageInfo("status", tr("S&tatus"), self._make_status_page),
+                PageInfo("channels", tr("&Channels"), partial(ChannelsPage, device, self)),
+                PageInfo("calibration", tr("Cali&bration"), self._make_calibration_page),
+                PageInfo("motors", tr("&Motors"), self._make_motors_page),
+                PageInfo("currents", tr("C&urrents"), self._make_currents_page),
+                PageInfo("parameters", tr("&Parameters"), self._make_parameters_page),
+                PageInfo("errors", tr("&Errors"), self._make_errors_page),
+                PageInfo("log", tr("Lo&g"), self._make_log_page),
+                PageInfo("transcript", tr("T&raffic"), self._make_traffic_page),
             )
         )
 
@@ -119,7 +120,7 @@ class TrexWorkspace(Workspace):
         self._demo = DemoPanel(controller, frame)
         self.files = files = SettingsFiles(device, frame)
         self.docks = (self._demo,)
-        name, suffixes = self.tr("a settings file of a TReX"), {".txt", ".yaml", ".yml"}
+        name, suffixes = tr("a settings file of a TReX"), {".txt", ".yaml", ".yml"}
         self.file_kinds = (FileKind(suffixes, name, files.open_file, files.edit_file),)
         self._review = ReviewDialog(device, self._linter, frame)
         self._close_prompt = ClosePrompt(device, files, self._review, frame)
@@ -165,7 +166,6 @@ class TrexWorkspace(Workspace):
     # --- Pages --------------------------------------------------------------------------
 
     def _make_status_page(self) -> QWidget:
-        tr = self.tr
         texts = StartTexts(
             title=tr("Connect my TReX"),
             ways=start_ways(self._wiring, self),
@@ -247,9 +247,7 @@ class TrexWorkspace(Workspace):
 
         traffic = self._device.connection.traffic
         sender = TrexPacketSender(self._device, self)
-        page = TrafficPage(
-            traffic, "transcript", self.tr("a board"), self.notifier, self, sender=sender
-        )
+        page = TrafficPage(traffic, "transcript", tr("a board"), self.notifier, self, sender=sender)
         self._frame.seen_changed.connect(page.set_window_seen)
         return page
 
@@ -329,7 +327,7 @@ class TrexWorkspace(Workspace):
     # --- What its menus do --------------------------------------------------------------
 
     def menus(self) -> Menus:
-        device, files, keys, tr = self._device, self.files, QKeySequence.StandardKey, self.tr
+        device, files, keys = self._device, self.files, QKeySequence.StandardKey
         factory = partial(self._defaults.preview, serial_only=False)
         serial = partial(self._defaults.preview, serial_only=True)
         return {
@@ -483,10 +481,10 @@ class TrexWorkspace(Workspace):
     @Slot()
     def _on_actions_changed(self) -> None:
         if self._actions:
-            record, undo = self.tr("&Record…"), self._device.draft.undo
+            record, undo = tr("&Record…"), self._device.draft.undo
             undo_title, redo_title = undo_titles(undo.undoText(), undo.redoText())
             if self.recordings.recorder.recording:
-                record = self.tr("Stop &recording")
+                record = tr("Stop &recording")
             for key, text in (
                 ("record", record),
                 ("undo", undo_title),
@@ -505,7 +503,7 @@ class TrexWorkspace(Workspace):
     @Slot()
     def _on_errors_changed(self) -> None:
         count = self._device.errors.uncleared
-        title = self.tr("Errors ({0})").format(count) if count else self.tr("Errors")
+        title = tr("Errors ({0})").format(count) if count else tr("Errors")
         self.set_page_title("errors", title)
 
     @Slot(object)
@@ -516,13 +514,11 @@ class TrexWorkspace(Workspace):
             if any(result.key == ParameterKey.FACTORY_RESET for result in results):
                 self._power.guide()
             elif not self._review.isVisible():
-                self.notifier.info.emit(
-                    self.tr("%n setting(s) written and verified.", "", len(results))
-                )
+                self.notifier.info.emit(tr("%n setting(s) written and verified.", "", len(results)))
             return
         names = ", ".join(self._device.name_of(result.key) for result in failed)
         reasons = " ".join(dict.fromkeys(error_sentence(result.error) for result in failed))
-        self.notifier.error.emit(self.tr("Not verified: {0}. {1}").format(names, reasons))
+        self.notifier.error.emit(tr("Not verified: {0}. {1}").format(names, reasons))
 
     @Slot()
     def _on_reload_requested(self) -> None:
@@ -530,8 +526,8 @@ class TrexWorkspace(Workspace):
             self._device.reload()
             return
         self._question.ask(
-            self.tr("Read the settings from the board and discard the edits made here?"),
-            Answer("reloadYes", self.tr("Discard and reload"), self._forget_and_reload),
+            tr("Read the settings from the board and discard the edits made here?"),
+            Answer("reloadYes", tr("Discard and reload"), self._forget_and_reload),
             still=lambda: self._device.draft.pending > 0 and self._device.is_writable,
         )
 
@@ -549,7 +545,7 @@ class TrexWorkspace(Workspace):
             return
         if self._question.text:
             return  # what another question keeps from being asked is offered at the next connection
-        text = self.tr(
+        text = tr(
             "Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore as pending "
             "edits?",
             "",
@@ -558,8 +554,8 @@ class TrexWorkspace(Workspace):
         saved = local_time(offer.saved.saved)
         self._question.ask(
             text.format(offer.saved.settings.product.name, saved),
-            Answer("restoreEdits", self.tr("Restore edits"), backup.restore),
-            Answer("discardEdits", self.tr("Discard edits"), backup.discard_offer),
+            Answer("restoreEdits", tr("Restore edits"), backup.restore),
+            Answer("discardEdits", tr("Discard edits"), backup.discard_offer),
             still=lambda: backup.offer is offer,
         )
 
@@ -574,16 +570,16 @@ class TrexWorkspace(Workspace):
             self._offered_losses = set()
         elif news and not self._question.text:
             self._offered_losses = set(differing.rows)
-            text = self.tr(
+            text = tr(
                 "%n setting(s) of this {0} differ from what was applied last ({1}): lost, changed "
                 "by something else, or this is another board.",
                 "",
                 len(differing.rows),
             )
-            keep = self.tr("Keep the values of the board")
+            keep = tr("Keep the values of the board")
             self._question.ask(
                 text.format(record.settings.product.name, local_time(record.applied)),
-                Answer("showDiffering", self.tr("Show…"), self._show_differing),
+                Answer("showDiffering", tr("Show…"), self._show_differing),
                 Answer("keepDiffering", keep, lambda: memory.accept(utc_now())),
                 still=lambda: memory.differing == differing,
             )
@@ -622,8 +618,8 @@ class TrexWorkspace(Workspace):
 
     def line_choices(self, line: object) -> Sequence[LineChoice]:
         texts = {
-            LineSettings(): self.tr("Factor&y line settings: {0}…"),
-            LineSettings(115200): self.tr("Fas&t: {0}…"),
+            LineSettings(): tr("Factor&y line settings: {0}…"),
+            LineSettings(115200): tr("Fas&t: {0}…"),
         }
         return [
             LineChoice(text.format(other.text()), partial(self._review_line, other))
@@ -632,7 +628,7 @@ class TrexWorkspace(Workspace):
         ]
 
     def _review_line(self, line: LineSettings) -> None:
-        text = self.tr(
+        text = tr(
             "{0} is now one of the pending changes. It takes effect after the board is switched "
             "off and on; this window then follows. Other programs on this line have to use it, too."
         )
@@ -641,7 +637,7 @@ class TrexWorkspace(Workspace):
     def set_up_crc(self) -> None:
         self._propose_line(
             lambda wire: replace(LineSettings.from_wire(wire), detection=Detection.CRC7),
-            self.tr(
+            tr(
                 "CRC-7 is now one of the pending changes. It takes effect after the board is "
                 "switched off and on; this window then follows. Other programs on this line "
                 "have to use CRC-7, too."

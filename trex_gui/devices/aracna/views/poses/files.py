@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import Severity
+from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.library import Library
 from trex_gui.devices.aracna.poses.ppr import SUFFIX, PoseFile, read_file
 from trex_gui.devices.aracna.poses.project import Project
@@ -36,7 +37,7 @@ class PoseFiles(QObject):
         self._window = window
         self._saver = DocumentSaver(library, window)
         self._saver.saved.connect(self._on_saved)
-        self._saver.failed.connect(partial(self._report_error, self.tr("Not saved. {0}.")))
+        self._saver.failed.connect(partial(self._report_error, tr("Not saved. {0}.")))
 
     @Slot()
     def new(self) -> None:
@@ -45,7 +46,7 @@ class PoseFiles(QObject):
 
     @Slot()
     def ask_and_open(self) -> None:
-        title, folder = self.tr("Open pose file"), str(self.folder())
+        title, folder = tr("Open pose file"), str(self.folder())
         chosen, _ = QFileDialog.getOpenFileName(self._window, title, folder, self._filter())
         if chosen:
             self.open_file(Path(chosen))
@@ -57,7 +58,7 @@ class PoseFiles(QObject):
                 self,
                 partial(read_file, path),
                 partial(self._on_read, path, self._library.project),
-                partial(self._report_error, self.tr("Not opened. {0}.")),
+                partial(self._report_error, tr("Not opened. {0}.")),
             )
 
     def _on_read(self, path: Path, before: Project, file: PoseFile) -> None:
@@ -68,10 +69,10 @@ class PoseFiles(QObject):
         self._library.take_file(path, file)
         self._note_used(path)
         findings = file.findings
-        lines = [self.tr("{0} was opened.").format(path.name)]
+        lines = [tr("{0} was opened.").format(path.name)]
         lines += [f"{str(finding).rstrip('. ')}." for finding in findings[:_MOST_FINDINGS]]
         if (more := len(findings) - _MOST_FINDINGS) > 0:
-            lines.append(self.tr("And {0} more.").format(more))
+            lines.append(tr("And {0} more.").format(more))
         has_errors = any(finding.severity is Severity.ERROR for finding in findings)
         (self._notifier.error if has_errors else self._notifier.info).emit("\n".join(lines))
         self.opened.emit()
@@ -88,7 +89,7 @@ class PoseFiles(QObject):
     @Slot()
     def ask_and_save(self) -> bool:
         take_typed()
-        title = self.tr("Save pose file")
+        title = tr("Save pose file")
         proposal = self._library.path or self.folder() / self._library.name
         path = file_questions.ask_to_save(self._window, title, proposal, self._filter(), SUFFIX)
         return path is not None and self.save_to(path)
@@ -99,7 +100,7 @@ class PoseFiles(QObject):
     @Slot(object)
     def _on_saved(self, path: Path) -> None:
         self._note_used(path)
-        self._notifier.info.emit(self.tr("Saved in {0}.").format(path))
+        self._notifier.info.emit(tr("Saved in {0}.").format(path))
 
     def may_close(self, leave: Callable[[], object]) -> bool:
         """Ask before edits are lost; if the user wants to save them, call `leave` afterwards."""
@@ -117,4 +118,4 @@ class PoseFiles(QObject):
         self.used.emit(path)
 
     def _filter(self) -> str:
-        return self.tr("Pose files (*{0});;All files (*)").format(SUFFIX)
+        return tr("Pose files (*{0});;All files (*)").format(SUFFIX)

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.library import ItemKey, ItemKind, Library
 from trex_gui.devices.aracna.model.pose_models import StepColumn, StepTable
 from trex_gui.devices.aracna.poses.gaits import GAITS, Gait
@@ -41,7 +42,7 @@ class MotionBox(ui.GroupBox):
     shown = Signal()  # another item is current, or its steps have changed
 
     def __init__(self, library: Library, notifier: Notifier, parent: QWidget | None = None) -> None:
-        super().__init__(self.tr("Sequences and gaits"), parent)
+        super().__init__(tr("Sequences and gaits"), parent)
         self.setObjectName("aracnaMotionBox")
         self._library = library
         self._next_pose = ""
@@ -50,9 +51,9 @@ class MotionBox(ui.GroupBox):
         self._list = ui.named(
             NameList(library, ItemKind.SEQUENCE, notifier, "", self),
             "aracnaMotions",
-            accessible=self.tr("Sequences and gaits"),
+            accessible=tr("Sequences and gaits"),
         )
-        tr, arrows = self.tr, Qt.ArrowType
+        arrows = Qt.ArrowType
         new = small_button(
             self, "aracnaNewSequence", tr("New sequence"), text=tr("&New"), icon="new"
         )
@@ -111,13 +112,13 @@ class MotionBox(ui.GroupBox):
 
     def _add_tool_tip(self, pose: str) -> str:
         if not self.table.editable:
-            return self.tr("Choose a sequence; built-in gaits cannot be changed")
+            return tr("Choose a sequence; built-in gaits cannot be changed")
         if not pose:
-            return self.tr("There are no poses")
+            return tr("There are no poses")
         if not is_usable_in_step(pose):
-            text = self.tr("A step cannot use “{0}”: remove comma and bar from the pose's name")
+            text = tr("A step cannot use “{0}”: remove comma and bar from the pose's name")
             return text.format(pose)
-        return self.tr("Add a step to “{0}” after the current one").format(pose)
+        return tr("Add a step to “{0}” after the current one").format(pose)
 
     def _pose_for_step(self) -> str:
         names = self._library.project.pose_names
@@ -152,7 +153,7 @@ class _Delegate(QStyledItemDelegate):
             combo = ui.combo_box(
                 parent,
                 "aracnaStepPose",
-                self.tr("Pose of step {0}").format(index.row() + 1),
+                tr("Pose of step {0}").format(index.row() + 1),
                 items=[
                     name for name in self._library.project.pose_names if is_usable_in_step(name)
                 ],
@@ -164,11 +165,11 @@ class _Delegate(QStyledItemDelegate):
         return ui.spin_box(
             parent,
             "aracnaStepTime",
-            self.tr("Milliseconds of step {0}").format(index.row() + 1),
+            tr("Milliseconds of step {0}").format(index.row() + 1),
             SHORTEST_MS,
             LONGEST_MS,
             step=100,
-            suffix=self.tr(" ms"),
+            suffix=tr(" ms"),
         )
 
     def setEditorData(self, editor: QWidget, index: _Index) -> None:
@@ -200,7 +201,7 @@ class StepView(QTableView):
         super().__init__(parent)
         self._table = table
         self.setModel(table)
-        ui.flat_table(self, "aracnaSteps", self.tr("Steps"))
+        ui.flat_table(self, "aracnaSteps", tr("Steps"))
         self.setItemDelegate(_Delegate(library, self))
         self.setEditTriggers(
             QAbstractItemView.EditTrigger.EditKeyPressed
@@ -251,7 +252,7 @@ class StepView(QTableView):
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
         if self._table.rowCount() == 0:
-            text = self.tr("Choose a sequence or a gait to see its steps.")
+            text = tr("Choose a sequence or a gait to see its steps.")
             if self._table.editable:
-                text = self.tr("No steps yet. Add one: it uses the current pose.")
+                text = tr("No steps yet. Add one: it uses the current pose.")
             paint_placeholder(self, text)

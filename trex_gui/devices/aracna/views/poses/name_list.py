@@ -4,6 +4,7 @@ from PySide6.QtCore import QModelIndex, QPoint, Qt, Signal, Slot
 from PySide6.QtGui import QAction, QDropEvent, QPaintEvent
 from PySide6.QtWidgets import QAbstractItemView, QListView, QToolButton, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.library import ItemKey, ItemKind, Library
 from trex_gui.devices.aracna.model.pose_models import NameModel
 from trex_gui.devices.aracna.poses.gaits import Gait
@@ -45,11 +46,11 @@ class NameList(QListView):
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
         self.setTextElideMode(Qt.TextElideMode.ElideRight)
         self.setMinimumHeight(_LINES * (self.fontMetrics().height() + 6))
-        self._rename = self._action(self.tr("Rename"), "F2", self.edit_name)
-        self._duplicate = self._action(self.tr("Duplicate"), "", self._on_duplicate, "copy")
-        self._delete = self._action(self.tr("Delete"), "Del", self._on_delete, "clear")
-        self._up = self._action(self.tr("Move up"), "Alt+Up", lambda: self._move(-1))
-        self._down = self._action(self.tr("Move down"), "Alt+Down", lambda: self._move(1))
+        self._rename = self._action(tr("Rename"), "F2", self.edit_name)
+        self._duplicate = self._action(tr("Duplicate"), "", self._on_duplicate, "copy")
+        self._delete = self._action(tr("Delete"), "Del", self._on_delete, "clear")
+        self._up = self._action(tr("Move up"), "Alt+Up", lambda: self._move(-1))
+        self._down = self._action(tr("Move down"), "Alt+Down", lambda: self._move(1))
 
         self.selectionModel().currentChanged.connect(self._on_current_changed)
         model.modelReset.connect(self._on_reset)

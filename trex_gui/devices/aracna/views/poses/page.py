@@ -4,6 +4,7 @@ from PySide6.QtCore import Slot
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QToolButton, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.library import Library
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.texts import assumed_text
@@ -32,8 +33,8 @@ class PosesPage(QWidget):
         footnote = ui.label(self, "aracnaPosesFootnote", f"* {assumed_text()}", wrap=True)
         footnote.setForegroundRole(footnote.palette().ColorRole.PlaceholderText)
         self._name = ui.named(ElidedLabel("poses.ppr", self), "aracnaPoseFile")
-        undo = library.undo.createUndoAction(self, self.tr("Undo"))
-        redo = library.undo.createRedoAction(self, self.tr("Redo"))
+        undo = library.undo.createUndoAction(self, tr("Undo"))
+        redo = library.undo.createRedoAction(self, tr("Redo"))
         head = ui.row(
             self._file_button(),
             self._action_button("aracnaUndo", undo, "undo"),
@@ -55,13 +56,13 @@ class PosesPage(QWidget):
         self._show_file()
 
     def _file_button(self) -> QToolButton:
-        title = self.tr("Pose file")
+        title = tr("Pose file")
         menu = ui.named(QMenu(self), "aracnaFileMenuEntries", accessible=title)
         for name, text, icon, slot in (
-            ("aracnaNewFile", self.tr("&New"), "new", self.files.new),
-            ("aracnaOpenFile", self.tr("&Open…"), "open", self.files.ask_and_open),
-            ("aracnaSaveFile", self.tr("&Save"), "save", self.files.save),
-            ("aracnaSaveFileAs", self.tr("Save &as…"), "", self.files.ask_and_save),
+            ("aracnaNewFile", tr("&New"), "new", self.files.new),
+            ("aracnaOpenFile", tr("&Open…"), "open", self.files.ask_and_open),
+            ("aracnaSaveFile", tr("&Save"), "save", self.files.save),
+            ("aracnaSaveFileAs", tr("Save &as…"), "", self.files.ask_and_save),
         ):
             menu.addAction(ui.action(self, f"{name}Action", text, icon=icon, on_trigger=slot))
         button = small_button(self, "aracnaFileMenu", title, text=title, icon="folder")
@@ -80,6 +81,6 @@ class PosesPage(QWidget):
     @Slot()
     def _show_file(self) -> None:
         library = self._library
-        name = self.tr("{0}, changed").format(library.name) if library.modified else library.name
+        name = tr("{0}, changed").format(library.name) if library.modified else library.name
         self._name.show_text(name)
-        self._name.setToolTip(ui.plain(str(library.path or self.tr("Not saved yet"))))
+        self._name.setToolTip(ui.plain(str(library.path or tr("Not saved yet"))))

@@ -28,7 +28,6 @@ from trex_gui.devices.aracna.poses.project import Pose, Sequence
 from trex_gui.devices.aracna.protocol.joints import Limits
 from trex_gui.devices.aracna.session.messages import Play
 from trex_gui.devices.aracna.views.poses.motion_box import MotionBox
-from trex_gui.ui.translations import Plural
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import take_typed
 from trex_gui.ui.widgets.labels import Note
@@ -55,53 +54,53 @@ class PlayBar(QWidget):
         self._played: ItemKey | None = None
 
         self._rounds = ui.spin_box(
-            self, "aracnaRounds", self.tr("Rounds"), 1, _MOST_ROUNDS, on_change=self._update_preview
+            self, "aracnaRounds", tr("Rounds"), 1, _MOST_ROUNDS, on_change=self._update_preview
         )
         self._loop = ui.check_box(
             self,
             "aracnaLoop",
-            self.tr("Loop fore&ver"),
-            tip=self.tr("Repeat until stopped."),
+            tr("Loop fore&ver"),
+            tip=tr("Repeat until stopped."),
             on_toggle=self._on_loop_toggled,
         )
         self._speed = ui.spin_box(
             self,
             "aracnaSpeedScale",
-            self.tr("Speed in percent"),
+            tr("Speed in percent"),
             _SLOWEST,
             _FASTEST,
             value=100,
             step=10,
-            suffix=self.tr(" %"),
-            tip=self.tr("Also while playing, from the next step on. 50 %: each step takes twice."),
+            suffix=tr(" %"),
+            tip=tr("Also while playing, from the next step on. 50 %: each step takes twice."),
             on_change=self._on_speed_changed,
         )
         self._blend_in = ui.check_box(
             self,
             "aracnaBlendIn",
-            self.tr("&Blend in"),
-            tip=self.tr("First go slowly, in 3 s, to the start."),
+            tr("&Blend in"),
+            tip=tr("First go slowly, in 3 s, to the start."),
             checked=True,
             on_toggle=self._update_preview,
         )
         self._blend_out = ui.check_box(
             self,
             "aracnaBlendOut",
-            self.tr("B&lend out to stand"),
-            tip=self.tr("At the end go slowly, in 3 s, to the pose “stand”."),
+            tr("B&lend out to stand"),
+            tip=tr("At the end go slowly, in 3 s, to the pose “stand”."),
             on_toggle=self._update_preview,
         )
-        self._play = ui.button(self, "aracnaPlay", self.tr("Pla&y"), icon="run", on_click=self.play)
+        self._play = ui.button(self, "aracnaPlay", tr("Pla&y"), icon="run", on_click=self.play)
         for box in (self._rounds, self._speed):
             box.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self._summary = ui.named(Note(2, self), "aracnaPlaySummary")
         self._summary.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         ui.column(
             ui.row(
-                ui.label(self, "", self.tr("R&ounds"), buddy=self._rounds),
+                ui.label(self, "", tr("R&ounds"), buddy=self._rounds),
                 self._rounds,
                 self._loop,
-                ui.label(self, "", self.tr("&Speed"), buddy=self._speed),
+                ui.label(self, "", tr("&Speed"), buddy=self._speed),
                 self._speed,
                 1,
                 spacing=8,
@@ -176,7 +175,7 @@ class PlayBar(QWidget):
     def _show_whether_playing(self) -> None:
         blocker, step = self._robot.move_blocker, self._robot.state.step
         is_playable = self._preview.play is not None
-        tip = self.tr("Play the current sequence or gait.") if is_playable else self._preview.text
+        tip = tr("Play the current sequence or gait.") if is_playable else self._preview.text
         self._play.setEnabled(is_playable and not blocker)
         self._play.setToolTip(ui.plain(blocker or tip))
         is_shown = step is not None and step.part == "steps"
@@ -257,7 +256,7 @@ def _notes(late: Many[LateMotor], limited: Many[tuple[int, int]]) -> dict[int, s
 
 
 def _length_text(steps: int, seconds: float, rounds: int) -> str:
-    count = Plural.tr("%n step(s)", "", steps)
+    count = tr("%n step(s)", "", steps)
     if rounds == 1:
         return tr("{0}, {1}.").format(count, _duration(seconds))
     if rounds == 0:

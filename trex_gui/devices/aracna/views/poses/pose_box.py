@@ -4,6 +4,7 @@ from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtWidgets import QSpinBox, QWidget
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.library import ItemKind, Library
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.poses.playing import mismatch
@@ -22,30 +23,28 @@ class PoseBox(ui.GroupBox):
     pose_chosen = Signal(str)  # name of the current pose; empty for none
 
     def __init__(self, robot: Robot, library: Library, parent: QWidget | None = None) -> None:
-        super().__init__(self.tr("Poses"), parent)
+        super().__init__(tr("Poses"), parent)
         self.setObjectName("aracnaPoseBox")
         self._robot = robot
         self._library = library
 
-        empty = self.tr("No poses. Capture the robot's position, or open a pose file.")
+        empty = tr("No poses. Capture the robot's position, or open a pose file.")
         self._list = ui.named(
             NameList(library, ItemKind.POSE, robot.notifier, empty, self),
             "aracnaPoses",
-            accessible=self.tr("Poses"),
+            accessible=tr("Poses"),
         )
         self._take = small_button(
             self,
             "aracnaTakePosition",
-            self.tr("Set this pose to the robot's position"),
+            tr("Set this pose to the robot's position"),
             icon="edited",
             on_click=self._on_take_clicked,
         )
         buttons = self._list.buttons(self)
         self._fields = [self._field(motor) for motor in range(MOTORS)]
-        self._capture = ui.button(self, "aracnaCapture", self.tr("Capt&ure"), on_click=self.capture)
-        self._go_to = ui.button(
-            self, "aracnaGoTo", self.tr("&Go to"), on_click=self._on_go_to_clicked
-        )
+        self._capture = ui.button(self, "aracnaCapture", tr("Capt&ure"), on_click=self.capture)
+        self._go_to = ui.button(self, "aracnaGoTo", tr("&Go to"), on_click=self._on_go_to_clicked)
         columns = [(2 * column + 1, 1) for column in range(_ACROSS)]
         fields = ui.grid(margins=0, spacing=(3, 3), stretch=columns)
         for motor, field in enumerate(self._fields):
@@ -71,7 +70,7 @@ class PoseBox(ui.GroupBox):
         self._on_chosen()
 
     def _field(self, motor: int) -> QSpinBox:
-        accessible = self.tr("Position of motor {0} in this pose").format(motor)
+        accessible = tr("Position of motor {0} in this pose").format(motor)
         box = ui.spin_box(self, f"aracnaPosition{motor}", accessible, 0, HIGHEST)
         box.setButtonSymbols(QSpinBox.ButtonSymbols.NoButtons)  # it is narrow
         box.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -110,9 +109,9 @@ class PoseBox(ui.GroupBox):
         for motor, box in enumerate(self._fields):
             limits = self._robot.limits.of(motor)
             value = box.value()
-            text = self.tr("Motor {0}: {1:.0f}°, limits {2} to {3}")
+            text = tr("Motor {0}: {1:.0f}°, limits {2} to {3}")
             if not limits.allow(value):
-                text = self.tr("Motor {0}: {1:.0f}°, limits {2} to {3}, sent as {4}")
+                text = tr("Motor {0}: {1:.0f}°, limits {2} to {3}, sent as {4}")
             angle, sent = degrees(value), limits.crop(value)
             box.setToolTip(ui.plain(text.format(motor, angle, limits.low, limits.high, sent)))
 
@@ -122,16 +121,16 @@ class PoseBox(ui.GroupBox):
         is_chosen = self._pose is not None
         self._capture.setEnabled(is_known)
         self._capture.setToolTip(
-            self.tr("Save the robot's position as a new pose.")
+            tr("Save the robot's position as a new pose.")
             if is_known
-            else self.tr("The robot's position is known after its first move.")
+            else tr("The robot's position is known after its first move.")
         )
         self._take.setEnabled(is_known and is_chosen)
         blocker = self._robot.move_blocker
         self._go_to.setEnabled(is_chosen and not blocker)
         poses = [] if self._pose is None else [self._pose]
         tip = mismatch(poses, self._robot.state.motors)
-        tip = tip or self.tr("Move every motor to this pose, within its limits.")
+        tip = tip or tr("Move every motor to this pose, within its limits.")
         self._go_to.setToolTip(ui.plain(blocker or tip))
 
     # --- Edits --------------------------------------------------------------------------
@@ -143,7 +142,7 @@ class PoseBox(ui.GroupBox):
         try:
             name = self._library.capture(self._robot.state.present)
         except BadRequest as error:
-            self._robot.notifier.error.emit(self.tr("Not captured: {0}.").format(error))
+            self._robot.notifier.error.emit(tr("Not captured: {0}.").format(error))
             return
         self._list.choose_and_edit(name)
 

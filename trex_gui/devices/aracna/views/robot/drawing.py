@@ -12,6 +12,7 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.model.texts import position_text, spoken_joint
@@ -82,11 +83,9 @@ class RobotDrawing(Painted):
     def __init__(self, state: RobotState, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("aracnaDrawing")
-        self.setAccessibleName(self.tr("The robot from above"))
+        self.setAccessibleName(tr("The robot from above"))
         self.setAccessibleDescription(
-            self.tr(
-                "Legs at their reported positions, goals dashed; the table says both in numbers."
-            )
+            tr("Legs at their reported positions, goals dashed; the table says both in numbers.")
         )
         self._state = state
         self._goals: tuple[int, ...] = ()
@@ -140,7 +139,7 @@ class RobotDrawing(Painted):
         tip = ""
         if motor >= 0:
             present = position_text(self._state.present[motor])
-            tip = self.tr("{0}: {1}").format(spoken_joint(motor), present)
+            tip = tr("{0}: {1}").format(spoken_joint(motor), present)
         self.setToolTip(plain(tip))
         self.pointed.emit(motor)
 
@@ -198,7 +197,7 @@ class RobotDrawing(Painted):
         painter.drawRoundedRect(body, 0.06 * scale, 0.06 * scale)
         painter.setPen(theme().color("muted"))
         above = QRectF(0, 0, self.width(), 1.4 * painter.fontMetrics().height())
-        painter.drawText(above, Qt.AlignmentFlag.AlignCenter, self.tr("▲ front*"))
+        painter.drawText(above, Qt.AlignmentFlag.AlignCenter, tr("▲ front*"))
 
     def _paint_leg(self, painter: QPainter, leg: Leg, color: QColor, *, dashed: bool) -> None:
         pen = QPen(color, max((0.018 if dashed else 0.05) * self._scale(), 1.5))

@@ -3,6 +3,7 @@
 from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtWidgets import QFrame, QLabel, QSizePolicy, QSpinBox, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.texts import (
     difference_text,
@@ -47,30 +48,30 @@ class JointRow(QObject):
 
         self.name = ui.label(parent, f"aracnaName{motor}", joint_text(motor))
         self.slider = ui.named(
-            JointSlider(parent), f"aracnaSlider{motor}", accessible=name(self.tr("goal"))
+            JointSlider(parent), f"aracnaSlider{motor}", accessible=name(tr("goal"))
         )
-        self._units = position_box("Goal", self.tr("goal in units"))
+        self._units = position_box("Goal", tr("goal in units"))
         self._degrees = ui.double_spin_box(
             parent,
             f"aracnaDegrees{motor}",
-            name(self.tr("goal in degrees")),
+            name(tr("goal in degrees")),
             0,
             degrees(HIGHEST),
             decimals=1,
             suffix="°",
         )
         self._degrees.setButtonSymbols(QSpinBox.ButtonSymbols.NoButtons)
-        present = name(self.tr("present position"))
+        present = name(tr("present position"))
         self._present = LiveLabel(f"aracnaPresent{motor}", present, parent)
         widest = self._present.fontMetrics().horizontalAdvance(position_text(HIGHEST))
         self._present.setMinimumWidth(widest + 4)
-        self._state = LiveLabel(f"aracnaState{motor}", name(self.tr("state")), parent)
+        self._state = LiveLabel(f"aracnaState{motor}", name(tr("state")), parent)
         ui.set_bold(self._state)
-        widest = self._state.fontMetrics().horizontalAdvance(self.tr("no reply (−1)"))
+        widest = self._state.fontMetrics().horizontalAdvance(tr("no reply (−1)"))
         self._state.setMinimumWidth(widest + 4)
-        self.speed = SpeedBox(f"aracnaSpeed{motor}", name(self.tr("speed")), parent)
-        self.low = position_box("Low", self.tr("lowest position"))
-        self.high = position_box("High", self.tr("highest position"))
+        self.speed = SpeedBox(f"aracnaSpeed{motor}", name(tr("speed")), parent)
+        self.low = position_box("Low", tr("lowest position"))
+        self.high = position_box("High", tr("highest position"))
         self.widgets: tuple[QWidget, ...] = (
             *(self.name, self.slider, self._units, self._degrees, self._present, self._state),
             *(self.speed, self.low, self.high),
@@ -128,7 +129,7 @@ class JointRow(QObject):
         if self.speed.value() != (speed := self._robot.speeds[self._motor]):
             self.speed.setValue(speed)  # an equal one would replace what the user is typing
         held = state.held_speed(self._motor)
-        text = "" if held is None else self.tr("the servo holds {0}").format(speed_text(held))
+        text = "" if held is None else tr("the servo holds {0}").format(speed_text(held))
         self.speed.setAccessibleDescription(text)
         for widget in (self.slider, self._units, self._degrees):
             widget.setEnabled(state.play is None)
@@ -197,18 +198,18 @@ class JointTable(QWidget):
         self._heads = {
             column: self._head(column, text, tip)
             for column, text, tip in (
-                (_LEG, self.tr("Leg*"), self.tr("Which leg is which is assumed")),
-                (_NAME, self.tr("Motor"), ""),
+                (_LEG, tr("Leg*"), tr("Which leg is which is assumed")),
+                (_NAME, tr("Motor"), ""),
                 (
                     _SLIDER,
-                    self.tr("Goal"),
-                    self.tr("Handle: the goal. Wedge below: the last reported position."),
+                    tr("Goal"),
+                    tr("Handle: the goal. Wedge below: the last reported position."),
                 ),
-                (_PRESENT, self.tr("Present"), self.tr("Last reported position")),
-                (_STATE, self.tr("Difference"), self.tr("Present position minus goal")),
-                (_SPEED, self.tr("Speed"), self.tr("Setting and degrees per second")),
-                (_LOW, self.tr("From"), ""),
-                (_HIGH, self.tr("To"), ""),
+                (_PRESENT, tr("Present"), tr("Last reported position")),
+                (_STATE, tr("Difference"), tr("Present position minus goal")),
+                (_SPEED, tr("Speed"), tr("Setting and degrees per second")),
+                (_LOW, tr("From"), ""),
+                (_HIGH, tr("To"), ""),
             )
         }
 

@@ -6,6 +6,7 @@ from PySide6.QtCore import QPointF, QRect, QSignalBlocker, QSize, Qt, QTimer, Sl
 from PySide6.QtGui import QFocusEvent, QKeyEvent, QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import QSpinBox, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.texts import speed_text
 from trex_gui.devices.aracna.protocol.joints import HIGHEST, Limits
 from trex_gui.ui.theme.theme import theme
@@ -32,8 +33,8 @@ class JointSlider(PressSlider):
 
     def spoken_state(self) -> str:
         if self._present is None:
-            return self.tr("Present position unknown")
-        return self.tr("Present position {0}").format(self._present)
+            return tr("Present position unknown")
+        return tr("Present position {0}").format(self._present)
 
     def set_limits(self, limits: Limits) -> None:
         if limits != self._limits:
@@ -105,7 +106,7 @@ class SpeedBox(QSpinBox):
         self.setSingleStep(10)
         self.setKeyboardTracking(False)
         self.setToolTip(
-            self.tr(
+            tr(
                 "Speed setting 1-1023, 0.669 °/s each; 0 is unlimited, not “stopped”. "
                 "Above about 870 (AX-18A) or 530 (AX-12A) a servo gets no faster."
             )
@@ -119,7 +120,7 @@ class SpeedBox(QSpinBox):
     def update_suffix(self) -> None:
         """Show the meaning of a value that was set with signals blocked."""
         value = self.value()
-        self.setSuffix(f" = {speed_text(value)}" if value else self.tr(" = fastest"))
+        self.setSuffix(f" = {speed_text(value)}" if value else tr(" = fastest"))
 
 
 class CommonSpeedBox(SpeedBox):
@@ -143,7 +144,7 @@ class CommonSpeedBox(SpeedBox):
             return
         with QSignalBlocker(self):
             self.setMinimum(lowest)
-            self.setSpecialValueText(self.tr("differ") if value == self._DIFFER else "")
+            self.setSpecialValueText(tr("differ") if value == self._DIFFER else "")
             self.setValue(value)
         self.update_suffix()
 

@@ -4,7 +4,7 @@ from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QPushButton, QSizePolicy, QWidget
 
-from trex_gui.core.translation import Number
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.aracna.model.robot import FIRST_SPEED, Robot
 from trex_gui.devices.aracna.model.texts import (
     assumed_text,
@@ -90,7 +90,7 @@ class RobotPage(QWidget):
         """Return what the robot did not do as commanded, or what is unknown; and if it alarms."""
         state = self._robot.state
         if self._robot.link not in {ConnectionState.CONNECTED, ConnectionState.NOT_RESPONDING}:
-            return self.tr("No robot is connected; goals and limits can be set already."), False
+            return tr("No robot is connected; goals and limits can be set already."), False
         if state.stuck is not None:
             return stuck_text(state.stuck.motor), True
         faults = [missed_goals_text(state)] if state.missed_goals else []
@@ -99,7 +99,7 @@ class RobotPage(QWidget):
         if faults:
             return " ".join(faults), True
         if state.uncertain:
-            text = self.tr(
+            text = tr(
                 "Motor positions are unknown; the last motion may still be running. The next move "
                 "will report them."
             )
@@ -107,17 +107,17 @@ class RobotPage(QWidget):
         if all(position is None for position in state.present):
             return self._before_first_move_text(), False
         if state.moved is not None:
-            return self.tr("Every motor has reached its goal within a few units."), False
+            return tr("Every motor has reached its goal within a few units."), False
         return "", False
 
     def _before_first_move_text(self) -> str:
-        text = self.tr(
+        text = tr(
             "Motor positions are unknown before the first move: this robot reports them only in "
             "its reply to one."
         )
         if self._robot.speeds_chosen:
             return text
-        more = self.tr("That move runs at speed {0} ({1}), unless you choose other speeds.")
+        more = tr("That move runs at speed {0} ({1}), unless you choose other speeds.")
         return f"{text} {more.format(FIRST_SPEED, speed_text(FIRST_SPEED))}"
 
 
@@ -132,7 +132,7 @@ class Sketch(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.drawing = RobotDrawing(robot.state, self)
         self.drawing.follow(robot)
-        text = self.tr("Full lines: last reported; dashed: goal. A sketch: angles are drawn flat.")
+        text = tr("Full lines: last reported; dashed: goal. A sketch: angles are drawn flat.")
         caption = f"{text}\n* {assumed_text()}"
         self._caption = ui.label(self, "aracnaCaption", caption, wrap=True)
         self._caption.setForegroundRole(self._caption.palette().ColorRole.PlaceholderText)
@@ -156,19 +156,19 @@ class Controls(QWidget):
         self._table = table
 
         self._present = self._button(
-            "Present", self.tr("Pre&sent"), self.tr("Present positions"), self.take_present
+            "Present", tr("Pre&sent"), tr("Present positions"), self.take_present
         )
         self._centre = self._button(
-            "Centre", self.tr("Ce&ntre"), self.tr("512 = 150°; nothing moves yet"), self.centre
+            "Centre", tr("Ce&ntre"), tr("512 = 150°; nothing moves yet"), self.centre
         )
         self._stand = self._button(
             "Stand",
-            self.tr("S&tand"),
-            self.tr("Inner 512, outer 550; nothing moves yet"),
+            tr("S&tand"),
+            tr("Inner 512, outer 550; nothing moves yet"),
             self.stand,
         )
-        self._speed = CommonSpeedBox("aracnaSpeedAll", self.tr("Speed of all motors"), self)
-        self._move = self._button("Move", self.tr("Mo&ve"), "", self.move_now)
+        self._speed = CommonSpeedBox("aracnaSpeedAll", tr("Speed of all motors"), self)
+        self._move = self._button("Move", tr("Mo&ve"), "", self.move_now)
         ui.set_bold(self._move)
         tint(self._move, "run")
         set_icon(self._move, "run", "run_text")
@@ -176,29 +176,29 @@ class Controls(QWidget):
         self._live = ui.check_box(
             self,
             "aracnaLiveBox",
-            self.tr("Send while dra&gging"),
-            tip=self.tr("The newest goal is sent as soon as the robot has reached the last one"),
+            tr("Send while dra&gging"),
+            tip=tr("The newest goal is sent as soon as the robot has reached the last one"),
         )
         self._rate = ui.label(self, "aracnaRateLabel")
         widest = self.fontMetrics().horizontalAdvance(self._rate_text(_WIDEST_RATE))
         self._rate.setMinimumWidth(widest + 6)
         self._factory = self._button(
             "FactoryLimits",
-            self.tr("Reset li&mits"),
-            self.tr("Inner 50–600, outer 0–550: tuned on the robot by its authors"),
+            tr("Reset li&mits"),
+            tr("Inner 50–600, outer 0–550: tuned on the robot by its authors"),
             robot.limits.reset,
         )
         limits = ui.check_box(
             self,
             "aracnaLimitsBox",
-            self.tr("&Limits instead of speeds"),
-            tip=self.tr("How far each joint may turn; goals are cropped before sending"),
+            tr("&Limits instead of speeds"),
+            tip=tr("How far each joint may turn; goals are cropped before sending"),
             on_toggle=self._on_limits_toggled,
         )
-        speed_label = ui.label(self, "", self.tr("Speed &of all:"), buddy=self._speed)
+        speed_label = ui.label(self, "", tr("Speed &of all:"), buddy=self._speed)
         ui.column(
             ui.row(
-                ui.label(self, "", self.tr("Set sliders to:")),
+                ui.label(self, "", tr("Set sliders to:")),
                 self._present,
                 self._centre,
                 self._stand,
@@ -276,7 +276,7 @@ class Controls(QWidget):
         robot = self._robot
         blocker = robot.move_blocker
         self._move.setEnabled(not blocker)
-        tip = self.tr("Move every motor to its goal, within its limits (Ctrl+M)")
+        tip = tr("Move every motor to its goal, within its limits (Ctrl+M)")
         self._move.setToolTip(ui.plain(blocker or tip))
         is_idle = robot.state.play is None
         is_known = any(each is not None for each in robot.state.present)
@@ -290,4 +290,4 @@ class Controls(QWidget):
         self._rate.setText("" if robot.rate is None else self._rate_text(robot.rate))
 
     def _rate_text(self, rate: float) -> str:
-        return self.tr("{0:.1f} commands/s").format(Number(rate))
+        return tr("{0:.1f} commands/s").format(Number(rate))

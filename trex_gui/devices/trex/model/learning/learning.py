@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Signal, Slot
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.calibration.neutral import SAMPLING_SECONDS, Sample
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.channels import Counts, LearnedChannel, MeasuredInputs
@@ -207,12 +208,12 @@ class Learning(QObject):
         if not self.can_use_values:
             return
         choices = {c.number: c.choice for c in self.channels if c.can_be_used and c.choice}
-        is_pending = self.pending.edit(choices, self.tr("Learn channels"))
+        is_pending = self.pending.edit(choices, tr("Learn channels"))
         self._go(LearningStep.ENDED)
         if is_pending:
             self.edited.emit()
         else:
-            self._report_stored(tuple(choices), self.tr("These values are stored already."))
+            self._report_stored(tuple(choices), tr("These values are stored already."))
 
     def cancel(self) -> None:
         """End it in any step; the board and the edits stay unchanged."""
@@ -245,7 +246,7 @@ class Learning(QObject):
 
     @Slot(str)
     def _on_doubted(self, currents: str) -> None:
-        self.trouble = self.tr(
+        self.trouble = tr(
             "The board accepted the stop, but {0}. Check the motors: if one turns, something else "
             "drives it, such as another controller on this line; cut its power. Continue only if "
             "they are not turning."
@@ -254,15 +255,15 @@ class Learning(QObject):
 
     @Slot(str)
     def _on_stop_failed(self, why: str) -> None:
-        text = self.tr("Cannot continue: the motors could not be confirmed as stopped. {0}")
+        text = tr("Cannot continue: the motors could not be confirmed as stopped. {0}")
         self._fail(text.format(why))
 
     @Slot(str)
     def _on_violated(self, why: str) -> None:
         if self.is_test:
-            outcome = self.tr("The test has ended; it changes nothing in the board.")
+            outcome = tr("The test has ended; it changes nothing in the board.")
         else:
-            outcome = self.tr("Nothing was changed.")
+            outcome = tr("Nothing was changed.")
         self._fail(f"{why} {outcome}")
 
     def _wait_at_rest(self) -> None:
@@ -343,7 +344,7 @@ class Learning(QObject):
     @Slot(object)
     def _on_stored(self, numbers: tuple[int, ...]) -> None:
         if self.step is LearningStep.ENDED:
-            self._report_stored(numbers, self.tr("What was learned is stored."))
+            self._report_stored(numbers, tr("What was learned is stored."))
 
     def _report_stored(self, numbers: tuple[int, ...], news: str) -> None:
         self.numbers, self._next_news = numbers, news

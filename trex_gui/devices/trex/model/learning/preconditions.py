@@ -3,7 +3,7 @@
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.errors import StudioError
-from trex_gui.core.translation import Number
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.devices.connection import ConnectionState
@@ -61,23 +61,23 @@ class CalibrationPreconditions(QObject):
         """Why sticks must not be moved now, for the user; empty if they move nothing."""
         state = self._device.state
         if not self._device.is_connected or state is None:
-            return self.tr("Connect to a board first.")
+            return tr("Connect to a board first.")
         if not state.mode.is_serial:
             if self._device.telemetry.serial_controls:
-                why = self.tr(
+                why = tr(
                     "The board is in {0} mode. Channel 5 has given the motors to the serial "
                     "line, but with the next move of its switch the sticks drive the motors "
                     "again; and the board rejects settings. Switch it off, remove the mode jumper "
                     "and switch it on."
                 )
             else:
-                why = self.tr(
+                why = tr(
                     "The board is in {0} mode: the sticks drive the motors, and it rejects "
                     "settings. Switch it off, remove the mode jumper and switch it on."
                 )
             return why.format(state.mode.source.word)
         if self._device.applying:
-            return self.tr("Settings are being written.")
+            return tr("Settings are being written.")
         return ""
 
     @Slot()
@@ -89,18 +89,18 @@ class CalibrationPreconditions(QObject):
     def _violation(self) -> str:
         device, state = self._device, self._device.state
         if device.link is ConnectionState.NOT_RESPONDING:
-            return self.tr("The board has stopped responding: its power or its cable was cut.")
+            return tr("The board has stopped responding: its power or its cable was cut.")
         if device.link is ConnectionState.CONNECTING:
-            return self.tr("Another board was selected.")
+            return tr("Another board was selected.")
         if not device.is_connected or state is None:
-            return self.tr("The connection to the board was lost.")
+            return tr("The connection to the board was lost.")
         if not state.mode.is_serial or state.source is not self._source:
-            text = self.tr("The board was started in another mode.")
+            text = tr("The board was started in another mode.")
             return f"{text} {self.blocker}".rstrip()
         if self._with_motors and device.motors.armed:
-            return self.tr("The motors were armed, so this has ended.")
+            return tr("The motors were armed, so this has ended.")
         if device.telemetry.serial_controls is False:
-            return self.tr("The sticks drive the motors now: the channels are in control.")
+            return tr("The sticks drive the motors now: the channels are in control.")
         return ""
 
 
@@ -165,13 +165,13 @@ class StandstillCheck(QObject):
     @Slot()
     def _on_timeout(self) -> None:
         drawing = [
-            self.tr("motor {0} draws {1:.1f} A").format(motor, Number(readings[-1]))
+            tr("motor {0} draws {1:.1f} A").format(motor, Number(readings[-1]))
             for motor, readings in enumerate(self._last(), 1)
             if readings and max(readings) > self._limit
         ]
         self.cancel()
         if drawing:
-            self.doubted.emit(self.tr(" and ").join(drawing))
+            self.doubted.emit(tr(" and ").join(drawing))
         else:
             self.confirmed.emit()
 

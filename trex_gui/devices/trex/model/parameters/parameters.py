@@ -16,6 +16,7 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QUndoStack
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.parameters.draft import Draft
 from trex_gui.devices.trex.model.parameters.text import (
@@ -114,7 +115,7 @@ class ParameterModel(QAbstractTableModel):
         self.text = ParameterText(self._specs, self._draft, self._problems, self._accepted, self)
         self.model_key = ""  # the kind of board that the rows belong to; empty before the first
         self.both_motors = False  # whether an edit for one motor is made for the other, too
-        self._headers = (self.tr("Parameter"), self.tr("Motor 1"), self.tr("Motor 2"))
+        self._headers = (tr("Parameter"), tr("Motor 1"), tr("Motor 2"))
         self._sources: dict[int, Callable[[str], Any]] = {  # of the data of a value, by role
             Qt.ItemDataRole.DisplayRole: self.text.value,
             Qt.ItemDataRole.EditRole: self._number,
@@ -127,14 +128,14 @@ class ParameterModel(QAbstractTableModel):
             Role.RESET: self._reset_text,
         }
         self._titles = {
-            _PINNED: self.tr("Pinned"),
-            "motors": self.tr("Motors and speed ramp"),
-            "braking": self.tr("Braking"),
-            "current": self.tr("Current"),
-            "pwm": self.tr("PWM"),
-            "channels": self.tr("Inputs"),
-            "serial": self.tr("Serial"),
-            "system": self.tr("System"),
+            _PINNED: tr("Pinned"),
+            "motors": tr("Motors and speed ramp"),
+            "braking": tr("Braking"),
+            "current": tr("Current"),
+            "pwm": tr("PWM"),
+            "channels": tr("Inputs"),
+            "serial": tr("Serial"),
+            "system": tr("System"),
         }
 
     # --- Reports of the device ----------------------------------------------------------
@@ -333,7 +334,7 @@ class ParameterModel(QAbstractTableModel):
     def doubtful(self, rows: Iterable[ComparisonRow]) -> list[str]:
         """Return the values to be written that are doubtful, for the user."""
         return [
-            self.tr("{0} {1}").format(row.name, row.after)
+            tr("{0} {1}").format(row.name, row.after)
             for row in rows
             if isinstance(row.after, int) and self.is_doubtful(row.key, row.after)
         ]
@@ -425,7 +426,7 @@ class ParameterModel(QAbstractTableModel):
             key = next(iter(wanted))
             title, motor = self.text.title(key), motor_name(key)
             if any(motor_name(other) != motor for other in wanted):
-                title = self.tr("Motors 1 and 2 {0}").format(self.text.short_title(key))
+                title = tr("Motors 1 and 2 {0}").format(self.text.short_title(key))
             self._undo.beginMacro(title)
         for each in edits:
             self._undo.push(each)
@@ -520,7 +521,7 @@ class ParameterModel(QAbstractTableModel):
         members = (row for row in self._rows if row.group == heading.group)
         keys = (each for row in members for key in row.keys for each in self.text.together(key))
         modified = sum(map(self.is_modified, keys))
-        text = self.tr("{0} ({1} modified)") if modified else "{0}"
+        text = tr("{0} ({1} modified)") if modified else "{0}"
         return text.format(heading.name, modified)
 
     def setData(self, index: Index, value: Any, role: int = Qt.ItemDataRole.EditRole) -> bool:

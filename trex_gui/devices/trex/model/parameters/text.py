@@ -62,10 +62,10 @@ class ParameterText(QObject):
         self._problems = problems
         self._accepted = accepted
         self._evidence = {
-            Grade.TWIN: self.tr(
+            Grade.TWIN: tr(
                 "(twin): documented for Pololu's qik 2s12v10, which has the same motor drivers."
             ),
-            Grade.INFERRED: self.tr("(inferred): no document confirms it."),
+            Grade.INFERRED: tr("(inferred): no document confirms it."),
         }
 
     def set_board(self, board: Model) -> None:
@@ -86,19 +86,19 @@ class ParameterText(QObject):
         keys = self.together(key)
         if len(keys) == 1:
             return self._specs[key].name
-        return self.tr("{0} PWM Frequency").format(motor_name(key))
+        return tr("{0} PWM Frequency").format(motor_name(key))
 
     def short_title(self, key: str) -> str:
         """Return the name of a value without its motor, such as `Current Limit`."""
         is_alone = len(self.together(key)) == 1
-        return self._specs[key].short_name if is_alone else self.tr("PWM Frequency")
+        return self._specs[key].short_name if is_alone else tr("PWM Frequency")
 
     def value(self, key: str) -> str:
         """Return the value after Apply or Save."""
         keys = self.together(key)
         if any(self._draft.value(each) is None for each in keys):
             given = all(self._draft.accepts(each) for each in keys)
-            return self.tr("not given") if given else self.tr("not read")
+            return tr("not given") if given else tr("not read")
         return self._shown(key, [self._draft.value(each) or 0 for each in keys])
 
     def _shown(self, key: str, wires: Sequence[int]) -> str:
@@ -120,7 +120,7 @@ class ParameterText(QObject):
     def description(self, key: str) -> str:
         if len(self.together(key)) == 1:
             return self._specs[key].description
-        return self.tr(
+        return tr(
             "How often in a second the PWM of the motor switches. Low frequencies whine and heat "
             "the motor, frequencies above the driver's rating heat the driver. Type a number or "
             "use the arrow keys. The board stores the nearest frequency that it can switch at."
@@ -136,38 +136,36 @@ class ParameterText(QObject):
         )
         wires = [wire for each in keys if (wire := self._draft.value(each)) is not None]
         sentences = (
-            self.tr("Wire value: {0}.").format(self._wire_text(key, wires)) if wires else "",
-            self.tr("No source says what the wire values mean{0}.").format(meaning.mark)
+            tr("Wire value: {0}.").format(self._wire_text(key, wires)) if wires else "",
+            tr("No source says what the wire values mean{0}.").format(meaning.mark)
             if meaning
             else "",
-            self.tr("Range: {0}{1}.").format(self._range(key), limits.mark),
+            tr("Range: {0}{1}.").format(self._range(key), limits.mark),
             self._also_accepted(keys),
-            self.tr("Default: {0}{1}.").format(
-                self.with_wire(key, self._defaults(key)), default.mark
-            ),
-            self.tr("Takes effect when the board is switched off and on.")
+            tr("Default: {0}{1}.").format(self.with_wire(key, self._defaults(key)), default.mark),
+            tr("Takes effect when the board is switched off and on.")
             if self._specs[key].needs_power_cycle
             else "",
             *(self._specs[each].doubt for each in keys),
             *(self._evidence.get(grade, "") for grade in sorted({limits, default, meaning})),
-            self.tr("The board rejects any value that it does not support.")
+            tr("The board rejects any value that it does not support.")
             if max(limits, default)
-            else self.tr("The vendor's documents or staff confirm range and default."),
+            else tr("The vendor's documents or staff confirm range and default."),
         )
         return tuple(filter(None, sentences))
 
     def _also_accepted(self, keys: Sequence[str]) -> str:
         """Return what this firmware takes beyond the range, as a sentence; mostly empty."""
         wires = sorted(wire for each in keys for wire in self._accepted.get(each, ()))
-        text = self.tr("This firmware has stored beyond that: wire value {0}.")
+        text = tr("This firmware has stored beyond that: wire value {0}.")
         return text.format(", ".join(map(str, wires))) if wires else ""
 
     def guide(self, key: str) -> tuple[str, str]:
         """Return the address of what the user's guide says of a value, and what to call it."""
         section = self._specs[key].section
         if not section:
-            return self._guide, self.tr("User's guide of the board")
-        return f"{self._guide}/{section}", self.tr("User's guide, section {0}").format(section)
+            return self._guide, tr("User's guide of the board")
+        return f"{self._guide}/{section}", tr("User's guide, section {0}").format(section)
 
     def _wire_text(self, key: str, wires: Sequence[int]) -> str:
         """Return the wire value, with the physical one if the cell does not show that."""
@@ -178,7 +176,7 @@ class ParameterText(QObject):
         if len(self.together(key)) > 1:
             return frequency_range(self.frequencies)
         if spec.kind is ParameterKind.ACCELERATION:
-            return self.tr("{0} (wire value {1} to {2})").format(
+            return tr("{0} (wire value {1} to {2})").format(
                 acceleration_range(spec), spec.minimum, spec.maximum
             )
         return spec.range_text()
@@ -196,7 +194,7 @@ class ParameterText(QObject):
             *(self._problems.get(each, "") for each in keys),
         ]
         if (wire := active[0]) is not None:
-            sentences.append(self.tr("Still active: {0}.").format(self._shown(key, [wire])))
+            sentences.append(tr("Still active: {0}.").format(self._shown(key, [wire])))
         return tuple(filter(None, sentences))
 
     def _other_motor(self, key: str) -> str:
@@ -204,11 +202,11 @@ class ParameterText(QObject):
         other = other_motor_key(key)
         if other is None or other not in self._specs or self.value(other) == self.value(key):
             return ""
-        return self.tr("{0} differs: {1}.").format(motor_name(other), self.value(other))
+        return tr("{0} differs: {1}.").format(motor_name(other), self.value(other))
 
     def reset(self, key: str) -> str:
         """Return the effect of a reset to the default."""
-        return self.tr("Reset to default: {0}").format(self.with_wire(key, self._defaults(key)))
+        return tr("Reset to default: {0}").format(self.with_wire(key, self._defaults(key)))
 
     def stored(self, key: str) -> str:
         """Return the stored value; empty if it was not read."""
@@ -220,11 +218,11 @@ class ParameterText(QObject):
         """Return the stored value if it was edited, as a sentence."""
         if not any(self._draft.is_modified(each) for each in self.together(key)):
             return ""
-        return self.tr("Stored: {0}.").format(self.stored(key) or self.tr("nothing"))
+        return tr("Stored: {0}.").format(self.stored(key) or tr("nothing"))
 
     def spoken(self, key: str) -> str:
         """Return the value with its name and its edit, as a screen reader says it."""
-        text = self.tr("{0}: {1}.").format(self.title(key), self.value(key))
+        text = tr("{0}: {1}.").format(self.title(key), self.value(key))
         return " ".join((text, *self.notes(key)))
 
     def tool_tip(self, key: str) -> str:

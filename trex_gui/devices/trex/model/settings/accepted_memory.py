@@ -6,6 +6,7 @@ from functools import partial
 from PySide6.QtCore import QObject, Signal
 
 from trex_gui.core.errors import StudioError
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.settings.accepted import AcceptedValues
@@ -42,5 +43,5 @@ class AcceptedMemory(QObject):
         in_background(self, add, self._parameters.set_accepted, self._on_failed)
 
     def _on_failed(self, error: StudioError) -> None:
-        text = self.tr("What the board accepted was not remembered. {0}")
+        text = tr("What the board accepted was not remembered. {0}")
         self.failed.emit(text.format(error_text(error)))

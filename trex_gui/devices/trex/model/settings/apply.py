@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject, Signal
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.session import Outcome
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.board.memory import BoardMemory
 from trex_gui.devices.trex.board.transaction import Transaction
 from trex_gui.devices.trex.client.reading import DeviceState
@@ -72,7 +73,7 @@ class Apply(QObject):
             edit for edit in self._draft.calibrations.pending if only is None or edit[0] in only
         )
         if count := len(parameters) + len(calibrations):
-            reason = self.tr("Apply of %n setting(s)", "", count)
+            reason = tr("Apply of %n setting(s)", "", count)
             self.write(state, link, reason, parameters, calibrations)
 
     def write(
@@ -127,13 +128,13 @@ class Apply(QObject):
 
     def _on_not_saved(self, error: StudioError) -> None:
         self.end()
-        text = self.tr("Nothing was written because no snapshot could be saved first. {0}")
+        text = tr("Nothing was written because no snapshot could be saved first. {0}")
         self.failed.emit(text.format(error_sentence(error)))
 
     def _on_written(self, transaction: Transaction, outcome: Outcome) -> None:
         self.running = False
         if outcome.error is not None:
-            text = self.tr("Nothing more was written. {0}")
+            text = tr("Nothing more was written. {0}")
             self.failed.emit(text.format(error_sentence(outcome.error)))
             return
         written = cast("Written", outcome.value)

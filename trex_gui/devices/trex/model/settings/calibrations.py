@@ -158,7 +158,7 @@ class Calibrations(QObject):
     ) -> None:
         before = self.shown(key)
         if wanted != before:
-            text = self.tr("Calibration of channel {0}").format(key.channel)
+            text = tr("Calibration of channel {0}").format(key.channel)
             self._undo.push(Edit(text, self._put, key, before, wanted, run=run))
 
     def _put(self, key: CalibrationKey, wanted: Calibration | None) -> None:

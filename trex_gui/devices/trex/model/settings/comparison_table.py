@@ -15,6 +15,7 @@ from PySide6.QtCore import (
 )
 from PySide6.QtGui import QFont
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.parameters.text import acceleration_text
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibration
 from trex_gui.devices.trex.protocol.parameters import ParameterKind
@@ -156,7 +157,7 @@ class ComparisonTable(QAbstractTableModel):
     ) -> Any:
         if orientation is not Qt.Orientation.Horizontal or role != Qt.ItemDataRole.DisplayRole:
             return None
-        titles = (self.tr("Setting"), *self._titles, self.tr("Wire"), self.tr("Result"))
+        titles = (tr("Setting"), *self._titles, tr("Wire"), tr("Result"))
         return titles[section] if section < self.columnCount() else None
 
     def flags(self, index: Index) -> Qt.ItemFlag:
@@ -210,17 +211,17 @@ class ComparisonTable(QAbstractTableModel):
         outcome = self._outcomes.get(row.key)
         note = note_text(row.note_before, row.note_after)
         return (
-            f"{row.name}\n{self.tr('Note: {0}').format(note)}" if note else row.name,
+            f"{row.name}\n{tr('Note: {0}').format(note)}" if note else row.name,
             self._side_text(row, row.before, row.text_before),
             self._side_text(row, row.after, row.text_after),
             _wires_text(row),
-            "" if outcome is None else outcome or self.tr("stored"),
+            "" if outcome is None else outcome or tr("stored"),
         )
 
     def _side_text(self, row: ComparisonRow, value: int | Calibration | None, text: str) -> str:
         """Return one side in physical units; each differing field of a calibration has a line."""
         if value is None:
-            return self.tr("not given")
+            return tr("not given")
         if isinstance(value, int):
             is_ramp = row.kind is ParameterKind.ACCELERATION and value
             return acceleration_text(value) if is_ramp else text

@@ -205,7 +205,7 @@ class SettingsDraft(QObject):
     def discard_edits(self) -> None:
         """Go back to the stored settings, in one undo step."""
         if self.pending:
-            with self.one_edit(self.tr("Discard edits")):
+            with self.one_edit(tr("Discard edits")):
                 self.parameters.discard_edits()
                 self.calibrations.discard_edits()
 

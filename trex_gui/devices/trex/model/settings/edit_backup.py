@@ -7,6 +7,7 @@ from typing import TypeVar
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.files import SettingsError
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.settings.board_files import BoardFiles
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft, diff_against_draft
 from trex_gui.devices.trex.settings.comparison import ComparisonRow
@@ -86,7 +87,7 @@ class EditBackup(QObject):
             self._set_offer(None)
             if parked := self._parked.pop(self._board, None):
                 rows = diff_against_draft(self._draft, parked).rows
-                self._draft.stage(rows, self.tr("Edits of this board"))
+                self._draft.stage(rows, tr("Edits of this board"))
             self.files.read(self._board)
             return
         if self._edits_left is not None:
@@ -110,7 +111,7 @@ class EditBackup(QObject):
         rows = [row for row in self.offer.rows if not self._draft.is_modified(row.key)]
         if self._undecided is not None:
             self._undecided = _only(self._undecided, self._out_of_reach(self._undecided))
-        self._draft.stage(rows, self.tr("Restore edits"))
+        self._draft.stage(rows, tr("Restore edits"))
         self._set_offer(None)
 
     def discard_offer(self) -> None:
@@ -160,7 +161,7 @@ class EditBackup(QObject):
 
     @Slot(object)
     def _on_failed(self, failure: SettingsError) -> None:
-        text = self.tr("Unapplied edits cannot be saved for the next start. {0}")
+        text = tr("Unapplied edits cannot be saved for the next start. {0}")
         self.failed.emit(text.format(error_sentence(failure)))
 
     @Slot(object, object)

@@ -81,5 +81,5 @@ class KeptFiles(QObject):
 
     @Slot(object)
     def _on_failed(self, failure: StudioError) -> None:
-        text = self.tr("What was applied to this board cannot be remembered. {0}")
+        text = tr("What was applied to this board cannot be remembered. {0}")
         self.failed.emit(text.format(error_sentence(failure)))

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.settings.notes import LONGEST_NOTE, clean_note
 from trex_gui.ui.devices.undo import Edit
 
@@ -49,7 +50,7 @@ class Notes(QObject):
         """
         before, after = self.of(key), clean_note(text)[:LONGEST_NOTE].rstrip()
         if self.are_known and after != before:
-            title = self.tr("Note on {0}").format(name or key)
+            title = tr("Note on {0}").format(name or key)
             self._undo.push(Edit(title, self._put, (self._owner, key), before, after, run=run))
 
     def _put(self, place: tuple[object, str], text: str) -> None:

@@ -35,7 +35,6 @@ from trex_gui.devices.trex.settings.history import (
 )
 from trex_gui.ui.files import in_background, start_in_background
 from trex_gui.ui.theme.icons import icon
-from trex_gui.ui.translations import Plural
 from trex_gui.ui.widgets.builders import plain
 from trex_gui.ui.workers.file_worker import ProgressCallback
 
@@ -308,11 +307,11 @@ class SnapshotTable(QAbstractTableModel):
         if orientation is not Qt.Orientation.Horizontal:
             return None
         titles = (
-            (self.tr("Time"), self.tr("When the settings of the board were saved")),
-            (self.tr("Before"), self.tr("The operation that followed")),
-            (self.tr("Board"), self.tr("Model and firmware")),
-            (self.tr("No."), self.tr("Device number")),
-            (self.tr("Adapter"), self.tr("The port that the board was connected to")),
+            (tr("Time"), tr("When the settings of the board were saved")),
+            (tr("Before"), tr("The operation that followed")),
+            (tr("Board"), tr("Model and firmware")),
+            (tr("No."), tr("Device number")),
+            (tr("Adapter"), tr("The port that the board was connected to")),
         )
         match role:
             case Qt.ItemDataRole.DisplayRole:
@@ -382,5 +381,5 @@ def _in_short(error: StudioError) -> str:
     more = len(error.findings) - len(first)
     sentences = [f"{str(found)[:1].upper()}{str(found)[1:]}." for found in first]
     if more:
-        sentences.append(Plural.tr("And %n more problem(s).", "", more))
+        sentences.append(tr("And %n more problem(s).", "", more))
     return " ".join(sentences)

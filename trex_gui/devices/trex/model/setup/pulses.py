@@ -2,6 +2,7 @@
 
 from PySide6.QtCore import QObject, Signal, Slot
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.held_drive import held_drive_blocker
 from trex_gui.devices.trex.model.motors import FIRST_CEILING
@@ -58,13 +59,13 @@ class MotorPulses(QObject):
         """Why this board cannot show its motors one by one; empty if it can."""
         device = self._device
         if device.rejects_settings and device.state is not None:
-            text = self.tr(
+            text = tr(
                 "The board is in {0} mode, so the sticks control the motors and not this program. "
                 "Skip this step, or switch the board off, remove the mode jumper and switch it on."
             )
             return text.format(device.state.mode.source.word)
         if device.is_connected and device.is_joint:
-            return self.tr("Joint mode: both outputs drive one motor, so there is nothing to find.")
+            return tr("Joint mode: both outputs drive one motor, so there is nothing to find.")
         return ""
 
     @property
@@ -73,7 +74,7 @@ class MotorPulses(QObject):
         if self.cannot_drive:
             return self.cannot_drive
         if self._device.is_connected and not self.wheels_are_free:
-            return self.tr("Lift the robot so that its wheels turn freely, then confirm that here.")
+            return tr("Lift the robot so that its wheels turn freely, then confirm that here.")
         return held_drive_blocker(
             self._device,
             _HOLDER,
@@ -86,7 +87,7 @@ class MotorPulses(QObject):
         if free != self.wheels_are_free:
             self.wheels_are_free = free
             if not free:
-                self._stop(self.tr("The wheels may touch the ground."))
+                self._stop(tr("The wheels may touch the ground."))
             self.changed.emit()
 
     def leave(self, reason: str) -> None:

@@ -5,6 +5,7 @@ from enum import Enum, auto
 
 from PySide6.QtCore import QObject, Signal, Slot
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.client.reading import DeviceState, may_be_same_board
 from trex_gui.devices.trex.driving.timeout_stop import with_shutdown
 from trex_gui.devices.trex.model.device import Device
@@ -135,11 +136,11 @@ class RobotSetup(QObject):
         if self.step not in {SetupStep.MOTORS, SetupStep.LIMITS, SetupStep.TIMEOUT}:
             return ""
         if not device.is_connected or device.state is None:
-            return self.tr("No board is connected, so nothing can be changed.")
+            return tr("No board is connected, so nothing can be changed.")
         if device.applying:
-            return self.tr("Settings are being written.")
+            return tr("Settings are being written.")
         if device.rejects_settings:
-            text = self.tr(
+            text = tr(
                 "The board is in {0} mode and rejects settings: go back to the jumpers, or skip."
             )
             return text.format(device.state.mode.source.word)
@@ -230,7 +231,7 @@ class RobotSetup(QObject):
     def next(self) -> None:
         """Make the edits of this step, in one undo step, and go on."""
         if edits := self.edits:
-            with self._device.draft.one_edit(self.tr("Set up my robot")):
+            with self._device.draft.one_edit(tr("Set up my robot")):
                 for key, wire in edits.items():
                     self._device.parameters.edit(key, wire, alone=True)
         if self.step is not SetupStep.JUMPERS or not self._device.rejects_settings:
@@ -250,11 +251,11 @@ class RobotSetup(QObject):
 
     def leave(self) -> None:
         """Stop the motors; the pending edits stay."""
-        self.pulses.leave(self.tr("The assistant was closed."))
+        self.pulses.leave(tr("The assistant was closed."))
 
     def go_to(self, step: SetupStep) -> None:
         if self.step is SetupStep.MOTORS and step is not self.step:
-            self.pulses.leave(self.tr("Another step of the assistant was opened."))
+            self.pulses.leave(tr("Another step of the assistant was opened."))
         self.step = step
         self.changed.emit()
 

@@ -8,7 +8,7 @@ from PySide6.QtGui import QImage, QShowEvent
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.timing import FRAME_MS
-from trex_gui.core.translation import Number
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.bench.figures import BAND
 from trex_gui.devices.trex.bench.run import End, Run
 from trex_gui.devices.trex.model.bench import Bench, Phase
@@ -43,7 +43,7 @@ class BenchDialog(ReusedDialog):
     def __init__(self, device: Device, bench: Bench, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("benchDialog")
-        self.setWindowTitle(self.tr("Bench test"))
+        self.setWindowTitle(tr("Bench test"))
         resize_with_font(self, 1040, 700)
         self._device = device
         self.bench = bench
@@ -55,25 +55,25 @@ class BenchDialog(ReusedDialog):
 
         self._note = ui.named(Note(2, self), "benchNote")
         self._hold = ui.named(
-            HoldButton(self.tr("Hold to run"), self),
+            HoldButton(tr("Hold to run"), self),
             "benchHoldButton",
-            tip=self.tr("Runs the test while it is held, with the mouse or the space bar"),
+            tip=tr("Runs the test while it is held, with the mouse or the space bar"),
         )
         self._hold.setMinimumHeight(3 * self.fontMetrics().height())
         self._compare = ui.combo_box(
             self,
             "benchCompare",
-            self.tr("Test to compare with"),
+            tr("Test to compare with"),
             on_change=self._on_compare_changed,
         )
         self._band = ui.spin_box(
             self,
             "benchBand",
-            self.tr("How far from the steady current counts as settled, in percent"),
+            tr("How far from the steady current counts as settled, in percent"),
             2,
             50,
             value=round(100 * BAND),
-            suffix=self.tr(" %"),
+            suffix=tr(" %"),
             on_change=self._show_figures,
         )
         self._band.setKeyboardTracking(True)
@@ -91,24 +91,24 @@ class BenchDialog(ReusedDialog):
         tint(self._hold, "run")
         self._open = button(
             "benchOpenButton",
-            self.tr("&Open…"),
+            tr("&Open…"),
             icon="open",
-            tip=self.tr("Open a saved test"),
+            tip=tr("Open a saved test"),
             on_click=self.files.ask_and_open,
         )
         self._save = button(
             "benchSaveButton",
-            self.tr("Sa&ve…"),
+            tr("Sa&ve…"),
             icon="save",
-            tip=self.tr("Save this test to compare with later, or a picture of it"),
+            tip=tr("Save this test to compare with later, or a picture of it"),
             on_click=lambda: self.files.ask_and_save(bench.runs[-1]),
         )
-        close = button("benchCloseButton", self.tr("&Close"), on_click=self.close)
+        close = button("benchCloseButton", tr("&Close"), on_click=self.close)
 
         compare = ui.row(
-            ui.label(self, text=self.tr("Compar&e with"), buddy=self._compare),
+            ui.label(self, text=tr("Compar&e with"), buddy=self._compare),
             (self._compare, 1),
-            ui.label(self, text=self.tr("Settled &within"), buddy=self._band),
+            ui.label(self, text=tr("Settled &within"), buddy=self._band),
             self._band,
         )
         self._right = ui.column(compare, self._figures)
@@ -131,7 +131,7 @@ class BenchDialog(ReusedDialog):
 
     def reject(self) -> None:
         """Close the window: Esc, the Close button and the window's cross call this."""
-        self.bench.abort(self.tr("The window of the bench test was closed."))
+        self.bench.abort(tr("The window of the bench test was closed."))
         super().reject()
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -156,7 +156,7 @@ class BenchDialog(ReusedDialog):
         from trex_gui.ui.plotting.export import with_heading  # noqa: PLC0415 - as the plot
 
         run = self.bench.runs[-1]
-        heading = self.tr("Bench test of motor {0}: {1}, {2:%Y-%m-%d %H:%M}")
+        heading = tr("Bench test of motor {0}: {1}, {2:%Y-%m-%d %H:%M}")
         picture = self._plot.grab().toImage()
         return with_heading(picture, heading.format(run.motor, run.title, run.started))
 
@@ -176,7 +176,7 @@ class BenchDialog(ReusedDialog):
     def _on_text_due(self) -> None:
         bench, blocker = self.bench, self.bench.blocker
         self._hold.setEnabled(bench.is_driving or not blocker)
-        text = self.tr("Release to stop") if bench.is_driving else self.tr("Hold to run")
+        text = tr("Release to stop") if bench.is_driving else tr("Hold to run")
         if self._hold.text() != text:
             self._hold.setText(text)
         was_aborted = bool(bench.runs) and bench.runs[-1].end is End.ABORTED
@@ -187,22 +187,20 @@ class BenchDialog(ReusedDialog):
         """Return the result of the last test and what to do next."""
         bench = self.bench
         if bench.is_driving and (run := bench.current) is not None:
-            text = self.tr("Motor {0} is running: {1:.1f} of {2:g} s.")
+            text = tr("Motor {0} is running: {1:.1f} of {2:g} s.")
             return text.format(run.motor, Number(run.ended), Number(run.profile.duration))
-        next_step = blocker or self.tr(
-            "Armed. Hold the button: the motor runs only while it is held."
-        )
+        next_step = blocker or tr("Armed. Hold the button: the motor runs only while it is held.")
         last = self._message or (self._end_text(bench.runs[-1]) if bench.runs else "")
         return f"{last} {next_step}".lstrip()
 
     def _end_text(self, run: Run) -> str:
         match run.end:
             case End.ABORTED:
-                return self.tr("Aborted after {0:.2f} s: {1}").format(Number(run.ended), run.reason)
+                return tr("Aborted after {0:.2f} s: {1}").format(Number(run.ended), run.reason)
             case End.RELEASED:
-                return self.tr("Released after {0:.2f} s.").format(Number(run.ended))
+                return tr("Released after {0:.2f} s.").format(Number(run.ended))
             case End.COMPLETE:
-                return self.tr("The test is complete.")
+                return tr("The test is complete.")
 
     @Slot(str)
     def _on_reported(self, text: str) -> None:
@@ -226,10 +224,10 @@ class BenchDialog(ReusedDialog):
     def _fill_compare(self) -> None:
         """Offer every test but the last; keep the choice."""
         chosen = self._compare.currentData()
-        text = self.tr("{0:%H:%M:%S}, motor {1}: {2}")
+        text = tr("{0:%H:%M:%S}, motor {1}: {2}")
         choices: list[tuple[str, object]] = [
-            (self.tr("the previous test"), _PREVIOUS),
-            (self.tr("nothing"), _NOTHING),
+            (tr("the previous test"), _PREVIOUS),
+            (tr("nothing"), _NOTHING),
             *(
                 (text.format(run.started, run.motor, run.title), run)
                 for run in reversed(self.bench.runs[:-1])

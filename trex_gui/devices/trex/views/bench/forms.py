@@ -7,6 +7,7 @@ from PySide6.QtCore import QSignalBlocker, Qt, Slot
 from PySide6.QtWidgets import QDoubleSpinBox, QFormLayout, QLabel, QSpinBox, QWidget
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.bench.run import LONGEST, SHORTEST, Profile, Shape
 from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.devices.trex.model.device import Device
@@ -33,61 +34,61 @@ class PlanForm(ui.GroupBox):
 
     def __init__(self, device: Device, bench: Bench, parent: QWidget) -> None:
         super().__init__("", parent)
-        self.setTitle(self.tr("Test"))
+        self.setTitle(tr("Test"))
         self._bench = bench
         self._motors = device.motors
         combo = partial(ui.combo_box, self, on_change=self._on_edited)
         number = partial(ui.double_spin_box, self, decimals=2, step=0.5, on_change=self._on_edited)
-        seconds = partial(number, lowest=SHORTEST, highest=LONGEST, suffix=self.tr(" s"))
+        seconds = partial(number, lowest=SHORTEST, highest=LONGEST, suffix=tr(" s"))
 
         self._motor = combo(
             "benchMotor",
-            self.tr("Motor to test"),
-            items=[(self.tr("Motor {0}").format(motor), motor) for motor in (1, 2)],
+            tr("Motor to test"),
+            items=[(tr("Motor {0}").format(motor), motor) for motor in (1, 2)],
         )
         self._shape = combo(
             "benchShape",
-            self.tr("Speed profile"),
+            tr("Speed profile"),
             items=[
-                (self.tr("Step: at once"), Shape.STEP),
-                (self.tr("Ramp: rising linearly"), Shape.RAMP),
-                (self.tr("Reverse: back and forth"), Shape.REVERSE),
-                (self.tr("Sine"), Shape.SINE),
+                (tr("Step: at once"), Shape.STEP),
+                (tr("Ramp: rising linearly"), Shape.RAMP),
+                (tr("Reverse: back and forth"), Shape.REVERSE),
+                (tr("Sine"), Shape.SINE),
             ],
         )
         self._direction = combo(
             "benchDirection",
-            self.tr("First direction"),
-            items=[(self.tr("Forward"), 1), (self.tr("Reverse"), -1)],
+            tr("First direction"),
+            items=[(tr("Forward"), 1), (tr("Reverse"), -1)],
         )
         self._speed = ui.spin_box(
             self,
             "benchSpeed",
-            self.tr("Highest speed of the test"),
+            tr("Highest speed of the test"),
             1,
             FULL_SCALE,
             suffix=f" / {FULL_SCALE}",
             on_change=self._on_edited,
         )
-        self._duration = seconds("benchDuration", self.tr("Duration of the test"))
-        self._period = seconds("benchPeriod", self.tr("Period of the test"))
+        self._duration = seconds("benchDuration", tr("Duration of the test"))
+        self._period = seconds("benchPeriod", tr("Period of the test"))
         self._period_name = ui.label(self, buddy=self._period)
         self._sent = combo(
             "benchSent",
-            self.tr("How setpoints are sent"),
-            items=[(self.tr("Accelerate"), True), (self.tr("Set at once"), False)],
-            tip=self.tr(
+            tr("How setpoints are sent"),
+            items=[(tr("Accelerate"), True), (tr("Set at once"), False)],
+            tip=tr(
                 "Accelerate uses the board's acceleration, brake duration and current limit; "
                 "Set at once bypasses the first two and, for a moment, the limit, too."
             ),
         )
         self._abort = number(
             "benchAbort",
-            self.tr("Abort current"),
+            tr("Abort current"),
             0.1,
             bench.highest_current,
-            suffix=self.tr(" A"),
-            tip=self.tr(
+            suffix=tr(" A"),
+            tip=tr(
                 "One reading above it stops and disarms all motors. A motor draws most when it "
                 "starts."
             ),
@@ -95,22 +96,22 @@ class PlanForm(ui.GroupBox):
         self._at_limit = ui.check_box(
             self,
             "benchAbortAtLimit",
-            self.tr("Abort at the board's &limit, too"),
-            tip=self.tr("Stop when the board reports that its own current limit was exceeded."),
+            tr("Abort at the board's &limit, too"),
+            tip=tr("Stop when the board reports that its own current limit was exceeded."),
             on_toggle=self._on_edited,
         )
         for box in (self._speed, self._duration, self._period, self._abort):
             box.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
 
         form = _form()
-        form.addRow(self.tr("&Motor"), self._motor)
-        form.addRow(self.tr("Pro&file"), self._shape)
-        form.addRow(self.tr("Direc&tion"), self._direction)
-        form.addRow(self.tr("&Speed"), self._speed)
-        form.addRow(self.tr("&Duration"), self._duration)
+        form.addRow(tr("&Motor"), self._motor)
+        form.addRow(tr("Pro&file"), self._shape)
+        form.addRow(tr("Direc&tion"), self._direction)
+        form.addRow(tr("&Speed"), self._speed)
+        form.addRow(tr("&Duration"), self._duration)
         form.addRow(self._period_name, self._period)
-        form.addRow(self.tr("Se&nt as"), self._sent)
-        form.addRow(self.tr("Abort &above"), self._abort)
+        form.addRow(tr("Se&nt as"), self._sent)
+        form.addRow(tr("Abort &above"), self._abort)
         form.addRow(self._at_limit)
         ui.column(form, into=self)
 
@@ -154,9 +155,9 @@ class PlanForm(ui.GroupBox):
         blockers = [QSignalBlocker(field) for field in (*combos, *numbers, self._at_limit)]
         self._show_period(plan.profile.shape)
         self._speed.setRange(1, ceiling)
-        tip = self.tr("1 to {0}, full speed")
+        tip = tr("1 to {0}, full speed")
         if ceiling < FULL_SCALE:
-            tip = self.tr("1 to {0}, the speed ceiling of the Motors page")
+            tip = tr("1 to {0}, the speed ceiling of the Motors page")
         self._speed.setToolTip(ui.plain(tip.format(ceiling)))
         self._abort.setRange(0.1, self._bench.highest_current)
         for combo, data in combos.items():
@@ -169,16 +170,14 @@ class PlanForm(ui.GroupBox):
         self.setEnabled(not self._bench.is_driving)
 
     def _show_period(self, shape: Shape) -> None:
-        self._period_name.setText(
-            self.tr("R&ises in") if shape is Shape.RAMP else self.tr("&Period")
-        )
+        self._period_name.setText(tr("R&ises in") if shape is Shape.RAMP else tr("&Period"))
         self._period_name.setEnabled(shape.has_period)
         self._period.setEnabled(shape.has_period)
         tips = {
-            Shape.STEP: self.tr("A step has no period."),
-            Shape.RAMP: self.tr("How long the speed rises before it is constant."),
-            Shape.REVERSE: self.tr("Half of it in each direction."),
-            Shape.SINE: self.tr("One full cycle, forward and back."),
+            Shape.STEP: tr("A step has no period."),
+            Shape.RAMP: tr("How long the speed rises before it is constant."),
+            Shape.REVERSE: tr("Half of it in each direction."),
+            Shape.SINE: tr("One full cycle, forward and back."),
         }
         self._period.setToolTip(ui.plain(tips[shape]))
 
@@ -196,7 +195,7 @@ class TuningForm(ui.GroupBox):
         self._shown: tuple[str, tuple[str, ...]] | None = None
         self._fields: dict[str, tuple[QLabel, Editor]] = {}
 
-        self._empty = ui.label(self, text=self.tr("Connect to a board to see its settings."))
+        self._empty = ui.label(self, text=tr("Connect to a board to see its settings."))
         self._empty.setWordWrap(True)
         self._editors = QWidget(self)  # before the button, in the order of Tab
         self._edited = ui.label(self, "benchEdited", wrap=True)
@@ -204,9 +203,9 @@ class TuningForm(ui.GroupBox):
         self.apply = ui.button(
             self,
             "benchApplyButton",
-            self.tr("Appl&y…"),
+            tr("Appl&y…"),
             icon="apply",
-            tip=self.tr("Review and write all pending edits, these included"),
+            tip=tr("Review and write all pending edits, these included"),
             default=False,
         )
         self._form = _form(self._editors)
@@ -226,7 +225,7 @@ class TuningForm(ui.GroupBox):
         if shown != self._shown:
             self._shown = shown
             self._make_editors(keys)
-        self.setTitle(self.tr("Settings of motor {0}").format(self._bench.plan.motor))
+        self.setTitle(tr("Settings of motor {0}").format(self._bench.plan.motor))
         self._empty.setVisible(not keys)
         self._show_values()
         can_edit = device.is_writable and not self._bench.is_driving
@@ -247,7 +246,7 @@ class TuningForm(ui.GroupBox):
             editor.setMinimumWidth(editor.fontMetrics().horizontalAdvance(_WIDEST) + 40)
             # The group names the motor; the long name of P would take half of the window.
             is_constant = key.endswith(MotorParameter.CURRENT_LIMIT_P)
-            name = self.tr("Limit P") if is_constant else spec.short_name
+            name = tr("Limit P") if is_constant else spec.short_name
             label = ui.label(self._editors, text=name, tip=spec.description)
             self._form.addRow(label, editor)
             editor.valueChanged.connect(partial(self._on_edited, key))
@@ -271,9 +270,9 @@ class TuningForm(ui.GroupBox):
                 with QSignalBlocker(editor):
                     editor.setValue(wire)
             if parameters.is_modified(key) and stored is not None:
-                text = self.tr("{0} (stored: {1})")
+                text = tr("{0} (stored: {1})")
                 edited.append(
                     text.format(label.text(), value_text(parameters.spec_of(key), stored))
                 )
-        self._edited.setText(self.tr("Not applied: {0}").format(", ".join(edited)))
+        self._edited.setText(tr("Not applied: {0}").format(", ".join(edited)))
         self._edited.setVisible(bool(edited))

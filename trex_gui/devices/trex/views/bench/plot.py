@@ -10,7 +10,7 @@ from PySide6.QtCore import QSize, Qt, Slot
 from PySide6.QtGui import QAccessible
 from PySide6.QtWidgets import QWidget
 
-from trex_gui.core.translation import Number
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.bench.run import Profile, Run
 from trex_gui.ui.plotting.axes import count_labels, round_up, ticks, value_labels
 from trex_gui.ui.plotting.canvas import PlotCanvas
@@ -37,16 +37,16 @@ class BenchPlot(Painted):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("benchPlot")
-        self.setAccessibleDescription(self.tr("The table of figures has the results as numbers."))
-        self.setAccessibleName(self.tr("Speed setpoint and current drawn, against time"))
+        self.setAccessibleDescription(tr("The table of figures has the results as numbers."))
+        self.setAccessibleName(tr("Speed setpoint and current drawn, against time"))
         self._run: Run | None = None
         self._before: Run | None = None
         self._profile: Profile | None = None
         self._axes = (0.0, 0.0)
         self.highest = _MIN_CURRENT  # A, at the top of the lower plot
 
-        self._speeds = PlotCanvas(self.tr("Speed setpoint, against time"), self)
-        self._currents = PlotCanvas(self.tr("Current drawn, against time"), self)
+        self._speeds = PlotCanvas(tr("Speed setpoint, against time"), self)
+        self._currents = PlotCanvas(tr("Current drawn, against time"), self)
         canvases = {"benchSpeeds": self._speeds, "benchCurrents": self._currents}
         half = self.fontMetrics().height() // 2 + 2
         side = self.fontMetrics().horizontalAdvance("000.0 s") // 2 + 2
@@ -68,13 +68,13 @@ class BenchPlot(Painted):
         self._ends = [canvas.add_line("neutral", dash, vertical=True) for canvas in both]
         self._cursors = [canvas.add_line("pointer", vertical=True) for canvas in both]
         self._values = label(self, "benchValues")
-        self._before_key = LegendKey(self.tr("Compared"), "muted", self)
+        self._before_key = LegendKey(tr("Compared"), "muted", self)
         self._abort_key = LegendKey("", "danger", self, dash)
         self._limit_key = LegendKey("", "warning", self, dash)
         legend = row(
-            LegendKey(self.tr("Setpoint"), "motor1", self),
-            LegendKey(self.tr("Planned"), "muted", self, dash),
-            LegendKey(self.tr("Current"), "motor2", self),
+            LegendKey(tr("Setpoint"), "motor1", self),
+            LegendKey(tr("Planned"), "muted", self, dash),
+            LegendKey(tr("Current"), "motor2", self),
             *(self._before_key, self._abort_key, self._limit_key),
             1,
             self._values,
@@ -97,10 +97,10 @@ class BenchPlot(Painted):
             self._profile = profile
             self._planned.set_points(*_arrays(profile.course()))
         self._abort_line.set_value(abort)
-        self._abort_key.setText(self.tr("Abort {0:g} A").format(Number(abort)))
+        self._abort_key.setText(tr("Abort {0:g} A").format(Number(abort)))
         self._limit_line.set_value(limit)
         self._limit_key.setVisible(limit is not None)
-        self._limit_key.setText(self.tr("Limit {0:g} A").format(Number(limit or 0)))
+        self._limit_key.setText(tr("Limit {0:g} A").format(Number(limit or 0)))
 
     def show_runs(self, run: Run | None, before: Run | None) -> None:
         """Show a test, which may still run, and the one it is compared with."""
@@ -133,7 +133,7 @@ class BenchPlot(Painted):
             x,
             (-margin, self.highest + margin),
             [(at, f"{Number(at):g} s") for at in marks],
-            value_labels(ticks(0, self.highest, step), self.tr("A")),
+            value_labels(ticks(0, self.highest, step), tr("A")),
         )
 
     @Slot(float)
@@ -146,7 +146,7 @@ class BenchPlot(Painted):
         for cursor in self._cursors:
             cursor.set_value(at)
         parts = [
-            self.tr("{0:.2f} s").format(Number(at)),
+            tr("{0:.2f} s").format(Number(at)),
             f"{self._run.setpoint_at(at):+d}".replace("-", MINUS),
             _amps_at(self._run, at),
         ]

@@ -62,11 +62,9 @@ class FiguresTable(QTableWidget):
         rows = _rows()
         super().__init__(len(rows), 3, parent)
         self.setObjectName("benchFigures")
-        self.setAccessibleName(self.tr("Figures of the test"))
+        self.setAccessibleName(tr("Figures of the test"))
         name_headers(self)
-        self.setHorizontalHeaderLabels(
-            [self.tr("This test"), self.tr("Compared"), self.tr("Change")]
-        )
+        self.setHorizontalHeaderLabels([tr("This test"), tr("Compared"), tr("Change")])
         for index, (name, _, _, explanation) in enumerate(rows):
             header = QTableWidgetItem(name)
             header.setToolTip(plain(explanation))
@@ -127,16 +125,16 @@ class BenchFiles(QObject):
     def ask_and_save(self, run: Run) -> None:
         name = f"bench_motor{run.motor}_{run.profile.shape.value}_{run.started:%Y%m%d_%H%M%S}.csv"
         path = str(last_folder() / name)
-        kinds = self.tr("Bench tests (*.csv);;Pictures (*.png)")
-        title = self.tr("Save bench test")
+        kinds = tr("Bench tests (*.csv);;Pictures (*.png)")
+        title = tr("Save bench test")
         chosen, _ = QFileDialog.getSaveFileName(self._window, title, path, kinds)
         if chosen:
             self.save(run, Path(chosen))
 
     def ask_and_open(self) -> None:
         path = str(last_folder())
-        kinds = self.tr("Bench tests (*.csv);;All files (*)")
-        title = self.tr("Open bench test")
+        kinds = tr("Bench tests (*.csv);;All files (*)")
+        title = tr("Open bench test")
         chosen, _ = QFileDialog.getOpenFileName(self._window, title, path, kinds)
         if chosen:
             self.open(Path(chosen))
@@ -151,10 +149,10 @@ class BenchFiles(QObject):
 
     def _on_saved(self, path: Path) -> None:
         remember_folder(path)
-        self.reported.emit(self.tr("Saved as {0}.").format(path.name))
+        self.reported.emit(tr("Saved as {0}.").format(path.name))
 
     def _on_not_saved(self, path: Path, error: StudioError) -> None:
-        text = self.tr("{0} was not saved: {1}.")
+        text = tr("{0} was not saved: {1}.")
         self.reported.emit(text.format(path.name, reason_of(error)))
 
     def open(self, path: Path) -> None:
@@ -167,8 +165,8 @@ class BenchFiles(QObject):
     def _on_opened(self, path: Path, run: Run) -> None:
         remember_folder(path)
         self._bench.add_run(run)
-        self.reported.emit(self.tr("{0}: {1}.").format(path.name, run.title))
+        self.reported.emit(tr("{0}: {1}.").format(path.name, run.title))
 
     def _on_not_opened(self, path: Path, error: StudioError) -> None:
-        text = self.tr("{0} was not opened: {1}.")
+        text = tr("{0} was not opened: {1}.")
         self.reported.emit(text.format(path.name, reason_of(error)))

@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QCloseEvent, QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from trex_gui.core.translation import Number
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.model.learning.learning import Learning, LearningStep
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.views.learning.live_pages import (
@@ -51,20 +51,20 @@ class LearnDialog(ReusedDialog):
         self._learn_again = button(
             "learnChannelAgainButton",
             icon="calibrate",
-            tip=self.tr("If a channel does not get a good result, learn its values again."),
+            tip=tr("If a channel does not get a good result, learn its values again."),
             on_click=self._on_learn_again,
         )
-        self._back = button("learnBackButton", self.tr("&Back"), on_click=learning.back)
+        self._back = button("learnBackButton", tr("&Back"), on_click=learning.back)
         self._next = button("learnNextButton", on_click=learning.next)
         self._use = button(
             "learnUseButton",
-            self.tr("&Use these values…"),
+            tr("&Use these values…"),
             icon="apply",
             on_click=learning.use_values,
         )
         self._test = button(
             "learnTestButton",
-            self.tr("Stop the motors and &test"),
+            tr("Stop the motors and &test"),
             on_click=lambda: self.test(learning.numbers),
         )
         self._cancel = button("learnCancelButton", on_click=self.close)
@@ -185,7 +185,7 @@ class LearnDialog(ReusedDialog):
         box = ScrollBox(page, self)
         if isinstance(page, ChannelRows | TestPage):
             box.setMinimumHeight(page.least_seen)
-        box.setAccessibleName(self.tr("Measurements"))
+        box.setAccessibleName(tr("Measurements"))
         return box
 
     def _show_page(self, page: QWidget | None) -> None:
@@ -207,14 +207,14 @@ class LearnDialog(ReusedDialog):
         waits_for_primary = self.focusWidget() in {self, self._next, self._use}
         testing = learning.is_test or self._offers_test
         steps = [
-            self.tr("Stop the motors"),
-            self.tr("Hands off the sticks"),
-            self.tr("All sticks to all ends"),
-            self.tr("Review"),
+            tr("Stop the motors"),
+            tr("Hands off the sticks"),
+            tr("All sticks to all ends"),
+            tr("Review"),
         ]
         if testing:
-            steps[1:] = [self.tr("Test every stick")]
-        self.setWindowTitle(self.tr("Test the sticks") if testing else self.tr("Learn channels"))
+            steps[1:] = [tr("Test every stick")]
+        self.setWindowTitle(tr("Test the sticks") if testing else tr("Learn channels"))
         if step is not LearningStep.FAILED:
             self._place = _PLACES.get(step, int(step is LearningStep.TEST))
         self._steps.show_steps(steps, min(self._place, len(steps) - 1))
@@ -227,16 +227,14 @@ class LearnDialog(ReusedDialog):
         self._next.setVisible(moving or doubtful)
         self._next.setEnabled(learning.can_go_on)
         self._next.setDefault(moving)
-        self._next.setText(
-            self.tr("The motors are stopped: co&ntinue") if doubtful else self.tr("&Next")
-        )
+        self._next.setText(tr("The motors are stopped: co&ntinue") if doubtful else tr("&Next"))
         self._use.setVisible(reviewing)
         self._use.setEnabled(learning.can_use_values)
         self._use.setToolTip(ui.plain(self._review_texts()[1]))
         self._use.setDefault(reviewing)
         self._test.setVisible(self._offers_test)
         ends = step in {LearningStep.TEST, LearningStep.FAILED, LearningStep.ENDED}
-        self._cancel.setText(self.tr("Close") if ends else self.tr("Cancel"))
+        self._cancel.setText(tr("Close") if ends else tr("Cancel"))
         self._cancel.setDefault(step is LearningStep.TEST or self._offers_test)
         if waits_for_primary:  # while it is disabled Enter must not press Cancel
             buttons = (self._next, self._use, self._cancel)
@@ -247,23 +245,23 @@ class LearnDialog(ReusedDialog):
         learning, step = self._learning, self._learning.step
         texts = {
             LearningStep.NEUTRAL: (
-                self.tr("Sample &again"),
-                self.tr("Measure the rest positions of all channels once more."),
+                tr("Sample &again"),
+                tr("Measure the rest positions of all channels once more."),
             ),
             LearningStep.TRAVEL: (
-                self.tr("&Forget these ends"),
-                self.tr("Forget the ends reached so far. The rest positions are kept."),
+                tr("&Forget these ends"),
+                tr("Forget the ends reached so far. The rest positions are kept."),
             ),
             LearningStep.REVIEW: (
-                self.tr("&Start over"),
-                self.tr("Forget everything measured and go back to the rest positions."),
+                tr("&Start over"),
+                tr("Forget everything measured and go back to the rest positions."),
             ),
             LearningStep.TEST: (
-                self.tr("Test &again"),
-                self.tr("Forget what was tested so far and begin the test again."),
+                tr("Test &again"),
+                tr("Forget what was tested so far and begin the test again."),
             ),
         }
-        retry = self.tr("Try &again"), self.tr("Stop the motors again and begin again.")
+        retry = tr("Try &again"), tr("Stop the motors again and begin again.")
         text, tip = texts.get(step, retry)
         self._again.setText(text)
         self._again.setToolTip(ui.plain(tip))
@@ -272,7 +270,7 @@ class LearnDialog(ReusedDialog):
         self._again.setVisible(not never and not waits)
         self._again.setEnabled(not learning.sampling)
         numbers = () if learning.tests is None else learning.tests.to_learn_again
-        text = self.tr("&Learn channel(s) {0} again", "", len(numbers))
+        text = tr("&Learn channel(s) {0} again", "", len(numbers))
         self._learn_again.setText(text.format(", ".join(map(str, numbers))))
         self._learn_again.setVisible(step is LearningStep.TEST and bool(numbers))
 
@@ -290,17 +288,15 @@ class LearnDialog(ReusedDialog):
     def _head_text(self) -> str:
         learning = self._learning
         if self._offers_test:
-            return self.tr(
+            return tr(
                 "The new values are in the board. The test does not start by itself, because the "
                 "motors may be running: it has to stop them first."
             )
         if learning.inputs.stalled:
-            return self.tr(
-                "The board sends no measurements: the line is busy or disturbed. Waiting …"
-            )
+            return tr("The board sends no measurements: the line is busy or disturbed. Waiting …")
         match learning.step:
             case LearningStep.STOPPING:
-                return self.tr(
+                return tr(
                     "Stopping the motors. The next step comes when the board has confirmed the "
                     "stop and no current flows."
                 )
@@ -317,31 +313,31 @@ class LearnDialog(ReusedDialog):
     def _rest_text(self) -> str:
         learning = self._learning
         if learning.sampling:
-            return self.tr("Hands off. Sampling … {0:.1f} s").format(Number(learning.seconds_left))
+            return tr("Hands off. Sampling … {0:.1f} s").format(Number(learning.seconds_left))
         if not learning.has_sampled:
-            return self.tr(
+            return tr(
                 "The motors are stopped. Release every stick and set every switch to off. Then "
                 "click Next to measure the rest positions."
             )
         bad = [str(channel.number) for channel in learning.channels if not channel.is_at_rest]
         if len(bad) == len(learning.channels):
-            return self.tr(
+            return tr(
                 "No channel is at rest. Correct the problems below, then click “Sample again”."
             )
-        return self.tr(
+        return tr(
             "Not every channel is at rest. Correct the problems below and click “Sample again”, or "
             "click Next to continue without channel {0}."
         ).format(", ".join(bad))
 
     def _travel_text(self) -> str:
-        text = self.tr(
+        text = tr(
             "Push every stick forward or right first, all the way; then the other way. "
             "Move switches to all positions."
         )
         slow = [c.travel for c in self._learning.channels if c.travel and c.travel.is_slow]
         if not slow:
-            return f"{text} " + self.tr("Hold each end for a moment, then click Next.")
-        reason = self.tr(
+            return f"{text} " + tr("Hold each end for a moment, then click Next.")
+        reason = tr(
             "Hold each end until its check mark appears, for at least {0:.1f} s: this line "
             "({1} baud) carries only {2:.1f} measurements per second. Then click Next."
         )
@@ -355,48 +351,48 @@ class LearnDialog(ReusedDialog):
         rejected = ", ".join(str(c.number) for c in learning.included if not c.can_be_used)
         if not any(channel.choice is not None for channel in learning.channels):
             return (
-                self.tr("Nothing was learned. The reason is below. Go back, or start over."),
-                self.tr("Nothing was learned, so there are no values to use."),
+                tr("Nothing was learned. The reason is below. Go back, or start over."),
+                tr("Nothing was learned, so there are no values to use."),
             )
         if not learning.included:
             return (
-                self.tr("No channel is selected. Select each channel whose new values to use."),
-                self.tr("No channel is selected."),
+                tr("No channel is selected. Select each channel whose new values to use."),
+                tr("No channel is selected."),
             )
         if rejected:
             return (
-                self.tr(
+                tr(
                     "The board would reject the values of channel {0}: change them, or clear its "
                     "check box."
                 ).format(rejected),
-                self.tr("The board would reject the values of channel {0}.").format(rejected),
+                tr("The board would reject the values of channel {0}.").format(rejected),
             )
         return (
-            self.tr(
+            tr(
                 "Check the new values. You can change them; clear the check box of a channel to "
                 "keep its old values. "
                 "Nothing is written yet: you confirm all changes in the next window."
             ),
             learning.preconditions.blocker
-            or self.tr("Use the values of all selected channels. Nothing is written yet."),
+            or tr("Use the values of all selected channels. Nothing is written yet."),
         )
 
     def _test_text(self) -> str:
         tests = self._learning.tests
         if tests is not None and tests.heard:
             if tests.passed:
-                return self.tr("Everything is as it should be.")
+                return tr("Everything is as it should be.")
             if tests.all_ignored:
-                return self.tr(
+                return tr(
                     "There is nothing to test: the board ignores this input, so it holds it at "
                     "neutral. See the setting Ignored Channels."
                 )
             if tests.channels_passed:
-                text = self.tr(
+                text = tr(
                     "The tested channels are good. But in {0} mode the motors would not start. {1}"
                 )
                 return text.format(tests.mode, tests.safe_start_reasons)
-        return self.tr(
+        return tr(
             "Push every stick to all its ends, then release it. Move every switch to all its "
             "positions. The motors stay off: in serial mode the sticks do not drive them."
         )

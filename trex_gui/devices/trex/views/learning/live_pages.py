@@ -56,7 +56,7 @@ class ChannelRow:
         number = channel.number
         self._name = _channel_label(number, page)
         self.bar = ChannelBar(page)
-        self.bar.setAccessibleName(page.tr("Raw input of channel {0}").format(number))
+        self.bar.setAccessibleName(tr("Raw input of channel {0}").format(number))
         self.bar.set_connected(True)
         self.bar.set_source(channel.source)
         self._beside = QWidget(page)
@@ -174,10 +174,10 @@ class RestRow(ChannelRow):
         neutral = self.channel.neutral
         text = ""
         if neutral is None:
-            text = self.page.tr("not sampled yet")
+            text = tr("not sampled yet")
         elif neutral.invalid < 1:
             place = neutral.source.text(neutral.value)
-            text = self.page.tr("at rest: {0}, noise {1}").format(place, neutral.noise_text)
+            text = tr("at rest: {0}, noise {1}").format(place, neutral.noise_text)
         self.text.setText(text)
 
 
@@ -207,10 +207,10 @@ class EndSign(QWidget):
         self._sign.show_sign(*state.value)
         self._label.setVisible(state is not EndState.NEEDLESS)
         texts = {
-            EndState.OPEN: self.tr("{0} end: not reached yet"),
-            EndState.HOLD: self.tr("{0} end: hold it there"),
-            EndState.DONE: self.tr("{0} end: reached"),
-            EndState.NEEDLESS: self.tr("{0} end: not needed"),
+            EndState.OPEN: tr("{0} end: not reached yet"),
+            EndState.HOLD: tr("{0} end: hold it there"),
+            EndState.DONE: tr("{0} end: reached"),
+            EndState.NEEDLESS: tr("{0} end: not needed"),
         }
         text = texts[state].format(self._name)
         if text != self.accessibleName():
@@ -224,7 +224,7 @@ class TravelRow(ChannelRow):
     text_name = "learnTravel"
 
     def make_signs(self, parent: QWidget) -> Sequence[QWidget]:
-        names = {Way.DOWN: self.page.tr("low"), Way.UP: self.page.tr("high")}
+        names = {Way.DOWN: tr("low"), Way.UP: tr("high")}
         self._ends = {
             way: EndSign(name, f"learnEnd{way.name.capitalize()}{self.channel.number}", parent)
             for way, name in names.items()
@@ -237,7 +237,7 @@ class TravelRow(ChannelRow):
         for sign in self._ends.values():
             sign.setVisible(travel is not None)
         if travel is None:
-            self.text.setText(self.page.tr("Left out: its rest position is not known."))
+            self.text.setText(tr("Left out: its rest position is not known."))
             self.problem.show_note("")
             return
         self._show_ends(travel)
@@ -262,7 +262,6 @@ class TravelRow(ChannelRow):
                 sign.show_state(EndState.OPEN)
 
     def _text(self, travel: Travel) -> str:
-        tr = self.page.tr
         if travel.to_hold is not None:
             return tr("Hold it there …")
         low, high = (travel.source.text(travel.end(way)) for way in Way)
@@ -302,7 +301,7 @@ class TestPage(QWidget):
         self._safe_sign = Sign(self)
         self._safe_start = ui.named(Note(2, self), "learnSafeStart")
         explanation = Muted(
-            self.tr(
+            tr(
                 "Calculated from the values in the board, for each channel by itself. From the "
                 "manual: full output at and beyond the ends, 0 in the deadband, and what "
                 "safe-start waits for. Assumed: up to 8 of 127 counts as neutral; the switching "
@@ -315,7 +314,7 @@ class TestPage(QWidget):
         for row, test in enumerate(tests.tests):
             number = test.channel
             bar = OutputBar(self)
-            bar.setAccessibleName(self.tr("Output of channel {0}").format(number))
+            bar.setAccessibleName(tr("Output of channel {0}").format(number))
             bar.set_connected(True)
             sign, text = Sign(self), _text_label(self, f"learnTest{number}", _TEST_TEXT_WIDTH)
             for column, widget in enumerate((_channel_label(number, self), bar, sign, text)):

@@ -45,10 +45,10 @@ class ChannelForm(QWidget):
         self.channel = channel
         number = channel.number
         names = {
-            "minimum": self.tr("&Minimum"),
-            "neutral": self.tr("&Neutral"),
-            "maximum": self.tr("Ma&ximum"),
-            "deadband": self.tr("&Deadband"),
+            "minimum": tr("&Minimum"),
+            "neutral": tr("&Neutral"),
+            "maximum": tr("Ma&ximum"),
+            "deadband": tr("&Deadband"),
         }
         self._editors: dict[str, CountEditor] = {}
         self._were: dict[str, Muted] = {}
@@ -56,13 +56,13 @@ class ChannelForm(QWidget):
         self._include = ui.check_box(
             self,
             f"learnInclude{number}",
-            self.tr("Use &channel {0}: {1}").format(number, tr(CHANNEL_ROLES[number])),
+            tr("Use &channel {0}: {1}").format(number, tr(CHANNEL_ROLES[number])),
             on_click=lambda included: self._choose(included=included),
         )
         ui.set_bold(self._include)
         self._values = QWidget(self)
         was_reversed = Muted(
-            self.tr("was reversed") if channel.reversed_now else self.tr("was not reversed"), self
+            tr("was reversed") if channel.reversed_now else tr("was not reversed"), self
         )
         self._turned = ui.named(Note(1, self), f"learnReversal{number}")
         self._problem = ui.named(Note(1, self), f"learnProblem{number}")
@@ -75,7 +75,7 @@ class ChannelForm(QWidget):
             editor = ui.named(
                 CountEditor(channel.source, self),
                 f"learn{field.capitalize()}Edit{number}",
-                accessible=self.tr("{0} of channel {1}").format(name.replace("&", ""), number),
+                accessible=tr("{0} of channel {1}").format(name.replace("&", ""), number),
             )
             was = Muted("", self)
             for column, widget in enumerate((ui.label(self, text=name, buddy=editor), editor, was)):
@@ -86,7 +86,7 @@ class ChannelForm(QWidget):
         self._reversed = ui.check_box(
             self,
             f"learnReversed{number}",
-            self.tr("&Reversed"),
+            tr("&Reversed"),
             on_click=lambda reversed_: self._choose(reversed_=reversed_),
         )
         grid.addWidget(self._reversed, len(names), 1)
@@ -117,8 +117,8 @@ class ChannelForm(QWidget):
         self._include.setEnabled(choice is not None)
         problems = problems_text(channel.result_problems)
         if choice is None:
-            reason = problems or self.tr("The channel was left out.")
-            text = self.tr("Nothing was learned. {0}").format(reason)
+            reason = problems or tr("The channel was left out.")
+            text = tr("Nothing was learned. {0}").format(reason)
             self._problem.show_note(text, alarming=True)
             self._rest.setVisible(False)
             return
@@ -130,14 +130,14 @@ class ChannelForm(QWidget):
         self._show_values(choice.calibration)
         rest = channel.new_rest
         self._rest.setVisible(rest is not None)
-        text = self.tr("Use {0} &as neutral")
+        text = tr("Use {0} &as neutral")
         self._rest.setText(text.format(channel.source.text(rest or 0)))
         reasons = list(channel.remarks)
         if channel.proposal is not None:
             self._turned.show_note(channel.proposal.reversed_reason, alarming=True)
             reasons += channel.proposal.reasons
         if self._learning.pending.has_edit(channel.number):
-            reasons.insert(0, self.tr("This replaces a pending edit of the channel."))
+            reasons.insert(0, tr("This replaces a pending edit of the channel."))
         self._reasons.setText(" ".join(reasons))
 
     def _show_values(self, calibration: Calibration) -> None:
@@ -147,11 +147,11 @@ class ChannelForm(QWidget):
             if editor.value() != value:
                 with QSignalBlocker(editor):
                     editor.setValue(value)
-            old = self.tr("unknown")
+            old = tr("unknown")
             if before is not None:
                 count = getattr(before.calibration, field)
                 old = input_text(self.channel.source, count)
-            self._were[field].setText(self.tr("{0}\nwas {1}").format(editor.other_text, old))
+            self._were[field].setText(tr("{0}\nwas {1}").format(editor.other_text, old))
 
 
 class CurvePane(QWidget):
@@ -166,7 +166,7 @@ class CurvePane(QWidget):
         self.plot.setMinimumHeight(_CURVE_LINES * self.fontMetrics().lineSpacing())
         self._after = LegendKey("", "motor1", self)
         self._before = ui.named(
-            LegendKey(self.tr("as it was"), "muted", self, Qt.PenStyle.DashLine), "learnCurveBefore"
+            LegendKey(tr("as it was"), "muted", self, Qt.PenStyle.DashLine), "learnCurveBefore"
         )
         self._live = ui.named(Muted("", self), "learnCurveLive")
         key = ui.row(self._after, self._before, 1)
@@ -185,7 +185,7 @@ class CurvePane(QWidget):
         self.plot.show_channel(channel.number, channel.source, before, after, editable=editable)
         same = before == after
         self._after.setVisible(after is not None)
-        self._after.setText(self.tr("proposed, as it was") if same else self.tr("proposed"))
+        self._after.setText(tr("proposed, as it was") if same else tr("proposed"))
         self._before.setVisible(before is not None and not same)
         self._on_measured()
 
@@ -197,18 +197,18 @@ class CurvePane(QWidget):
         self.plot.set_raw(channel.raw)
         self.plot.trace.set_samples(*self._learning.trace(channel.number))
         if channel.raw is None:
-            self._live.setText(self.tr("No signal now: the output is 0."))
+            self._live.setText(tr("No signal now: the output is 0."))
             return
         curves = {
-            self.tr("proposed {0}"): channel.curve_after,
-            self.tr("as it was {0}"): channel.curve_before,
+            tr("proposed {0}"): channel.curve_after,
+            tr("as it was {0}"): channel.curve_before,
         }
         outputs = [
             text.format(with_sign(curve.output(channel.raw)))
             for text, curve in curves.items()
             if curve is not None
         ]
-        text = self.tr("Input now {0}; output {1}.")
+        text = tr("Input now {0}; output {1}.")
         self._live.setText(text.format(channel.source.text(channel.raw), ", ".join(outputs)))
 
 
@@ -223,12 +223,12 @@ class ReviewPage(QWidget):
         self.setObjectName("learnReviewPage")
         self._learning = learning
 
-        self._tabs = ui.named(QTabBar(self), "learnChannelTabs", accessible=self.tr("Channels"))
+        self._tabs = ui.named(QTabBar(self), "learnChannelTabs", accessible=tr("Channels"))
         use_theme_style(self._tabs)
         self._tabs.setExpanding(False)
         self._forms = [ChannelForm(learning, channel) for channel in learning.channels]
         for channel in learning.channels:
-            self._tabs.addTab(self.tr("Channel {0}").format(channel.number))
+            self._tabs.addTab(tr("Channel {0}").format(channel.number))
         self._curve = CurvePane(learning)
         source = learning.preconditions.source
         floor = source.text(deadband_floor(source))
@@ -278,7 +278,7 @@ class ReviewPage(QWidget):
         self._curve.show_channel(self._form.channel)
         self._common.setVisible(any(form.channel.choice is not None for form in self._forms))
         count = self._learning.other_edits
-        text = self.tr("%n earlier pending edit(s) will be written, too.", "", count)
+        text = tr("%n earlier pending edit(s) will be written, too.", "", count)
         self._earlier.show_note(text if count else "", alarming=True)
         self._show_signs()
 
@@ -292,9 +292,9 @@ class ReviewPage(QWidget):
     def _sign_of(self, channel: LearnedChannel) -> tuple[str, str, str]:
         """Return the icon, its colour and its meaning."""
         if channel.choice is None:
-            return "warning", "warning", self.tr("Nothing was learned.")
+            return "warning", "warning", tr("Nothing was learned.")
         if not channel.choice.included:
-            return "", "", self.tr("Keeps its old values.")
+            return "", "", tr("Keeps its old values.")
         if channel.result_problems:
-            return "warning", "warning", self.tr("Check this channel.")
-        return "ok", "good", self.tr("Its new values will be used.")
+            return "warning", "warning", tr("Check this channel.")
+        return "ok", "good", tr("Its new values will be used.")

@@ -45,24 +45,24 @@ class ChannelsPage(QWidget):
         self._summary = ui.label(self, "channelsSummary", wrap=True)
         self._grid = ui.grid(spacing=(16, 2), stretch=[(1, 5), (2, 4), (3, 3)])
         headings = (
-            (self.tr("Input and count"), ""),
+            (tr("Input and count"), ""),
             (
-                self.tr("Raw, with its calibration"),
-                self.tr(
+                tr("Raw, with its calibration"),
+                tr(
                     "The bar shows the raw input. Its marks are the channel's calibration: full "
                     "output at min and max, none within the shaded deadband around neutral."
                 ),
             ),
             (
-                self.tr("Last 10 seconds"),
-                self.tr(
+                tr("Last 10 seconds"),
+                tr(
                     "The raw input on the scale of the bar, the newest at the right. Where there "
                     "was no valid signal the line has a gap."
                 ),
             ),
             (
-                self.tr("Remapped (−127 to 127)"),
-                self.tr(
+                tr("Remapped (−127 to 127)"),
+                tr(
                     "What the board makes of the input. Those of channels 1 and 2 are the speeds "
                     "for motors 1 and 2, after mixing and flip. The vendor's document gives "
                     "channel 3 six bits, 0 to 63; the program reads seven (inferred)."
@@ -86,8 +86,8 @@ class ChannelsPage(QWidget):
         self._on_device_changed()
 
     def _add_row(self, channel: int) -> _Row:
-        name = ui.label(self, "", self.tr("Channel {0}").format(channel), bold=True)
-        raw_input = self.tr("Raw input of channel {0}").format(channel)
+        name = ui.label(self, "", tr("Channel {0}").format(channel), bold=True)
+        raw_input = tr("Raw input of channel {0}").format(channel)
         value = LiveLabel(f"channel{channel}Input", raw_input, self)
         row = _Row(
             ui.label(self, f"channel{channel}Function", wrap=True),
@@ -100,12 +100,12 @@ class ChannelsPage(QWidget):
             ui.named(
                 InputStrip(self),
                 f"channel{channel}Strip",
-                accessible=self.tr("Input of channel {0} in the last 10 seconds").format(channel),
+                accessible=tr("Input of channel {0} in the last 10 seconds").format(channel),
             ),
             ui.named(
                 OutputBar(self),
                 f"channel{channel}Output",
-                accessible=self.tr("Remapped channel {0}").format(channel),
+                accessible=tr("Remapped channel {0}").format(channel),
             ),
         )
         row.bar.set_value_shown(False)
@@ -169,19 +169,19 @@ class ChannelsPage(QWidget):
     def _board_text(self) -> str:
         state, is_mixed = self._device.state, self._device.mix_jumper.is_on
         if state is None:
-            return self.tr("Connect to a board to see its inputs.")
+            return tr("Connect to a board to see its inputs.")
         if self._device.is_joint:
-            mixing = self.tr("Joint mode: both drivers power motor 1, nothing is mixed.")
+            mixing = tr("Joint mode: both drivers power motor 1, nothing is mixed.")
         elif is_mixed is None:
-            mixing = self.tr("Moving channel 1 or 2 shows whether the mix jumper is on.")
+            mixing = tr("Moving channel 1 or 2 shows whether the mix jumper is on.")
         elif is_mixed:
-            mixing = self.tr("The mix jumper is on.")
+            mixing = tr("The mix jumper is on.")
         else:
-            mixing = self.tr("The mix jumper is off.")
+            mixing = tr("The mix jumper is off.")
         if state.source is InputSource.RC:
-            count = self.tr("A count is 0.4 µs.")
+            count = tr("A count is 0.4 µs.")
         else:
-            count = self.tr("A count is 4.89 mV.")
+            count = tr("A count is 4.89 mV.")
         return f"{tr(MODE_TEXT[state.mode])} {mixing} {count}"
 
     @Slot()
@@ -225,9 +225,9 @@ class ChannelsPage(QWidget):
         for channel, row in self._rows.items():
             raw = telemetry.raw_of(channel)
             if telemetry.raw is None:
-                row.value.setText(self.tr("N/A"))
+                row.value.setText(tr("N/A"))
             elif raw is None:
-                row.value.setText(self.tr("no signal"))
+                row.value.setText(tr("no signal"))
             else:
                 row.value.setText(input_text(self._source, raw))
 

@@ -49,21 +49,21 @@ class CurrentsPanel(TracePanel):
         self._limits |= {f"motor{m}_current": limit for m, limit in limits.items() if limit}
         state = self._device.state
         if state is None:
-            note = empty = self.tr("Connect to a board to see its motor currents.")
+            note = empty = tr("Connect to a board to see its motor currents.")
             if self._device.link is ConnectionState.DISCONNECTED:
-                empty = self.tr(
+                empty = tr(
                     "No board is connected. Choose a port at the top of the main window and press "
                     "Connect; without hardware, choose the demo board."
                 )
         elif self._device.is_joint:
-            note = empty = self.tr("Joint mode: the board does not sense currents.")
+            note = empty = tr("Joint mode: the board does not sense currents.")
         else:
-            empty = self.tr("No current has been read yet.")
+            empty = tr("No current has been read yet.")
             step = state.signature.model.current_unit * 1000
-            note = self.tr("One count of this board is {0:.0f} mA.").format(step)
+            note = tr("One count of this board is {0:.0f} mA.").format(step)
             note = f"{note} {tr(CURRENT_ACCURACY)}"
         if name := self._device.board_name:  # the curves remain when it is disconnected
-            self.export.heading = self.tr("Motor currents, {0}").format(name)
+            self.export.heading = tr("Motor currents, {0}").format(name)
         # The result of an export remains until the note changes.
         if note != self._note_text:
             self._note_text = note
@@ -99,7 +99,7 @@ class PlotWindow(QMainWindow):
         self.setObjectName("plotWindow")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowIcon(application_icon())
-        self.setWindowTitle(self.tr("Motor currents"))
+        self.setWindowTitle(tr("Motor currents"))
         self.panel = CurrentsPanel(device, self, key=self._KEY)
         stop = StopButton(device, "plotStopButton", self)
         frame = QWidget(self)

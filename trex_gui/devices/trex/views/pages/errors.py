@@ -35,15 +35,15 @@ class ErrorsPage(QWidget):
         self._device = device
         self._items: list[dict[_Column, QTableWidgetItem]] = []
         self._table = self._make_table()
-        text = self.tr(
+        text = tr(
             "Reading an error clears it in the board; this program counts each one. Errors in bold "
             "were reported since you cleared them."
         )
         self._clear = ui.button(
             self,
             "clearErrorsButton",
-            self.tr("C&lear errors"),
-            tip=self.tr(
+            tr("C&lear errors"),
+            tip=tr(
                 "Take the errors in bold as known; counts stay, and an error that is still active "
                 "comes back at once"
             ),
@@ -53,8 +53,8 @@ class ErrorsPage(QWidget):
         self._reset = ui.button(
             self,
             "resetCountsButton",
-            self.tr("Reset co&unts"),
-            tip=self.tr("Set every count to zero, and forget when errors were seen"),
+            tr("Reset co&unts"),
+            tip=tr("Set every count to zero, and forget when errors were seen"),
             icon="clear",
             on_click=device.errors.reset,
         )
@@ -71,16 +71,14 @@ class ErrorsPage(QWidget):
 
     def _make_table(self) -> QTableWidget:
         count = len(self._device.errors.entries)
-        table = ui.flat_table(
-            QTableWidget(count, len(_Column), self), "errorsTable", self.tr("Errors")
-        )
+        table = ui.flat_table(QTableWidget(count, len(_Column), self), "errorsTable", tr("Errors"))
         titles = {
-            _Column.ERROR: self.tr("Error"),
-            _Column.ACTIVE: self.tr("Active now"),
-            _Column.STOPS: self.tr("Stopping the motors"),
-            _Column.COUNT: self.tr("Count"),
-            _Column.LAST: self.tr("Last seen"),
-            _Column.REMEDY: self.tr("What it means, and what to do"),
+            _Column.ERROR: tr("Error"),
+            _Column.ACTIVE: tr("Active now"),
+            _Column.STOPS: tr("Stopping the motors"),
+            _Column.COUNT: tr("Count"),
+            _Column.LAST: tr("Last seen"),
+            _Column.REMEDY: tr("What it means, and what to do"),
         }
         table.setHorizontalHeaderLabels([titles[column] for column in _Column])
         for row, entry in enumerate(self._device.errors.entries):
@@ -101,27 +99,27 @@ class ErrorsPage(QWidget):
         return table
 
     def _make_line_box(self) -> ui.GroupBox:
-        box = ui.GroupBox(self.tr("Connection"), self)
+        box = ui.GroupBox(tr("Connection"), self)
         parts = [
             {
-                "quality": (self.tr("Quality:"), ""),
-                "requests": (self.tr("Requests:"), self.tr("Since the connection was opened")),
+                "quality": (tr("Quality:"), ""),
+                "requests": (tr("Requests:"), tr("Since the connection was opened")),
             },
             {
-                "rate": (self.tr("Reads per second:"), ""),
-                "connected": (self.tr("Connected for:"), ""),
+                "rate": (tr("Reads per second:"), ""),
+                "connected": (tr("Connected for:"), ""),
             },
             {
                 "restarts": (
-                    self.tr("Restarts in another mode:"),
-                    self.tr(
+                    tr("Restarts in another mode:"),
+                    tr(
                         "The board came back in another mode, so its power was off meanwhile; it "
                         "does not report a restart in the same mode"
                     ),
                 ),
                 "returns": (
-                    self.tr("Returned after silence:"),
-                    self.tr(
+                    tr("Returned after silence:"),
+                    tr(
                         "The board was silent for a while: its power was low or off, it restarted, "
                         "or the cable has a bad contact"
                     ),
@@ -157,7 +155,7 @@ class ErrorsPage(QWidget):
         for value in self._values.values():
             value.setEnabled(is_connected)
             if not is_connected:
-                value.setText(self.tr("N/A"))
+                value.setText(tr("N/A"))
         self._show_errors()
         self._on_text_due()
 
@@ -170,7 +168,7 @@ class ErrorsPage(QWidget):
         if not device.is_connected or opened is None:
             return
         counters, events, quality = device.connection.counters, device.events, device.quality
-        requests = self.tr(
+        requests = tr(
             "{0}; timeouts: {1}, corrupted replies: {2}, slowest reply: {3:.0f}\u00a0ms"
         ).format(counters.requests, counters.missing, counters.corrupted, 1000 * counters.slowest)
         texts = {
@@ -198,19 +196,19 @@ class ErrorsPage(QWidget):
         is_active = device.is_connected and device.errors.is_active(entry, now())
         errors_stop = device.parameters.stored_of(ParameterKey.UART_ERROR_SHUTDOWN) == 1
         is_stopping = is_active and stops_motors(entry.bit, errors_stop=errors_stop)
-        last, doubt = self.tr("never"), ""
+        last, doubt = tr("never"), ""
         if entry.is_earlier:
-            last = self.tr("before connecting")
-            doubt = self.tr(
+            last = tr("before connecting")
+            doubt = tr(
                 "Latched before connecting, perhaps by the search for the board; not counted."
             )
         if entry.last is not None:
             last, doubt = entry.last.strftime("%H:%M:%S"), ""
         if entry.is_doubtful:
-            last = self.tr("{0}\n(doubtful)").format(last)
-            doubt = self.tr("The line is noisy and has no CRC: a corrupted reply looks alike.")
+            last = tr("{0}\n(doubtful)").format(last)
+            doubt = tr("The line is noisy and has no CRC: a corrupted reply looks alike.")
         remedy = tr(entry.remedy) if entry.count else ""
-        yes, no = self.tr("⚠ Yes"), self.tr("No") if device.is_connected else self.tr("N/A")
+        yes, no = tr("⚠ Yes"), tr("No") if device.is_connected else tr("N/A")
         texts = {
             _Column.ERROR: tr(entry.name),
             _Column.ACTIVE: yes if is_active else no,

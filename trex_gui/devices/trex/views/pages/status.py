@@ -50,15 +50,15 @@ class MotorsBox(ui.GroupBox):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__("", parent)
-        self.setTitle(self.tr("Motors"))
+        self.setTitle(tr("Motors"))
         self.setObjectName("statusMotors")
         self._rows: list[tuple[Sign, QLabel]] = []
         self._reasons = ui.grid(spacing=(8, 4), stretch=[(1, 1)])
         self._leds_line = QWidget(self)
         self._leds = ui.named(
-            Leds(self._leds_line), "statusLeds", accessible=self.tr("LEDs that the board shows")
+            Leds(self._leds_line), "statusLeds", accessible=tr("LEDs that the board shows")
         )
-        title = ui.label(self._leds_line, "", self.tr("LEDs on the board:"))
+        title = ui.label(self._leds_line, "", tr("LEDs on the board:"))
         ui.row(title, (self._leds, 1), into=self._leds_line, margins=0, spacing=10)
         note = tr(SAFE_START_NOTE)
         self._steady = ui.named(Muted(note, self), "statusLedsNote")
@@ -111,32 +111,32 @@ class StatusPage(QWidget):
 
         self._values: dict[str, QLabel] = {}
         board = self._form(
-            self.tr("Board"),
+            tr("Board"),
             {
-                "model": self.tr("Model:"),
-                "firmware": self.tr("Firmware:"),
-                "mode": self.tr("Mode:"),
-                "control": self.tr("In control:"),
-                "motors": self.tr("Motors:"),
+                "model": tr("Model:"),
+                "firmware": tr("Firmware:"),
+                "mode": tr("Mode:"),
+                "control": tr("In control:"),
+                "motors": tr("Motors:"),
             },
         )
         line = self._form(
-            self.tr("Line"),
+            tr("Line"),
             {
-                "port": self.tr("Port:"),
-                "settings": self.tr("Settings:"),
-                "side": self.tr("Connector:"),
-                "quality": self.tr("Quality:"),
+                "port": tr("Port:"),
+                "settings": tr("Settings:"),
+                "side": tr("Connector:"),
+                "quality": tr("Quality:"),
             },
         )
         self._set_up = ui.button(
             self._report,
             "setUpButton",
-            self.tr("Set up my r&obot…"),
+            tr("Set up my r&obot…"),
             icon="settings",
             on_click=self.setup_requested,
         )
-        text = self.tr("Who drives, jumpers, sticks, motors and limits, step by step.")
+        text = tr("Who drives, jumpers, sticks, motors and limits, step by step.")
         lead = ui.row(self._set_up, (Muted(text, self._report), 1), spacing=10)
         self._motors = MotorsBox(self._report)
         forms = ui.row((board, 3), (line, 2))
@@ -171,30 +171,30 @@ class StatusPage(QWidget):
         self._start.setVisible(is_idle)
         self._report.setVisible(not is_idle)
         for label in self._values.values():
-            label.setText(self.tr("N/A"))
+            label.setText(tr("N/A"))
             label.setEnabled(is_connected)
         self._set_up.setEnabled(is_connected)
         if state is None or settings is None or not is_connected:
             return
         model, number = state.signature.model, settings.device_number
-        addressing = self.tr("compact packets")
+        addressing = tr("compact packets")
         if number is not None:
-            addressing = self.tr("device number {0}").format(number)
+            addressing = tr("device number {0}").format(number)
         texts = {
             "model": f"{model.name} ({model.part})",
             "firmware": state.signature.firmware,
             "mode": tr(MODE_TEXT[state.mode]),
-            "motors": self.tr("joint: one motor")
+            "motors": tr("joint: one motor")
             if self._device.is_joint
-            else self.tr("two independent motors"),
+            else tr("two independent motors"),
             "port": settings.label,
             "settings": f"{settings.line.text()}, {addressing}",
-            "side": self.tr("RS-232 (everything sent comes back)")
+            "side": tr("RS-232 (everything sent comes back)")
             if self._device.connection.echo
-            else self.tr("TTL (SI and SO)"),
+            else tr("TTL (SI and SO)"),
         }
         if self._runs_at_half_rate(state, settings):
-            half = self.tr("This firmware runs at half of this baud rate.")
+            half = tr("This firmware runs at half of this baud rate.")
             texts["firmware"] += f". {half}"
         for key, text in texts.items():
             self._values[key].setText(text)

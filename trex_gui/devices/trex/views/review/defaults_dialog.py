@@ -3,6 +3,7 @@
 from PySide6.QtCore import Signal, Slot
 from PySide6.QtWidgets import QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.boards import BoardList
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.draft import diff_against_draft
@@ -38,15 +39,15 @@ class DefaultsDialog(ReusedDialog):
         self._reset = button(
             self,
             "boardResetButton",
-            self.tr("&Let the board reset itself…"),
-            tip=self.tr("Every parameter, by the board's own command, at its next start"),
+            tr("&Let the board reset itself…"),
+            tip=tr("Every parameter, by the board's own command, at its next start"),
             on_click=self._on_reset_clicked,
         )
         # Within the dialog: a message box in front of it would block the stop button.
         self._question = label(
             self,
             "boardResetQuestion",
-            self.tr(
+            tr(
                 "At its next start the board will reset every parameter, including those cleared "
                 "here. Its present settings are saved first (File, History). Unapplied changes "
                 "are discarded; Undo restores them."
@@ -57,14 +58,14 @@ class DefaultsDialog(ReusedDialog):
         self._sure = button(
             self,
             "boardResetSureButton",
-            self.tr("Reset the &board"),
+            tr("Reset the &board"),
             confirms=True,
             on_click=self._on_sure_clicked,
         )
         self._take = button(
             self, "takeDefaultsButton", default=True, on_click=self._on_take_clicked
         )
-        self._cancel = button(self, "defaultsCancelButton", self.tr("Cancel"), on_click=self.close)
+        self._cancel = button(self, "defaultsCancelButton", tr("Cancel"), on_click=self.close)
 
         buttons = row(stop, self._reset, self._sure, 1, self._take, self._cancel)
         column(
@@ -86,14 +87,14 @@ class DefaultsDialog(ReusedDialog):
         """Show what the defaults, or only the serial ones, would change."""
         self._serial_only = serial_only
         if serial_only:
-            title = self.tr("Restore serial defaults")
-            intro = self.tr(
+            title = tr("Restore serial defaults")
+            intro = tr(
                 "The communication settings go back to their defaults. They become active when "
                 "the board is switched off and on."
             )
         else:
-            title = self.tr("Restore factory defaults")
-            intro = self.tr(
+            title = tr("Restore factory defaults")
+            intro = tr(
                 "Every parameter goes back to its default; the channel calibrations stay. Clear "
                 "the check box of any parameter to keep. Nothing is written before the review."
             )
@@ -101,7 +102,7 @@ class DefaultsDialog(ReusedDialog):
         self._intro.setText(intro)
         self._confirm_reset(False)
         self._rows.show_comparison(
-            self._changes(), self.tr("Now"), self.tr("Factory default"), with_ticks=True
+            self._changes(), tr("Now"), tr("Factory default"), with_ticks=True
         )
         self._describe()
         self.show_in_front()
@@ -140,7 +141,7 @@ class DefaultsDialog(ReusedDialog):
             self._taken.show_note("")
             return
         number = self._device.parameters.spec_of(ParameterKey.DEVICE_NUMBER).default
-        text = self.tr(
+        text = tr(
             "It gets device number {0}, which another board on this line has: both would reply at "
             "once, and neither could be read. Give that board another number first."
         )
@@ -162,11 +163,11 @@ class DefaultsDialog(ReusedDialog):
     def _describe(self) -> None:
         ticked = self._rows.table.ticked
         can_write = self._device.is_writable
-        self._take.setText(self.tr("&Review %n change(s)…", "", len(ticked)))
+        self._take.setText(tr("&Review %n change(s)…", "", len(ticked)))
         self._take.setEnabled(can_write and bool(ticked))
         self._reset.setEnabled(can_write)
         self._sure.setEnabled(can_write)
         specs = [self._device.parameters.spec_of(row.key) for row in ticked]
         unsure = unconfirmed_defaults(specs)
-        self._inferred.setText(self.tr("No source confirms the default of: {0}.").format(unsure))
+        self._inferred.setText(tr("No source confirms the default of: {0}.").format(unsure))
         self._inferred.setVisible(bool(unsure))

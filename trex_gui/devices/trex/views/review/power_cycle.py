@@ -3,6 +3,7 @@
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtWidgets import QFrame, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.power_cycle import PowerCycle, PowerCycleStage
 from trex_gui.devices.trex.views.action_bar import StopButton
@@ -31,16 +32,16 @@ class PowerCyclePanel(QFrame):
         self._confirm = button(
             self,
             "powerCycleDone",
-            self.tr("I have &switched it off and on"),
+            tr("I have &switched it off and on"),
             on_click=cycle.confirm,
         )
 
         layout = grid(self, margins=(12, 8, 12, 8), stretch=[(1, 1)])
         layout.addWidget(self._title, 0, 0, 1, 3)
         texts = (
-            self.tr("Switch the board off for at least one second."),
+            tr("Switch the board off for at least one second."),
             "",
-            self.tr("The program reads the settings again."),
+            tr("The program reads the settings again."),
         )
         self._steps = [
             (Sign(self), label(self, f"powerCycleStep{number}", text, wrap=True))
@@ -77,53 +78,53 @@ class PowerCyclePanel(QFrame):
 
     def _reconnect_text(self) -> str:
         if self._cycle.expected is None:
-            return self.tr("Switch it on again.")
-        text = self.tr("Switch it on again. The program then reconnects at {0}.")
+            return tr("Switch it on again.")
+        text = tr("Switch it on again. The program then reconnects at {0}.")
         return text.format(self._cycle.expected.line.text())
 
     def _title_text(self) -> str:
         if self._cycle.stage is PowerCycleStage.BACK:
-            return self.tr("Power cycle completed.")
+            return tr("Power cycle completed.")
         if self._waiting:
-            text = self.tr("Not active until the board is switched off and on: {0}.")
+            text = tr("Not active until the board is switched off and on: {0}.")
             return text.format(", ".join(self._waiting))
-        return self.tr("The board has to be switched off and on.")
+        return tr("The board has to be switched off and on.")
 
     def _result_text(self) -> tuple[str, bool]:
         """Return what was detected, and whether it is alarming."""
         waiting = ", ".join(self._cycle.still_waiting)
         match self._cycle.stage, self._cycle.takes_long:
             case PowerCycleStage.OFF_WANTED, True:
-                return self.tr(
+                return tr(
                     "The board still responds. A short interruption is not detected: leave the "
                     "power off for a full second."
                 ), False
             case PowerCycleStage.OFF_WANTED, False:
-                return self.tr("Waiting for the board to stop responding …"), False
+                return tr("Waiting for the board to stop responding …"), False
             case PowerCycleStage.ON_WANTED, True:
-                return self.tr(
+                return tr(
                     "The board is still not responding. Check its power and the cable. If both "
                     "are fine, disconnect and press “Find…”, which tries every setting."
                 ), True
             case PowerCycleStage.ON_WANTED, False:
-                return self.tr(
+                return tr(
                     "The board has stopped responding. Waiting for it to respond again …"
                 ), False
             case PowerCycleStage.LOST, _:
-                return self.tr(
+                return tr(
                     "The line was closed. Switch the board off and on, then connect again; "
                     "“Find…” tries every setting."
                 ), True
             case PowerCycleStage.UNSURE, _:
-                return self.tr(
+                return tr(
                     "Connected again. The program cannot detect whether the board was switched "
                     "off meanwhile: confirm it, or switch the board off and on now."
                 ), False
             case PowerCycleStage.BACK, _ if waiting:
-                text = self.tr("The board is back, but these settings are still not active: {0}.")
+                text = tr("The board is back, but these settings are still not active: {0}.")
                 return text.format(waiting), True
             case PowerCycleStage.BACK, _:
-                return self.tr("The board is back, and all stored settings are active."), False
+                return tr("The board is back, and all stored settings are active."), False
         return "", False
 
 
@@ -133,7 +134,7 @@ class PowerCycleDialog(ReusedDialog):
     def __init__(self, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("powerCycleDialog")
-        self.setWindowTitle(self.tr("Switch the board off and on"))
+        self.setWindowTitle(tr("Switch the board off and on"))
         resize_with_font(self, 560, 240)
         self._device = device
         self._cycle = PowerCycle(device, self)
@@ -141,7 +142,7 @@ class PowerCycleDialog(ReusedDialog):
         panel = PowerCyclePanel(self._cycle, self)
         stop = StopButton(device, "powerCycleStopButton", self)
         close = button(
-            self, "powerCycleCloseButton", self.tr("Close"), default=True, on_click=self.close
+            self, "powerCycleCloseButton", tr("Close"), default=True, on_click=self.close
         )
         column((panel, 1), row(stop, 1, close), into=self)
 

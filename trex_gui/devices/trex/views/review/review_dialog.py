@@ -8,6 +8,7 @@ from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.errors import NoReply, PortUnavailable, StudioError
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.linter import BoardLinter
@@ -42,7 +43,7 @@ class ReviewDialog(ReusedDialog):
     def __init__(self, device: Device, linter: BoardLinter, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("reviewDialog")
-        self.setWindowTitle(self.tr("Apply settings"))
+        self.setWindowTitle(tr("Apply settings"))
         resize_with_font(self, 920, 560)
         self._device = device
         self._undo = device.draft.undo
@@ -60,7 +61,7 @@ class ReviewDialog(ReusedDialog):
         self._findings_area = ScrollBox(self._findings, self)
         self._question = named(LimitsPrompt(self), "reviewQuestion")
         self._foot = label(self, "reviewFoot", wrap=True)
-        self._progress = progress_bar(self, "reviewProgress", self.tr("Progress of writing"))
+        self._progress = progress_bar(self, "reviewProgress", tr("Progress of writing"))
         self._progress.setTextVisible(True)
         self._power = PowerCyclePanel(self._cycle, self)
         stop = StopButton(device, "reviewStopButton", self)
@@ -109,8 +110,8 @@ class ReviewDialog(ReusedDialog):
             self._cycle.end()
             self._rows.show_comparison(
                 self._changes(),
-                self.tr("In the board"),
-                self.tr("Will be written"),
+                tr("In the board"),
+                tr("Will be written"),
                 summary=self._summary(),
             )
             self._enter(_Phase.REVIEW)
@@ -136,7 +137,7 @@ class ReviewDialog(ReusedDialog):
         return Comparison(compare(stored, shown).differing)
 
     def _summary(self) -> str:
-        return self.tr("Clear the check box of any setting you want to apply later.")
+        return tr("Clear the check box of any setting you want to apply later.")
 
     @property
     def _can_write(self) -> bool:
@@ -166,7 +167,7 @@ class ReviewDialog(ReusedDialog):
     def _write_rows(self, wanted: frozenset[str]) -> None:
         self._problem = ""
         self._phase = _Phase.WRITING  # the findings stay
-        self._rows.freeze(self.tr("Before", "value"), self.tr("New value"))
+        self._rows.freeze(tr("Before", "value"), tr("New value"))
         self._progress.setRange(0, len(wanted))
         self._progress.setValue(0)
         self._enter(_Phase.WRITING)
@@ -204,7 +205,7 @@ class ReviewDialog(ReusedDialog):
     @Slot()
     def _on_link_changed(self) -> None:
         if self._phase is _Phase.WRITING and self._device.link is ConnectionState.DISCONNECTED:
-            self._problem = self._problem or self.tr("The connection was lost.")
+            self._problem = self._problem or tr("The connection was lost.")
             self._enter(_Phase.DONE)
         elif self.isVisible():
             self._describe()
@@ -215,7 +216,7 @@ class ReviewDialog(ReusedDialog):
             self._progress.setRange(0, total)
             self._progress.setValue(done)
             self._progress.setFormat(
-                self.tr("{0} of {1}: {2}").format(min(done + 1, total), total, what)
+                tr("{0} of {1}: {2}").format(min(done + 1, total), total, what)
             )
 
     @Slot(object)
@@ -236,7 +237,7 @@ class ReviewDialog(ReusedDialog):
             if result.error is None:
                 yield ""
             elif result.error is occurred:
-                yield self.tr("not attempted")
+                yield tr("not attempted")
             else:
                 occurred = result.error
                 yield error_sentence(result.error)
@@ -245,10 +246,10 @@ class ReviewDialog(ReusedDialog):
         errors = [result.error for result in results if result.error is not None]
         if not errors:
             return ""
-        text = self.tr("{0} of {1} could not be verified; still pending.")
+        text = tr("{0} of {1} could not be verified; still pending.")
         text = text.format(len(errors), len(results))
         if any(isinstance(error, (NoReply, PortUnavailable)) for error in errors):
-            text += " " + self.tr(
+            text += " " + tr(
                 "The value that was being written when the connection was lost may be the old "
                 "one, the new one or, after a power cut, the default. It will be read again."
             )
@@ -277,9 +278,9 @@ class ReviewDialog(ReusedDialog):
         self._power.setVisible(done and self._cycle.stage is not PowerCycleStage.NONE)
         self._write.setVisible(reviewing)
         self._write.setEnabled(reviewing and self._can_write and count > 0)
-        self._write.setText(self.tr("&Write %n setting(s)", "", count))
+        self._write.setText(tr("&Write %n setting(s)", "", count))
         self._write.setDefault(self._write.isEnabled())
-        self._close.setText(self.tr("Cancel") if cancellable else self.tr("Close"))
+        self._close.setText(tr("Cancel") if cancellable else tr("Close"))
         self._close.setDefault(not self._write.isDefault())
         text, alarming = self._head_text()
         self._head.show_note(text, alarming=alarming)
@@ -300,9 +301,9 @@ class ReviewDialog(ReusedDialog):
         self._findings_head.setVisible(count > 0)
         self._findings_area.setVisible(count > 0)
         self._findings_head.setText(
-            self.tr("%n finding(s). Accept a proposal, or leave the setting as it is.", "", count)
+            tr("%n finding(s). Accept a proposal, or leave the setting as it is.", "", count)
             if reviewing
-            else self.tr("%n finding(s) left.", "", count)
+            else tr("%n finding(s) left.", "", count)
         )
 
     def _head_text(self) -> tuple[str, bool]:
@@ -311,31 +312,31 @@ class ReviewDialog(ReusedDialog):
         state = self._device.state
         match self._phase:
             case _Phase.WRITING if self._is_cancellable:
-                return self.tr("Saving the board's present settings before anything is written."), (
+                return tr("Saving the board's present settings before anything is written."), (
                     False
                 )
             case _Phase.WRITING:
-                return self.tr("Writing. Each value is read back; leave the power on."), False
+                return tr("Writing. Each value is read back; leave the power on."), False
             case _Phase.DONE if self._problem:
                 return self._problem, True
             case _Phase.DONE:
-                return self.tr("%n setting(s) written and verified.", "", count), False
+                return tr("%n setting(s) written and verified.", "", count), False
         if count == 0:
-            return self.tr("There is nothing to write: no setting was changed."), False
+            return tr("There is nothing to write: no setting was changed."), False
         if not self._device.is_connected:
-            return self.tr("No board is responding. The edits are kept."), False
+            return tr("No board is responding. The edits are kept."), False
         if self._device.draft.reset_pending:
-            return self.tr(
+            return tr(
                 "The board will reset itself at its next start and would lose what is "
                 "written now. Switch it off and on first (Device, Make stored settings active)."
             ), True
         if state is not None and not state.mode.is_serial:
-            text = self.tr(
+            text = tr(
                 "The board is in {0} mode and does not accept settings. Set its mode jumper to "
                 "serial, then switch it off and on."
             )
             return text.format(state.mode.source.word), True
-        text = self.tr("%n setting(s) of the {0} will change.", "", count)
+        text = tr("%n setting(s) of the {0} will change.", "", count)
         return text.format(self._board_text()), False
 
     def _board_text(self) -> str:
@@ -346,18 +347,18 @@ class ReviewDialog(ReusedDialog):
         number = state.parameters.get(ParameterKey.DEVICE_NUMBER)
         if number is None:
             return f"{state.signature} ({settings.label})"
-        text = self.tr("{0} (device number {1}, {2})")
+        text = tr("{0} (device number {1}, {2})")
         return text.format(state.signature, number, settings.label)
 
     def _foot_text(self) -> str:
         parts = [
-            self.tr(
+            tr(
                 "The board's present settings are saved first (File, History). Each value is "
                 "read back to verify it; serial settings are written last."
             )
         ]
         if keys := self._device.calibrations.out_of_reach:
-            text = self.tr(
+            text = tr(
                 "These calibrations stay pending until the board uses their input source again: "
                 "{0}."
             )
@@ -365,6 +366,6 @@ class ReviewDialog(ReusedDialog):
         ticked = (row for row in self._rows.table.ticked if not row.is_calibration)
         specs = [self._device.parameters.spec_of(row.key) for row in ticked]
         if later := [spec.name for spec in specs if spec.needs_power_cycle]:
-            text = self.tr("Active only after the board is switched off and on: {0}.")
+            text = tr("Active only after the board is switched off and on: {0}.")
             parts.append(text.format(", ".join(later)))
         return " ".join(parts)

@@ -23,6 +23,7 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.channel_text import input_text
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.calibration import (
@@ -53,11 +54,11 @@ class CalibrationTable(QAbstractTableModel):
         self._draft = draft
         self._calibrations = draft.calibrations
         self._titles = (
-            self.tr("Channel"),
-            self.tr("Minimum"),
-            self.tr("Neutral"),
-            self.tr("Maximum"),
-            self.tr("Deadband"),
+            tr("Channel"),
+            tr("Minimum"),
+            tr("Neutral"),
+            tr("Maximum"),
+            tr("Deadband"),
         )
         self._calibrations.changed.connect(self._on_changed)
 
@@ -65,13 +66,13 @@ class CalibrationTable(QAbstractTableModel):
         """Add the default calibration of channels that have none, in one undo step."""
         missing = [key for key in keys if not self.is_given(key)]
         if missing:
-            with self._draft.one_edit(self.tr("Add calibrations")):
+            with self._draft.one_edit(tr("Add calibrations")):
                 for key in missing:
                     self._calibrations.edit(key, DEFAULT_CALIBRATION[key.source])
 
     def leave_out(self, keys: Collection[CalibrationKey]) -> None:
         """Remove the calibrations of these channels, in one undo step."""
-        with self._draft.one_edit(self.tr("Leave out calibrations")):
+        with self._draft.one_edit(tr("Leave out calibrations")):
             for key in keys:
                 self._calibrations.leave_out(key)
 
@@ -125,7 +126,7 @@ class CalibrationTable(QAbstractTableModel):
             self._calibrations.edit(key, wanted)
         except BadRequest:
             problem = wanted.problem() or ""
-            text = self.tr("{0}: {1}. The order is minimum, neutral, maximum.")
+            text = tr("{0}: {1}. The order is minimum, neutral, maximum.")
             self.rejected.emit(text.format(key.label, problem))
             return False
         return True
@@ -140,7 +141,7 @@ class CalibrationTable(QAbstractTableModel):
             return key.label[:1].upper() + key.label[1:]
         count = _field(self._calibrations.shown(key), column)
         if count is None:
-            return self.tr("not given")
+            return tr("not given")
         return input_text(key.source, count)
 
     def _font(self, key: CalibrationKey, column: int) -> QFont:
@@ -193,14 +194,14 @@ class CalibrationEditor(QWidget):
 
         about = label(
             self,
-            text=self.tr(
+            text=tr(
                 "A board keeps two calibrations for each channel: one for RC pulses, one for "
                 "analog voltages. Calibrations that are not in the file stay as they are on the "
                 "board. The number without a unit is the count in the file."
             ),
             wrap=True,
         )
-        self._view = flat_table(QTableView(self), "calibrationsView", self.tr("Calibrations"))
+        self._view = flat_table(QTableView(self), "calibrationsView", tr("Calibrations"))
         self._view.setModel(self._table)
         self._view.setItemDelegate(_Delegate(self))
         self._view.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectItems)
@@ -214,21 +215,21 @@ class CalibrationEditor(QWidget):
         header.setSectionResizeMode(0, QHeaderView.ResizeMode.ResizeToContents)
         header.setMinimumSectionSize(17 * self.fontMetrics().averageCharWidth())
         self._why = NoteField(draft.notes, "calibrationNoteEdit", self, lines=2)
-        why = label(self, text=self.tr("N&ote on the calibration:"), buddy=self._why)
+        why = label(self, text=tr("N&ote on the calibration:"), buddy=self._why)
         self._note = named(Note(2, self), "calibrationsNote")
         self._add = button(
             self,
             "addCalibrationButton",
-            self.tr("&Add selected"),
-            tip=self.tr("Add the default calibration for the selected channels"),
+            tr("&Add selected"),
+            tip=tr("Add the default calibration for the selected channels"),
             on_click=lambda: self._table.add(self._selected()),
         )
         self._leave_out = button(
             self,
             "leaveOutCalibrationButton",
-            self.tr("&Leave out selected"),
+            tr("&Leave out selected"),
             icon="clear",
-            tip=self.tr("Remove the calibrations of the selected channels from the file"),
+            tip=tr("Remove the calibrations of the selected channels from the file"),
             on_click=lambda: self._table.leave_out(self._selected()),
         )
         below = row((self._note, 1), self._add, self._leave_out)
@@ -252,12 +253,12 @@ class CalibrationEditor(QWidget):
     def _on_current_changed(self, current: QModelIndex) -> None:
         if current.isValid():
             key = _KEYS[current.row()]
-            self._why.show_note_on(key, self.tr("the calibration of {0}").format(key.label))
+            self._why.show_note_on(key, tr("the calibration of {0}").format(key.label))
 
     @Slot()
     def _on_changed(self) -> None:
         self._note.show_note(
-            self.tr("Double-click a value to change it; type 1500, 1.5 ms, 2.5 V or 3750 counts.")
+            tr("Double-click a value to change it; type 1500, 1.5 ms, 2.5 V or 3750 counts.")
         )
         self._update_buttons()
 

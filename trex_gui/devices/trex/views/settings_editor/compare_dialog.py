@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt, Signal, SignalInstance, Slot
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.model.settings.draft import diff_against_draft
 from trex_gui.devices.trex.settings.comparison import compare
@@ -36,7 +37,7 @@ class CompareDialog(ReusedDialog):
         super().__init__(parent)
         self.setObjectName("compareDialog")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setWindowTitle(self.tr("{0} and {1}").format(document.name, other_name))
+        self.setWindowTitle(tr("{0} and {1}").format(document.name, other_name))
         resize_with_font(self, 940, 560)
         self._document = document
         self._other = other
@@ -46,9 +47,7 @@ class CompareDialog(ReusedDialog):
         self._trouble = named(Note(2, self), "compareTrouble")
         self._view = ComparisonView(self)
         self._take = button(self, "takeValuesButton", icon="edited", on_click=self._on_take_clicked)
-        close = button(
-            self, "closeCompareButton", self.tr("Close"), default=True, on_click=self.close
-        )
+        close = button(self, "closeCompareButton", tr("Close"), default=True, on_click=self.close)
         column(self._trouble, (self._view, 1), row(1, self._take, close), into=self)
 
         self._view.ticked_changed.connect(self._update_take)
@@ -70,7 +69,7 @@ class CompareDialog(ReusedDialog):
         except BadRequest as error:
             trouble = error_sentence(error)
             comparison = compare(mine, theirs)
-        text = self.tr("%n setting(s) differ, {0} match.", "", len(comparison.differing))
+        text = tr("%n setting(s) differ, {0} match.", "", len(comparison.differing))
         self._view.show_comparison(
             comparison,
             self._document.name,
@@ -86,18 +85,18 @@ class CompareDialog(ReusedDialog):
     @Slot()
     def _update_take(self) -> None:
         count = len(self._view.table.ticked)
-        text = self.tr("&Copy %n value(s) to {0}", "", count)
+        text = tr("&Copy %n value(s) to {0}", "", count)
         self._take.setText(text.format(no_mnemonic(self._document.name)))
         self._take.setEnabled(count > 0)
 
     @Slot()
     def _on_take_clicked(self) -> None:
         rows = self._view.table.ticked
-        text = self.tr("Copy values from {0}").format(self._other_name)
+        text = tr("Copy values from {0}").format(self._other_name)
         try:
             self._document.draft.stage(rows, text)
         except BadRequest as error:
             self._trouble.show_note(error_sentence(error), alarming=True)
             return
-        text = self.tr("%n value(s) copied from {0}.", "", len(rows))
+        text = tr("%n value(s) copied from {0}.", "", len(rows))
         self.taken.emit(text.format(self._other_name))

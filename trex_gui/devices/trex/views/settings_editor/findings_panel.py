@@ -7,6 +7,7 @@ from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtWidgets import QHeaderView, QTableWidget, QTableWidgetItem, QWidget
 
 from trex_gui.core.files import Finding, Severity
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.settings.rules import LintFinding
 from trex_gui.devices.trex.settings.yaml_subset import LINE_END
 from trex_gui.ui.runtime import new_timer
@@ -41,15 +42,15 @@ class FindingsPanel(QWidget):
         self._text = ""
 
         self._summary = label(self, "findingsSummary", wrap=True)
-        self._table = flat_table(QTableWidget(0, 4, self), "findingsTable", self.tr("Findings"))
+        self._table = flat_table(QTableWidget(0, 4, self), "findingsTable", tr("Findings"))
         self._accept = button(
             self,
             "acceptFindingButton",
-            self.tr("Acce&pt the proposal"),
+            tr("Acce&pt the proposal"),
             on_click=self._on_accept_clicked,
         )
         self._table.setHorizontalHeaderLabels(
-            [self.tr("Kind"), self.tr("Line", "of a text"), self.tr("Setting"), self.tr("Message")]
+            [tr("Kind"), tr("Line", "of a text"), tr("Setting"), tr("Message")]
         )
         header = self._table.horizontalHeader()
         header.setStretchLastSection(True)
@@ -91,20 +92,20 @@ class FindingsPanel(QWidget):
 
     def _count_text(self) -> str:
         if not self.count:
-            return self.tr("No errors, warnings or suggestions.")
+            return tr("No errors, warnings or suggestions.")
         errors = sum(found.severity is Severity.ERROR for found in self._findings)
         warnings = len(self._findings) - errors
         suggestions = len(self._lint_findings)
         counts = {
-            self.tr("%n error(s)", "", errors): errors,
-            self.tr("%n warning(s)", "", warnings): warnings,
-            self.tr("%n suggestion(s)", "", suggestions): suggestions,
+            tr("%n error(s)", "", errors): errors,
+            tr("%n warning(s)", "", warnings): warnings,
+            tr("%n suggestion(s)", "", suggestions): suggestions,
         }
         sentences = [f"{', '.join(text for text, count in counts.items() if count)}."]
         if self._with_lines:
-            sentences.append(self.tr("Double-click a finding to show its line."))
+            sentences.append(tr("Double-click a finding to show its line."))
         if errors:
-            sentences.append(self.tr("A file with errors cannot be used."))
+            sentences.append(tr("A file with errors cannot be used."))
         return " ".join(sentences)
 
     @Slot()
@@ -136,7 +137,7 @@ class FindingsPanel(QWidget):
 
     def _rows(self) -> Iterator[tuple[str, str, int | None, str, str]]:
         """Yield sign, kind, line, key and message."""
-        kinds = {Severity.ERROR: self.tr("Error"), Severity.WARNING: self.tr("Warning")}
+        kinds = {Severity.ERROR: tr("Error"), Severity.WARNING: tr("Warning")}
         for found in self._findings:
             kind = kinds[found.severity]
             yield found.severity.value, kind, found.line, found.key or "", found.message
@@ -145,8 +146,8 @@ class FindingsPanel(QWidget):
             line = next((line for line in lines if line is not None), None)
             message = finding.message
             if finding.change:
-                message += " " + self.tr("Proposal: {0}.").format(finding.proposal.rstrip("."))
-            yield "info", self.tr("Suggestion"), line, ", ".join(finding.keys), message
+                message += " " + tr("Proposal: {0}.").format(finding.proposal.rstrip("."))
+            yield "info", tr("Suggestion"), line, ", ".join(finding.keys), message
 
     def _current_finding(self) -> LintFinding | None:
         row = self._table.currentRow() - len(self._findings)

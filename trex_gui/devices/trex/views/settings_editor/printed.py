@@ -18,6 +18,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QDialog, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.parameters.text import value_text
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_FIELDS
 from trex_gui.devices.trex.settings.document import Settings
@@ -43,15 +44,15 @@ class PrintedSettings(QObject):
         """Return plain tables that a `QTextDocument` can lay out."""
         board = self._settings.product.name
         if self._settings.firmware is not None:
-            board = self.tr("{0}, firmware {1}").format(board, self._settings.firmware)
-        printed = self.tr("Printed {0} by TReX Studio.").format(f"{self._now:%Y-%m-%d %H:%M}")
-        about = (board, printed, self.tr("Bold: differs from the factory default."))
+            board = tr("{0}, firmware {1}").format(board, self._settings.firmware)
+        printed = tr("Printed {0} by TReX Studio.").format(f"{self._now:%Y-%m-%d %H:%M}")
+        about = (board, printed, tr("Bold: differs from the factory default."))
         return "".join(
             [
                 f"<h2>{escape(self._name)}</h2>",
                 f"<p>{'<br>'.join(map(escape, about))}</p><br>",
                 self._parameters(),
-                f"<h3>{escape(self.tr('Calibrations'))}</h3>",
+                f"<h3>{escape(tr('Calibrations'))}</h3>",
                 self._calibrations(),
                 self._remark_list(),
             ]
@@ -59,11 +60,11 @@ class PrintedSettings(QObject):
 
     def _parameters(self) -> str:
         titles = {
-            self.tr("Parameter"): 29,
-            self.tr("Key"): 29,
-            self.tr("Value"): 20,
-            self.tr("Wire"): 6,
-            self.tr("Default"): 16,
+            tr("Parameter"): 29,
+            tr("Key"): 29,
+            tr("Value"): 20,
+            tr("Wire"): 6,
+            tr("Default"): 16,
         }
         rows = []
         specs = sorted(self._settings.specs.readable, key=lambda spec: spec.group)
@@ -72,7 +73,7 @@ class PrintedSettings(QObject):
             rows.append(f'<tr><td colspan="{len(titles)}"><br><i>{title}</i></td></tr>')
             for spec in members:
                 wire = self._settings.parameters.get(spec.key)
-                value = self.tr("not given") if wire is None else value_text(spec, wire)
+                value = tr("not given") if wire is None else value_text(spec, wire)
                 cells = (spec.name, spec.key, value, "" if wire is None else str(wire))
                 is_changed = wire not in {None, spec.default}
                 rows.append(_row((*cells, value_text(spec, spec.default)), bold=is_changed))
@@ -87,26 +88,26 @@ class PrintedSettings(QObject):
             rows.append(_row((key.label, key, *values)))
             rows += self._note_row(key, 6)
         titles = {
-            self.tr("Channel"): 18,
-            self.tr("Key"): 18,
-            self.tr("Minimum"): 16,
-            self.tr("Neutral"): 16,
-            self.tr("Maximum"): 16,
-            self.tr("Deadband"): 16,
+            tr("Channel"): 18,
+            tr("Key"): 18,
+            tr("Minimum"): 16,
+            tr("Neutral"): 16,
+            tr("Maximum"): 16,
+            tr("Deadband"): 16,
         }
-        return _table(titles, rows) if rows else f"<p>{escape(self.tr('None are given.'))}</p>"
+        return _table(titles, rows) if rows else f"<p>{escape(tr('None are given.'))}</p>"
 
     def _note_row(self, key: str, columns: int) -> list[str]:
         """Return the note on a setting as a row below it; empty without one."""
         note = self._settings.notes.get(key, "")
-        text = escape(self.tr("Note: {0}").format(note)).replace("\n", "<br>")
+        text = escape(tr("Note: {0}").format(note)).replace("\n", "<br>")
         return [f'<tr><td colspan="{columns}"><i>{text}</i></td></tr>'] if note else []
 
     def _remark_list(self) -> str:
         if not self._remarks:
             return ""
         items = "".join(f"<li>{escape(remark)}</li>" for remark in self._remarks)
-        return f"<h3>{escape(self.tr('Findings'))}</h3><ul>{items}</ul>"
+        return f"<h3>{escape(tr('Findings'))}</h3><ul>{items}</ul>"
 
     def document(self) -> QTextDocument:
         """Return the print-out without pages; `print_to` adds them."""
@@ -142,7 +143,7 @@ class PrintedSettings(QObject):
             document.drawContents(painter, page.translated(0, number * page.height()))
             painter.restore()
             painter.setFont(font)
-            text = self.tr("{0}, page {1} of {2}").format(self._name, number + 1, count)
+            text = tr("{0}, page {1} of {2}").format(self._name, number + 1, count)
             below = QRectF(0, page.height(), page.width(), foot)
             corner = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom
             painter.drawText(below, corner, text)
@@ -167,7 +168,7 @@ class PrintedSettings(QObject):
         try:
             from PySide6.QtPrintSupport import QPrinter, QPrintPreviewDialog  # noqa: PLC0415
         except ImportError as error:
-            text = self.tr("Qt's printing is not installed here ({0}); save a PDF file instead.")
+            text = tr("Qt's printing is not installed here ({0}); save a PDF file instead.")
             report(text.format(error))
             return None
         printer = QPrinter(QPrinter.PrinterMode.HighResolution)

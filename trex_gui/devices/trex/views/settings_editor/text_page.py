@@ -16,6 +16,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QPlainTextEdit, QTextEdit, QWidget
 
 from trex_gui.core.files import SettingsError, Severity
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.settings.edit_in_place import BYTE_ORDER_MARK
 from trex_gui.devices.trex.settings.repair import repair_values
@@ -71,17 +72,17 @@ class TextPage(QWidget):
         self._check = button(
             self,
             "checkAgainButton",
-            self.tr("Chec&k again"),
+            tr("Chec&k again"),
             icon="reload",
-            tip=self.tr("Read the text again and list its errors"),
+            tip=tr("Read the text again and list its errors"),
             on_click=self._on_check_clicked,
         )
         self._repair = button(
             self,
             "repairTextButton",
-            self.tr("&Repair values"),
+            tr("&Repair values"),
             icon="edited",
-            tip=self.tr(
+            tip=tr(
                 "Write values with units as wire values, and numbers beyond their range as the "
                 "nearest one in it; the file changes when you save it"
             ),
@@ -89,7 +90,7 @@ class TextPage(QWidget):
         )
         # The text itself, for Undo and Redo
         self.editor = named(
-            NumberedText(self), "settingsText", accessible=self.tr("Text of the settings file")
+            NumberedText(self), "settingsText", accessible=tr("Text of the settings file")
         )
         self._findings = named(FindingsPanel(self), "textFindings")
 
@@ -174,16 +175,16 @@ class TextPage(QWidget):
     def _notice_text(self) -> str:
         document = self._document
         if not document.readable:
-            return self.tr(
+            return tr(
                 "This file cannot be used. Correct the text here, then check it again; "
                 "the other pages open once it has no errors."
             )
         if document.trouble:
-            return self.tr(
+            return tr(
                 "This is the text as it was opened, without your changes: {0}. Save offers to "
                 "rewrite the file from the settings."
             ).format(document.trouble)
-        return self.tr(
+        return tr(
             "Save writes this text. Comments and the order of the lines stay as they are; change "
             "values on the other pages."
         )
@@ -283,7 +284,7 @@ class _Numbers(QWidget):
     def __init__(self, text: NumberedText) -> None:
         super().__init__(text)
         self._text = text
-        self.setAccessibleName(self.tr("Line numbers"))
+        self.setAccessibleName(tr("Line numbers"))
 
     def paintEvent(self, event: QPaintEvent) -> None:
         self._text.paint_numbers(Painter(self, smooth=False), event.rect())

@@ -9,6 +9,7 @@ from PySide6.QtGui import QAction, QCloseEvent, QKeySequence
 from PySide6.QtWidgets import QDialog, QMainWindow, QTabWidget, QToolBar, QWidget
 
 from trex_gui.core.files import load, save
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
@@ -61,16 +62,16 @@ class SettingsEditor(QMainWindow):
         self._linter = SettingsLinter(document.draft, self)
 
         self._banner = Banner(self)
-        self.tabs = named(QTabWidget(self), "editorTabs", accessible=self.tr("Pages"))
+        self.tabs = named(QTabWidget(self), "editorTabs", accessible=tr("Pages"))
         use_theme_style(self.tabs.tabBar())
         self.tabs.setDocumentMode(True)
         parameters = ParameterTable(document.draft, self._linter, self)
         self._findings = FindingsPanel(self)
         self._text = TextPage(document, self)
-        self.tabs.addTab(_with_margins(parameters), self.tr("Parameters"))
-        self.tabs.addTab(CalibrationEditor(document.draft, self), self.tr("Calibrations"))
+        self.tabs.addTab(_with_margins(parameters), tr("Parameters"))
+        self.tabs.addTab(CalibrationEditor(document.draft, self), tr("Calibrations"))
         self._findings_index = self.tabs.addTab(_with_margins(self._findings), "")
-        self._text_index = self.tabs.addTab(self._text, self.tr("Text"))
+        self._text_index = self.tabs.addTab(self._text, tr("Text"))
         stop = StopButton(device, "editorStopButton", self)
         frame = QWidget(self)
         messages = MessageRoom(frame, self._banner, lines=1)
@@ -83,7 +84,7 @@ class SettingsEditor(QMainWindow):
 
         self.saver.saved.connect(self._on_saved)
         self.saver.failed.connect(
-            lambda error: self._banner.show_problem(self.tr("Not saved. {0}").format(error))
+            lambda error: self._banner.show_problem(tr("Not saved. {0}").format(error))
         )
         document.changed.connect(self._on_document_changed)
         self._linter.changed.connect(self._on_document_changed)
@@ -103,7 +104,7 @@ class SettingsEditor(QMainWindow):
             self.tabs.setCurrentIndex(self._text_index)
 
     def _build_menus(self) -> dict[str, QAction]:
-        keys, tr = QKeySequence.StandardKey, self.tr
+        keys = QKeySequence.StandardKey
         menus = {
             tr("&File"): (
                 Entry("new", tr("&New…"), self.new_requested.emit, keys.New, "new"),
@@ -141,7 +142,7 @@ class SettingsEditor(QMainWindow):
         return fill_menu_bar(self, menus.items(), "editor")
 
     def _build_tool_bar(self) -> None:
-        bar = named(QToolBar(self.tr("Tool bar"), self), "editorToolBar")
+        bar = named(QToolBar(tr("Tool bar"), self), "editorToolBar")
         bar.setMovable(False)
         bar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         for key in _TOOL_BAR:
@@ -161,7 +162,7 @@ class SettingsEditor(QMainWindow):
         return self._ask_and_save() if path is None else self._save(path, ask=True)
 
     def _ask_and_save(self) -> bool:
-        title, proposal = self.tr("Save settings file"), self._folder() / self.document.name
+        title, proposal = tr("Save settings file"), self._folder() / self.document.name
         path = file_questions.ask_to_save(self, title, proposal)
         return path is not None and self.save_to(path)
 
@@ -176,9 +177,9 @@ class SettingsEditor(QMainWindow):
 
     @Slot(object)
     def _on_saved(self, path: Path) -> None:
-        text = self.tr("Saved in {0}.").format(path)
+        text = tr("Saved in {0}.").format(path)
         if not self.document.readable:
-            text += " " + self.tr("It still has errors.")
+            text += " " + tr("It still has errors.")
         self._banner.show_news(text)
         self.saved.emit(path)
 
@@ -196,8 +197,8 @@ class SettingsEditor(QMainWindow):
 
     def _ask_and_save_pdf(self) -> None:
         name = self._folder() / Path(self.document.name).with_suffix(".pdf").name
-        filters = self.tr("PDF (*.pdf)")
-        path = file_questions.ask_to_save(self, self.tr("Save as PDF"), name, filters)
+        filters = tr("PDF (*.pdf)")
+        path = file_questions.ask_to_save(self, tr("Save as PDF"), name, filters)
         if path is not None:
             self.save_pdf(path)
 
@@ -208,8 +209,8 @@ class SettingsEditor(QMainWindow):
         in_background(
             self,
             partial(save, path, printed.pdf()),
-            lambda _: self._banner.show_news(self.tr("The pages were saved in {0}.").format(path)),
-            lambda error: self._banner.show_problem(self.tr("Not saved. {0}").format(error)),
+            lambda _: self._banner.show_news(tr("The pages were saved in {0}.").format(path)),
+            lambda error: self._banner.show_problem(tr("Not saved. {0}").format(error)),
         )
 
     def _folder(self) -> Path:
@@ -219,7 +220,7 @@ class SettingsEditor(QMainWindow):
     # --- Comparing ----------------------------------------------------------------------
 
     def _ask_and_compare(self) -> None:
-        path = file_questions.ask_to_open(self, self.tr("Compare with"))
+        path = file_questions.ask_to_open(self, tr("Compare with"))
         if path is not None:
             self.compare_with_file(path)
 
@@ -228,19 +229,19 @@ class SettingsEditor(QMainWindow):
             self,
             lambda: read_settings(load(path), path.name)[0],
             lambda other: self._compare(lambda: other, path.name),
-            lambda error: self._banner.show_problem(self.tr("Not compared. {0}").format(error)),
+            lambda error: self._banner.show_problem(tr("Not compared. {0}").format(error)),
         )
 
     def compare_with_board(self) -> None:
         """Compare with the settings of the board as shown, edits included."""
         draft = self._device.draft
-        self._compare(lambda: draft.shown, self.tr("Board, as shown"), draft.pending_changed)
+        self._compare(lambda: draft.shown, tr("Board, as shown"), draft.pending_changed)
 
     def _compare_with_factory(self) -> None:
         settings = self.document.settings
         if settings is not None:
             factory = factory_settings(settings.product, settings.firmware)
-            self._compare(lambda: factory, self.tr("Factory defaults"))
+            self._compare(lambda: factory, tr("Factory defaults"))
 
     def _compare(
         self,
@@ -271,12 +272,12 @@ class SettingsEditor(QMainWindow):
     @Slot()
     def _on_document_changed(self) -> None:
         document = self.document
-        self.setWindowTitle(self.tr("{0}[*] – TReX settings file").format(document.name))
+        self.setWindowTitle(tr("{0}[*] – TReX settings file").format(document.name))
         self.setWindowModified(document.modified)
         findings = self._linter.findings if document.readable else ()
         self._findings.show_findings(document.findings, findings, text=document.text)
         count = self._findings.count
-        title = self.tr("Findings ({0})").format(count) if count else self.tr("Findings")
+        title = tr("Findings ({0})").format(count) if count else tr("Findings")
         self.tabs.setTabText(self._findings_index, title)
         for index in range(self._findings_index):
             self.tabs.setTabEnabled(index, document.readable)
@@ -306,9 +307,7 @@ class SettingsEditor(QMainWindow):
     @Slot()
     def _on_checked(self) -> None:
         if self.document.readable:
-            self._banner.show_news(
-                self.tr("The text no longer has errors; all pages are available.")
-            )
+            self._banner.show_news(tr("The text no longer has errors; all pages are available."))
         else:
             self._banner.clear()
 
@@ -316,12 +315,12 @@ class SettingsEditor(QMainWindow):
     def _on_repaired(self, repairs: tuple[str, ...]) -> None:
         if not repairs:
             self._banner.show_problem(
-                self.tr("Nothing could be repaired: correct the text in the lines named below.")
+                tr("Nothing could be repaired: correct the text in the lines named below.")
             )
             return
-        parts = [self.tr("Repaired: {0}.").format("; ".join(repairs))]
+        parts = [tr("Repaired: {0}.").format("; ".join(repairs))]
         if not self.document.readable:
-            parts.append(self.tr("Correct the rest in the text."))
+            parts.append(tr("Correct the rest in the text."))
         self._banner.show_news(" ".join(parts))
 
     @Slot(int)

@@ -4,6 +4,7 @@ from PySide6.QtCore import Signal, Slot
 from PySide6.QtGui import QHideEvent
 from PySide6.QtWidgets import QStackedWidget, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.parameters.text import value_text
@@ -44,20 +45,20 @@ class SetupDialog(ReusedDialog):
     def __init__(self, device: Device, learning: Learning, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("setupDialog")
-        self.setWindowTitle(self.tr("Set up my robot"))
+        self.setWindowTitle(tr("Set up my robot"))
         resize_with_font(self, 900, 540)
         self._device = device
         self.setup = setup = RobotSetup(device, learning, self)
 
         self._strip = StepStrip(self)
         self._titles = {
-            SetupStep.DRIVER: self.tr("&Who drives"),
-            SetupStep.JUMPERS: self.tr("&Jumpers"),
-            SetupStep.STICKS: self.tr("&Sticks"),
-            SetupStep.MOTORS: self.tr("Which &motor is which"),
-            SetupStep.LIMITS: self.tr("&Ramps and limits"),
-            SetupStep.TIMEOUT: self.tr("Serial &timeout"),
-            SetupStep.REVIEW: self.tr("Review"),
+            SetupStep.DRIVER: tr("&Who drives"),
+            SetupStep.JUMPERS: tr("&Jumpers"),
+            SetupStep.STICKS: tr("&Sticks"),
+            SetupStep.MOTORS: tr("Which &motor is which"),
+            SetupStep.LIMITS: tr("&Ramps and limits"),
+            SetupStep.TIMEOUT: tr("Serial &timeout"),
+            SetupStep.REVIEW: tr("Review"),
         }
         self._learning = learning
         self._pages: dict[SetupStep, tuple[_Page, ScrollBox]] = {}  # made when first shown
@@ -65,25 +66,25 @@ class SetupDialog(ReusedDialog):
         self._edits = ui.named(Note(2, self), "setupEdits")
         self._stop = stop = StopButton(device, "setupStopButton", self)
         self._back = ui.button(
-            self, "setupBackButton", self.tr("&Back"), default=False, on_click=setup.back
+            self, "setupBackButton", tr("&Back"), default=False, on_click=setup.back
         )
         self._skip = ui.button(
             self,
             "setupSkipButton",
-            self.tr("S&kip"),
+            tr("S&kip"),
             default=False,
-            tip=self.tr("Go on without the changes of this step"),
+            tip=tr("Go on without the changes of this step"),
             on_click=setup.skip,
         )
         self._next = ui.button(
-            self, "setupNextButton", self.tr("&Next"), default=True, on_click=setup.next
+            self, "setupNextButton", tr("&Next"), default=True, on_click=setup.next
         )
         self._close = ui.button(
             self,
             "setupCloseButton",
-            self.tr("&Close"),
+            tr("&Close"),
             default=False,
-            tip=self.tr("Close the assistant; its changes stay until you apply or discard them"),
+            tip=tr("Close the assistant; its changes stay until you apply or discard them"),
             on_click=self.close,
         )
         for button in (self._skip, self._next):  # a second click must not hit another button
@@ -162,7 +163,7 @@ class SetupDialog(ReusedDialog):
         if not edits:
             return ""
         if len(edits) > _MOST_NAMED:
-            return self.tr(
+            return tr(
                 "Next adds %n change(s). Nothing is written before you apply them.", "", len(edits)
             )
         rows = []
@@ -170,6 +171,6 @@ class SetupDialog(ReusedDialog):
             spec, before = parameters.spec_of(key), parameters.value_of(key)
             old = "" if before is None else value_text(spec, before)
             change = f"{old} → {value_text(spec, wire)}"
-            rows.append(self.tr("{0}: {1}").format(spec.name, change))
-        text = self.tr("Next changes {0}. Nothing is written before you apply it.")
+            rows.append(tr("{0}: {1}").format(spec.name, change))
+        text = tr("Next changes {0}. Nothing is written before you apply it.")
         return text.format("; ".join(rows))

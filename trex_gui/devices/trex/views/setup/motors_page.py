@@ -24,24 +24,24 @@ class _MotorBox(ui.GroupBox):
 
     def __init__(self, setup: RobotSetup, motor: int, parent: QWidget) -> None:
         super().__init__("", parent)
-        self.setTitle(self.tr("Motor {0}").format(motor))
+        self.setTitle(tr("Motor {0}").format(motor))
         self._setup = setup
         self._motor = motor
         self._hold = ui.named(
-            HoldButton(self.tr("Hold to pulse motor {0}").format(motor), self),
+            HoldButton(tr("Hold to pulse motor {0}").format(motor), self),
             f"setupHold{motor}",
-            tip=self.tr("Short, weak pulses while you hold it with the mouse or the space bar"),
+            tip=tr("Short, weak pulses while you hold it with the mouse or the space bar"),
         )
         self._hold.setMinimumHeight(2 * self.fontMetrics().height() + 4)
         ui.set_bold(self._hold)
         tint(self._hold, "run")
-        question = ui.label(self, text=self.tr("What turned, and which way?"))
+        question = ui.label(self, text=tr("What turned, and which way?"))
         texts = {
-            Movement.LEFT_FORWARD: self.tr("Left wheel, forward"),
-            Movement.RIGHT_FORWARD: self.tr("Right wheel, forward"),
-            Movement.LEFT_BACKWARD: self.tr("Left wheel, backward"),
-            Movement.RIGHT_BACKWARD: self.tr("Right wheel, backward"),
-            Movement.NOTHING: self.tr("Nothing"),
+            Movement.LEFT_FORWARD: tr("Left wheel, forward"),
+            Movement.RIGHT_FORWARD: tr("Right wheel, forward"),
+            Movement.LEFT_BACKWARD: tr("Left wheel, backward"),
+            Movement.RIGHT_BACKWARD: tr("Right wheel, backward"),
+            Movement.NOTHING: tr("Nothing"),
         }
         self._answers = {}
         self._group = QButtonGroup(self)
@@ -83,7 +83,7 @@ class WiringPage(QWidget):
         self._free = ui.check_box(
             self,
             "setupWheelsFree",
-            self.tr("The wheels are &off the ground, and nothing can get caught in them"),
+            tr("The wheels are &off the ground, and nothing can get caught in them"),
             on_click=setup.pulses.confirm_wheels,
         )
         self._run_place = QWidget(self)  # disables the button, which enables itself
@@ -97,10 +97,10 @@ class WiringPage(QWidget):
         self._again = ui.button(
             self,
             "setupAgainButton",
-            self.tr("Wir&es swapped – test again"),
+            tr("Wir&es swapped – test again"),
             icon="reload",
             default=False,
-            tip=self.tr("Forget both answers and find out again which motor is which"),
+            tip=tr("Forget both answers and find out again which motor is which"),
             on_click=setup.forget_movements,
         )
         keep_room(self._again)
@@ -134,12 +134,12 @@ class WiringPage(QWidget):
         self._run_place.setEnabled(can_confirm and pulses.wheels_are_free)
         for box in self._boxes:
             box.show_state(can_hold=not blocker)
-        text = blocker or self.tr(
+        text = blocker or tr(
             "Armed. Hold a button: its motor is driven forward in short, weak pulses; the other "
             "one stays at rest. Then say below what turned."
         )
         if pulses.motor:
-            text = self.tr("Motor {0} is driven in pulses. Release the button to stop it.")
+            text = tr("Motor {0} is driven in pulses. Release the button to stop it.")
             text = text.format(pulses.motor)
         if not blocker:
             text = recent_fault_text(self._device) or text
@@ -153,33 +153,33 @@ class WiringPage(QWidget):
         setup = self._setup
         if Movement.NOTHING in setup.movements.values():
             if self._device.motors.ceiling < STRONGER:
-                return self.tr(
+                return tr(
                     "Nothing turned: the pulses stay below the speed ceiling of the Motors page. "
                     "Raise it, or check the battery and the wires of this motor."
                 )
-            return self.tr(
+            return tr(
                 "Nothing turned: the next pulses are stronger (30 % instead of 20 %). If that does "
                 "not help, check the battery and the wires of this motor."
             )
         if wiring is None or rewiring is None:
             if len(setup.movements) == 2:
-                return self.tr("Two motors cannot drive the same wheel: try both buttons again.")
+                return tr("Two motors cannot drive the same wheel: try both buttons again.")
             return ""
         if rewiring:
             return rewiring_text(setup.driver, rewiring)
         if not setup.driver.uses_sticks:
-            return self.tr("Motor 1 drives the left wheel, motor 2 the right one, both forward.")
+            return tr("Motor 1 drives the left wheel, motor 2 the right one, both forward.")
         if not setup.knows_sticks:
-            text = self.tr(
+            text = tr(
                 "No wires have to be swapped. Settings make the wheels follow the sticks, but "
                 "those settings depend on the directions of the sticks, which are not known yet: "
                 "go back to Sticks. Your answers are kept."
             )
-            swapped = self.tr("Motor 1 drives the right wheel, motor 2 the left one.")
+            swapped = tr("Motor 1 drives the right wheel, motor 2 the left one.")
             return f"{swapped} {text}" if wiring.swapped else text
         if setup.edits:
-            return self.tr("Settings correct this; no wires have to be swapped.")
-        return self.tr("Nothing has to change: the wheels follow the sticks.")
+            return tr("Settings correct this; no wires have to be swapped.")
+        return tr("Nothing has to change: the wheels follow the sticks.")
 
 
 def rewiring_text(driver: Driver, rewiring: Rewiring) -> str:

@@ -85,19 +85,19 @@ class DriverPage(QWidget):
         self._setup = setup
         texts = {
             Driver.ONE_STICK: (
-                self.tr("&One stick"),
-                self.tr(
+                tr("&One stick"),
+                tr(
                     "A transmitter or a joystick: forward and back, left and right with one stick. "
                     "The board mixes both."
                 ),
             ),
             Driver.TWO_STICKS: (
-                self.tr("&Two sticks"),
-                self.tr("One stick for each side of the robot, as in a tank."),
+                tr("&Two sticks"),
+                tr("One stick for each side of the robot, as in a tank."),
             ),
             Driver.COMPUTER: (
-                self.tr("&A computer"),
-                self.tr(
+                tr("&A computer"),
+                tr(
                     "A program, a microcontroller or this window sends commands over the serial "
                     "line."
                 ),
@@ -106,10 +106,10 @@ class DriverPage(QWidget):
         self._choices = Choices("setupDriver", texts, self)
         self._choices.chosen.connect(setup.choose_driver)
         ui.column(
-            ui.label(self, text=self.tr("Who drives your robot?"), bold=True),
+            ui.label(self, text=tr("Who drives your robot?"), bold=True),
             self._choices,
             Muted(
-                self.tr(
+                tr(
                     "Each step can be skipped. The assistant writes nothing by itself: what you "
                     "choose becomes unapplied changes, which you review at the end."
                 ),
@@ -136,9 +136,7 @@ class JumperPage(QWidget):
         self._text = ui.label(self, "setupJumperText", wrap=True)
         self._mode = _Check("setupModeCheck", self)
         self._mix = _Check("setupMixCheck", self)
-        caption = Muted(
-            self.tr("Schematic: the user's guide shows where your board has them."), self
-        )
+        caption = Muted(tr("Schematic: the user's guide shows where your board has them."), self)
         caption.setMaximumWidth(2 * self._sketch.width())
         top = Qt.AlignmentFlag.AlignTop
         ui.row(
@@ -155,33 +153,33 @@ class JumperPage(QWidget):
         driver, source = self._setup.driver, self._device.calibrations.source
         is_mixed = driver is Driver.ONE_STICK
         if driver is Driver.COMPUTER:
-            self._sketch.show_boards(JumperPlaces(self.tr("Always"), "", None))
+            self._sketch.show_boards(JumperPlaces(tr("Always"), "", None))
         else:
             position = "RC" if source is InputSource.RC else "Analog"
             self._sketch.show_boards(
-                JumperPlaces(self.tr("Now: to set up"), "", is_mixed),
-                JumperPlaces(self.tr("Later: to drive"), position, is_mixed),
+                JumperPlaces(tr("Now: to set up"), "", is_mixed),
+                JumperPlaces(tr("Later: to drive"), position, is_mixed),
             )
-        mode = self.tr(
+        mode = tr(
             "Remove the mode jumper to set up the board: it accepts settings only without it. To "
             "drive, put it on RC, or on analog for a joystick with potentiometers. The board reads "
             "it when it is switched on."
         )
         mix = {
-            Driver.ONE_STICK: self.tr(
+            Driver.ONE_STICK: tr(
                 "Put the mix jumper on: channel 2 drives forward and back, channel 1 turns. It "
                 "takes effect at once."
             ),
-            Driver.TWO_STICKS: self.tr(
+            Driver.TWO_STICKS: tr(
                 "Remove the mix jumper: channel 1 drives motor 1, channel 2 drives motor 2. It "
                 "takes effect at once."
             ),
-            Driver.COMPUTER: self.tr(
+            Driver.COMPUTER: tr(
                 "The mix jumper does not matter: it has no effect on serial commands."
             ),
         }
         if driver is Driver.COMPUTER:
-            mode = self.tr(
+            mode = tr(
                 "Remove the mode jumper and leave it off: the board then accepts settings and "
                 "serial commands. It reads the jumper when it is switched on."
             )
@@ -193,12 +191,12 @@ class JumperPage(QWidget):
     def _mode_result(self) -> tuple[bool | None, str]:
         state = self._device.state
         if self._device.link is ConnectionState.NOT_RESPONDING:
-            return None, self.tr("The board does not respond: it may be switched off.")
+            return None, tr("The board does not respond: it may be switched off.")
         if state is None or not self._device.is_connected:
-            return None, self.tr("No board is connected, so its jumpers cannot be checked.")
+            return None, tr("No board is connected, so its jumpers cannot be checked.")
         if state.mode.is_serial:
-            return True, self.tr("This board was started without the mode jumper (serial mode).")
-        text = self.tr(
+            return True, tr("This board was started without the mode jumper (serial mode).")
+        text = tr(
             "This board was started in {0} mode. Switch it off, remove the mode jumper and switch "
             "it on again. This statement then updates by itself."
         )
@@ -207,20 +205,20 @@ class JumperPage(QWidget):
     def _mix_result(self, is_mixed: bool) -> tuple[bool | None, str]:
         seen = self._setup.is_mixed
         if seen is not is_mixed and self._device.rejects_settings:
-            return None, self.tr(
+            return None, tr(
                 "The mix jumper can be checked in serial mode only: in this mode a stick that you "
                 "push would drive the motors."
             )
         if seen is None:
-            return None, self.tr(
+            return None, tr(
                 "It is not known yet whether the mix jumper is on: the board cannot be asked. Push "
                 "a stick to one side, and the answer appears here."
             )
         if seen is is_mixed:
-            on, off = self.tr("The mix jumper is on."), self.tr("The mix jumper is off.")
+            on, off = tr("The mix jumper is on."), tr("The mix jumper is off.")
             return True, on if seen else off
-        take = self.tr("The mix jumper is on: remove it, then push a stick again.")
-        put = self.tr("The mix jumper is off: put it on, then push a stick again.")
+        take = tr("The mix jumper is on: remove it, then push a stick again.")
+        put = tr("The mix jumper is off: put it on, then push a stick again.")
         return False, take if seen else put
 
 
@@ -239,7 +237,7 @@ class SticksPage(QWidget):
         self._unclear: tuple[int, ...] = ()
         learn_text = ui.label(
             self,
-            text=self.tr(
+            text=tr(
                 "The board has to know the middle and the ends of each stick. Learning measures "
                 "them in about two minutes, in a separate window, and ends with a review. The "
                 "motors stay off meanwhile. Learn before you go on: the next step, which motor is "
@@ -250,7 +248,7 @@ class SticksPage(QWidget):
         self._learn = ui.button(
             self,
             "setupLearnButton",
-            self.tr("&Learn channels…"),
+            tr("&Learn channels…"),
             icon="calibrate",
             default=False,
             on_click=self.learn_requested,
@@ -258,7 +256,7 @@ class SticksPage(QWidget):
         self._blocker = ui.named(Note(1, self), "setupLearnBlocker")
         pushed_text = ui.label(
             self,
-            text=self.tr(
+            text=tr(
                 "Already learned? Then show which way the sticks go: push, hold and click. In "
                 "serial mode they move no motor."
             ),
@@ -267,14 +265,14 @@ class SticksPage(QWidget):
         self._forward = ui.button(
             self,
             "setupForwardButton",
-            self.tr("The stick is fully &forward now"),
+            tr("The stick is fully &forward now"),
             default=False,
             on_click=lambda: self._note((2,) if self._is_one else (1, 2)),
         )
         self._right = ui.button(
             self,
             "setupRightButton",
-            self.tr("The stick is fully &right now"),
+            tr("The stick is fully &right now"),
             default=False,
             on_click=lambda: self._note((1,)),
         )
@@ -283,7 +281,7 @@ class SticksPage(QWidget):
             channel: ui.named(
                 ChannelBar(self),
                 f"setupChannel{channel}Bar",
-                accessible=self.tr("Raw input of channel {0}").format(channel),
+                accessible=tr("Raw input of channel {0}").format(channel),
             )
             for channel in (1, 2)
         }
@@ -318,8 +316,8 @@ class SticksPage(QWidget):
         self._blocker.show_note(blocker, alarming=True)
         self._right.setVisible(self._is_one)
         one, two = (
-            self.tr("The stick is fully &forward now"),
-            self.tr("Both sticks are fully &forward now"),
+            tr("The stick is fully &forward now"),
+            tr("Both sticks are fully &forward now"),
         )
         self._forward.setText(one if self._is_one else two)
         can_push = self._device.is_connected and not self._device.rejects_settings
@@ -344,33 +342,33 @@ class SticksPage(QWidget):
                 bar.set_raw(telemetry.raw_of(channel))
 
     def _wiring_text(self) -> str:
-        text = self.tr("Channel 1 is for motor 1, channel 2 for motor 2.")
+        text = tr("Channel 1 is for motor 1, channel 2 for motor 2.")
         if self._is_one:
-            text = self.tr(
+            text = tr(
                 "Channel 1 is for left and right of the stick, channel 2 for forward and back."
             )
         if self._device.calibrations.source is InputSource.RC:
-            text = f"{text} {self.tr('Each is connected to an output of your receiver.')}"
+            text = f"{text} {tr('Each is connected to an output of your receiver.')}"
         return text
 
     def _stick_text(self, channel: int) -> str:
         """Return what is known of the direction of a stick, or why it could not be seen."""
-        names = {1: self.tr("Channel 1 (motor 1)"), 2: self.tr("Channel 2 (motor 2)")}
+        names = {1: tr("Channel 1 (motor 1)"), 2: tr("Channel 2 (motor 2)")}
         if self._is_one:
-            names = {1: self.tr("Channel 1 (turns)"), 2: self.tr("Channel 2 (drives)")}
+            names = {1: tr("Channel 1 (turns)"), 2: tr("Channel 2 (drives)")}
         texts = {
-            None: self.tr("{0}: its direction is not known yet."),
-            True: self.tr("{0}: the value rises."),
-            False: self.tr("{0}: the value falls."),
+            None: tr("{0}: its direction is not known yet."),
+            True: tr("{0}: the value rises."),
+            False: tr("{0}: the value falls."),
         }
         if channel in self._unclear:
-            texts[None] = self.tr("{0}: the stick is still near its middle. Push it all the way.")
+            texts[None] = tr("{0}: the stick is still near its middle. Push it all the way.")
             if self._device.telemetry.raw_of(channel) is None:
-                texts[None] = self.tr("{0}: no signal arrives.")
+                texts[None] = tr("{0}: no signal arrives.")
         text = texts[self._setup.rises.get(channel)].format(names[channel])
         is_rc = self._device.calibrations.source is InputSource.RC
         if channel in self._unclear and channel not in self._setup.rises and is_rc:
-            text = f"{text} {self.tr('Is the transmitter on?')}"
+            text = f"{text} {tr('Is the transmitter on?')}"
         return text
 
 
@@ -381,33 +379,33 @@ class LimitsPage(QWidget):
         self._setup = setup
         texts: dict[Preset | None, tuple[str, str]] = {
             None: (
-                self.tr("Keep w&hat the board has"),
-                self.tr("Neither ramps nor limits change."),
+                tr("Keep w&hat the board has"),
+                tr("Neither ramps nor limits change."),
             ),
-            Preset.TANK: (self.tr("&Tank"), ""),
-            Preset.ROVER: (self.tr("Ro&ver"), ""),
-            Preset.AUTONOMOUS: (self.tr("&Autonomous robot"), ""),
+            Preset.TANK: (tr("&Tank"), ""),
+            Preset.ROVER: (tr("Ro&ver"), ""),
+            Preset.AUTONOMOUS: (tr("&Autonomous robot"), ""),
         }
         self._choices = Choices("setupPreset", texts, self)
         self._explained = self._choices.findChildren(Muted)
         self._limit = ui.double_spin_box(
             self,
             "setupCurrentLimit",
-            self.tr("Current limit of each motor"),
+            tr("Current limit of each motor"),
             0.0,
             1.0,
             decimals=2,
             suffix=" A",
             on_change=self._on_limit_changed,
         )
-        self._limit.setSpecialValueText(self.tr("off", "limit"))
+        self._limit.setSpecialValueText(tr("off", "limit"))
         self._hint = ui.named(Note(3, self), "setupLimitHint")
         self._choices.chosen.connect(setup.choose_preset)
         ui.column(
-            ui.label(self, text=self.tr("How should the motors start and stop?"), bold=True),
+            ui.label(self, text=tr("How should the motors start and stop?"), bold=True),
             self._choices,
             ui.row(
-                ui.label(self, text=self.tr("Current &limit of each motor"), buddy=self._limit),
+                ui.label(self, text=tr("Current &limit of each motor"), buddy=self._limit),
                 self._limit,
                 1,
             ),
@@ -442,15 +440,15 @@ class LimitsPage(QWidget):
     def _hint_text(self) -> str:
         preset = self._setup.preset
         if self._device.is_joint:
-            return self.tr("In joint mode the board measures no current, so it cannot limit it.")
-        text = self.tr(
+            return tr("In joint mode the board measures no current, so it cannot limit it.")
+        text = tr(
             "Set the current that your motors can draw continuously; the values above are only "
             "examples. Speeds that are set at once, without a ramp, bypass the limit for a moment."
         )
         text = f"{text} {tr(CURRENT_ACCURACY)}"
         if preset is not None and preset.product != self._device.parameters.model_key:
             name = device_table().model(preset.product).name
-            other = self.tr(
+            other = tr(
                 "This example was made for a {0}, which measures current in other units. Your "
                 "board keeps its current limit."
             )
@@ -463,12 +461,12 @@ class LimitsPage(QWidget):
         values = preset.values(parameters.model_key)
         keys = [p.of(1) for p in (MotorParameter.ACCELERATION, MotorParameter.BRAKE_DURATION)]
         ramp, brake = (value_text(parameters.spec_of(key), values[key]) for key in keys)
-        text = self.tr("Acceleration: {0}; brake before a reversal: {1}.").format(ramp, brake)
+        text = tr("Acceleration: {0}; brake before a reversal: {1}.").format(ramp, brake)
         limit = values.get(LIMITS[0])
         if limit is None:
             return text
         amps = parameters.spec_of(LIMITS[0]).text(limit)
-        return f"{text} {self.tr('Example of a current limit: {0}.').format(amps)}"
+        return f"{text} {tr('Example of a current limit: {0}.').format(amps)}"
 
     @Slot(float)
     def _on_limit_changed(self, amps: float) -> None:
@@ -483,7 +481,7 @@ class TimeoutPage(QWidget):
         self._setup = setup
         text = ui.label(
             self,
-            text=self.tr(
+            text=tr(
                 "If the cable falls out or the computer fails, only the board itself can notice "
                 "and stop the motors. Without a serial timeout they keep running at their last "
                 "speed."
@@ -493,12 +491,12 @@ class TimeoutPage(QWidget):
         self._seconds = ui.double_spin_box(
             self,
             "setupTimeout",
-            self.tr("Serial timeout in seconds"),
+            tr("Serial timeout in seconds"),
             0.1,
             12.7,
             decimals=1,
             step=0.1,
-            suffix=self.tr(" s"),
+            suffix=tr(" s"),
             on_change=lambda seconds: setup.choose_timeout(round(10 * seconds)),
         )
         self._now = now = ui.named(Muted(parent=self), "setupTimeoutNow")
@@ -506,14 +504,12 @@ class TimeoutPage(QWidget):
         ui.column(
             text,
             ui.row(
-                ui.label(
-                    self, text=self.tr("&Stop the motors after a silence of"), buddy=self._seconds
-                ),
+                ui.label(self, text=tr("&Stop the motors after a silence of"), buddy=self._seconds),
                 self._seconds,
                 1,
             ),
             Muted(
-                self.tr(
+                tr(
                     "Have the computer send something at least twice in that time; a status query "
                     "will do. 0.5 s is a good value for most robots. UART-Error Shutdown is "
                     "switched on with it, as the timeout may need it (twin)."
@@ -537,7 +533,7 @@ class TimeoutPage(QWidget):
         self._short.show_note(warning.text if warning else "", alarming=True)
         parameters, key = self._device.parameters, ParameterKey.SERIAL_TIMEOUT
         wire = parameters.stored_of(key)
-        text = self.tr("The board stores: {0}.")
+        text = tr("The board stores: {0}.")
         self._now.setText("" if wire is None else text.format(parameters.spec_of(key).text(wire)))
 
 
@@ -556,7 +552,7 @@ class ReviewPage(QWidget):
         super().__init__(parent)
         self._device = device
         self._setup = setup
-        self._open_title = ui.label(self, text=self.tr("Still open:"), bold=True)
+        self._open_title = ui.label(self, text=tr("Still open:"), bold=True)
         self._open: dict[SetupStep, tuple[QAbstractButton, QLabel]] = {}
         steps = ui.grid(margins=0, spacing=(12, 6), stretch=[(1, 1)])
         for row, step in enumerate(titles):
@@ -567,7 +563,7 @@ class ReviewPage(QWidget):
                     f"setupGoTo{name}Button",
                     titles[step],
                     default=False,
-                    tip=self.tr("Go to this step"),
+                    tip=tr("Go to this step"),
                     on_click=partial(setup.go_to, step),
                 )
                 reason = ui.label(self, f"setupOpen{name}", wrap=True)
@@ -578,7 +574,7 @@ class ReviewPage(QWidget):
         self._apply = ui.button(
             self,
             "setupApplyButton",
-            self.tr("Review and &apply…"),
+            tr("Review and &apply…"),
             icon="apply",
             default=False,
             on_click=self.apply_requested,
@@ -588,7 +584,7 @@ class ReviewPage(QWidget):
             self._open_title,
             steps,
             ui.row((self._pending, 1), self._apply),
-            ui.label(self, text=self.tr("Then, by hand:"), bold=True),
+            ui.label(self, text=tr("Then, by hand:"), bold=True),
             self._tasks,
             1,
             into=self,
@@ -603,11 +599,11 @@ class ReviewPage(QWidget):
     def refresh(self) -> None:
         device = self._device
         pending = device.draft.pending
-        text = self.tr("%n change(s) not applied yet.", "", pending)
+        text = tr("%n change(s) not applied yet.", "", pending)
         if not pending:
-            text = self.tr("All changes are stored.")
+            text = tr("All changes are stored.")
         if not device.is_connected:
-            text = self.tr("No board is connected.")
+            text = tr("No board is connected.")
         self._pending.show_note(text)
         self._apply.setEnabled(device.can_apply and pending > 0)
         still_open = self._setup.open_steps
@@ -625,42 +621,38 @@ class ReviewPage(QWidget):
         setup = self._setup
         wiring = setup.wiring
         if step is SetupStep.JUMPERS:
-            return self.tr("The jumpers are not as they have to be, or were not checked.")
+            return tr("The jumpers are not as they have to be, or were not checked.")
         if step is SetupStep.STICKS:
-            return self.tr("The directions of the sticks are not known.")
+            return tr("The directions of the sticks are not known.")
         if step is not SetupStep.MOTORS:
-            return self.tr("Skipped, or its changes were undone.")
+            return tr("Skipped, or its changes were undone.")
         if wiring is None:
-            return self.tr("It is not known which motor drives which wheel.")
+            return tr("It is not known which motor drives which wheel.")
         if rewiring := wiring.rewiring(setup.driver):
             text = rewiring_text(setup.driver, rewiring)
-            return self.tr("{0} Then test the motors again.").format(text)
+            return tr("{0} Then test the motors again.").format(text)
         if setup.driver.uses_sticks and not setup.knows_sticks:
-            return self.tr("The settings for the motors wait for the directions of the sticks.")
-        return self.tr(
-            "The changes for the motors were not taken over: open the step and click Next."
-        )
+            return tr("The settings for the motors wait for the directions of the sticks.")
+        return tr("The changes for the motors were not taken over: open the step and click Next.")
 
     def _task_texts(self) -> list[str]:
         setup = self._setup
         texts = []
         if setup.driver.uses_sticks:
             source = self._device.calibrations.source
-            on, off = self.tr("put the mix jumper on"), self.tr("leave the mix jumper off")
+            on, off = tr("put the mix jumper on"), tr("leave the mix jumper off")
             mix = on if setup.driver is Driver.ONE_STICK else off
-            start = self.tr("Switch the board off, put the mode jumper on {0}, {1}.")
-            rc = self.tr("Switch on the transmitter, then the board.")
-            on_again = rc if source is InputSource.RC else self.tr("Switch the board on.")
-            safe = self.tr("The motors stay off until the sticks are released (safe-start).")
+            start = tr("Switch the board off, put the mode jumper on {0}, {1}.")
+            rc = tr("Switch on the transmitter, then the board.")
+            on_again = rc if source is InputSource.RC else tr("Switch the board on.")
+            safe = tr("The motors stay off until the sticks are released (safe-start).")
             texts.append(f"{start.format(source.word, mix)} {on_again} {safe}")
         else:
             texts.append(
-                self.tr(
+                tr(
                     "Leave the mode jumper off. The first commands can come from the Motors page "
                     "of this window."
                 )
             )
-        texts.append(
-            self.tr("Drive first with the wheels off the ground: forward, back, left, right.")
-        )
+        texts.append(tr("Drive first with the wheels off the ground: forward, back, left, right."))
         return texts

@@ -38,32 +38,32 @@ class ChangeMenu(QMenu):
         self.setObjectName("calibrationMenu")
         self.setToolTipsVisible(True)
 
-        self._copies = self.addMenu(self.tr("&Copy to"))
+        self._copies = self.addMenu(tr("&Copy to"))
         set_icon(self._copies.menuAction(), "copy")
         for channel in CHANNELS:
-            text = self.tr("Channel {0} ({1})").format(channel, tr(CHANNEL_NAMES[channel]))
+            text = tr("Channel {0} ({1})").format(channel, tr(CHANNEL_NAMES[channel]))
             copy = partial(self._copy_to, (channel,))
             self._add(self._copies, f"copyTo{channel}Action", text, copy)
         self._copies.addSeparator()
-        text = self.tr("&All other channels")
+        text = tr("&All other channels")
         self._add(self._copies, "copyToAllAction", text, partial(self._copy_to, CHANNELS))
 
-        ends = self.addMenu(self.tr("&Equal travel to both ends"))
+        ends = self.addMenu(tr("&Equal travel to both ends"))
         ends.setToolTipsVisible(True)
-        shorter, longer = self.tr("As on the &shorter side"), self.tr("As on the &longer side")
+        shorter, longer = tr("As on the &shorter side"), tr("As on the &longer side")
         smaller = partial(self._make_symmetric, False)
         larger = partial(self._make_symmetric, True)
         self._equals = {
             False: self._add(ends, "symmetricSmallerAction", shorter, smaller),
             True: self._add(ends, "symmetricLargerAction", longer, larger),
         }
-        text = self.tr("&Reset to factory defaults")
+        text = tr("&Reset to factory defaults")
         reset = self._add(self, "resetCalibrationAction", text, self._reset, icon="default")
-        reset.setToolTip(self.tr("Assumed values: Pololu publishes no factory defaults"))
+        reset.setToolTip(tr("Assumed values: Pololu publishes no factory defaults"))
         self.addSeparator()
-        text = self.tr("&Load calibrations from a file…")
+        text = tr("&Load calibrations from a file…")
         self._add(self, "loadCalibrationsAction", text, self.files.ask_and_load, icon="open")
-        text = self.tr("&Save calibrations to a file…")
+        text = tr("&Save calibrations to a file…")
         self._save = self._add(
             self, "saveCalibrationsAction", text, self.files.ask_and_save, icon="save"
         )
@@ -95,7 +95,7 @@ class ChangeMenu(QMenu):
         wanted = calibrations.shown(self._channel)
         if wanted is None or wanted.problem():
             return
-        text = self.tr("Copy of the calibration of channel {0}").format(self._channel)
+        text = tr("Copy of the calibration of channel {0}").format(self._channel)
         with self._device.draft.one_edit(text):
             for channel in channels:
                 if channel != self._channel:
@@ -125,7 +125,7 @@ class CalibrationFiles(QObject):
 
     @Slot()
     def ask_and_load(self) -> None:
-        path = file_questions.ask_to_open(self._window, self.tr("Load calibrations"))
+        path = file_questions.ask_to_open(self._window, tr("Load calibrations"))
         if path:
             self.load_file(path)
 
@@ -133,7 +133,7 @@ class CalibrationFiles(QObject):
     def ask_and_save(self) -> None:
         chosen, _ = QFileDialog.getSaveFileName(
             self._window,
-            self.tr("Save calibrations"),
+            tr("Save calibrations"),
             str(file_questions.last_folder() / "calibrations.txt"),
             file_questions.file_filter(),
             options=QFileDialog.Option.DontConfirmOverwrite,  # only the calibrations change
@@ -151,21 +151,21 @@ class CalibrationFiles(QObject):
         )
 
     def _on_not_loaded(self, path: Path, error: StudioError) -> None:
-        text = self.tr("{0} could not be loaded: {1}")
+        text = tr("{0} could not be loaded: {1}")
         self._notifier.error.emit(text.format(path.name, error_sentence(error)))
 
     def _on_read(self, path: Path, settings: Settings) -> None:
         try:
             count, left_out = take_calibrations(
-                self._device.draft, settings, self.tr("Calibrations of {0}").format(path.name)
+                self._device.draft, settings, tr("Calibrations of {0}").format(path.name)
             )
         except BadRequest as error:
             self._on_not_loaded(path, error)
             return
         file_questions.remember_folder(path)
-        text = self.tr("{0} has the same calibrations.")
+        text = tr("{0} has the same calibrations.")
         if count:
-            text = self.tr("Calibrations loaded from {0} as edits: {1}.")
+            text = tr("Calibrations loaded from {0} as edits: {1}.")
         self._notifier.info.emit(" ".join([text.format(path.name, count), *left_out]))
 
     def save_file(self, path: Path) -> None:
@@ -182,9 +182,9 @@ class CalibrationFiles(QObject):
         )
 
     def _on_not_saved(self, path: Path, error: StudioError) -> None:
-        text = self.tr("{0} could not be saved: {1}")
+        text = tr("{0} could not be saved: {1}")
         self._notifier.error.emit(text.format(path.name, error_sentence(error)))
 
     def _on_saved(self, path: Path) -> None:
         file_questions.remember_folder(path)
-        self._notifier.info.emit(self.tr("The calibrations shown were saved in {0}.").format(path))
+        self._notifier.info.emit(tr("The calibrations shown were saved in {0}.").format(path))

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.calibration_moves import Handle
 from trex_gui.ui.plotting.axes import spread
 from trex_gui.ui.theme.theme import theme
@@ -45,9 +46,9 @@ class HandleLayer(QGraphicsObject):
     def __init__(self, font: QFont) -> None:
         super().__init__()
         self._names = {
-            Handle.MINIMUM: self.tr("Minimum"),
-            Handle.NEUTRAL: self.tr("Neutral"),
-            Handle.MAXIMUM: self.tr("Maximum"),
+            Handle.MINIMUM: tr("Minimum"),
+            Handle.NEUTRAL: tr("Neutral"),
+            Handle.MAXIMUM: tr("Maximum"),
         }
         self.set_font(font)
         self._frame = QRectF()
@@ -200,12 +201,12 @@ class HandleLayer(QGraphicsObject):
             box = QRectF(centre - width / 2, top, width + 1, height)
             self._paint_text(painter, box, self._names[handle], QPen(color))
         muted = QPen(theme().color("muted"))
-        name = self.tr("deadband")
+        name = tr("deadband")
         left = max(self._places[handle] for handle in _EDGES) + GRIP + 3
         box = QRectF(left, frame.bottom() - height - 2, self._width(name) + 4, height)
         self._paint_text(painter, box, name, muted, filled=True)
         output = QRectF(0, top, frame.left() - 4, height)
-        painter.drawText(output, Qt.AlignmentFlag.AlignRight, self.tr("Output"))
+        painter.drawText(output, Qt.AlignmentFlag.AlignRight, tr("Output"))
 
     def _paint_text(
         self, painter: QPainter, box: QRectF, text: str, pen: QPen, *, filled: bool = False

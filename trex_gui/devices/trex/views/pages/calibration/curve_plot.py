@@ -10,6 +10,7 @@ from PySide6.QtCore import QSize, Qt, Signal, Slot
 from PySide6.QtGui import QAccessible, QBrush, QFontMetrics, QPen, QResizeEvent
 from PySide6.QtWidgets import QGraphicsEllipseItem, QGraphicsItem, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.calibration_moves import Handle, moved, within_input
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
@@ -58,9 +59,9 @@ class CurvePlot(Painted):
         self._shown: ChannelCurve | None = None
         self._preview: ChannelCurve | None = None
         self._raw: int | None = None
-        self.setAccessibleName(self.tr("Curve of the channel"))
+        self.setAccessibleName(tr("Curve of the channel"))
         self.setAccessibleDescription(
-            self.tr("Its handles can be dragged; the fields below set the same values.")
+            tr("Its handles can be dragged; the fields below set the same values.")
         )
 
         self._canvas = PlotCanvas(self.accessibleName(), self)
@@ -189,7 +190,7 @@ class CurvePlot(Painted):
         if curve is not None:
             places = {handle: self.x_of(handle.count(curve.calibration)) for handle in Handle}
             if (at := curve.threshold(self._channel)) is not None:
-                name = self.tr("flip on") if self._channel == 4 else self.tr("override on")
+                name = tr("flip on") if self._channel == 4 else tr("override on")
                 text = f"{name} ▸" if curve.reversed_ else f"◂ {name}"
                 threshold = Threshold(self.x_of(at), curve.reversed_, text)
         self.handles.arrange(self._canvas.frame, places, threshold)
@@ -210,7 +211,7 @@ class CurvePlot(Painted):
         self.handles.set_font(self._canvas.small_font())
         metrics, above = self._canvas.fontMetrics(), self.handles.room_above()
         side = metrics.horizontalAdvance(_WIDEST_X_LABEL) // 2 + 4
-        texts = self.tr("Output"), self.tr("Now"), f"{MINUS}{FULL_SCALE}"  # of both plots
+        texts = tr("Output"), tr("Now"), f"{MINUS}{FULL_SCALE}"  # of both plots
         left = max(texts, key=QFontMetrics(self._canvas.small_font()).horizontalAdvance)
         self._canvas.set_margins(left=left, top=above, right=side, x_axis=True)
         self._canvas.setMinimumHeight((_MIN_CURVE_LINES + 2) * metrics.height() + above)
@@ -261,9 +262,9 @@ class InputTrace(PlotCanvas):
     """The input of the last seconds, along the axis of the curve; time runs downwards."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(self.tr("Input of the last 10 seconds"), parent)
+        super().__init__(tr("Input of the last 10 seconds"), parent)
         self.setObjectName("inputTrace")
-        self.setToolTip(self.tr("The input of the last 10 seconds; the newest is at the top"))
+        self.setToolTip(tr("The input of the last 10 seconds; the newest is at the top"))
         self._deadband = self.add_band("deadband")
         self._lines = [self.add_line("mark", vertical=True) for _ in range(3)]
         self._line = self.add_curve("motor2", 1)
@@ -275,7 +276,7 @@ class InputTrace(PlotCanvas):
         self.setMinimumHeight(_MIN_TRACE_LINES * line + top + line // 2)
 
     def set_input_axis(self, axis: tuple[float, float], x_labels: Labels) -> None:
-        labels = [(0.0, self.tr("Now")), (TRACE_SECONDS / 2, "5 s"), (TRACE_SECONDS, "10 s")]
+        labels = [(0.0, tr("Now")), (TRACE_SECONDS / 2, "5 s"), (TRACE_SECONDS, "10 s")]
         self.set_axes(axis, (TRACE_SECONDS, 0.0), x_labels, labels)
 
     def set_calibration(self, calibration: Calibration | None) -> None:

@@ -6,6 +6,7 @@ from functools import partial
 from PySide6.QtCore import QSignalBlocker, Signal, Slot
 from PySide6.QtWidgets import QLabel, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.channel_text import wrong_order
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
@@ -37,10 +38,10 @@ class CalibrationFields(QWidget):
         self._others: dict[str, QLabel] = {}  # with the values in the other unit
         self._run = object()
         titles = {
-            "minimum": self.tr("&Minimum"),
-            "neutral": self.tr("Ne&utral"),
-            "maximum": self.tr("Ma&ximum"),
-            "deadband": self.tr("Dead&band ±"),
+            "minimum": tr("&Minimum"),
+            "neutral": tr("Ne&utral"),
+            "maximum": tr("Ma&ximum"),
+            "deadband": tr("Dead&band ±"),
         }
         layout = grid(self, margins=0, spacing=(12, 2), stretch=[(each, 1) for each in range(4)])
         for number, (field, title) in enumerate(titles.items()):
@@ -120,20 +121,20 @@ class ChannelOptions(QWidget):
         self._blocker = ""
         options = {
             ParameterKey.REVERSED_CHANNELS: (
-                self.tr("Re&versed"),
-                self.tr("The output changes its sign: forward and reverse are swapped"),
+                tr("Re&versed"),
+                tr("The output changes its sign: forward and reverse are swapped"),
             ),
             ParameterKey.PARABOLIC_CHANNELS: (
-                self.tr("Parab&olic"),
-                self.tr("Gentle near neutral, steep near the ends"),
+                tr("Parab&olic"),
+                tr("Gentle near neutral, steep near the ends"),
             ),
             ParameterKey.IGNORED_CHANNELS: (
-                self.tr("I&gnored"),
-                self.tr("Held at neutral at any input; for channels without a cable"),
+                tr("I&gnored"),
+                tr("Held at neutral at any input; for channels without a cable"),
             ),
             ParameterKey.REQUIRED_CHANNELS: (
-                self.tr("Re&quired in RC mode"),
-                self.tr("The motors stop when its pulses are missing for half a second"),
+                tr("Re&quired in RC mode"),
+                tr("The motors stop when its pulses are missing for half a second"),
             ),
         }
         self._tips = {key: tip for key, (_, tip) in options.items()}

@@ -30,7 +30,7 @@ class ChannelList(QListWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        named(self, "calibrationChannels", accessible=self.tr("Channels"))
+        named(self, "calibrationChannels", accessible=tr("Channels"))
         self.setUniformItemSizes(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setIconSize(QSize(16, 16))
@@ -51,7 +51,7 @@ class ChannelList(QListWidget):
         names = [
             self._name(channel, mark)
             for channel in CHANNELS
-            for mark in (self.tr(", problem"), self.tr(", edited"))
+            for mark in (tr(", problem"), tr(", edited"))
         ]
         self.setFixedWidth(max(map(metrics.horizontalAdvance, names)) + _AROUND_TEXT)
         for index in range(self.count()):
@@ -73,7 +73,7 @@ class ChannelList(QListWidget):
 
     def _show_text(self, channel: int) -> None:
         edited, problem = self._marks[channel]
-        mark = self.tr(", problem") if problem else self.tr(", edited") if edited else ""
+        mark = tr(", problem") if problem else tr(", edited") if edited else ""
         text = f"{self._name(channel, mark)}\n{self._inputs[channel]}"
         self.item(CHANNELS.index(channel)).setText(text)
 
@@ -103,9 +103,9 @@ class ChannelHeading(QWidget):
         super().__init__(parent)
         self._device = device
         self._title = label(self, "channelTitle", bold=True)
-        self._learned = named(ElidedLabel(self.tr("not learned"), self), "learnedLabel")
+        self._learned = named(ElidedLabel(tr("not learned"), self), "learnedLabel")
         self._learned.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        self._sources = named(QTabBar(self), "sourceTabs", accessible=self.tr("Input source"))
+        self._sources = named(QTabBar(self), "sourceTabs", accessible=tr("Input source"))
         use_theme_style(self._sources)
         self._sources.setDrawBase(False)
         for _ in _SOURCES:
@@ -131,7 +131,7 @@ class ChannelHeading(QWidget):
         """
         state, active = self._device.state, self._device.calibrations.source
         name = tr(channel_text.CHANNEL_NAMES[channel])
-        self._title.setText(self.tr("Channel {0}: {1}").format(channel, name))
+        self._title.setText(tr("Channel {0}: {1}").format(channel, name))
         self._show_sources(source, active)
         self._learned.setVisible(source is active)
         self._function.setVisible(source is active)
@@ -141,11 +141,11 @@ class ChannelHeading(QWidget):
             return
         learned = channel in channels_in(state.calibrated)
         if learned:
-            self._learned.show_text(self.tr("learned: has its own calibration"))
+            self._learned.show_text(tr("learned: has its own calibration"))
         elif edited:
-            self._learned.show_text(self.tr("not learned yet: will be after Apply"))
+            self._learned.show_text(tr("not learned yet: will be after Apply"))
         else:
-            self._learned.show_text(self.tr("not learned: defaults"))
+            self._learned.show_text(tr("not learned: defaults"))
         self._learned.setToolTip(plain(channel_text.learned_text(learned)))
         switches_at = "" if curve is None else channel_text.switching_text(channel, curve, source)
         self._function.show_note(
@@ -160,10 +160,10 @@ class ChannelHeading(QWidget):
         )
 
     def _show_sources(self, shown: InputSource, active: InputSource) -> None:
-        names = (self.tr("RC pulses"), self.tr("Analog voltages"))
+        names = (tr("RC pulses"), tr("Analog voltages"))
         with QSignalBlocker(self._sources):
             for index, (source, name) in enumerate(zip(_SOURCES, names, strict=True)):
-                text = self.tr("{0} (active)").format(name) if source is active else name
+                text = tr("{0} (active)").format(name) if source is active else name
                 self._sources.setTabText(index, text)
             self._sources.setCurrentIndex(_SOURCES.index(shown))
 
@@ -187,13 +187,13 @@ class OtherSource(QWidget):
             self,
             "switchSourceButton",
             icon="calibrate",
-            accessible=self.tr("Read the other input source"),
+            accessible=tr("Read the other input source"),
             on_click=lambda: device.parameters.edit(_KEY, int(self._source is InputSource.ANALOG)),
         )
         self._cycle = button(
             self,
             "switchSourceCycleButton",
-            self.tr("Ma&ke active…"),
+            tr("Ma&ke active…"),
             icon="power",
             on_click=self.power_cycle_requested,
         )
@@ -204,7 +204,7 @@ class OtherSource(QWidget):
         state, parameters = self._device.state, self._device.parameters
         self._source = source
         if state is None:
-            self._text.setText(self.tr("No board responds."))
+            self._text.setText(tr("No board responds."))
             self._switch.hide()
             self._cycle.hide()
             return
@@ -214,14 +214,14 @@ class OtherSource(QWidget):
         is_stored = parameters.stored_of(_KEY) == wire
         text = channel_text.source_instructions(source, state.mode)
         if is_serial and is_stored and is_edited:
-            text = self.tr("Stored: the board reads {0} after the next power cycle.").format(name)
+            text = tr("Stored: the board reads {0} after the next power cycle.").format(name)
         elif is_serial and is_edited:
-            text = self.tr("Edited: apply it, then power-cycle the board to read {0}.").format(name)
-        values = self.tr("Its values have not been read yet.")
+            text = tr("Edited: apply it, then power-cycle the board to read {0}.").format(name)
+        values = tr("Its values have not been read yet.")
         if known is not None:
-            values = self.tr("The values below were {0}.").format(channel_text.known_text(known))
+            values = tr("The values below were {0}.").format(channel_text.known_text(known))
         self._text.setText(f"{text} {values}")
-        self._switch.setText(self.tr("Read {0} after the next power cycle").format(name))
+        self._switch.setText(tr("Read {0} after the next power cycle").format(name))
         self._switch.setVisible(is_serial and not is_edited)
         self._switch.setEnabled(self._device.is_connected and parameters.can_edit(_KEY))
         self._cycle.setVisible(is_serial and is_edited and is_stored)
@@ -235,10 +235,10 @@ class CurveLegend(Painted):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        named(self, "curveLegend", accessible=self.tr("Live value"))
+        named(self, "curveLegend", accessible=tr("Live value"))
         self._live = LegendKey("", "motor2", self, style=None)
         self._curve = LegendKey("", "motor1", self)
-        self._stored = LegendKey(self.tr("stored now"), "muted", self, Qt.PenStyle.DashLine)
+        self._stored = LegendKey(tr("stored now"), "muted", self, Qt.PenStyle.DashLine)
         # Values that change must not change the least width of the page.
         self._live.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         row((self._live, 1), self._curve, self._stored, into=self, margins=0, spacing=16)
@@ -255,8 +255,8 @@ class CurveLegend(Painted):
         self._curve.setVisible(known)
         self._stored.setVisible(known and live and differs)
         if not live:
-            self._curve.setText(self.tr("as last seen"))
+            self._curve.setText(tr("as last seen"))
         elif differs:
-            self._curve.setText(self.tr("after Apply"))
+            self._curve.setText(tr("after Apply"))
         else:
-            self._curve.setText(self.tr("stored in the board"))
+            self._curve.setText(tr("stored in the board"))

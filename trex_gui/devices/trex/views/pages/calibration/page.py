@@ -72,7 +72,7 @@ class CalibrationPage(PlotPage):
         self._empty = label(
             self,
             "calibrationEmpty",
-            self.tr("Connect to a board to see and change its calibrations."),
+            tr("Connect to a board to see and change its calibrations."),
         )
         self._body = body = QWidget(self)
         self._channels = ChannelList(body)
@@ -84,31 +84,31 @@ class CalibrationPage(PlotPage):
         self._both = named(ElidedLabel("", body), "otherSetLabel")
         self._note = named(Note(2, body), "calibrationNote")
         self._why = NoteField(device.draft.notes, "channelNoteEdit", body, lines=2)
-        why = label(body, text=self.tr("&Note:"), buddy=self._why)
+        why = label(body, text=tr("&Note:"), buddy=self._why)
         self._options = ChannelOptions(device.parameters, body)
         self._learn = button(
             body,
             "learnButton",
-            self.tr("Learn &this channel…"),
+            tr("Learn &this channel…"),
             icon="calibrate",
             on_click=lambda: self.learn_requested.emit((self.channel,)),
         )
         self._learn_all = button(
             body,
             "learnAllButton",
-            self.tr("Learn a&ll…"),
+            tr("Learn a&ll…"),
             on_click=lambda: self.learn_requested.emit(CHANNELS),
         )
         self._menu = ChangeMenu(device, self)
         self.files = self._menu.files
-        self._change = button(body, "changeButton", self.tr("Cop&y, reset, files"))
+        self._change = button(body, "changeButton", tr("Cop&y, reset, files"))
         self._change.setMenu(self._menu)
         self._discard = button(
             body,
             "discardChannelButton",
-            self.tr("Di&scard"),
+            tr("Di&scard"),
             icon="undo",
-            tip=self.tr("Discard the edits of this channel"),
+            tip=tr("Discard the edits of this channel"),
             on_click=self._on_discard_clicked,
         )
 
@@ -187,7 +187,7 @@ class CalibrationPage(PlotPage):
         before = self._device.draft.stored_curve(channel) if is_active else after
         self._fields.show_calibration(self.source, shown, editable=editable)
         key = CalibrationKey.of(self.source, channel)
-        self._why.show_note_on(key, self.tr("the calibration of {0}").format(key.label))
+        self._why.show_note_on(key, tr("the calibration of {0}").format(key.label))
         self._show_actions()
         self._menu.show_channel(channel, editable=editable)
         self._change.setEnabled(self._device.is_writable and is_active)
@@ -217,11 +217,11 @@ class CalibrationPage(PlotPage):
             calibration, known = self._device.memory.hidden_calibration(self.channel, source)
             since = "" if known is None else channel_text.known_text(known)
         if calibration is None:
-            return self.tr("For {0}: not read yet").format(name)
+            return tr("For {0}: not read yet").format(name)
         values = calibration_text(source, calibration)
         if not since:
-            return self.tr("For {0}: {1}").format(name, values)
-        return self.tr("For {0}, {1}: {2}").format(name, since, values)
+            return tr("For {0}: {1}").format(name, values)
+        return tr("For {0}, {1}: {2}").format(name, since, values)
 
     @Slot()
     def _show_heading(self) -> None:
@@ -239,7 +239,7 @@ class CalibrationPage(PlotPage):
         if not self._is_active:
             read = tr(channel_text.SOURCE_NAMES[self._device.calibrations.source])
             shown = tr(channel_text.SOURCE_NAMES[self.source])
-            reason = self.tr(
+            reason = tr(
                 "The board reads {0} now. Open their tab, or make the board read {1} first, as "
                 "described above."
             ).format(read, shown)
@@ -286,7 +286,7 @@ class CalibrationPage(PlotPage):
         if not self._is_active:
             return ""
         if not self._device.is_connected:
-            return self.tr(
+            return tr(
                 "No board responds. Edits are kept until a board of the same kind is connected."
             )
         if blocker := self._device.settings_blocker:
@@ -294,7 +294,7 @@ class CalibrationPage(PlotPage):
         values, counts = f"1500 µs, {Number(1.5)} ms", "3750"
         if self.source is InputSource.ANALOG:
             values, counts = f"{Number(2.5)} V, 2500 mV", "512"
-        return self.tr(
+        return tr(
             "Drag a handle of the curve, or type {0} or {1} counts. Nothing is written until you "
             "click Apply."
         ).format(values, counts)
@@ -331,7 +331,7 @@ class CalibrationPage(PlotPage):
         telemetry, source = self._device.telemetry, self._device.calibrations.source
         for channel in CHANNELS:
             raw = telemetry.raw_of(channel)
-            text = self.tr("N/A") if telemetry.raw is None else self.tr("no signal")
+            text = tr("N/A") if telemetry.raw is None else tr("no signal")
             self._channels.set_input(channel, text if raw is None else source.text(raw))
         self._legend.set_live(self._live_text(self._raw))
 
@@ -342,15 +342,15 @@ class CalibrationPage(PlotPage):
 
     def _live_text(self, raw: int | None) -> str:
         if not self._is_active:
-            return self.tr("no live value: the board reads the other source")
+            return tr("no live value: the board reads the other source")
         if self._device.telemetry.raw is None:
-            return self.tr("no live value")
+            return tr("no live value")
         if raw is None:
-            return self.tr("no signal now: the output is 0")
+            return tr("no signal now: the output is 0")
         curve = self._plot.curve if self._plot is not None else None
         output = curve.output(raw) if curve is not None else 0
-        counts = self.tr("%n count(s)", "", raw)
-        return self.tr("input now {0} ({1}), output {2}").format(
+        counts = tr("%n count(s)", "", raw)
+        return tr("input now {0} ({1}), output {2}").format(
             *units().ordered(self.source.text(raw), counts), f"{output}".replace("-", MINUS)
         )
 
@@ -394,7 +394,7 @@ class CalibrationPage(PlotPage):
 
     @Slot()
     def _on_discard_clicked(self) -> None:
-        text = self.tr("Discard edits of channel {0}").format(self.channel)
+        text = tr("Discard edits of channel {0}").format(self.channel)
         with self._device.draft.one_edit(text):
             self._device.calibrations.restore(self.channel)
             self._options.restore(self.channel)

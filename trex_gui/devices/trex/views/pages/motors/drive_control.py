@@ -222,24 +222,22 @@ class DriveControl(QWidget):
         self._zero = ui.button(
             self,
             f"{name}Zero",
-            self.tr("Zero"),
-            tip=self.tr("Speed 0: the motor is not driven and coasts"),
+            tr("Zero"),
+            tip=tr("Speed 0: the motor is not driven and coasts"),
             on_click=lambda: self.speed_wanted.emit(0),
         )
-        self.brake = ui.button(self, f"{name}Brake", self.tr("Brake"), on_click=self.brake_wanted)
+        self.brake = ui.button(self, f"{name}Brake", tr("Brake"), on_click=self.brake_wanted)
         self._bar = ui.named(OutputBar(self, bipolar=two_way), f"{name}Channel")
         self._bar.hide()
         self._setpoint_label = ui.label(self, f"{name}Setpoint")
         self.reported = ui.named(
-            ElidedLabel(self.tr("Board: serial in control…"), self), f"{name}Reported"
+            ElidedLabel(tr("Board: serial in control…"), self), f"{name}Reported"
         )
         self.reported.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         for button in (self._zero, self.brake):
             button.setMinimumWidth(button.fontMetrics().horizontalAdvance(button.text()) + 20)
         self.current = ui.named(CurrentBar(self), f"{name}Current")
-        tip = self.tr(
-            "Current of this motor; the red line is its limit, ⚠ means 80 % of it or more."
-        )
+        tip = tr("Current of this motor; the red line is its limit, ⚠ means 80 % of it or more.")
         self.current.setToolTip(ui.plain(f"{tip} {tr(CURRENT_ACCURACY)}"))
         policy = self.brake.sizePolicy()
         policy.setRetainSizeWhenHidden(not two_way)  # so that all sliders have the same length
@@ -261,22 +259,22 @@ class DriveControl(QWidget):
 
     def set_title(self, title: str) -> None:
         self._title.setText(title)
-        self.slider.setAccessibleName(self.tr("{0}, speed").format(title))
-        self._entry.setAccessibleName(self.tr("{0}, speed as a number").format(title))
-        self._zero.setAccessibleName(self.tr("{0}, speed zero").format(title))
-        self.brake.setAccessibleName(self.tr("{0}, brake").format(title))
-        self._bar.setAccessibleName(self.tr("{0}, channel command").format(title))
-        self.current.setAccessibleName(self.tr("{0}, current").format(title))
+        self.slider.setAccessibleName(tr("{0}, speed").format(title))
+        self._entry.setAccessibleName(tr("{0}, speed as a number").format(title))
+        self._zero.setAccessibleName(tr("{0}, speed zero").format(title))
+        self.brake.setAccessibleName(tr("{0}, brake").format(title))
+        self._bar.setAccessibleName(tr("{0}, channel command").format(title))
+        self.current.setAccessibleName(tr("{0}, current").format(title))
 
     def set_ceiling(self, ceiling: int) -> None:
         """Offer no speed beyond this one, 1-127, either way."""
         self.slider.set_ceiling(ceiling)
         if ceiling < FULL_SCALE:
-            tip = self.tr("Up to {0}, the speed ceiling above").format(ceiling)
+            tip = tr("Up to {0}, the speed ceiling above").format(ceiling)
         elif self._two_way:
-            tip = self.tr("From −127, full speed back, to 127, full speed forward")
+            tip = tr("From −127, full speed back, to 127, full speed forward")
         else:
-            tip = self.tr("From 0 to 127, full speed")
+            tip = tr("From 0 to 127, full speed")
         for widget in (self.slider, self._entry):
             widget.setToolTip(ui.plain(tip))
         self._entry.set_limits(-ceiling if self._two_way else 0, ceiling)

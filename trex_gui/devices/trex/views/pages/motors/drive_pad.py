@@ -15,7 +15,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from trex_gui.core.translation import Number
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.ui.theme.theme import scaled_font, theme
 from trex_gui.ui.widgets.behaviour import PressMonitor
@@ -50,7 +50,7 @@ class DrivePad(Painted):
         self._forward = self._turn = 0.0
         self._watch = PressMonitor(self)
         self.setObjectName("drivePad")
-        self.setAccessibleName(self.tr("Drive pad"))
+        self.setAccessibleName(tr("Drive pad"))
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAttribute(Qt.WidgetAttribute.WA_AcceptTouchEvents)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Expanding)
@@ -161,20 +161,20 @@ class DrivePad(Painted):
         self.update()
 
     def spoken_state(self) -> str:
-        use = self.tr("Hold an arrow key to drive while the pad has the focus.")
+        use = tr("Hold an arrow key to drive while the pad has the focus.")
         if not self._can_turn:
-            use = self.tr("Hold Up or Down to drive; the motors cannot turn separately.")
-        position = self.tr("At rest.")
+            use = tr("Hold Up or Down to drive; the motors cannot turn separately.")
+        position = tr("At rest.")
         if self._forward or self._turn:
-            ahead = self.tr("forward") if self._forward >= 0 else self.tr("back")
-            side = self.tr("right") if self._turn >= 0 else self.tr("left")
-            position = self.tr("{0} {1:.0%}, {2} {3:.0%}.").format(
+            ahead = tr("forward") if self._forward >= 0 else tr("back")
+            side = tr("right") if self._turn >= 0 else tr("left")
+            position = tr("{0} {1:.0%}, {2} {3:.0%}.").format(
                 ahead, Number(abs(self._forward)), side, Number(abs(self._turn))
             )
         parts = [position, use]
         if self._ceiling < FULL_SCALE:
             share = 100 * self._ceiling / FULL_SCALE
-            parts.append(self.tr("Full deflection is {0:.0f} % of full speed.").format(share))
+            parts.append(tr("Full deflection is {0:.0f} % of full speed.").format(share))
         return " ".join(parts)
 
     def sizeHint(self) -> QSize:
@@ -222,17 +222,17 @@ class DrivePad(Painted):
         painter.setFont(self._small_font())
         box = frame.adjusted(6, _MARGIN, -6, -_MARGIN)
         centred = Qt.AlignmentFlag.AlignHCenter
-        forward = self.tr("forward")
+        forward = tr("forward")
         if self._ceiling < FULL_SCALE:
             share = 100 * self._ceiling / FULL_SCALE
-            forward = self.tr("forward, at most {0:.0f} %").format(share)
+            forward = tr("forward, at most {0:.0f} %").format(share)
         painter.drawText(box, centred | Qt.AlignmentFlag.AlignTop, forward)
-        painter.drawText(box, centred | Qt.AlignmentFlag.AlignBottom, self.tr("back"))
+        painter.drawText(box, centred | Qt.AlignmentFlag.AlignBottom, tr("back"))
         if self._can_turn:
             box.setBottom(box.center().y() - _KNOB)  # beside the knob
             side = Qt.AlignmentFlag.AlignBottom
-            painter.drawText(box, side | Qt.AlignmentFlag.AlignLeft, self.tr("left"))
-            painter.drawText(box, side | Qt.AlignmentFlag.AlignRight, self.tr("right"))
+            painter.drawText(box, side | Qt.AlignmentFlag.AlignLeft, tr("left"))
+            painter.drawText(box, side | Qt.AlignmentFlag.AlignRight, tr("right"))
 
     def _paint_knob(self, painter: QPainter, field: QRectF) -> None:
         color = theme().color

@@ -6,6 +6,7 @@ from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtGui import QHideEvent
 from PySide6.QtWidgets import QDialogButtonBox, QFormLayout, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.gamepad import Gamepad, axis_text, button_text
 from trex_gui.devices.trex.model.momentary_drive import mix
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
@@ -91,7 +92,7 @@ class PadView(QWidget):
             bar.set_part(None if state is None else state.axis(number))
         for number, lamp in enumerate(self._lamps):
             lamp.set_lit(state is not None and state.pressed(number))
-            lamp.setAccessibleDescription(self.tr("pressed") if lamp.lit else "")
+            lamp.setAccessibleDescription(tr("pressed") if lamp.lit else "")
 
 
 class PartRow(QWidget):
@@ -114,18 +115,18 @@ class PartRow(QWidget):
             on_toggle=self.detect_toggled,
         )
         self._invert = ui.check_box(
-            self, f"gamepad{name}Invert", self.tr("Invert"), on_toggle=self.chosen
+            self, f"gamepad{name}Invert", tr("Invert"), on_toggle=self.chosen
         )
         self._invert.setVisible(inverts)
         self.setFocusProxy(self._combo)
         ui.row((self._combo, 1), self._detect, self._invert, into=self, margins=0)
 
     def set_use(self, text: str) -> None:
-        self.label.setText(self.tr("{0}: {1}").format(text, "").rstrip())
+        self.label.setText(tr("{0}: {1}").format(text, "").rstrip())
         use = text.replace("&", "")
         self._combo.setAccessibleName(use)
-        self._detect.setAccessibleName(self.tr("{0}: detect").format(use))
-        self._invert.setAccessibleName(self.tr("{0}: inverted").format(use))
+        self._detect.setAccessibleName(tr("{0}: detect").format(use))
+        self._invert.setAccessibleName(tr("{0}: inverted").format(use))
 
     def set_parts(self, names: list[str], none: str = "") -> None:
         """List axes or buttons by their names; `none` is an entry for none of them."""
@@ -168,62 +169,62 @@ class GamepadDialog(ReusedDialog):
     def __init__(self, gamepad: Gamepad, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("gamepadDialog")
-        self.setWindowTitle(self.tr("Set up the gamepad"))
+        self.setWindowTitle(tr("Set up the gamepad"))
         self._gamepad = gamepad
         self._detector: InputDetector | None = None
         self._detecting = ""  # key of a row
 
         self._name = ui.label(self, "gamepadName")
-        live = ui.named(ui.GroupBox(self.tr("Live state"), self), "gamepadLive")
+        live = ui.named(ui.GroupBox(tr("Live state"), self), "gamepadLive")
         self._live = PadView(None, live)
         self._live_layout = ui.column(self._live, 1, into=live)
-        uses = ui.GroupBox(self.tr("Assignment"), self)
+        uses = ui.GroupBox(tr("Assignment"), self)
         self._style = ui.combo_box(
             uses,
             "gamepadStyleCombo",
-            self.tr("How two axes drive two motors"),
+            tr("How two axes drive two motors"),
             items=[
-                (self.tr("One axis drives, one turns"), Style.MIXED),
-                (self.tr("An axis for each motor"), Style.TANK),
+                (tr("One axis drives, one turns"), Style.MIXED),
+                (tr("An axis for each motor"), Style.TANK),
             ],
             on_activate=self._on_edited,
         )
-        move, press = self.tr("Move it…"), self.tr("Press it…")
+        move, press = tr("Move it…"), tr("Press it…")
         self._rows = {
             "first": PartRow("First", move, uses, inverts=True),
             "second": PartRow("Second", move, uses, inverts=True),
             "hold": PartRow("Hold", press, uses),
             "stop": PartRow("Stop", press, uses),
         }
-        self._rows["first"].set_use(self.tr("&Forward"))
-        self._rows["second"].set_use(self.tr("&Turn"))
-        self._rows["hold"].set_use(self.tr("&Hold to drive"))
-        self._rows["stop"].set_use(self.tr("&Stop everything"))
+        self._rows["first"].set_use(tr("&Forward"))
+        self._rows["second"].set_use(tr("&Turn"))
+        self._rows["hold"].set_use(tr("&Hold to drive"))
+        self._rows["stop"].set_use(tr("&Stop everything"))
         self._dead_zone = ui.spin_box(
             uses,
             "gamepadDeadZoneSpin",
-            self.tr("Dead zone in percent of the travel"),
+            tr("Dead zone in percent of the travel"),
             0,
             round(100 * WIDEST_DEAD_ZONE),
             suffix=" %",
-            tip=self.tr("Travel around the centre that has no effect"),
+            tip=tr("Travel around the centre that has no effect"),
             on_change=self._on_edited,
         )
         self._expo = ui.spin_box(
             uses,
             "gamepadExpoSpin",
-            self.tr("Expo in percent"),
+            tr("Expo in percent"),
             0,
             100,
             suffix=" %",
-            tip=self.tr("0 %: linear. 100 %: cubic, finest around the centre"),
+            tip=tr("0 %: linear. 100 %: cubic, finest around the centre"),
             on_change=self._on_edited,
         )
         self._motors = [
             ui.named(
                 PartBar(uses),
                 f"gamepadMotor{number}Bar",
-                accessible=self.tr("Setpoint of motor {0}").format(number),
+                accessible=tr("Setpoint of motor {0}").format(number),
             )
             for number in (1, 2)
         ]
@@ -233,7 +234,7 @@ class GamepadDialog(ReusedDialog):
         buttons.button(standard.Close).setObjectName("gamepadCloseButton")
         self._defaults = buttons.button(standard.RestoreDefaults)
         self._defaults.setObjectName("gamepadDefaultsButton")
-        self._defaults.setText(self.tr("&Restore defaults"))
+        self._defaults.setText(tr("&Restore defaults"))
         self._defaults.setAutoDefault(False)
 
         self._lay_out_assignment(uses)
@@ -252,17 +253,17 @@ class GamepadDialog(ReusedDialog):
 
     def _lay_out_assignment(self, uses: ui.GroupBox) -> None:
         form = QFormLayout(uses)
-        form.addRow(self.tr("St&icks:"), self._style)
+        form.addRow(tr("St&icks:"), self._style)
         for key in ("first", "second"):
             form.addRow(self._rows[key].label, self._rows[key])
-        form.addRow(self.tr("&Dead zone:"), self._dead_zone)
-        form.addRow(self.tr("&Expo:"), self._expo)
+        form.addRow(tr("&Dead zone:"), self._dead_zone)
+        form.addRow(tr("&Expo:"), self._expo)
         for key in ("hold", "stop"):
             form.addRow(self._rows[key].label, self._rows[key])
         first, second, *buttons = self._rows.values()
         ui.tab_order(self._style, first, second, self._dead_zone, self._expo, *buttons)
-        form.addRow(self.tr("Motor 1:"), self._motors[0])
-        form.addRow(self.tr("Motor 2:"), self._motors[1])
+        form.addRow(tr("Motor 1:"), self._motors[0])
+        form.addRow(tr("Motor 2:"), self._motors[1])
 
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)
@@ -328,7 +329,7 @@ class GamepadDialog(ReusedDialog):
             old.hide()
             old.deleteLater()
             self._live.show()
-        absent = self.tr("No gamepad is connected. Plug one in or switch it on.")
+        absent = tr("No gamepad is connected. Plug one in or switch it on.")
         self._name.setText(absent if pad is None else pad.name)
         for widget in (*self._rows.values(), self._style, self._dead_zone, self._expo):
             widget.setEnabled(pad is not None)
@@ -342,16 +343,16 @@ class GamepadDialog(ReusedDialog):
     def _show_profile(self, pad: Pad, profile: GamepadProfile) -> None:
         is_tank = profile.style is Style.TANK
         for key, use, axis in (
-            ("first", self.tr("&Left motor") if is_tank else self.tr("&Forward"), profile.first),
-            ("second", self.tr("Right &motor") if is_tank else self.tr("&Turn"), profile.second),
+            ("first", tr("&Left motor") if is_tank else tr("&Forward"), profile.first),
+            ("second", tr("Right &motor") if is_tank else tr("&Turn"), profile.second),
         ):
             row = self._rows[key]
             row.set_use(use)
             row.set_parts(_axis_names(pad))
             row.show_part(axis.number, inverted=axis.inverted)
         for key, none, number in (
-            ("hold", self.tr("none: a moved stick drives"), profile.hold),
-            ("stop", self.tr("none"), profile.stop),
+            ("hold", tr("none: a moved stick drives"), profile.hold),
+            ("stop", tr("none"), profile.stop),
         ):
             self._rows[key].set_parts(_button_names(pad), none)
             self._rows[key].show_part(number)
@@ -380,22 +381,20 @@ class GamepadDialog(ReusedDialog):
         is_tank = self._gamepad.profile.style is Style.TANK
         match self._detecting:
             case "first" if is_tank:
-                return self.tr("Push the stick for the left motor fully forward.")
+                return tr("Push the stick for the left motor fully forward.")
             case "second" if is_tank:
-                return self.tr("Push the stick for the right motor fully forward.")
+                return tr("Push the stick for the right motor fully forward.")
             case "first":
-                return self.tr("Push the stick that drives fully forward.")
+                return tr("Push the stick that drives fully forward.")
             case "second":
-                return self.tr("Push the stick that turns fully to the right.")
+                return tr("Push the stick that turns fully to the right.")
             case "hold":
-                return self.tr("Press the button to hold while driving.")
+                return tr("Press the button to hold while driving.")
             case "stop":
-                return self.tr("Press the button that stops everything.")
+                return tr("Press the button that stops everything.")
         if self._gamepad.profile.hold is None:
-            return self.tr(
+            return tr(
                 "Without a button to hold, a bumped stick drives the motors. The gamepad cannot "
                 "drive while this window is open."
             )
-        return self.tr(
-            "The gamepad cannot drive while this window is open, but its stop button works."
-        )
+        return tr("The gamepad cannot drive while this window is open, but its stop button works.")

@@ -4,6 +4,7 @@ from PySide6.QtCore import QSignalBlocker, Qt, Slot
 from PySide6.QtGui import QGuiApplication, QHideEvent, QShowEvent
 from PySide6.QtWidgets import QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.gamepad import Gamepad
 from trex_gui.devices.trex.views.pages.motors.gamepad_dialog import GamepadDialog, PartBar
@@ -21,22 +22,22 @@ class GamepadPanel(ui.GroupBox):
     ) -> None:
         super().__init__("", parent)
         self.setObjectName("gamepadPanel")
-        self.setTitle(self.tr("Gamepad"))
+        self.setTitle(tr("Gamepad"))
         self.gamepad = Gamepad(device, source or SdlPads(), self)
         self._dialog: GamepadDialog | None = None
 
         self._on = ui.check_box(
             self,
             "gamepadBox",
-            self.tr("Drive with a &gamepad"),
-            accessible=self.tr("Drive with a gamepad"),
+            tr("Drive with a &gamepad"),
+            accessible=tr("Drive with a gamepad"),
             on_toggle=self._on_toggled,
         )
         self._pads = ui.combo_box(
             self,
             "gamepadCombo",
-            self.tr("Gamepad"),
-            tip=self.tr("Gamepad"),
+            tr("Gamepad"),
+            tip=tr("Gamepad"),
             on_activate=self._on_pad_activated,
         )
         self._pads.setSizeAdjustPolicy(
@@ -46,8 +47,8 @@ class GamepadPanel(ui.GroupBox):
         self._set_up = ui.button(
             self,
             "gamepadSetUpButton",
-            self.tr("Set &up…"),
-            accessible=self.tr("Set up the gamepad"),
+            tr("Set &up…"),
+            accessible=tr("Set up the gamepad"),
             on_click=self._on_set_up_clicked,
         )
         self._state = ui.named(Note(0, self), "gamepadState")
@@ -55,7 +56,7 @@ class GamepadPanel(ui.GroupBox):
             Qt.TextInteractionFlag.TextSelectableByMouse
             | Qt.TextInteractionFlag.TextSelectableByKeyboard
         )
-        forward, turn = self.tr("Forward"), self.tr("Turn")
+        forward, turn = tr("Forward"), tr("Turn")
         self._forward = ui.named(PartBar(self), "gamepadForward", accessible=forward)
         self._turn = ui.named(PartBar(self), "gamepadTurn", accessible=turn)
         self._bars = QWidget(self)
@@ -70,8 +71,8 @@ class GamepadPanel(ui.GroupBox):
         self._unfocused = ui.check_box(
             self,
             "gamepadUnfocusedBox",
-            self.tr("Stop whe&n the window loses the focus"),
-            accessible=self.tr("Stop what the gamepad drives when the window loses the focus"),
+            tr("Stop whe&n the window loses the focus"),
+            accessible=tr("Stop what the gamepad drives when the window loses the focus"),
             checked=self.gamepad.stops_unfocused,
             on_toggle=self.gamepad.set_stops_unfocused,
         )
@@ -151,9 +152,9 @@ class GamepadPanel(ui.GroupBox):
 
     def _blocker(self) -> str:
         if self._dialog is not None and self._dialog.isVisible():
-            return self.tr("The gamepad is being set up and cannot drive.")
+            return tr("The gamepad is being set up and cannot drive.")
         if not self.isVisible():
-            return self.tr("The gamepad drives only while the Motors page is open.")
+            return tr("The gamepad drives only while the Motors page is open.")
         if self.gamepad.stops_unfocused and not self.isActiveWindow():
-            return self.tr("Another window is in front, so the gamepad cannot drive.")
+            return tr("Another window is in front, so the gamepad cannot drive.")
         return ""

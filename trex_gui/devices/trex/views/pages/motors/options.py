@@ -7,7 +7,7 @@ from PySide6.QtCore import QObject, QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QSizePolicy, QSlider, QWidget
 
-from trex_gui.core.translation import Number
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.model.motors import LONGEST, Motors
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.views.pages.motors.drive_control import SpeedEntry
@@ -61,7 +61,7 @@ class Level(QObject):
         self.entry = ui.named(
             _StrengthEntry(parent),
             f"{name}Entry",
-            accessible=self.tr("{0}, as a number").format(plain),
+            accessible=tr("{0}, as a number").format(plain),
             tip=tip,
         )
         for widget in (self._slider, self.entry):
@@ -93,11 +93,11 @@ class SpeedCeiling(QWidget):
         super().__init__(parent)
         self._motors = motors
         self._level = Level(
-            self.tr("&Speed ceiling"),
+            tr("&Speed ceiling"),
             "ceiling",
             1,
             self,
-            tip=self.tr(
+            tip=tr(
                 "Highest speed that this program sends to this board; full deflection of pad, "
                 "keys and gamepad gives this speed. Raising it does not speed up a running motor."
             ),
@@ -115,9 +115,9 @@ class SpeedCeiling(QWidget):
         motors = self._motors
         self._level.set_value(motors.ceiling)
         self.setEnabled(bool(motors.board))
-        text = self.tr("Remembered for this board.")
+        text = tr("Remembered for this board.")
         if motors.is_first_drive:
-            text = self.tr("New board: raise this once its motors turn the right way.")
+            text = tr("New board: raise this once its motors turn the right way.")
         self._note.show_note(text if motors.board else "")
 
 
@@ -128,7 +128,7 @@ class Options(ui.GroupBox):
 
     def __init__(self, motors: Motors, parent: QWidget | None = None) -> None:
         super().__init__("", parent)
-        self.setTitle(self.tr("Options"))
+        self.setTitle(tr("Options"))
         self.setObjectName("motorsOptions")
         self._motors = motors
         self._joint = False
@@ -137,8 +137,8 @@ class Options(ui.GroupBox):
         accelerate = ui.radio_button(
             self,
             "accelerateButton",
-            self.tr("Accelerate along the board's ra&mp"),
-            tip=self.tr(
+            tr("Accelerate along the board's ra&mp"),
+            tip=tr(
                 "The board ramps speeds at the Acceleration setting and pauses for the brake "
                 "duration before reversing"
             ),
@@ -146,49 +146,47 @@ class Options(ui.GroupBox):
         at_once = ui.radio_button(
             self,
             "setButton",
-            self.tr("Se&t at once"),
-            tip=self.tr(
-                "Bypasses ramp and brake duration, and for a moment also the current limit"
-            ),
+            tr("Se&t at once"),
+            tip=tr("Bypasses ramp and brake duration, and for a moment also the current limit"),
         )
         (accelerate if motors.accelerate else at_once).setChecked(True)
         self._keys = ui.check_box(
             self,
             "driveWithKeys",
-            self.tr("Drive with arrow &keys or WASD"),
-            tip=self.tr(
+            tr("Drive with arrow &keys or WASD"),
+            tip=tr(
                 "Held keys drive wherever the focus is on this page, except in number fields, "
                 "tables and lists; sliders then get no arrow keys. In the pad they always drive."
             ),
             on_toggle=self.keys_toggled,
         )
         self._link = ui.check_box(
-            self, "linkMotors", self.tr("&Link both motors"), on_toggle=motors.set_linked
+            self, "linkMotors", tr("&Link both motors"), on_toggle=motors.set_linked
         )
         self._brake = Level(
-            self.tr("&Brake strength"),
+            tr("&Brake strength"),
             "brake",
             0,
             self,
-            tip=self.tr(
+            tip=tr(
                 "How hard Brake and letting go of pad, keys and held sliders brake; Stop always "
                 "brakes fully"
             ),
             apply=self._on_brake_chosen,
         )
         motors.set_release_brake(self._store.integer("motors/brake", FULL_SCALE, 0, FULL_SCALE))
-        self._brake.entry.setSpecialValueText(self.tr("coast (0 %)"))
+        self._brake.entry.setSpecialValueText(tr("coast (0 %)"))
         self._lock = self._make_lock()
         lock_label = ui.label(
-            self, "", self.tr("L&ock after Stop"), tip=self._lock.toolTip(), buddy=self._lock
+            self, "", tr("L&ock after Stop"), tip=self._lock.toolTip(), buddy=self._lock
         )
         # Off at first: Esc, the red button and the state of the motors are below every page, and
         # whoever looks at Currents or changes a parameter may want the motors to go on.
         self._leave = ui.check_box(
             self,
             "stopOnLeaving",
-            self.tr("Stop when you lea&ve this page"),
-            tip=self.tr(
+            tr("Stop when you lea&ve this page"),
+            tip=tr(
                 "Stop both motors and the auxiliary when another page is shown or the window is "
                 "minimised"
             ),
@@ -198,8 +196,8 @@ class Options(ui.GroupBox):
         self._return = ui.check_box(
             self,
             "returnToZero",
-            self.tr("Return slider to &zero when it is released"),
-            tip=self.tr("A slider drives only while you hold it; letting go brakes its motor"),
+            tr("Return slider to &zero when it is released"),
+            tip=tr("A slider drives only while you hold it; letting go brakes its motor"),
             checked=self._store.flag("motors/return_to_zero", default=False),
             on_toggle=lambda wanted: self._store.set("motors/return_to_zero", wanted),
         )
@@ -224,19 +222,19 @@ class Options(ui.GroupBox):
         self._on_options_changed()
 
     def _make_lock(self) -> SpeedEntry:
-        tip = self.tr(
+        tip = tr(
             "How long Run motor stays locked after Stop or Esc, so that a slider or key still held "
             "cannot restart a motor (0 to {0:g} s)"
         ).format(Number(LONGEST))
         lock = ui.named(
             SpeedEntry(self),
             "lockoutEntry",
-            accessible=self.tr("Seconds that Run motor is locked after Stop"),
+            accessible=tr("Seconds that Run motor is locked after Stop"),
             tip=tip,
         )
         lock.setRange(0, round(LONGEST))
-        lock.setSuffix(self.tr(" s"))
-        lock.setSpecialValueText(self.tr("none (0 s)"))
+        lock.setSuffix(tr(" s"))
+        lock.setSpecialValueText(tr("none (0 s)"))
         lock.setMinimumWidth(lock.sizeHint().width())  # as wide with any text
         return lock
 
@@ -259,9 +257,9 @@ class Options(ui.GroupBox):
         can_link = motors.linked or motors.can_link
         self._link.setChecked(motors.linked)
         self._link.setEnabled(can_link and not self._joint)
-        tip = self.tr("Either slider sets both motors; the robot does not turn")
+        tip = tr("Either slider sets both motors; the robot does not turn")
         if not can_link:
-            tip = self.tr("The motors run differently: stop both, or give both the same speed")
+            tip = tr("The motors run differently: stop both, or give both the same speed")
         self._link.setToolTip(tip)
 
     def _on_brake_chosen(self, duty: int) -> None:

@@ -67,19 +67,19 @@ class MotorsPage(QWidget):
         self._reason.setAlignment(Qt.AlignmentFlag.AlignVCenter)
         run = RunButton(device, "motorsRunButton", self)
         run.setText(run.text().replace("&", ""))  # the letter is that of the one below the pages
-        self._drive_box = drive_box = ui.GroupBox(self.tr("Drive"), self)
+        self._drive_box = drive_box = ui.GroupBox(tr("Drive"), self)
         ceiling = SpeedCeiling(device.motors, drive_box)
         self._pad = DrivePad(drive_box)
         self._controls = {
-            1: DriveControl(self.tr("Motor 1"), "motor1", parent=drive_box),
-            2: DriveControl(self.tr("Motor 2"), "motor2", parent=drive_box),
+            1: DriveControl(tr("Motor 1"), "motor1", parent=drive_box),
+            2: DriveControl(tr("Motor 2"), "motor2", parent=drive_box),
             _AUXILIARY: DriveControl(
-                self.tr("Auxiliary (one way)"), "aux", two_way=False, parent=drive_box
+                tr("Auxiliary (one way)"), "aux", two_way=False, parent=drive_box
             ),
         }
         self._options = Options(device.motors, self)
         self._stored = LinkLabel("motorsStored", self)
-        self._stored.setToolTip(self.tr("Stored settings; click a value to open its parameter"))
+        self._stored.setToolTip(tr("Stored settings; click a value to open its parameter"))
         self._keys = KeyDriver(self._key_drive, device.motors, self, self._pad)
 
         head = ui.row(self._sign, (self._reason, 1), run, spacing=10)
@@ -161,7 +161,7 @@ class MotorsPage(QWidget):
         joint = self._device.is_joint
         for drive in (self._pad_drive, self._key_drive):
             drive.joint = joint
-        self._controls[1].set_title(self.tr("Motor (joint)") if joint else self.tr("Motor 1"))
+        self._controls[1].set_title(tr("Motor (joint)") if joint else tr("Motor 1"))
         self._options.set_joint(joint)
         state = self._device.state
         if state is not None:
@@ -180,7 +180,7 @@ class MotorsPage(QWidget):
         text = _stored_text(device.parameters, joint=device.is_joint, linked=is_connected)
         self._stored.setText(text)
         self._stored.setEnabled(is_connected)
-        self._stored.setAccessibleName("" if text else self.tr("Stored motor settings: not known"))
+        self._stored.setAccessibleName("" if text else tr("Stored motor settings: not known"))
 
     @Slot()
     def _on_holder_changed(self) -> None:
@@ -195,7 +195,7 @@ class MotorsPage(QWidget):
         self._pad.set_can_turn(self._pad_drive.can_turn)
         self._pad.set_ceiling(motors.ceiling)
         share = 100 * motors.release_brake / FULL_SCALE
-        brake = self.tr("Brake with {0:.0f} % (see Brake strength below)").format(share)
+        brake = tr("Brake with {0:.0f} % (see Brake strength below)").format(share)
         for number, control in self._controls.items():
             control.setEnabled(motors.armed and not self._is_unused(number))
             control.set_ceiling(motors.ceiling)
@@ -213,9 +213,9 @@ class MotorsPage(QWidget):
             drive = motors.drive(number)
             text = setpoint_text(drive) if motors.armed else ""
             if self._is_unused(number):
-                text = self.tr("Joint mode: follows motor 1")
+                text = tr("Joint mode: follows motor 1")
             self._controls[number].show_setpoint(drive.signed if drive else 0, text)
-        text = self.tr("Setpoint: {0}").format(motors.auxiliary) if motors.armed else ""
+        text = tr("Setpoint: {0}").format(motors.auxiliary) if motors.armed else ""
         self._controls[_AUXILIARY].show_setpoint(motors.auxiliary, text)
 
     @Slot()
@@ -293,9 +293,9 @@ class MotorsPage(QWidget):
         is_dragged = self._dragged is not None and self._motors.armed
         self._dragged = None
         if self._holder or is_dragged:
-            self._motors.stop(self.tr("The Motors page was left while a control was held."))
+            self._motors.stop(tr("The Motors page was left while a control was held."))
         elif self._options.stops_on_leaving and self._motors.armed:
-            self._motors.stop(self.tr("The Motors page was left."))
+            self._motors.stop(tr("The Motors page was left."))
         super().hideEvent(event)
 
     def _note_holder(self) -> None:

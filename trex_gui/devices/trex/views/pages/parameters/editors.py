@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QAbstractSpinBox, QWidget
 
 from trex_gui.core.decimals import quantity
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.parameters.text import (
     acceleration_range,
     frequency_code,
@@ -55,9 +56,7 @@ class NumberEditor(UnitSpinBox):
             wire = int(number)
         except ValueError:
             raise BadRequest(
-                self.tr("{0} is {1}, not {2}").format(
-                    self._spec.name, self._spec.range_text(), number
-                )
+                tr("{0} is {1}, not {2}").format(self._spec.name, self._spec.range_text(), number)
             ) from None
         return self._spec.check(wire)
 
@@ -71,7 +70,7 @@ class AccelerationEditor(NumberEditor):
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(spec, parent)
         self.setToolTip(
-            self.tr("{0}. The board stores the nearest time. Or speed steps, such as {1}.").format(
+            tr("{0}. The board stores the nearest time. Or speed steps, such as {1}.").format(
                 acceleration_range(spec), f"25 {spec.unit}"
             )
         )
@@ -118,7 +117,7 @@ class FrequencyEditor(UnitSpinBox):
             return self.value()
         wanted = quantity(re.sub("[kK]$", "kHz", text.strip()), "Hz") or 0
         if not self._hertz[0] / _TOLERANCE <= wanted <= self._hertz[-1] * _TOLERANCE:
-            message = self.tr("The PWM frequency is {0}, not {1}.")
+            message = tr("The PWM frequency is {0}, not {1}.")
             raise BadRequest(message.format(frequency_range(self._codes), text.strip()))
         nearest = min(range(len(self._codes)), key=lambda at: abs(self._hertz[at] - wanted))
         return self._codes[nearest]
@@ -154,7 +153,7 @@ class ChoiceEditor(ComboBox):
 
     def setValue(self, wire: int) -> None:
         if self.findData(wire) < 0:
-            self.addItem(self.tr("unknown ({0})").format(wire), wire)
+            self.addItem(tr("unknown ({0})").format(wire), wire)
         self.setCurrentIndex(self.findData(wire))
 
 
@@ -172,7 +171,7 @@ class ChannelsEditor(QWidget):
                 self,
                 f"channel{channel}Box",
                 str(channel),
-                accessible=self.tr("{0}: channel {1}").format(spec.name, channel),
+                accessible=tr("{0}: channel {1}").format(spec.name, channel),
                 on_click=lambda: self.valueChanged.emit(self.value()),
             )
             for channel in CHANNELS
@@ -202,28 +201,28 @@ class LineSettingsEditor(QWidget):
         self._baud = combo_box(
             self,
             "baudField",
-            self.tr("Baud rate"),
-            tip=self.tr("Baud rate"),
-            items=[(self.tr("{0} baud").format(baud), baud) for baud in baud_rates()],
+            tr("Baud rate"),
+            tip=tr("Baud rate"),
+            items=[(tr("{0} baud").format(baud), baud) for baud in baud_rates()],
         )
         self._detection = combo_box(
             self,
             "detectionField",
-            self.tr("Error detection"),
-            tip=self.tr("Error detection"),
+            tr("Error detection"),
+            tip=tr("Error detection"),
             items=[
-                (self.tr("no error detection"), Detection.NONE),
-                (self.tr("CRC-7"), Detection.CRC7),
-                (self.tr("even parity"), Detection.EVEN),
-                (self.tr("odd parity"), Detection.ODD),
+                (tr("no error detection"), Detection.NONE),
+                (tr("CRC-7"), Detection.CRC7),
+                (tr("even parity"), Detection.EVEN),
+                (tr("odd parity"), Detection.ODD),
             ],
         )
         self._stop_bits = combo_box(
             self,
             "stopBitsField",
-            self.tr("Stop bits"),
-            tip=self.tr("Stop bits"),
-            items=[(self.tr("1 stop bit"), 1), (self.tr("2 stop bits"), 2)],
+            tr("Stop bits"),
+            tip=tr("Stop bits"),
+            items=[(tr("1 stop bit"), 1), (tr("2 stop bits"), 2)],
         )
         self._fields = (self._baud, self._detection, self._stop_bits)
 

@@ -13,6 +13,7 @@ from PySide6.QtCore import (
 )
 from PySide6.QtWidgets import QComboBox, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel, Role
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.widgets.builders import check_box, combo_box, label, row, search_field
@@ -103,13 +104,13 @@ class ParameterFilters(QWidget):
         self._rows = rows
         self._store = Preferences()
 
-        hint = self.tr("Search names and descriptions (Ctrl+F)")
-        self._words = search_field(self, "parameterSearch", self.tr("Search parameters"), hint)
+        hint = tr("Search names and descriptions (Ctrl+F)")
+        self._words = search_field(self, "parameterSearch", tr("Search parameters"), hint)
         self._group = combo_box(
             self,
             "parameterGroup",
-            self.tr("Group of parameters"),
-            tip=self.tr("Group of parameters"),
+            tr("Group of parameters"),
+            tip=tr("Group of parameters"),
             on_change=self._on_changed,
         )
         self._group.setSizeAdjustPolicy(
@@ -119,22 +120,22 @@ class ParameterFilters(QWidget):
         self._modified = check_box(
             self,
             "modifiedOnly",
-            self.tr("&Modified only"),
-            tip=self.tr("Show only what you have changed"),
+            tr("&Modified only"),
+            tip=tr("Show only what you have changed"),
             on_toggle=self._on_changed,
         )
         self._not_default = check_box(
             self,
             "notDefaultOnly",
-            self.tr("Not default onl&y"),
-            tip=self.tr("Show only values that differ from their default"),
+            tr("Not default onl&y"),
+            tip=tr("Show only values that differ from their default"),
             on_toggle=self._on_changed,
         )
         both = check_box(
             self,
             "bothMotors",
-            self.tr("&Both motors as one"),
-            tip=self.tr("Make each change to one motor to the other, too, in one step"),
+            tr("&Both motors as one"),
+            tip=tr("Make each change to one motor to the other, too, in one step"),
             on_toggle=self._on_both_toggled,
         )
         self._count = label(self, "parameterCount")
@@ -167,7 +168,7 @@ class ParameterFilters(QWidget):
         """Show how many rows match, unless all do."""
         shown, total = self._rows.shown, self._rows.parameters.count
         self._count.setVisible(shown < total)
-        text = self.tr("None of {1} matches") if shown == 0 else self.tr("{0} of {1}")
+        text = tr("None of {1} matches") if shown == 0 else tr("{0} of {1}")
         self._count.setText(text.format(shown, total))
 
     @Slot()
@@ -176,7 +177,7 @@ class ParameterFilters(QWidget):
         wanted = self._group.currentData()
         with QSignalBlocker(self._group):
             self._group.clear()
-            self._group.addItem(self.tr("All groups"), "")
+            self._group.addItem(tr("All groups"), "")
             for task, title in self._rows.parameters.tasks.items():
                 self._group.addItem(title, task)
             self._group.setCurrentIndex(max(0, self._group.findData(wanted)))

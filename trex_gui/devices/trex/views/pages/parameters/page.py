@@ -3,6 +3,7 @@
 from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtWidgets import QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.linter import BoardLinter
@@ -31,24 +32,24 @@ class ParametersPage(QWidget):
         self._activate = button(
             self,
             "makeActiveButton",
-            self.tr("Ma&ke active…"),
+            tr("Ma&ke active…"),
             icon="power",
-            tip=self.tr("Show the steps for switching the board off and on"),
+            tip=tr("Show the steps for switching the board off and on"),
             on_click=self.power_cycle_requested,
         )
         self._discard = button(
             self,
             "discardButton",
-            self.tr("Discard edi&ts"),
+            tr("Discard edi&ts"),
             icon="undo",
             on_click=device.draft.discard_edits,
         )
         self._reload = button(
             self,
             "reloadButton",
-            self.tr("Re&load"),
+            tr("Re&load"),
             icon="reload",
-            tip=self.tr("Read every parameter from the board again"),
+            tip=tr("Read every parameter from the board again"),
             on_click=self.reload_requested,
         )
         self.table = ParameterTable(device.draft, linter, self)
@@ -79,21 +80,21 @@ class ParametersPage(QWidget):
 
     def _state_text(self, *, connected: bool) -> str:
         if self._model.count == 0:
-            return self.tr("Connect to a board to see its parameters.")
+            return tr("Connect to a board to see its parameters.")
         if not connected:
-            return self.tr(
+            return tr(
                 "No board is responding. Edits are kept until the same kind of board is connected."
             )
         if blocker := self._device.settings_blocker:
             return blocker
         if self._device.draft.reset_pending:
-            return self.tr("Factory defaults take effect after the next power cycle.")
+            return tr("Factory defaults take effect after the next power cycle.")
         if pending := self._device.draft.pending:
-            return self.tr("%n pending change(s): click Apply settings to write.", "", pending)
+            return tr("%n pending change(s): click Apply settings to write.", "", pending)
         if waiting := self._model.waiting_for_power:
-            text = self.tr("Stored, but not active until the board is switched off and on: {0}.")
+            text = tr("Stored, but not active until the board is switched off and on: {0}.")
             return text.format(", ".join(waiting))
-        return self.tr(
+        return tr(
             "Click a value and type, or double-click it. Nothing is written until you click Apply."
         )
 
@@ -101,19 +102,19 @@ class ParametersPage(QWidget):
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
         failed = [result for result in results if result.error is not None]
         if any(result.key == ParameterKey.FACTORY_RESET for result in results):
-            text = self.tr("Factory defaults take effect after the next power cycle.")
+            text = tr("Factory defaults take effect after the next power cycle.")
             if failed:
-                text = self.tr("Rejected by the board: {0}").format(error_sentence(failed[0].error))
+                text = tr("Rejected by the board: {0}").format(error_sentence(failed[0].error))
             self._notice.setText(text)
             return
         if failed:
             self.table.show_parameter(failed[0].key)
-            text = self.tr("{0} of {1} could not be verified; marked below.")
+            text = tr("{0} of {1} could not be verified; marked below.")
             text = text.format(len(failed), len(results))
         else:
-            text = self.tr("%n setting(s) written and verified.", "", len(results))
+            text = tr("%n setting(s) written and verified.", "", len(results))
             if waiting := self._model.waiting_for_power:
-                text += " " + self.tr("Switch the board off and on to make active: {0}.").format(
+                text += " " + tr("Switch the board off and on to make active: {0}.").format(
                     ", ".join(waiting)
                 )
         self._notice.setText(text)

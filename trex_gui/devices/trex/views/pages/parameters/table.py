@@ -7,6 +7,7 @@ from PySide6.QtCore import QModelIndex, Qt, Slot
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.model.parameters.text import ParameterColumn
@@ -44,7 +45,7 @@ class ParameterTable(QWidget):
         reset, pin, other = (action_button(each, beside) for each in self._view.tools)
         self._help = ParameterHelp(self._model, beside)
         self._note = NoteField(draft.notes, "noteEdit", beside)
-        note = label(beside, text=self.tr("N&ote on the value:"), buddy=self._note)
+        note = label(beside, text=tr("N&ote on the value:"), buddy=self._note)
         self._findings = FindingsList("parameter", self._note, beside)
         column(
             column(row(reset, pin, 1), row(other, 1), spacing=2),
@@ -83,9 +84,9 @@ class ParameterTable(QWidget):
         viewport = self._view.viewport()
         note = QWidget(viewport)
         note.setObjectName("noParameterMatches")
-        text = label(note, text=self.tr("No parameter matches."))
+        text = label(note, text=tr("No parameter matches."))
         show_all = button(
-            note, "showAllParameters", self.tr("&Show all parameters"), on_click=self._filters.clear
+            note, "showAllParameters", tr("&Show all parameters"), on_click=self._filters.clear
         )
         centre = Qt.AlignmentFlag.AlignCenter
         column((text, 0, centre), (show_all, 0, centre), into=note)
@@ -159,7 +160,7 @@ class ParameterHelp(LinkLabel):
 
     def show_help_of(self, key: str) -> None:
         follow_theme(self, "link", partial(self._show, key))
-        self.setAccessibleName("" if key else self.tr("No parameter is selected"))
+        self.setAccessibleName("" if key else tr("No parameter is selected"))
 
     def _show(self, key: str) -> None:
         lines = self._lines(key) if key else []

@@ -35,6 +35,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.parameters.parameters import Index, ParameterModel, Role
 from trex_gui.devices.trex.model.parameters.text import ParameterColumn
 from trex_gui.devices.trex.protocol.parameters import motor_name
@@ -240,7 +241,7 @@ class ParameterView(QTableView):
         self._fitted: dict[ParameterColumn, int] = {}  # widths that no user has changed since
 
         self._model.pin(filter(None, Preferences().text(_PINNED).split(",")))
-        flat_table(self, "parametersView", self.tr("Parameters"))
+        flat_table(self, "parametersView", tr("Parameters"))
         self.setModel(rows)
         self.setItemDelegate(ParameterDelegate(self._model, self))
         behavior, triggers = QAbstractItemView.SelectionBehavior, QAbstractItemView.EditTrigger
@@ -350,23 +351,21 @@ class ParameterView(QTableView):
 
     def _set_up_menu(self) -> None:
         model, copy = self._model, QKeySequence.StandardKey.Copy
-        self._edit = self._action("editParameter", self._begin_edit, self.tr("Edit"))
-        self._try = self._action(
-            "tryParameter", self._ask_for_wire, self.tr("Try another &wire value…")
-        )
+        self._edit = self._action("editParameter", self._begin_edit, tr("Edit"))
+        self._try = self._action("tryParameter", self._ask_for_wire, tr("Try another &wire value…"))
         self._reset = self._action(
             "resetParameter", model.reset, icon="default", shortcut="Ctrl+Backspace"
         )
         self._restore = self._action("restoreParameter", model.restore)
         self._leave_out = self._action(
-            "leaveOutParameter", model.leave_out, self.tr("Leave out of the file")
+            "leaveOutParameter", model.leave_out, tr("Leave out of the file")
         )
         self._to_other_motor = self._action("copyToOtherMotor", model.copy_to_other_motor)
-        self._pin = self._action("pinParameter", self._toggle_pin, self.tr("Pi&n to the top"))
+        self._pin = self._action("pinParameter", self._toggle_pin, tr("Pi&n to the top"))
         self._copy = self._action("copyParameter", self._copy_line, icon="copy", shortcut=copy)
-        self._try.setIconText(self.tr("Other &value…"))
-        self._pin.setIconText(self.tr("Pi&n"))
-        self._reset.setIconText(self.tr("Defa&ult"))
+        self._try.setIconText(tr("Other &value…"))
+        self._pin.setIconText(tr("Pi&n"))
+        self._reset.setIconText(tr("Defa&ult"))
         self._menu = QMenu(self)
         self._menu.setObjectName("parameterMenu")
         self._menu.addActions([self._edit, self._try])
@@ -430,21 +429,21 @@ class ParameterView(QTableView):
         self._try.setEnabled(can_edit)
         self._reset.setText(model.text.reset(key))
         self._reset.setEnabled(can_edit and self.currentIndex().data(Role.RESET) is not None)
-        restore = self.tr("Restore stored value")
-        self._restore.setText(self.tr("{0}: {1}").format(restore, stored) if stored else restore)
+        restore = tr("Restore stored value")
+        self._restore.setText(tr("{0}: {1}").format(restore, stored) if stored else restore)
         self._restore.setEnabled(can_edit and bool(self.currentIndex().data(Role.DIRTY)))
         self._leave_out.setVisible(model.can_leave_out(key))
         other_motor = model.other_motor_of(key)
         self._to_other_motor.setVisible(other_motor is not None)
         if other_motor is not None:
             is_other = model.text.value(other_motor) != model.text.value(key)
-            self._to_other_motor.setText(self.tr("Copy to {0}").format(motor_name(other_motor)))
+            self._to_other_motor.setText(tr("Copy to {0}").format(motor_name(other_motor)))
             self._to_other_motor.setEnabled(can_edit and is_other)
         is_pinned = model.is_pinned(key)
-        self._pin.setText(self.tr("U&npin") if is_pinned else self.tr("Pi&n to the top"))
-        self._pin.setIconText(self.tr("U&npin") if is_pinned else self.tr("Pi&n"))
+        self._pin.setText(tr("U&npin") if is_pinned else tr("Pi&n to the top"))
+        self._pin.setIconText(tr("U&npin") if is_pinned else tr("Pi&n"))
         lines = self._lines(key)
-        self._copy.setText(self.tr("Copy as “{0}”").format(", ".join(lines)))
+        self._copy.setText(tr("Copy as “{0}”").format(", ".join(lines)))
         self._copy.setEnabled(bool(lines))
 
     def _ask_for_wire(self, key: str) -> None:

@@ -4,6 +4,7 @@ from PySide6.QtCore import Qt, Slot
 from PySide6.QtWidgets import QDialog, QWidget
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.protocol.device_table import HIGHEST_WIRE
 from trex_gui.ui.translations import error_sentence
@@ -23,7 +24,7 @@ class WireDialog(QDialog):
         spec = model.spec_of(key)
         self.setWindowTitle(spec.name)
         self._model, self._key = model, key
-        text = self.tr(
+        text = tr(
             "{0} is {1}{2}. No document confirms this limit. You can try any wire value from "
             "0 to {3}. The board decides: it may reject the value, or store another "
             "one, and the program shows which. A value that the board stores is remembered for "
@@ -31,14 +32,14 @@ class WireDialog(QDialog):
         )
         text = text.format(spec.name, spec.range_text(), spec.limits_mark, HIGHEST_WIRE)
         note = label(self, "wireNote", text, wrap=True)
-        self._value = spin_box(self, "wireField", self.tr("Wire value"), 0, HIGHEST_WIRE)
+        self._value = spin_box(self, "wireField", tr("Wire value"), 0, HIGHEST_WIRE)
         self._value.setValue(model.value_of(key) or 0)
         self._trouble = named(Note(2, self), "wireTrouble")
         self._accept = button(
-            self, "tryWireButton", self.tr("&Try this value"), default=True, on_click=self._on_click
+            self, "tryWireButton", tr("&Try this value"), default=True, on_click=self._on_click
         )
-        cancel = button(self, "cancelWireButton", self.tr("Cancel"), on_click=self.close)
-        before = label(self, text=self.tr("&Wire value:"), buddy=self._value)
+        cancel = button(self, "cancelWireButton", tr("Cancel"), on_click=self.close)
+        before = label(self, text=tr("&Wire value:"), buddy=self._value)
         column(
             note,
             row(before, self._value, 1),
