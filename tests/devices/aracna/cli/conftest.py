@@ -3,14 +3,9 @@
 import pytest
 from click.testing import Result
 
-from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_command import RunCommand, StartCommand, VirtualCommand
 from tests.support.virtual_time import VirtualRuntime
-
-
-@pytest.fixture
-def robot(start_simulator: StartSimulator) -> SimulatedDevice:
-    return start_simulator("--aracna", "--unpaced")
 
 
 @pytest.fixture

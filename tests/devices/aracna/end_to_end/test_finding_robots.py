@@ -1,15 +1,9 @@
 """Find, on ports that lead to a robot, to a board or to nothing."""
 
-import pytest
 from PySide6.QtWidgets import QDialog, QLabel
 
 from tests.support.pages.robot import RobotWindow
-from tests.support.simulator import SimulatedDevice, StartSimulator
-
-
-@pytest.fixture
-def robot(start_simulator: StartSimulator) -> SimulatedDevice:
-    return start_simulator("--aracna", "--unpaced")
+from tests.support.simulator import SimulatedDevice
 
 
 def search(window: RobotWindow, url: str) -> list[str]:

@@ -6,7 +6,7 @@ from PySide6.QtTest import QTest
 from serial.tools.list_ports_common import ListPortInfo
 
 from tests.support.pages.robot import RobotWindow
-from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.simulator import SimulatedDevice
 from tests.support.window import LEFT
 from trex_gui import app
 from trex_gui.ui.devices.connection import ConnectionState
@@ -23,11 +23,6 @@ def computer(monkeypatch: pytest.MonkeyPatch) -> list[ListPortInfo]:
     ports: list[ListPortInfo] = []
     monkeypatch.setattr("serial.tools.list_ports.comports", lambda: ports)
     return ports
-
-
-@pytest.fixture
-def robot(start_simulator: StartSimulator) -> SimulatedDevice:
-    return start_simulator("--aracna", "--unpaced")
 
 
 def choose(window: RobotWindow, label: str) -> None:

@@ -6,12 +6,6 @@ from tests.support.aracna import AracnaStage
 from trex_gui.core.simulator.control_lines import GOODBYE
 from trex_gui.devices.aracna.simulator.control import control, state
 
-
-@pytest.fixture
-def stage() -> AracnaStage:
-    return AracnaStage()
-
-
 ACCEPTED = [
     ("reset", "the board restarts; the servos continue"),
     ("power on", "power on"),

@@ -71,11 +71,6 @@ BUSY = [
 LONG_BUSY = [boots, pauses_before_it_reads_speeds_back, moves, waits_for_a_dead_servo]
 
 
-@pytest.fixture
-def stage() -> AracnaStage:
-    return AracnaStage()
-
-
 def named(functions: Sequence[Callable[[AracnaStage], None]]) -> pytest.MarkDecorator:
     return pytest.mark.parametrize("busy", functions, ids=lambda each: each.__name__)
 

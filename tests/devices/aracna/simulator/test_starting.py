@@ -10,11 +10,6 @@ SPEEDS = b".v50,50,50,50,50,50,50,50\n"
 GOALS = b".c800,800,800,800,800,800,800,800\n"
 
 
-@pytest.fixture
-def stage() -> AracnaStage:
-    return AracnaStage()
-
-
 def test_board_says_hello_then_ignores_host_for_a_second() -> None:
     stage = AracnaStage(booted=False)
     assert stage.line.read(4, 1) == HELLO

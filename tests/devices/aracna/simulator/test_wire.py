@@ -11,11 +11,6 @@ VERSION = b".q1,8\r\n"
 GOALS = b".c512,512,512,512,512,512,512,512\n"
 
 
-@pytest.fixture
-def stage() -> AracnaStage:
-    return AracnaStage()
-
-
 def test_query_takes_about_three_milliseconds(stage: AracnaStage) -> None:
     begun = stage.now
     stage.line.send(b".q\n")

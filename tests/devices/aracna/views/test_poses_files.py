@@ -1,24 +1,15 @@
 """Pose files from the panel, and the questions that are due."""
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
-from pytestqt.qtbot import QtBot
 
 from tests.devices.aracna.views.poses_stage import EIGHT, StagedPageDriver
 from tests.support.slow_disk import SlowDisk
 from trex_gui.devices.aracna.model.library import ItemKind
 from trex_gui.ui.widgets import file_questions
-
-
-@pytest.fixture
-def driver(qtbot: QtBot) -> Iterator[StagedPageDriver]:
-    driver = StagedPageDriver(qtbot)
-    yield driver
-    driver.close()
 
 
 def answering(monkeypatch: pytest.MonkeyPatch, answer: file_questions.SaveAnswer) -> list[str]:

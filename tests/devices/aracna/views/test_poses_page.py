@@ -1,21 +1,11 @@
 """The poses of the panel: captured, named, put in order."""
 
-from collections.abc import Iterator
-
-import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QTextDocumentFragment
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from tests.devices.aracna.views.poses_stage import EIGHT, StagedPageDriver
-
-
-@pytest.fixture
-def driver(qtbot: QtBot) -> Iterator[StagedPageDriver]:
-    driver = StagedPageDriver(qtbot)
-    yield driver
-    driver.close()
 
 
 def test_present_positions_are_captured_and_named(driver: StagedPageDriver) -> None:

@@ -1,8 +1,5 @@
 """Sequences in the panel: their steps, and the requests to play them."""
 
-from collections.abc import Iterator
-
-import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
@@ -16,13 +13,6 @@ from pytestqt.qtbot import QtBot
 from tests.devices.aracna.views.poses_stage import EIGHT, StagedPageDriver
 from trex_gui.devices.aracna.poses.project import SequenceStep
 from trex_gui.devices.aracna.session.messages import Play, Step, StepBegun, Stuck
-
-
-@pytest.fixture
-def driver(qtbot: QtBot) -> Iterator[StagedPageDriver]:
-    driver = StagedPageDriver(qtbot)
-    yield driver
-    driver.close()
 
 
 def test_add_step_appends_selected_pose_to_new_sequence(driver: StagedPageDriver) -> None:
