@@ -7,12 +7,11 @@ from pathlib import Path
 import pytest
 from pytestqt.qtbot import QtBot
 
+from tests.devices.aracna.model.test_robot import RobotHarness
 from tests.devices.aracna.recordings import open_recording, read_all
 from tests.support.playing import loading
-from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.simulator import SimulatedDevice
 from trex_gui.core.recording.kinds import Marker
-from trex_gui.core.timing import Timeouts
-from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.recordings import AracnaRecorder, RobotPlayback
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.recording import Record, StoppedResponding
@@ -38,35 +37,23 @@ RECORDED = (
 )
 
 
-class Session:
-    """A robot on a simulator, its recorder, and all that it has reported while it recorded."""
+class Session(RobotHarness):
+    """A connected robot, its recorder, and all that it has reported while it recorded."""
 
     def __init__(self, qtbot: QtBot, path: Path, simulator: SimulatedDevice) -> None:
-        self.qtbot = qtbot
+        super().__init__(simulator, qtbot)
         self.path = path
-        self.simulator = simulator
-        self.robot = Robot()
         self.recorder = AracnaRecorder(self.robot)
         self.reported: list[Record] = []
-        self.links: list[ConnectionState] = []
-        self.robot.link_changed.connect(lambda: self.links.append(self.robot.link))
         self.robot.reported.connect(self._on_reported)
-        self.robot.open(PortSettings(self.simulator.url, timeouts=Timeouts(extra=2.0)))
-        self.wait_for(ConnectionState.CONNECTED)
+        self.connect()
 
     def _on_reported(self, report: object) -> None:
         if self.recorder.recording and isinstance(report, RECORDED):
             self.reported.append(report)
 
     def wait_for(self, link: ConnectionState) -> None:
-        self.qtbot.waitUntil(lambda: self.robot.link is link, timeout=LONG_TIMEOUT)
-
-    def move(self, *goals: int) -> None:
-        before = self.robot.state.moved
-        assert self.robot.move(goals)
-        self.qtbot.waitUntil(
-            lambda: self.robot.state.moved not in {None, before}, timeout=LONG_TIMEOUT
-        )
+        self.wait(lambda: self.robot.link is link)
 
     def stop(self) -> list[Record]:
         """End the recording and return its records."""
@@ -78,15 +65,12 @@ class Session:
 
     def end(self) -> None:
         assert self.recorder.shut_down()
-        self.robot.close()
-        self.wait_for(ConnectionState.DISCONNECTED)
-        assert self.robot.shut_down()
+        super().end()
 
 
 @pytest.fixture
-def session(qtbot: QtBot, tmp_path: Path, start_simulator: StartSimulator) -> Iterator[Session]:
-    simulator = start_simulator("--aracna", "--unpaced")
-    session = Session(qtbot, tmp_path / "session.trexrec", simulator)
+def session(qtbot: QtBot, tmp_path: Path, robot: SimulatedDevice) -> Iterator[Session]:
+    session = Session(qtbot, tmp_path / "session.trexrec", robot)
     yield session
     session.end()
 
@@ -97,8 +81,8 @@ def without_markers(rows: list[Record]) -> list[Record]:
 
 def test_every_report_is_read_back_equal(session: Session) -> None:
     session.recorder.start(session.path)
-    session.move(*(500,) * 8)
-    session.move(*range(100, 500, 50))
+    session.move((500,) * 8)
+    session.move(tuple(range(100, 500, 50)))
     steps = tuple(Step((goal,) * 8, 0.1) for goal in (300, 320, 340))
     with session.qtbot.waitSignal(
         session.robot.reported,
@@ -119,20 +103,16 @@ def test_every_report_is_read_back_equal(session: Session) -> None:
 
 def test_recording_contains_faults_and_rejected_move(session: Session) -> None:
     session.recorder.start(session.path)
-    session.move(*(500,) * 8)
-    session.simulator.do("servo 3 block")  # dead before it is on its way, it would take no speed
-    assert session.robot.move((400,) * 8)
-    session.qtbot.waitUntil(lambda: session.robot.state.moving is not None, timeout=LONG_TIMEOUT)
-    session.simulator.do("servo 3 dead")
-    session.simulator.do("servo 3 free")
-    session.qtbot.waitUntil(lambda: session.robot.state.stuck is not None, timeout=LONG_TIMEOUT)
+    session.move((500,) * 8)
+    session.lose_motor_3((400,) * 8)
+    session.wait(lambda: session.robot.state.stuck is not None)
     assert not session.robot.move((300,) * 8)
     session.simulator.do("servo 3 alive")
-    session.qtbot.waitUntil(lambda: session.robot.state.moving is None, timeout=LONG_TIMEOUT)
+    session.wait(lambda: session.robot.state.moving is None)
     session.links.clear()
     session.simulator.do("reset")
-    session.qtbot.waitUntil(
-        lambda: ConnectionState.NOT_RESPONDING in session.links, timeout=LONG_TIMEOUT
+    session.wait(
+        lambda: ConnectionState.NOT_RESPONDING in [link for link, _ in session.links]
     )  # for a second
     session.wait_for(ConnectionState.CONNECTED)
     session.simulator.do("line mute on")
@@ -158,15 +138,15 @@ def test_recording_contains_faults_and_rejected_move(session: Session) -> None:
 
 
 def test_late_recording_starts_with_known_state(session: Session) -> None:
-    session.move(*(500,) * 8)
+    session.move((500,) * 8)
     session.robot.set_speeds((40,) * 8)
     assert session.robot.move((100,) * 8)  # 4.4 s, in which the recording has to begin
-    session.qtbot.waitUntil(lambda: session.robot.state.moving is not None, timeout=LONG_TIMEOUT)
+    session.wait(lambda: session.robot.state.moving is not None)
     moving, speeds = session.robot.state.moving, session.robot.state.speeds
     assert moving is not None
     assert speeds is not None
     session.recorder.start(session.path)
-    session.qtbot.waitUntil(lambda: session.robot.state.moved is not None, timeout=LONG_TIMEOUT)
+    session.wait(lambda: session.robot.state.moved is not None)
     known = session.robot.state
     first, second, third, *rest = without_markers(session.stop())
     assert isinstance(first, Passed)
@@ -181,8 +161,8 @@ def test_late_recording_starts_with_known_state(session: Session) -> None:
 
 def test_state_at_end_of_recording_equals_robot_state(session: Session, qtbot: QtBot) -> None:
     session.recorder.start(session.path)
-    session.move(*(500,) * 8)
-    session.move(*range(100, 500, 50))
+    session.move((500,) * 8)
+    session.move(tuple(range(100, 500, 50)))
     ending = session.stop()[-1]
     assert ending.time > session.reported[-1].time
     playback = loading(RobotPlayback(open_recording(session.path)))
