@@ -130,3 +130,14 @@ def test_stuck_motor_is_known_until_it_answers(tmp_path: Path, qtbot: QtBot) -> 
     assert known.stuck is None
     assert [each.motor for each in known.missed_goals] == [3, 4, 5, 6, 7]
     playback.close()
+
+
+def test_long_recording_draws_limited_number_of_rows(tmp_path: Path, qtbot: QtBot) -> None:
+    path = tmp_path / "long.trexrec"
+    write(path, list(session(600)))
+    playback = RobotPlayback(open_recording(path), max_rows=5000)
+    with qtbot.waitSignal(playback.loaded, timeout=LONG_TIMEOUT):
+        playback.start_loading()
+    drawn, there = playback.drawn
+    assert drawn == 5000 < there
+    playback.close()
