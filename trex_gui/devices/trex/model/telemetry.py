@@ -169,10 +169,8 @@ class Telemetry(QObject):
     def motor_currents(self) -> tuple[float, float] | None:
         """Currents of motors 1 and 2 in A."""
         sample = self.newest.get(Currents)
-        if sample is None:
-            return None
-        first, second = sample.counts
-        return first * self.ampere, second * self.ampere
+        unit = self.ampere
+        return None if sample is None else (sample.counts[0] * unit, sample.counts[1] * unit)
 
     @property
     def serial_controls(self) -> bool | None:
