@@ -133,7 +133,7 @@ def test_fast_line_is_idle_between_polls() -> None:
     run_for(stage, 5.0, settings)
     received = stage.line.faults.counters["received"]
     wanted = sum(rate * bytes_of(POLLED[topic]) for topic, rate in rates(InputSource.RC).items())
-    assert len(stage.transport.sent) + received < 5 * 1.05 * wanted  # with the first reading
+    assert len(stage.transport.sent) + received < 5 * wanted + 340  # with what is stored
 
 
 @pytest.mark.parametrize("baud", [1200, 19200, 115200])
