@@ -16,9 +16,7 @@ from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationK
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.devices.trex.session.messages import Batch
-from trex_gui.devices.trex.settings.board_records import BoardRecords, utc_now
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.files import background
 from trex_gui.ui.runtime import now
 
 LEARNED = Calibration(2400, 3700, 5100, 80)
@@ -257,84 +255,14 @@ def test_edits_that_another_board_may_get_are_mentioned(
     assert bool(texts) is may_be_other
 
 
-def test_record_of_a_board_at_another_adapter_is_doubted(
-    recorder: RecorderOfBoard, start_simulator: StartSimulator
-) -> None:
-    """Two boards as they come from the factory share what is kept of them."""
-    device, second, said = recorder.device, start_simulator("--unpaced"), list[str]()
+def test_doubt_about_the_record_is_said(recorder: RecorderOfBoard) -> None:
+    device, said = recorder.device, list[str]()
     device.kept.doubted.connect(said.append)
-    connections = (
-        (recorder.simulator, "0403:6001-A500001", 0),
-        (recorder.simulator, "0403:6001-A500001", 0),
-        (second, "0403:6001-B700002", 1),
-        (second, "0403:6001-B700002", 1),
-        (recorder.simulator, "", 1),
-        (recorder.simulator, "0403:6001-A500001", 2),
-    )
-    for simulator, adapter, count in connections:
+    for adapter in ("0403:6001-A500001", "0403:6001-B700002"):
         device.motors.adapter = adapter
-        recorder.connect(simulator.url, again=device.is_connected)
+        recorder.connect(recorder.simulator.url, again=device.is_connected)
         recorder.until(lambda: device.kept.files.is_idle)
-        assert len(said) == count, adapter
-    assert "this TReX (notes, calibrations, applied settings) is of 20" in said[0]
-    # Whichever board gets a number of its own, nothing is taken from the other one.
-    device.set_device_number(8)
-    recorder.until(lambda: bool(recorder.results) and device.kept.files.is_idle)
-    names = sorted(path.name for path in BoardRecords().folder.iterdir())
-    assert names == ["trex-1.2-7.txt", "trex-1.2-8.txt"]
-
-
-def test_board_that_lost_its_number_differs_from_what_was_applied(
-    recorder: RecorderOfBoard, start_simulator: StartSimulator
-) -> None:
-    device, memory, new = recorder.device, recorder.device.memory, start_simulator("--unpaced")
-
-    def connect(simulator: SimulatedDevice, adapter: str) -> set[str]:
-        device.motors.adapter = adapter
-        recorder.connect(simulator.url, again=device.is_connected)
-        recorder.until(lambda: device.kept.files.is_idle and not background)
-        return {row.key for row in memory.differing.rows}
-
-    def write(**values: int) -> None:
-        for key, value in values.items():
-            recorder.edit(key, value)
-        recorder.results.clear()
-        device.apply()
-        recorder.until(lambda: bool(recorder.results) and device.kept.files.is_idle)
-
-    assert not connect(recorder.simulator, "0403:6001-A500001"), "nothing was applied before"
-    write(device_number=12, serial_timeout=15)
-    recorder.simulator.do("factory")
-    assert not connect(new, "0403:6001-B700002"), "another adapter"
-    assert connect(recorder.simulator, "0403:6001-A500001") == {"device_number", "serial_timeout"}
-    assert memory.applied is not None
-    assert memory.applied.parameters["device_number"] == 12
-    memory.accept(utc_now())
-    assert not memory.differing.rows
-    assert not connect(recorder.simulator, "0403:6001-A500001"), "the user said so"
-    recorder.simulator.do("eeprom serial_timeout 3")
-    recorder.simulator.do("power cycle")
-    assert connect(recorder.simulator, "0403:6001-A500001") == {"serial_timeout"}
-
-
-def test_board_that_gets_its_number_back_gets_its_notes_back(recorder: RecorderOfBoard) -> None:
-    device, memory = recorder.device, recorder.device.memory
-    device.motors.adapter = "0403:6001-A500001"
-    recorder.connect(recorder.simulator.url)
-    recorder.until(lambda: device.kept.files.is_idle)
-    device.draft.notes.edit("serial_timeout", "The radio drops out.")
-    device.set_device_number(12)
-    recorder.until(lambda: bool(recorder.results) and device.kept.files.is_idle)
-    recorder.simulator.do("factory")
-    recorder.connect(recorder.simulator.url, again=True)
-    recorder.until(lambda: device.kept.files.is_idle and not background)
-    assert {row.key for row in memory.differing.rows} == {"device_number"}
-    assert not device.draft.notes.all
-    recorder.results.clear()
-    device.set_device_number(12)
-    recorder.until(lambda: bool(recorder.results) and device.kept.files.is_idle)
-    assert device.draft.notes.all == {"serial_timeout": "The radio drops out."}
-    assert [path.name for path in BoardRecords().folder.iterdir()] == ["trex-1.2-12.txt"]
+    assert "this TReX (notes, calibrations, applied settings) is of 20" in "".join(said)
 
 
 # --- Motors -----------------------------------------------------------------------------

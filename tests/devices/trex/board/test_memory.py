@@ -1,0 +1,141 @@
+"""What this computer keeps of a board, over connections at several adapters."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from datetime import UTC, datetime
+
+import pytest
+
+from tests.devices.trex.settings.samples import factory
+from trex_gui.devices.trex.board.memory import BoardMemory
+from trex_gui.devices.trex.protocol.commands import Signature
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.settings.board_records import BoardRecord
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.edit_files import BoardIdentity
+
+NOW = datetime(2026, 3, 14, 15, 9, tzinfo=UTC)
+RC = InputSource.RC
+SHOWN = {key: found for key, found in factory().calibrations.items() if key.source is RC}
+NEW = replace(factory(), calibrations=SHOWN)
+ONE, OTHER = "0403:6001-A500001", "0403:6001-B700002"
+
+
+class Shelf:
+    """Files in memory, and the board whose memory they serve."""
+
+    def __init__(self) -> None:
+        self.records: dict[str, BoardRecord] = {}
+        self.doubts: list[BoardRecord] = []
+        self.notes: Mapping[str, str] | None = None
+        self.accepted: list[Mapping[str, int]] = []
+        self.memory = BoardMemory(self)
+        self.stored = NEW
+
+    def find(self, board: BoardIdentity) -> None:
+        self.memory.take_record(board, self.records.get(str(board)))
+
+    def find_lost(self, board: BoardIdentity, adapter: str) -> None:
+        others = (found for found in self.records.values() if found.applied is not None)
+        found = next((one for one in others if one.adapter == adapter), None)
+        self.memory.take_lost(board, found)
+
+    def save(self, board: BoardIdentity, record: BoardRecord | None) -> None:
+        self.records.pop(str(board), None)
+        if record is not None:
+            self.records[str(board)] = record
+
+    def move(
+        self, old: BoardIdentity, new: BoardIdentity, record: BoardRecord, *, keeps_old: bool
+    ) -> None:
+        self.save(new, record)
+        if not keeps_old:
+            self.save(old, None)
+
+    def add_accepted(self, kind: Signature, values: Mapping[str, int]) -> None:
+        self.accepted.append(values)
+
+    def doubt(self, record: BoardRecord) -> None:
+        self.doubts.append(record)
+
+    def show_notes(self, notes: Mapping[str, str] | None, board: BoardIdentity) -> None:
+        self.notes = notes
+
+    def note_change(self) -> None:
+        pass
+
+    # --- The board ----------------------------------------------------------------------
+
+    def connect(self, stored: Settings, adapter: str) -> set[str]:
+        """Connect to a board; return in what it differs from what was applied last."""
+        self.stored = stored
+        self.memory.take_board(stored, RC, NOW, opened=True, adapter=adapter)
+        return {row.key for row in self.memory.differing.rows}
+
+    def write(self, **values: int) -> None:
+        self.memory.begin_writing(values.keys())
+        self.stored = with_values(self.stored, **values)
+        self.memory.note_written(self.stored, RC, (), NOW)
+
+
+def with_values(stored: Settings, **values: int) -> Settings:
+    return replace(stored, parameters={**stored.parameters, **values})
+
+
+@pytest.fixture
+def shelf() -> Shelf:
+    return Shelf()
+
+
+def test_record_of_a_board_at_another_adapter_is_doubted(shelf: Shelf) -> None:
+    """Two boards as they come from the factory share what is kept of them."""
+    for adapter, count in ((ONE, 0), (ONE, 0), (OTHER, 1), (OTHER, 1), ("", 1), (ONE, 2)):
+        shelf.connect(NEW, adapter)
+        assert len(shelf.doubts) == count, adapter
+    # Whichever board gets a number of its own, nothing is taken from the other one.
+    shelf.write(device_number=8)
+    assert sorted(shelf.records) == ["trex-1.2-7", "trex-1.2-8"]
+
+
+def test_board_that_lost_its_number_differs_from_what_was_applied(shelf: Shelf) -> None:
+    assert not shelf.connect(NEW, ONE), "nothing was applied before"
+    shelf.write(device_number=12, serial_timeout=15)
+    assert not shelf.connect(NEW, OTHER), "another adapter"
+    assert shelf.connect(NEW, ONE) == {"device_number", "serial_timeout"}
+    assert shelf.memory.applied is not None
+    assert shelf.memory.applied.parameters["device_number"] == 12
+    shelf.memory.accept(NOW)
+    assert not shelf.memory.differing.rows
+    assert not shelf.connect(NEW, ONE), "the user said so"
+    assert shelf.connect(with_values(NEW, serial_timeout=3), ONE) == {"serial_timeout"}
+
+
+def test_board_that_gets_its_number_back_gets_its_notes_back(shelf: Shelf) -> None:
+    notes = {"serial_timeout": "The radio drops out."}
+    shelf.connect(NEW, ONE)
+    shelf.memory.set_notes(notes)
+    shelf.write(device_number=12)
+    assert shelf.notes == notes
+    assert shelf.connect(NEW, ONE) == {"device_number"}
+    assert not shelf.notes
+    shelf.write(device_number=12)
+    assert shelf.notes == notes
+    assert list(shelf.records) == ["trex-1.2-12"]
+
+
+def test_values_of_a_write_without_an_end_are_not_expected(shelf: Shelf) -> None:
+    shelf.connect(NEW, ONE)
+    shelf.write(serial_timeout=15, motor1_current_limit=3)
+    shelf.memory.begin_writing({"serial_timeout"})
+    shelf.memory.leave_board()
+    found = with_values(shelf.stored, serial_timeout=3, motor1_current_limit=0)
+    assert shelf.connect(found, ONE) == {"motor1_current_limit"}
+
+
+@pytest.mark.parametrize("is_simulated", [False, True])
+def test_simulated_board_says_nothing_about_real_ones(shelf: Shelf, *, is_simulated: bool) -> None:
+    shelf.memory.take_board(NEW, RC, NOW, opened=True, is_simulated=is_simulated)
+    kind = Signature(NEW.product, "1.2")
+    shelf.memory.note_accepted(kind, {"uart_error_shutdown": 2})
+    shelf.memory.note_accepted(kind, {})
+    assert shelf.accepted == ([] if is_simulated else [{"uart_error_shutdown": 2}])
