@@ -48,13 +48,13 @@ def left(url: str, line: SerialFormat = LINE) -> Path:
 def test_board_is_found_at_its_port_only() -> None:
     assert driven_boards() == {}
     left("socket://robot:4000")
-    board = driven_at(driven_file("socket://robot:4000"))
+    board = driven_at("socket://robot:4000")[1]
     assert board is not None
     assert board.settings == PortSettings("socket://robot:4000", LINE)
     stop = bytes.fromhex("d07f7ff000"), b"\x84", 1, 1, False, 0.05
     note = f"{driven_note('TReX 1.2', board.settings)}since: 2026-11-28 12:00:00\n"
     assert board.stop == StopSequence(*stop, note)
-    assert driven_at(driven_file("socket://robot:4001")) is None
+    assert driven_at("socket://robot:4001")[1] is None
     assert board.text().startswith("Motors may still be turning")
 
 
@@ -67,10 +67,10 @@ def test_adapter_is_found_at_another_port(monkeypatch: pytest.MonkeyPatch) -> No
     plug("/dev/ttyUSB0")
     file = left("/dev/ttyUSB0")
     plug("/dev/ttyUSB1")
-    board = driven_at(driven_file("/dev/ttyUSB1"))
+    board = driven_at("/dev/ttyUSB1")[1]
     assert board is not None
     assert board.settings.url == "/dev/ttyUSB0"
-    assert driven_at(driven_file("/dev/ttyUSB0")) is None
+    assert driven_at("/dev/ttyUSB0")[1] is None
     assert port_of(file, board) == PortSettings("/dev/ttyUSB1", LINE)
     plug("/dev/ttyUSB0", "another")
     with pytest.raises(PortUnavailable, match=r"ttyUSB0 is gone\. Plug it in"):
@@ -110,7 +110,7 @@ def test_guardian_that_replaces_another_one_asks_for_no_ports(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     transport = SerialTransport(PortSettings("loop://"))
-    monkeypatch.delattr(serial_port, "driven_file")
+    monkeypatch.delattr(serial_port, "driven_at")
     transport.start_guardian(60.0)
     transport.close()
 
@@ -127,8 +127,20 @@ def test_damaged_file_warns_of_motors(text: str, caplog: pytest.LogCaptureFixtur
     file = left("/dev/ttyUSB0")
     file.write_text(text)
     assert driven_boards() == {file: None}
-    assert driven_at(file) is None
+    assert driven_at("/dev/ttyUSB0") == (file, None)
     assert f"Motors may still be turning: {file} says" in caplog.text
+
+
+def test_board_is_found_at_a_link_that_leads_elsewhere(tmp_path: Path) -> None:
+    link = tmp_path / "robot"
+    link.symlink_to("/dev/pts/1")
+    file = left(str(link))
+    link.unlink()
+    link.symlink_to("/dev/pts/2")
+    at, board = driven_at(str(link))
+    assert at == file
+    assert board is not None
+    assert port_of(file, board).url == str(link)
 
 
 def test_board_is_found_at_each_name_of_its_address() -> None:

@@ -76,11 +76,13 @@ def left_text(file: Path, board: DrivenBoard | None) -> str:
     return tr(PortFault.LEFT_UNKNOWN.value).format(file) if board is None else board.text()
 
 
-def driven_at(file: Path) -> DrivenBoard | None:
-    """Return the board that was left running at the port of this file. The caller stops it."""
+def driven_at(url: str) -> tuple[Path, DrivenBoard | None]:
+    """Return the file of a port, and the board that was left running. The caller stops it."""
     boards = driven_boards()
+    found = (file for file, board in boards.items() if board and _is_at(file, board, url))
+    file = next(found, driven_file(url))
     _woken.pop(file, None)
-    return boards.get(file)
+    return file, boards.get(file)
 
 
 def driven_file(url: str) -> Path:
@@ -99,9 +101,15 @@ def driven_file(url: str) -> Path:
 def port_of(file: Path, board: DrivenBoard) -> PortSettings:
     """Return how the board of a file is reached. Its adapter may have another name now."""
     for url in (board.settings.url, *(port.device for port in list_ports.comports())):
-        if driven_file(url) == file:
+        if _is_at(file, board, url):
             return PortSettings(url, board.settings.line)
     raise PortUnavailable(tr(PortFault.GONE.value).format(board.settings.url), is_missing=True)
+
+
+def _is_at(file: Path, board: DrivenBoard, url: str) -> bool:
+    """Whether a file is that of a port. A link may lead to another terminal by now."""
+    is_path = file.name.startswith("-")
+    return file == driven_file(url) or (is_path and url == board.settings.url)
 
 
 def _find(found: DrivenBoards) -> None:

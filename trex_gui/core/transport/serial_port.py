@@ -26,7 +26,7 @@ from trex_gui.core.errors import BadReply, BadRequest, PortFault, PortShared, Po
 from trex_gui.core.guardian.guardian import Guardian, GuardianProcess, SharedPort
 from trex_gui.core.texts import hex_text
 from trex_gui.core.translation import tr
-from trex_gui.core.transport.driven import DrivenBoard, driven_at, driven_file
+from trex_gui.core.transport.driven import DrivenBoard, driven_at
 from trex_gui.core.transport.linux_ports import (
     holder_of,
     is_left_to_guardian,
@@ -153,9 +153,8 @@ class SerialTransport:
         self.latency = latency_of(settings.url)
         # The rate behind a plain network port is set at its other end.
         self.is_configurable = not settings.url.startswith("socket://")
-        file = driven_file(settings.url)
+        file, left = driven_at(settings.url)  # first: it wakes a guardian that has the port
         self._file = file if self._name == self._url else None  # not the demo's
-        left = driven_at(file)  # first: it wakes a guardian that has the port
         try:
             self._port = _open(settings, clock)
             log.debug("opened %s", settings.text())
