@@ -1,5 +1,6 @@
 """A message at the start: the last run did not end properly, or the guardian stopped motors."""
 
+import time
 from functools import partial
 
 from trex_gui.core.errors import StudioError
@@ -12,6 +13,7 @@ from trex_gui.ui.notifier import Notifier, Remedy
 from trex_gui.ui.preferences import Preferences
 
 _SEEN = "guardian/seen"
+_STARTED = time.strftime("%Y-%m-%d %H:%M:%S")  # local, as in the guardian's log
 
 _STOPS = {
     StopResult.UNCONFIRMED: tr_noop(
@@ -25,10 +27,14 @@ _STOPS = {
 }
 
 
-def report_last_run(notifier: Notifier, errors: str = "", *, has_crashed: bool = False) -> None:
+def report_last_run(
+    notifier: Notifier, errors: str = "", *, has_crashed: bool = False, until: str = _STARTED
+) -> None:
     """Report boards that were left running, stops in the guardian's log, or else a crash.
 
-    Stops, perhaps of `trexcmd`, are said once, or with each board. `errors`: why boards still run.
+    Stops, perhaps of `trexcmd`, are said once, or with each board. What has happened since this
+    program runs is told where it happens, so that it is left out, unless `until` is later. `errors`
+    say why boards still run.
     """
     store = Preferences()
     seen = store.integer(_SEEN, 0, 0, 2**31 - 1)
@@ -37,13 +43,15 @@ def report_last_run(notifier: Notifier, errors: str = "", *, has_crashed: bool =
         found: tuple[int, list[tuple[str, StopResult]], DrivenBoards],
     ) -> None:
         size, stops, boards = found
+        stops = [stop for stop in stops if stop[0] < until]
+        boards = {file: one for file, one in boards.items() if one is None or one.since < until}
         if store.integer(_SEEN, 0, 0, 2**31 - 1) != seen and not (boards or errors):
             return  # another call has reported them
         if size != seen and not boards:
             store.set(_SEEN, size)
         texts = [*(left_text(*each) for each in boards.items()), *errors.splitlines()]
         for result, text in _STOPS.items():
-            if times := [time for time, found in stops if found is result]:
+            if times := [at for at, found in stops if found is result]:
                 texts.append(tr(text).format(", ".join(times)))
         if has_crashed and not texts:
             texts.append(
@@ -77,5 +85,5 @@ def stop_left_running(notifier: Notifier) -> None:
                 errors.append(str(error).removeprefix(left_text(file, board)).strip())
         return "\n".join(errors)
 
-    report = partial(report_last_run, notifier)
+    report = partial(report_last_run, notifier, until="9999")
     in_background(notifier, stop, report, lambda error: report(str(error)))

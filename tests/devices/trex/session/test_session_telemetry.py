@@ -251,13 +251,13 @@ def test_lost_uart_error_request_is_repeated(stage: Stage) -> None:
     send = stage.transport.write
     requested: list[bytes] = []
 
-    def lose_the_first_question(data: bytes) -> None:
+    def lose_a_question(data: bytes) -> None:
         if data == b"\x85":
             requested.append(data)
-            stage.line.faults.to_drop_sent = int(len(requested) == 1)
+            stage.line.faults.to_drop_sent = int(len(requested) == 2)  # the first is at once
         send(data)
 
-    stage.transport.write = lose_the_first_question  # type: ignore[method-assign] # a knob
+    stage.transport.write = lose_a_question  # type: ignore[method-assign] # a knob
     stage.script.at(1.0, lambda: stage.board.report_error(UartError.CRC))
     news = samples(run_for(stage, 2.0), LatchedStatus)
     assert [(one.status, one.uart) for one in news] == [
@@ -439,3 +439,10 @@ def test_safety_parameters_are_not_read_while_unwatched(stage: Stage) -> None:
     late = commands(stage.transport.sent[marks[0] :])
     assert late
     assert not any(isinstance(command, GetParameter) for command in late)
+
+
+def test_errors_of_which_another_program_has_read_the_status_are_found(stage: Stage) -> None:
+    stage.board.report_error(UartError.TIMEOUT)
+    stage.board.serial.take_status()
+    (first, *_) = samples(run_for(stage, 1.0), LatchedStatus)
+    assert (first.uart, first.is_earlier) == (UartError.TIMEOUT, True)

@@ -241,17 +241,17 @@ class StatusReader:
     """Reads the latched bits and loses none of them on a line that corrupts bytes.
 
     Reading clears a byte. So when a status did not arrive, or announced UART errors and their
-    byte did not arrive, the UART error byte is read the next time.
+    byte did not arrive, the UART error byte is read the next time, and also the first time: a
+    guardian, or another program, may have read the status before.
     """
 
     def __init__(self, clock: Callable[[], float]) -> None:
         self._clock = clock
-        self.uart_due = False  # bits may be latched that no status announces any more
-        self._is_first = True
+        self.begin()
 
     def begin(self) -> None:
         """Count what is read next as older: the board was searched for, or selected only now."""
-        self._is_first = True
+        self._is_first = self.uart_due = True  # bits may be latched that no status announces
 
     def read(self, request: Requester) -> LatchedStatus | None:
         """Read and clear the status, and the UART errors when there may be some.

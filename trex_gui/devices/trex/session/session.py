@@ -434,7 +434,6 @@ class TrexSession:
         client.settings = replace(client.settings, device_number=job.number)
         self._queue.selection = job.id
         self._status.begin()
-        self._status.uart_due = True  # it may have latched bits that no status announces
         self._read_everything(ReadReason.SELECTED)
 
     def _stop_each(self, job: SelectBoard) -> None:
