@@ -6,7 +6,7 @@ from contextlib import contextmanager
 from trex_gui.core.files import SettingsError
 from trex_gui.core.transport.adapters import adapter_key
 from trex_gui.devices.trex.board.memory import DOUBTED, BoardMemory
-from trex_gui.devices.trex.board.transaction import Transaction
+from trex_gui.devices.trex.board.transaction import WriteTransaction
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.commands import Signature
@@ -43,14 +43,14 @@ class Keeper:
         reason: str,
         parameters: Sequence[tuple[str, int]],
         calibrations: Sequence[tuple[CalibrationKey, Calibration]] = (),
-    ) -> Transaction:
+    ) -> WriteTransaction:
         """Prepare a write: take the snapshot, then expect nothing of these values.
 
         Raises:
             SettingsError: the snapshot cannot be saved; nothing must be written.
         """
         values = tuple(parameters), tuple(calibrations)
-        transaction = Transaction(self.memory, self._state, self._link, values, reason=reason)
+        transaction = WriteTransaction(self.memory, self._state, self._link, values, reason=reason)
         history = SettingsHistory()
         snapshot = transaction.take_snapshot(history)
         self._say(f"Snapshot of the previous settings: {snapshot.path}.")

@@ -16,7 +16,7 @@ Values = tuple[tuple[tuple[str, int], ...], tuple[tuple[CalibrationKey, Calibrat
 """Parameters (key, wire value) and calibrations to write."""
 
 
-class Transaction:
+class WriteTransaction:
     """One write. Each face takes the snapshot, begins, writes and verifies, and finishes.
 
     Where a write has no end, because the line or the program is gone, the record of the board

@@ -10,7 +10,7 @@ from trex_gui.core.errors import StudioError
 from trex_gui.core.session import Outcome
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.board.memory import BoardMemory
-from trex_gui.devices.trex.board.transaction import Transaction
+from trex_gui.devices.trex.board.transaction import WriteTransaction
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
@@ -92,7 +92,7 @@ class Apply(QObject):
             return
         self.running = True
         values = parameters, calibrations
-        transaction = Transaction(self._memory, state, link, values, reason=reason)
+        transaction = WriteTransaction(self._memory, state, link, values, reason=reason)
         self._cancel_snapshot = start_in_background(
             self,
             lambda _progress: transaction.take_snapshot(self._history),
@@ -115,7 +115,7 @@ class Apply(QObject):
             self._cancel_snapshot()
             self._cancel_snapshot = None
 
-    def _on_saved(self, transaction: Transaction, _snapshot: Snapshot) -> None:
+    def _on_saved(self, transaction: WriteTransaction, _snapshot: Snapshot) -> None:
         self._cancel_snapshot = None
 
         def make(number: int) -> Write:
@@ -131,7 +131,7 @@ class Apply(QObject):
         text = tr("Nothing was written because no snapshot could be saved first. {0}")
         self.failed.emit(text.format(error_sentence(error)))
 
-    def _on_written(self, transaction: Transaction, outcome: Outcome) -> None:
+    def _on_written(self, transaction: WriteTransaction, outcome: Outcome) -> None:
         self.running = False
         if outcome.error is not None:
             text = tr("Nothing more was written. {0}")
