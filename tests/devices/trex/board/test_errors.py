@@ -140,3 +140,22 @@ def test_only_the_last_report_is_marked_as_doubtful(log: ErrorCounts) -> None:
     assert [entry.bit for entry in log.entries if entry.is_doubtful] == [Status.MOTOR1_FAULT]
     log.take(news(Status.MOTOR1_FAULT), NOW)
     assert not any(entry.is_doubtful for entry in log.entries)
+
+
+def test_recent_errors_are_those_of_the_motor_and_of_the_line(log: ErrorCounts) -> None:
+    log.take(news(Status.MOTOR1_FAULT, Status.MOTOR2_OVER_LIMIT, UartError.TIMEOUT), NOW)
+    assert [entry.bit for entry in log.recent(1, NOW + 2)] == [
+        Status.MOTOR1_FAULT, UartError.TIMEOUT
+    ]  # fmt: skip
+    assert [entry.bit for entry in log.recent(2, NOW + 2)] == [
+        Status.MOTOR2_OVER_LIMIT, UartError.TIMEOUT
+    ]  # fmt: skip
+    assert not log.recent(1, NOW + 3)
+
+
+def test_counts_of_another_board_on_the_line_are_kept(log: ErrorCounts) -> None:
+    log.take(news(Status.MOTOR1_FAULT), NOW)
+    log.select("one", "other")
+    assert sum(counts(log)) == 0
+    log.select("other", "one")
+    assert sum(counts(log)) == 1

@@ -8,9 +8,10 @@ import pytest
 
 from tests.devices.trex.settings.samples import factory
 from trex_gui.devices.trex.board.memory import BoardMemory
+from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
 from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.settings.board_records import BoardRecord
+from trex_gui.devices.trex.settings.board_records import BoardRecord, Known
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 
@@ -31,8 +32,13 @@ class Shelf:
         self.accepted: list[Mapping[str, int]] = []
         self.memory = BoardMemory(self)
         self.stored = NEW
+        self.wanted: BoardIdentity | None = None  # whose record is read slowly
+        self.is_slow = False
 
     def find(self, board: BoardIdentity) -> None:
+        if self.is_slow:
+            self.wanted = board
+            return
         self.memory.take_record(board, self.records.get(str(board)))
 
     def find_lost(self, board: BoardIdentity, adapter: str) -> None:
@@ -95,6 +101,8 @@ def test_record_of_a_board_at_another_adapter_is_doubted(shelf: Shelf) -> None:
     # Whichever board gets a number of its own, nothing is taken from the other one.
     shelf.write(device_number=8)
     assert sorted(shelf.records) == ["trex-1.2-7", "trex-1.2-8"]
+    shelf.write(device_number=9)
+    assert sorted(shelf.records) == ["trex-1.2-7", "trex-1.2-9"], "this one is its own"
 
 
 def test_board_that_lost_its_number_differs_from_what_was_applied(shelf: Shelf) -> None:
@@ -139,3 +147,33 @@ def test_simulated_board_says_nothing_about_real_ones(shelf: Shelf, *, is_simula
     shelf.memory.note_accepted(kind, {"uart_error_shutdown": 2})
     shelf.memory.note_accepted(kind, {})
     assert shelf.accepted == ([] if is_simulated else [{"uart_error_shutdown": 2}])
+
+
+def test_what_happens_before_the_record_is_found_counts(shelf: Shelf) -> None:
+    memory, shelf.is_slow = shelf.memory, True
+    shelf.connect(NEW, "")
+    shelf.write(serial_timeout=5)
+    assert (memory.record, memory.applied) == (None, None)
+    assert memory.hidden_calibration(2, RC) == (None, None)
+    assert memory.with_hidden(NEW) == (NEW, [])
+    assert shelf.wanted is not None
+    memory.take_record(shelf.wanted, None)
+    assert memory.applied is not None
+    assert memory.applied.parameters["serial_timeout"] == 5
+    calibration, known = memory.hidden_calibration(2, RC)
+    assert calibration == DEFAULT_CALIBRATION[RC]
+    assert known == Known(NOW, True)
+    memory.leave_board()
+    assert memory.applied is None
+
+
+@pytest.mark.parametrize("is_reset", [True, False])
+def test_number_after_a_reset_is_that_of_the_same_board(shelf: Shelf, *, is_reset: bool) -> None:
+    shelf.connect(with_values(NEW, device_number=12), "")
+    shelf.memory.set_notes({"serial_timeout": "why"})
+    if is_reset:
+        shelf.memory.note_reset()
+    shelf.memory.take_board(NEW, RC, NOW, opened=False)
+    assert (shelf.notes == {"serial_timeout": "why"}) is is_reset
+    expected = {"trex-1.2-7"} if is_reset else {"trex-1.2-7", "trex-1.2-12"}
+    assert shelf.records.keys() == expected

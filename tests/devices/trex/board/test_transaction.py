@@ -1,0 +1,114 @@
+"""One write, with its files on a disk: what is kept before and after it."""
+
+from pathlib import Path
+
+import pytest
+
+from trex_gui.core.errors import NoReply
+from trex_gui.core.files import data_folder
+from trex_gui.devices.trex.board.keeper import Keeper
+from trex_gui.devices.trex.client.reading import DeviceState
+from trex_gui.devices.trex.client.writing import WriteResult, after_writing
+from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
+from trex_gui.devices.trex.protocol.commands import Signature
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.protocol.flags import InputSource, Mode
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.settings.accepted import AcceptedValues
+from trex_gui.devices.trex.settings.board_records import BoardRecords, utc_now
+
+KIND = Signature(device_table().model("trex"), "1.2")
+STATE = DeviceState(
+    KIND,
+    Mode.SERIAL_RC,
+    True,
+    {"device_number": 7, "serial_timeout": 0, "uart_error_shutdown": 1, "motor_mode": 0},
+    dict.fromkeys(range(1, 6), DEFAULT_CALIBRATION[InputSource.RC]),
+    calibrated=0,
+)
+LINK = ConnectionSettings("/dev/ttyUSB0")
+
+
+class Kept(Keeper):
+    """Keeps what it has said."""
+
+    def __init__(self) -> None:
+        self.said: list[str] = []
+        self.warned: list[str] = []
+        super().__init__(STATE, LINK, self.said.append, self.warned.append)
+
+    def write(self, results: list[WriteResult]) -> None:
+        write = self.begin("a test", [(result.key, 0) for result in results])
+        write.finish(results, after_writing(STATE, results), utc_now())
+
+
+def record_of(name: str) -> str:
+    return (BoardRecords().folder / f"{name}.txt").read_text("utf-8")
+
+
+def test_snapshot_says_why_and_where() -> None:
+    kept = Kept()
+    kept.begin("a test", [("serial_timeout", 5)])
+    (snapshot,) = (data_folder() / "snapshots").glob("*.txt")
+    assert {"# reason: a test", "# adapter: /dev/ttyUSB0"} <= {*snapshot.read_text().splitlines()}
+    assert str(snapshot) in kept.said[0]
+
+
+def test_only_what_was_verified_is_expected_and_accepted() -> None:
+    results = [
+        WriteResult("serial_timeout", error=NoReply("silent")),
+        WriteResult("uart_error_shutdown", 2),  # beyond its limit
+        WriteResult("motor_mode", 1),
+    ]
+    kept = Kept()
+    kept.write(results)
+    record = kept.memory.record
+    assert record is not None
+    assert dict(record.settings.parameters) == {
+        "device_number": 7, "uart_error_shutdown": 2, "motor_mode": 1
+    }  # fmt: skip
+    assert AcceptedValues().of(KIND) == {"uart_error_shutdown": {2}}
+    assert kept.said[1:] == ["Remembered as accepted by a TReX 1.2: uart_error_shutdown 2."]
+
+
+def test_reset_expects_nothing_of_the_parameters() -> None:
+    kept = Kept()
+    kept.write([WriteResult("serial_timeout", 5)])
+    kept.write([WriteResult(ParameterKey.FACTORY_RESET, 1)])
+    assert kept.memory.record is not None
+    assert not kept.memory.record.settings.parameters
+
+
+def test_record_of_another_board_with_the_number_is_put_aside() -> None:
+    kept = Kept()
+    other = BoardRecords().folder / "trex-1.2-9.txt"
+    other.write_text("of another board", "utf-8")
+    kept.write([WriteResult("device_number", 9)])
+    aside = other.with_name("trex-1.2-9.replaced-1.txt")
+    assert aside.read_text("utf-8") == "of another board"
+    assert f"is in {aside} now" in kept.said[-1]
+    assert "device_number: 9" in record_of("trex-1.2-9")
+    assert not (BoardRecords().folder / "trex-1.2-7.txt").exists()
+
+
+def test_files_that_cannot_be_saved_are_said_once(tmp_path: Path) -> None:
+    del tmp_path
+    folder = BoardRecords().folder
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    folder.write_text("not a folder")
+    kept = Kept()
+    kept.write([WriteResult("serial_timeout", 5)])
+    assert [text.partition(".")[0] for text in kept.warned] == [
+        "what was applied is not remembered"
+    ]
+
+
+@pytest.mark.parametrize("text", ["product: TReX\n!", "product: TReX Jr\n"])
+def test_damaged_record_is_not_used(text: str) -> None:
+    path = BoardRecords().folder / "trex-1.2-7.txt"
+    path.parent.mkdir(parents=True)
+    path.write_text(text, "utf-8")
+    kept = Kept()
+    assert kept.warned[0].startswith("what was applied to this board before is not known. ")
+    assert kept.memory.record is not None
