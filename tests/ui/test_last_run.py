@@ -145,12 +145,12 @@ def test_stop_is_still_reported_once_the_board_is_connected_that_was_named_at_th
     assert [text in entry.text for entry in entries].count(True) == 1
 
 
-def test_what_happens_while_the_program_runs_is_left_to_others(said: Said) -> None:
+def test_what_happens_while_the_program_drives_is_left_to_others(said: Said) -> None:
     log_stops("12:03:05 unconfirmed")
     log_file().write_text(log_file().read_text() + "2999-01-01 12:00:00 confirmed: Text.\n")
     file = left("/dev/ttyUSB0")
     file.write_text(file.read_text().replace("2026-11-28", "2999-01-01"))
-    ((_, text),) = said.after(report_last_run)
+    ((_, text),) = said.after(partial(report_last_run, until="2030"))
     assert text.count("2026-11-23 12:03:05") == 1
     assert "2999" not in text
     ((_, text),) = said.after(partial(report_last_run, until="9999"))

@@ -1,9 +1,9 @@
 """A message at the start: the last run did not end properly, or the guardian stopped motors."""
 
-import time
 from functools import partial
 
 from trex_gui.core.errors import StudioError
+from trex_gui.core.guardian.guardian import watching_since
 from trex_gui.core.guardian.log import StopResult, logged_stops
 from trex_gui.core.translation import tr, tr_noop
 from trex_gui.core.transport.driven import DrivenBoards, driven_boards, left_text, port_of
@@ -13,7 +13,6 @@ from trex_gui.ui.notifier import Notifier, Remedy
 from trex_gui.ui.preferences import Preferences
 
 _SEEN = "guardian/seen"
-_STARTED = time.strftime("%Y-%m-%d %H:%M:%S")  # local, as in the guardian's log
 
 _STOPS = {
     StopResult.UNCONFIRMED: tr_noop(
@@ -28,14 +27,15 @@ _STOPS = {
 
 
 def report_last_run(
-    notifier: Notifier, errors: str = "", *, has_crashed: bool = False, until: str = _STARTED
+    notifier: Notifier, errors: str = "", *, has_crashed: bool = False, until: str = ""
 ) -> None:
     """Report boards that were left running, stops in the guardian's log, or else a crash.
 
     Stops, perhaps of `trexcmd`, are said once, or with each board. What has happened since this
-    program runs is told where it happens, so that it is left out, unless `until` is later. `errors`
-    say why boards still run.
+    program drives motors is told where it happens, so that it is left out, unless `until` is later.
+    `errors` say why boards still run.
     """
+    until = until or watching_since()
     store = Preferences()
     seen = store.integer(_SEEN, 0, 0, 2**31 - 1)
 

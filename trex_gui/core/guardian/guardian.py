@@ -26,6 +26,14 @@ _MOST_UNREAD, _UNREAD_S = 3, 0.25
 """Messages that a suspended process leaves unread, for so many seconds; it counts as lost."""
 
 
+_watching_since: list[str] = []
+
+
+def watching_since() -> str:
+    """Return when motors could move first in this run, as in the log; later than any: never."""
+    return _watching_since[0] if _watching_since else "9999"
+
+
 @dataclass(frozen=True, slots=True)
 class StopSequence:
     """How the motors are stopped right now."""
@@ -144,6 +152,8 @@ class GuardianProcess:
         if sequence is None and self._sent is None:
             return
         is_first, self._sent = self._sent is None, sequence
+        if not _watching_since:
+            _watching_since.append(time.strftime("%Y-%m-%d %H:%M:%S"))
         self._marked.clear()
         self._send("idle" if sequence is None else _message(sequence))
         if is_first and self._has_file and self.is_ready:  # one that starts must delay no stop

@@ -45,7 +45,7 @@ def replay(file: str, everything: bool) -> None:
 
 
 def _print_difference(recorded: RecordedTraffic, row: TranscriptRow, received: bytes) -> None:
-    click.echo(f"Line {row.line}: {row.sent.hex(' ').upper()}")
+    click.echo(f"Line {row.line}: {hex_text(row.sent)}")
     for title, reply in (("file", row.received), ("simulator", received)):
         shown = hex_text(reply) or "nothing"
         click.echo(f"  {title + ':':11}{shown}  ({recorded.meaning(row, reply)})")
