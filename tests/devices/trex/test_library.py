@@ -300,6 +300,22 @@ def test_line_is_shared_with_other_devices_only_with_a_number() -> None:
             Trex("COM3", device_number=number, reserved=[0, 1])
 
 
+def test_reset_to_the_number_of_another_board_is_refused(
+    virtual_time: VirtualRuntime, start_simulator: StartSimulator
+) -> None:
+    boards = start_simulator("--unpaced", "--device", "7", "--device", "9")
+
+    def run() -> None:
+        with Trex(boards.url, device_number=9) as board:
+            board.set_parameters(serial_timeout=5)
+            with pytest.raises(BadRequest, match="device number 7"):
+                board.restore_defaults()
+
+    Program(virtual_time, run).end()
+    boards.do("@9 power cycle")
+    assert boards.show("@9")["parameters"]["serial_timeout"] == 5
+
+
 _CLOSES_ALL = """
 import os, sys, time
 from trex_gui.devices.trex import Trex

@@ -308,6 +308,9 @@ class Trex:
         """Let the board reset every parameter when it is switched off and on; see `set_parameters`.
 
         The calibrations stay (inferred).
+
+        Raises:
+            BadRequest: another board on the line has the device number that this one would get.
         """
         spec = self.state.specs[ParameterKey.FACTORY_RESET]
         self._write(((spec.key, spec.maximum),))

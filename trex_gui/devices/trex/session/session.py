@@ -508,9 +508,14 @@ class TrexSession:
         nothing counts as written.
         """
         state, stop_is_due = self._state, True
-        number = dict(job.parameters).get(ParameterKey.DEVICE_NUMBER)
-        if number is not None and number != state.parameters.get(ParameterKey.DEVICE_NUMBER):
+        parameters, stored = dict(job.parameters), state.parameters.get(ParameterKey.DEVICE_NUMBER)
+        is_addressed = self._line.settings.device_number is not None
+        number = parameters.get(ParameterKey.DEVICE_NUMBER, stored)
+        if number != stored:
             self._require_stopped()
+        elif is_addressed and ParameterKey.FACTORY_RESET in parameters:
+            number = state.specs[ParameterKey.DEVICE_NUMBER].default  # from its next start on
+        if number is not None and number != stored:
             require_free_number(self._line, number, self._serve_motors)
 
         def request(command: Command[ReplyT_co]) -> ReplyT_co:
