@@ -197,6 +197,19 @@ def test_line_that_is_gone_ends_the_guardian(ends: Ends) -> None:
     assert logged(guardian) is StopResult.UNCONFIRMED
 
 
+def test_bytes_that_another_process_has_taken_are_no_failure(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    master, slave = os.openpty()
+    with monkeypatch.context() as patched:  # what came is taken between `select` and `read`
+        patched.setattr(process.select, "select", lambda *_: ([slave], [], []))
+        assert process.FilePort(slave).receive(OFTEN) == b""
+    os.write(master, b"\x00\n")
+    assert process.FilePort(slave).receive(OFTEN) == b"\x00\n"
+    os.close(master)
+    os.close(slave)
+
+
 def test_pipe_in_place_of_the_log_does_not_keep_the_guardian(ends: Ends) -> None:
     Board(ends[1])
     log_file().parent.mkdir(parents=True, exist_ok=True)

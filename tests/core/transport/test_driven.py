@@ -19,6 +19,7 @@ from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.guardian.guardian import GuardianProcess, SharedPort, StopSequence, _message
 from trex_gui.core.guardian.log import StopResult, logged_stops
 from trex_gui.core.guardian.process import StopMessage, keep_file
+from trex_gui.core.run_file import is_locked
 from trex_gui.core.transport import serial_port
 from trex_gui.core.transport.driven import (
     driven_at,
@@ -192,7 +193,8 @@ def test_suspended_guardian_is_woken_and_stops_the_motors(start_simulator: Start
     stop = StopSequence(bytes.fromhex("d07f7ff000"), b"\x84", 1, 1, False, 0.07, note)
     guardian.watch(stop)
     os.write(port, b"\xc2\x40")
-    time.sleep(0.1)
+    while not (file.exists() and file.stat().st_size and is_locked(file)):
+        time.sleep(0.01)
     assert guardian._process is not None
     assert guardian._process.stdin is not None
     guardian._process.send_signal(signal.SIGSTOP)

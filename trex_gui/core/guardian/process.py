@@ -66,6 +66,7 @@ class FilePort:
 
     def __init__(self, descriptor: int) -> None:
         self._descriptor = descriptor
+        os.set_blocking(descriptor, False)  # another process may be faster after `select`
         self.remember_settings()
 
     def remember_settings(self) -> None:
@@ -86,13 +87,16 @@ class FilePort:
             _, ready, _ = select.select([], [self._descriptor], [], _GIVE_UP_S)
             if not ready:
                 raise TimeoutError("the port accepts nothing")
-            data = data[os.write(self._descriptor, data) :]
+            with suppress(BlockingIOError):
+                data = data[os.write(self._descriptor, data) :]
 
     def receive(self, seconds: float) -> bytes:
         ready, _, _ = select.select([self._descriptor], [], [], max(0.0, seconds))
-        data = os.read(self._descriptor, _MOST) if ready else b""
-        if ready and not data:
-            time.sleep(_GRACE_S)  # the program was faster; a line that is gone fails when written
+        data = b""
+        with suppress(BlockingIOError):
+            data = os.read(self._descriptor, _MOST) if ready else b""
+        if ready and not data:  # another process was faster, or the line is gone: writing fails
+            time.sleep(_GRACE_S)
         return data
 
     def close(self) -> None:
