@@ -1117,6 +1117,8 @@
         <translation>ein Prüflauf dauert {0:g} bis {1:g} s, nicht {2:g} s</translation></message>
     <message><source>the period of a bench test is {0:g} to {1:g} s, not {2:g} s</source>
         <translation>die Periode eines Prüflaufs ist {0:g} bis {1:g} s, nicht {2:g} s</translation></message>
+    <message><source>The board does not respond; the stop is being repeated.</source>
+        <translation>Das Board antwortet nicht; der Stopp wird wiederholt.</translation></message>
     <message><source>See the rows below.</source>
         <translation>Siehe die Zeilen darunter.</translation></message>
     <message><source>Check cable and ground, and that no other program sends on this line.</source>
@@ -1133,8 +1135,40 @@
         <translation>Lassen Sie kein anderes Programm auf dieser Leitung senden.</translation></message>
     <message><source>Let other programs request fewer channels at once.</source>
         <translation>Lassen Sie andere Programme weniger Kanäle auf einmal anfordern.</translation></message>
+    <message><source>Latched before connecting, perhaps by the search for the board: {0}</source>
+        <translation>Schon vor dem Verbinden gesetzt, vielleicht durch die Suche nach dem Board: {0}</translation></message>
+    <message><source>Connected to {0} on {1}.</source>
+        <translation>Verbunden mit {0} an {1}.</translation></message>
+    <message><source>The board responds again</source>
+        <translation>Das Board antwortet wieder</translation></message>
+    <message><source>The board was switched off and on</source>
+        <translation>Das Board wurde aus- und eingeschaltet</translation></message>
+    <message><source>A setting changed: the board was restarted, or another program wrote to it</source>
+        <translation>Eine Einstellung hat sich geändert: Das Board wurde neu gestartet, oder ein anderes Programm hat hineingeschrieben</translation></message>
+    <message><source>Device {0} selected: {1}</source>
+        <translation>Gerät {0} ausgewählt: {1}</translation></message>
     <message><source>What is kept here for this {0} (notes, calibrations, applied settings) is of {1}, when it was at another USB adapter or socket. If this is another board, give it a device number of its own: boards with the same number share what is kept.</source>
         <translation>Was hier für diesen {0} aufbewahrt wird (Notizen, Kalibrierungen, angewendete Einstellungen), stammt vom {1}, als er an einem anderen USB-Adapter oder einer anderen Buchse war. Wenn dies ein anderes Board ist, geben Sie ihm eine eigene Gerätenummer: Boards mit derselben Nummer teilen sich das Aufbewahrte.</translation></message>
+    <message><source>Disconnected</source>
+        <translation>Getrennt</translation></message>
+    <message><source>The board received nothing within its Serial Timeout, so the motors were stopped.</source>
+        <translation>Das Board hat innerhalb seines seriellen Timeouts nichts empfangen, daher wurden die Motoren gestoppt.</translation></message>
+    <message><source>The board stopped its motors because of an error on the line ({0}): UART-Error Shutdown is set.</source>
+        <translation>Das Board hat seine Motoren wegen eines Fehlers auf der Leitung ({0}) gestoppt: „Abschaltung bei UART-Fehlern“ ist eingestellt.</translation></message>
+    <message><source>The board stopped responding</source>
+        <translation>Das Board antwortet nicht mehr</translation></message>
+    <message><source>Disconnected before a stop was confirmed: motors may still turn</source>
+        <translation>Getrennt, bevor ein Stopp bestätigt war: Die Motoren können sich noch drehen</translation></message>
+    <message><source>The line is noisy: {0:.1f} % lost</source>
+        <translation>Die Leitung ist gestört: {0:.1f} % verloren</translation></message>
+    <message><source>The line is good again</source>
+        <translation>Die Leitung ist wieder gut</translation></message>
+    <message><source>noisy: {0:.1f} % of the requests of the last {1:.0f} s answered</source>
+        <translation>gestört: {0:.1f} % der Anfragen der letzten {1:.0f} s beantwortet</translation></message>
+    <message><source>being measured …</source>
+        <translation>wird gemessen …</translation></message>
+    <message><source>good: {0:.1f} % of the requests of the last {1:.0f} s answered</source>
+        <translation>gut: {0:.1f} % der Anfragen der letzten {1:.0f} s beantwortet</translation></message>
     <message><source>The ends are 1 % of the travel and three times the noise inside the measured ones, so that full output is reliably reached. The deadband covers the noise at rest, but is at least {0}, since a stick does not return to exactly the same place each time.</source>
         <translation>Die Enden liegen um 1 % des Wegs und das Dreifache des Rauschens innerhalb der gemessenen, damit die volle Ausgabe sicher erreicht wird. Der Totbereich deckt das Rauschen in Ruhe ab, beträgt aber mindestens {0}, da ein Knüppel nicht jedes Mal genau an dieselbe Stelle zurückkehrt.</translation></message>
     <message><source>{0}: reversed is suggested.</source>
@@ -1339,30 +1373,12 @@
         <translation>Motor {0} hat seine Stromgrenze überschritten.</translation></message>
     <message><source>Stop</source>
         <translation>Stopp</translation></message>
-    <message><source>The board stopped responding</source>
-        <translation>Das Board antwortet nicht mehr</translation></message>
-    <message><source>Disconnected</source>
-        <translation>Getrennt</translation></message>
-    <message><source>Latched before connecting, perhaps by the search for the board: {0}</source>
-        <translation>Schon vor dem Verbinden gesetzt, vielleicht durch die Suche nach dem Board: {0}</translation></message>
-    <message><source>Connected to {0} on {1}.</source>
-        <translation>Verbunden mit {0} an {1}.</translation></message>
-    <message><source>A setting changed: the board was restarted, or another program wrote to it</source>
-        <translation>Eine Einstellung hat sich geändert: Das Board wurde neu gestartet, oder ein anderes Programm hat hineingeschrieben</translation></message>
-    <message><source>Device {0} selected: {1}</source>
-        <translation>Gerät {0} ausgewählt: {1}</translation></message>
-    <message><source>Disconnected before a stop was confirmed: motors may still turn</source>
-        <translation>Getrennt, bevor ein Stopp bestätigt war: Die Motoren können sich noch drehen</translation></message>
     <message><source>{0} and {1} more</source>
         <translation>{0} und {1} weitere</translation></message>
     <message><source>Apply: {0}</source>
         <translation>Anwenden: {0}</translation></message>
     <message><source>Stop: {0}</source>
         <translation>Stopp: {0}</translation></message>
-    <message><source>The board responds again</source>
-        <translation>Das Board antwortet wieder</translation></message>
-    <message><source>The board was switched off and on</source>
-        <translation>Das Board wurde aus- und eingeschaltet</translation></message>
     <message><source>{0} ({1} failed)</source>
         <translation>{0} ({1} fehlgeschlagen)</translation></message>
     <message numerus="yes"><source>%n board(s) on this line.</source>
@@ -1503,12 +1519,6 @@
         <translation>Verbunden mit {0}.</translation></message>
     <message><source>No reply yet. Trying other settings: {0} …</source>
         <translation>Noch keine Antwort. Andere Einstellungen werden probiert: {0} …</translation></message>
-    <message><source>noisy: {0:.1f} % of the requests of the last {1:.0f} s answered</source>
-        <translation>gestört: {0:.1f} % der Anfragen der letzten {1:.0f} s beantwortet</translation></message>
-    <message><source>being measured …</source>
-        <translation>wird gemessen …</translation></message>
-    <message><source>good: {0:.1f} % of the requests of the last {1:.0f} s answered</source>
-        <translation>gut: {0:.1f} % der Anfragen der letzten {1:.0f} s beantwortet</translation></message>
     <message><source>{0}. The stop is not confirmed: {1} If a motor still turns, cut its power.</source>
         <translation>{0}. Der Stopp ist nicht bestätigt: {1} Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
     <message><source>{0}. No board is connected that could be stopped, and motors may still turn: cut their power.</source>
@@ -1553,28 +1563,18 @@
         <translation><numerusform>%n Änderung des bisherigen Boards bleibt erhalten: Sie ist wieder da, wenn es erneut ausgewählt wird.</numerusform><numerusform>%n Änderungen des bisherigen Boards bleiben erhalten: Sie sind wieder da, wenn es erneut ausgewählt wird.</numerusform></translation></message>
     <message><source>Nothing was written: the board does not respond.</source>
         <translation>Es wurde nichts geschrieben: Das Board antwortet nicht.</translation></message>
-    <message><source>The board does not respond; the stop is being repeated.</source>
-        <translation>Das Board antwortet nicht; der Stopp wird wiederholt.</translation></message>
     <message><source>Noise on the line can turn a motor another way for an instant.</source>
         <translation>Störungen auf der Leitung können einen Motor für einen Augenblick in die andere Richtung drehen.</translation></message>
     <message><source>{0}, device {1}</source>
         <translation>{0}, Gerät {1}</translation></message>
     <message><source>{0} set</source>
         <translation>{0} gesetzt</translation></message>
-    <message><source>The line is noisy: {0:.1f} % lost</source>
-        <translation>Die Leitung ist gestört: {0:.1f} % verloren</translation></message>
-    <message><source>The line is good again</source>
-        <translation>Die Leitung ist wieder gut</translation></message>
     <message><source>Reading again failed. {0}</source>
         <translation>Erneutes Lesen fehlgeschlagen. {0}</translation></message>
     <message><source>The connection is not responding, so the stop could not be sent.</source>
         <translation>Die Verbindung reagiert nicht, daher konnte der Stopp nicht gesendet werden.</translation></message>
     <message><source>No stop is known to have reached the {0} that was driven at {1}: another board responded. If its motor still turns, cut its power.</source>
         <translation>Ob ein Stopp das an {1} angesteuerte Board ({0}) erreicht hat, ist nicht bekannt: Ein anderes Board hat geantwortet. Falls sich am angesteuerten Board noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
-    <message><source>The board received nothing within its Serial Timeout, so the motors were stopped.</source>
-        <translation>Das Board hat innerhalb seines seriellen Timeouts nichts empfangen, daher wurden die Motoren gestoppt.</translation></message>
-    <message><source>The board stopped its motors because of an error on the line ({0}): UART-Error Shutdown is set.</source>
-        <translation>Das Board hat seine Motoren wegen eines Fehlers auf der Leitung ({0}) gestoppt: „Abschaltung bei UART-Fehlern“ ist eingestellt.</translation></message>
     <message><source>Another board responds now: {0}, at {1}.</source>
         <translation>Jetzt antwortet ein anderes Board: {0}, an {1}.</translation></message>
     <message><source>The line to {0} was lost before a stop was confirmed. The board at this port has confirmed one; if it is another board, cut the power of the first.</source>

@@ -1117,6 +1117,8 @@
         <translation>un essai au banc dure de {0:g} à {1:g} s, pas {2:g} s</translation></message>
     <message><source>the period of a bench test is {0:g} to {1:g} s, not {2:g} s</source>
         <translation>la période d'un essai au banc va de {0:g} à {1:g} s, pas {2:g} s</translation></message>
+    <message><source>The board does not respond; the stop is being repeated.</source>
+        <translation>La carte ne répond pas ; l'ordre d'arrêt est répété.</translation></message>
     <message><source>See the rows below.</source>
         <translation>Voir les lignes ci-dessous.</translation></message>
     <message><source>Check cable and ground, and that no other program sends on this line.</source>
@@ -1133,8 +1135,40 @@
         <translation>Ne laissez aucun autre programme émettre sur cette liaison.</translation></message>
     <message><source>Let other programs request fewer channels at once.</source>
         <translation>Faites en sorte que les autres programmes demandent moins de voies à la fois.</translation></message>
+    <message><source>Latched before connecting, perhaps by the search for the board: {0}</source>
+        <translation>Mémorisé avant la connexion, peut-être à cause de la recherche de la carte : {0}</translation></message>
+    <message><source>Connected to {0} on {1}.</source>
+        <translation>Connecté à {0} sur {1}.</translation></message>
+    <message><source>The board responds again</source>
+        <translation>La carte répond de nouveau</translation></message>
+    <message><source>The board was switched off and on</source>
+        <translation>L'alimentation de la carte a été coupée et remise</translation></message>
+    <message><source>A setting changed: the board was restarted, or another program wrote to it</source>
+        <translation>Un réglage a changé : la carte a été redémarrée, ou un autre programme y a écrit</translation></message>
+    <message><source>Device {0} selected: {1}</source>
+        <translation>Appareil {0} sélectionné : {1}</translation></message>
     <message><source>What is kept here for this {0} (notes, calibrations, applied settings) is of {1}, when it was at another USB adapter or socket. If this is another board, give it a device number of its own: boards with the same number share what is kept.</source>
         <translation>Ce qui est conservé ici pour ce {0} (notes, étalonnages, réglages appliqués) date de {1}, quand il était sur un autre adaptateur USB ou une autre prise. S'il s'agit d'une autre carte, donnez-lui son propre numéro d'appareil : les cartes de même numéro partagent ce qui est conservé.</translation></message>
+    <message><source>Disconnected</source>
+        <translation>Déconnecté</translation></message>
+    <message><source>The board received nothing within its Serial Timeout, so the motors were stopped.</source>
+        <translation>La carte n'a rien reçu pendant son « Délai série » ; les moteurs ont donc été arrêtés.</translation></message>
+    <message><source>The board stopped its motors because of an error on the line ({0}): UART-Error Shutdown is set.</source>
+        <translation>La carte a arrêté ses moteurs à cause d'une erreur sur la liaison ({0}) : « Arrêt sur erreur UART » est activé.</translation></message>
+    <message><source>The board stopped responding</source>
+        <translation>La carte a cessé de répondre</translation></message>
+    <message><source>Disconnected before a stop was confirmed: motors may still turn</source>
+        <translation>Déconnecté avant la confirmation d'un arrêt : les moteurs peuvent encore tourner</translation></message>
+    <message><source>The line is noisy: {0:.1f} % lost</source>
+        <translation>La liaison est bruitée : {0:.1f} % de pertes</translation></message>
+    <message><source>The line is good again</source>
+        <translation>La liaison est de nouveau bonne</translation></message>
+    <message><source>noisy: {0:.1f} % of the requests of the last {1:.0f} s answered</source>
+        <translation>bruitée : {0:.1f} % des requêtes des {1:.0f} dernières secondes ont reçu une réponse</translation></message>
+    <message><source>being measured …</source>
+        <translation>mesure en cours …</translation></message>
+    <message><source>good: {0:.1f} % of the requests of the last {1:.0f} s answered</source>
+        <translation>bonne : {0:.1f} % des requêtes des {1:.0f} dernières secondes ont reçu une réponse</translation></message>
     <message><source>The ends are 1 % of the travel and three times the noise inside the measured ones, so that full output is reliably reached. The deadband covers the noise at rest, but is at least {0}, since a stick does not return to exactly the same place each time.</source>
         <translation>Les extrémités sont placées à l'intérieur de celles mesurées, de 1 % de la course et de trois fois le bruit, afin que la sortie maximale soit atteinte à coup sûr. La zone morte couvre le bruit au repos, mais vaut au moins {0}, car un manche ne revient pas chaque fois exactement au même endroit.</translation></message>
     <message><source>{0}: reversed is suggested.</source>
@@ -1339,30 +1373,12 @@
         <translation>Le moteur {0} a dépassé sa limite de courant.</translation></message>
     <message><source>Stop</source>
         <translation>Arrêt</translation></message>
-    <message><source>The board stopped responding</source>
-        <translation>La carte a cessé de répondre</translation></message>
-    <message><source>Disconnected</source>
-        <translation>Déconnecté</translation></message>
-    <message><source>Latched before connecting, perhaps by the search for the board: {0}</source>
-        <translation>Mémorisé avant la connexion, peut-être à cause de la recherche de la carte : {0}</translation></message>
-    <message><source>Connected to {0} on {1}.</source>
-        <translation>Connecté à {0} sur {1}.</translation></message>
-    <message><source>A setting changed: the board was restarted, or another program wrote to it</source>
-        <translation>Un réglage a changé : la carte a été redémarrée, ou un autre programme y a écrit</translation></message>
-    <message><source>Device {0} selected: {1}</source>
-        <translation>Appareil {0} sélectionné : {1}</translation></message>
-    <message><source>Disconnected before a stop was confirmed: motors may still turn</source>
-        <translation>Déconnecté avant la confirmation d'un arrêt : les moteurs peuvent encore tourner</translation></message>
     <message><source>{0} and {1} more</source>
         <translation>{0} et encore {1}</translation></message>
     <message><source>Apply: {0}</source>
         <translation>Appliqué : {0}</translation></message>
     <message><source>Stop: {0}</source>
         <translation>Arrêt : {0}</translation></message>
-    <message><source>The board responds again</source>
-        <translation>La carte répond de nouveau</translation></message>
-    <message><source>The board was switched off and on</source>
-        <translation>L'alimentation de la carte a été coupée et remise</translation></message>
     <message><source>{0} ({1} failed)</source>
         <translation>{0} (échecs : {1})</translation></message>
     <message numerus="yes"><source>%n board(s) on this line.</source>
@@ -1503,12 +1519,6 @@
         <translation>Connecté à {0}.</translation></message>
     <message><source>No reply yet. Trying other settings: {0} …</source>
         <translation>Pas encore de réponse. Essai d'autres réglages : {0} …</translation></message>
-    <message><source>noisy: {0:.1f} % of the requests of the last {1:.0f} s answered</source>
-        <translation>bruitée : {0:.1f} % des requêtes des {1:.0f} dernières secondes ont reçu une réponse</translation></message>
-    <message><source>being measured …</source>
-        <translation>mesure en cours …</translation></message>
-    <message><source>good: {0:.1f} % of the requests of the last {1:.0f} s answered</source>
-        <translation>bonne : {0:.1f} % des requêtes des {1:.0f} dernières secondes ont reçu une réponse</translation></message>
     <message><source>{0}. The stop is not confirmed: {1} If a motor still turns, cut its power.</source>
         <translation>{0}. L'arrêt n'est pas confirmé : {1} Si un moteur tourne encore, coupez son alimentation.</translation></message>
     <message><source>{0}. No board is connected that could be stopped, and motors may still turn: cut their power.</source>
@@ -1553,28 +1563,18 @@
         <translation><numerusform>%n modification de la carte précédente conservée : elle revient quand cette carte est de nouveau sélectionnée.</numerusform><numerusform>%n modifications de la carte précédente conservées : elles reviennent quand cette carte est de nouveau sélectionnée.</numerusform></translation></message>
     <message><source>Nothing was written: the board does not respond.</source>
         <translation>Rien n'a été écrit : la carte ne répond pas.</translation></message>
-    <message><source>The board does not respond; the stop is being repeated.</source>
-        <translation>La carte ne répond pas ; l'ordre d'arrêt est répété.</translation></message>
     <message><source>Noise on the line can turn a motor another way for an instant.</source>
         <translation>Du bruit sur la liaison peut faire tourner un moteur un instant dans un autre sens.</translation></message>
     <message><source>{0}, device {1}</source>
         <translation>{0}, appareil {1}</translation></message>
     <message><source>{0} set</source>
         <translation>{0} : réglé</translation></message>
-    <message><source>The line is noisy: {0:.1f} % lost</source>
-        <translation>La liaison est bruitée : {0:.1f} % de pertes</translation></message>
-    <message><source>The line is good again</source>
-        <translation>La liaison est de nouveau bonne</translation></message>
     <message><source>Reading again failed. {0}</source>
         <translation>La relecture a échoué. {0}</translation></message>
     <message><source>The connection is not responding, so the stop could not be sent.</source>
         <translation>La connexion ne répond pas ; l'ordre d'arrêt n'a donc pas pu être envoyé.</translation></message>
     <message><source>No stop is known to have reached the {0} that was driven at {1}: another board responded. If its motor still turns, cut its power.</source>
         <translation>Rien n'indique qu'un arrêt ait atteint la carte {0} qui était pilotée sur {1} : une autre carte a répondu. Si un moteur de la première tourne encore, coupez son alimentation.</translation></message>
-    <message><source>The board received nothing within its Serial Timeout, so the motors were stopped.</source>
-        <translation>La carte n'a rien reçu pendant son « Délai série » ; les moteurs ont donc été arrêtés.</translation></message>
-    <message><source>The board stopped its motors because of an error on the line ({0}): UART-Error Shutdown is set.</source>
-        <translation>La carte a arrêté ses moteurs à cause d'une erreur sur la liaison ({0}) : « Arrêt sur erreur UART » est activé.</translation></message>
     <message><source>Another board responds now: {0}, at {1}.</source>
         <translation>Une autre carte répond maintenant : {0}, sur {1}.</translation></message>
     <message><source>The line to {0} was lost before a stop was confirmed. The board at this port has confirmed one; if it is another board, cut the power of the first.</source>

@@ -92,7 +92,7 @@ def panel(window: WindowDriver) -> DemoPanel:
 
 def error_counts(window: WindowDriver) -> dict[str, int]:
     """Return the count of each error by its name."""
-    return {entry.name: entry.count for entry in window.device.errors.entries}
+    return {entry.name: entry.count for entry in window.device.board.errors.entries}
 
 
 def test_stick_sliders_set_channel_inputs(window: WindowDriver, panel: DemoPanel) -> None:
@@ -154,8 +154,8 @@ def test_faults_of_the_panel_are_counted(window: WindowDriver, panel: DemoPanel)
 
     panel.drag_stick("demoNoise", 1)
     panel.wait(lambda: panel.board.line.noise == pytest.approx(0.05))
-    counters = window.device.connection.counters
-    window.wait(lambda: window.device.connection.counters != counters)
+    counters = window.device.board.counters
+    window.wait(lambda: window.device.board.counters != counters)
     panel.drag_stick("demoNoise", 0)
     panel.wait(lambda: panel.board.line.noise == 0)
     panel.wait_for(ConnectionState.CONNECTED)

@@ -715,7 +715,7 @@ def test_joint_mode_drives_one_motor_and_ignores_turning(page: MotorsPage) -> No
     page.wait(lambda: page.device.link is ConnectionState.NOT_RESPONDING)
     assert "does not respond" in page.text("motorsReason")
     page.simulator.do("power on")
-    page.wait(lambda: page.device.is_joint and page.motors.is_available)
+    page.wait(lambda: page.device.board.is_joint and page.motors.is_available)
     page.arm()
     assert page.text("motor1Title") == "Motor (joint)"
     assert not page.is_enabled("motor2Slider")

@@ -22,7 +22,7 @@ KEY = "serial_timeout"
 
 
 def settle(window: WindowDriver) -> None:
-    window.wait(lambda: window.device.memory.record is not None)
+    window.wait(lambda: window.device.board.memory.record is not None)
     window.wait(lambda: window.device.kept.files.is_idle)
 
 

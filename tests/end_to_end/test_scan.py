@@ -80,8 +80,8 @@ def test_board_at_unknown_line_settings_is_found_and_connected(
     assert window.device.settings is not None
     assert window.device.settings.line == LineSettings(57600)
     assert window.find(QToolButton, "lineButton").text() == "57600 baud"
-    entries = window.device.errors.entries
-    window.wait(lambda: any(one.is_earlier for one in window.device.errors.entries))
+    entries = window.device.board.errors.entries
+    window.wait(lambda: any(one.is_earlier for one in window.device.board.errors.entries))
     assert not any(one.count for one in entries), "the search has latched them"
     assert all(motor["direction"] == "brake" for motor in quick_simulator.show()["motors"])
 

@@ -9,7 +9,8 @@ from PySide6.QtWidgets import QFileDialog, QLineEdit, QPlainTextEdit
 from pytestqt.qtbot import QtBot
 
 from tests.support.window import WidgetDriver
-from trex_gui.ui.event_log import EventKind, EventLog
+from trex_gui.core.events import EventKind
+from trex_gui.ui.event_log import EventLog
 from trex_gui.ui.help.messages import MessageHelp
 from trex_gui.ui.log import MOST_ENTRIES, Log, LogPage
 from trex_gui.ui.notifier import Notifier

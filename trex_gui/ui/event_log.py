@@ -1,38 +1,15 @@
-"""Events while a board is connected, for marks in a plot, a recording and the log."""
+"""The newest events of a device."""
 
 from bisect import bisect_right
 from collections.abc import Callable
-from dataclasses import dataclass
-from enum import StrEnum
 from operator import attrgetter
 
 from PySide6.QtCore import QObject, Signal
 
+from trex_gui.core.events import Event, EventKind
 from trex_gui.ui.runtime import now
 
 MOST_EVENTS = 10_000  # events kept; the oldest are dropped
-
-
-class EventKind(StrEnum):
-    """What an event is about; the value is how files spell it."""
-
-    APPLY = "apply"
-    STOP = "stop"
-    FAULT = "fault"
-    OVER_LIMIT = "over-limit"
-    TIMEOUT = "timeout"
-    LINK = "link"
-    NOTE = "note"
-
-
-@dataclass(frozen=True, slots=True)
-class Event:
-    """Something that happened; `time` is on the session's clock (s), as telemetry's."""
-
-    time: float
-    kind: EventKind
-    text: str  # one line, for the user
-    is_problem: bool = False
 
 
 class EventLog(QObject):
@@ -50,10 +27,13 @@ class EventLog(QObject):
     ) -> Event:
         """Note an event, now or at a time of the session's clock; return it."""
         event = Event(self._clock() if at is None else at, kind, text, is_problem)
+        self.put(event)
+        return event
+
+    def put(self, event: Event) -> None:
         self.all.insert(bisect_right(self.all, event.time, key=attrgetter("time")), event)
         del self.all[:-MOST_EVENTS]
         self.happened.emit(event)
-        return event
 
     def clear(self) -> None:
         self.all.clear()

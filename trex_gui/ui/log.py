@@ -13,9 +13,10 @@ from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtGui import QGuiApplication, QShowEvent, QTextCursor
 from PySide6.QtWidgets import QPlainTextEdit, QWidget
 
+from trex_gui.core.events import Event
 from trex_gui.core.files import save
 from trex_gui.core.translation import tr
-from trex_gui.ui.event_log import Event, EventLog
+from trex_gui.ui.event_log import EventLog
 from trex_gui.ui.files import save_in_background
 from trex_gui.ui.help.messages import MessageHelp
 from trex_gui.ui.notifier import Notifier

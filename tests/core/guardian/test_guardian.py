@@ -2,6 +2,7 @@
 
 import ast
 import os
+import select
 import signal
 import socket
 import sys
@@ -202,7 +203,7 @@ def test_bytes_that_another_process_has_taken_are_no_failure(
 ) -> None:
     master, slave = os.openpty()
     with monkeypatch.context() as patched:  # what came is taken between `select` and `read`
-        patched.setattr(process.select, "select", lambda *_: ([slave], [], []))
+        patched.setattr(select, "select", lambda *_: ([slave], [], []))
         assert process.FilePort(slave).receive(OFTEN) == b""
     os.write(master, b"\x00\n")
     assert process.FilePort(slave).receive(OFTEN) == b"\x00\n"

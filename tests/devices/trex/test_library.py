@@ -186,6 +186,21 @@ def test_drive_ends_with_what_happened(
         Program(virtual_time, run).end()
 
 
+def test_program_knows_why_motors_do_not_run_and_how_good_the_line_is(
+    virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
+) -> None:
+    def run() -> None:
+        with Trex(quick_simulator.url) as board:
+            assert board.motor_status()[0].startswith("Not armed")
+            assert board.line_quality.is_noisy is None
+            quick_simulator.do("fault 2 on")
+            board.wait(12)
+            assert board.motor_status()[0].startswith("Motor 2 has no drive")
+            assert board.line_quality.is_noisy is False
+
+    Program(virtual_time, run).end()
+
+
 def test_errors_from_before_the_block_do_not_end_a_drive(
     virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
 ) -> None:

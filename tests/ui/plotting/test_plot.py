@@ -25,7 +25,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.mouse import turn_wheel
 from tests.support.window import WidgetDriver
-from trex_gui.ui.event_log import Event, EventKind
+from trex_gui.core.events import Event, EventKind
 from trex_gui.ui.plotting.canvas import PlotCanvas
 from trex_gui.ui.plotting.figures import TraceColumn, TraceTable
 from trex_gui.ui.plotting.history import SampleHistory

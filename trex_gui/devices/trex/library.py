@@ -17,9 +17,11 @@ from trex_gui.core.errors import describe as error_text
 from trex_gui.core.host import host
 from trex_gui.core.session import Close, Closed, Outcome, RequestQueue
 from trex_gui.core.timing import Timeouts
-from trex_gui.devices.trex.board.errors import ErrorCounts, ErrorEntry
+from trex_gui.devices.trex.board.drive_status import DriveInputs, drive_statuses
+from trex_gui.devices.trex.board.errors import ErrorEntry
 from trex_gui.devices.trex.board.keeper import Keeper
-from trex_gui.devices.trex.board.newest import Newest
+from trex_gui.devices.trex.board.mirror import BoardMirror
+from trex_gui.devices.trex.board.quality import ConnectionQuality
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import (
     Control,
@@ -41,7 +43,7 @@ from trex_gui.devices.trex.driving.requests import (
 )
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT, who_controls
+from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.devices.trex.protocol.flags import CHANNELS, bit_names, stops_motors
@@ -149,27 +151,25 @@ class Trex:
             raise BadRequest(f"detection is none, even, odd or crc7, not {detection}")
         line = LineSettings(baud, Detection[detection.upper()], stop_bits)
         line.to_wire()
-        self._clock = host().clock
         others, timeouts = frozenset(reserved), Timeouts(extra=timeout)
         self._settings = ConnectionSettings(
             url, line, device_number, polynomial, others, timeouts=timeouts
         )
         _ = self._settings.framing
         self._ids = count(1)
-        self._newest = Newest()
         self._errors: dict[str, None] = {}
         self._outcomes: dict[int, Outcome] = {}
         self._closed: Closed | None = Closed(None, may_move=False)
-        self._state: DeviceState | None = None
         self._is_armed = False
         self._listener: Callable[[Sample], object] | None = None
 
     def __enter__(self) -> Self:
         """Open the port and read everything that the board stores; this moves nothing."""
         computer = host()
-        self._newest, self._errors, self._outcomes = Newest(), {}, {}
-        self._counts = ErrorCounts()
-        self._closed = self._state = None
+        self._clock = computer.clock
+        self._errors, self._outcomes, self._closed = {}, {}, None
+        self._keeper = Keeper(log.info, log.warning)
+        self._board = BoardMirror(self._keeper.memory)
         self._inbox = RequestQueue(computer.condition())
         self._reports = _Reports(RequestQueue(computer.condition()))
         session = TrexSession(
@@ -177,7 +177,7 @@ class Trex:
         )
         self._join = computer.start_thread(session.run)
         try:
-            self._wait_for(lambda: self._state is not None)
+            self._wait_for(lambda: self._board.state is not None)
         except BaseException:
             self._close()
             raise
@@ -203,15 +203,20 @@ class Trex:
     def state(self) -> DeviceState:
         """What the board stores, as it was last read; the session keeps it up to date."""
         self._require_open()
-        assert self._state is not None  # noqa: S101 - for the type checker
-        return self._state
+        assert self._board.state is not None  # noqa: S101 - for the type checker
+        return self._board.state
 
     def status(self) -> BoardStatus:
         """Return what the board measures now, and the errors since the last call."""
         self._require_open()
-        self._newest = newest = Newest()
-        wanted = {Raw, Remapped, Currents, Control}
-        self._wait_for(lambda: wanted <= newest.samples.keys(), _STATUS_TIMEOUT)
+        newest, begun = self._board.newest, self._clock()
+        wanted = (Raw, Remapped, Currents, Control)
+
+        def is_new(kind: type[Sample]) -> bool:
+            sample = newest.get(kind)
+            return sample is not None and sample.time >= begun
+
+        self._wait_for(lambda: all(map(is_new, wanted)), _STATUS_TIMEOUT)
         state, unit = self.state, self.state.signature.model.current_unit
         currents = newest[Currents].counts
         errors, self._errors = tuple(self._errors), {}
@@ -235,7 +240,21 @@ class Trex:
     def errors(self) -> tuple[ErrorEntry, ...]:
         """Return every error bit, with its count since the port was opened and what to do."""
         self._require_open()
-        return self._counts.entries
+        return self._board.errors.entries
+
+    def motor_status(self) -> tuple[str, ...]:
+        """Return every reason why the motors do what they do, the worst first, as sentences."""
+        self._require_open()
+        statuses = drive_statuses(
+            DriveInputs(board=self._board.inputs(self._clock()), armed=self._is_armed)
+        )
+        return tuple(f"{status.text} {status.remedy}".strip() for status in statuses)
+
+    @property
+    def line_quality(self) -> ConnectionQuality:
+        """How good the line is: `is_noisy` is `None` until enough was measured."""
+        self._require_open()
+        return self._board.quality
 
     def measurements(self, seconds: float) -> Iterator[Row]:
         """Yield a row for each new pair of motor currents, as `trexcmd stream` writes them.
@@ -320,13 +339,11 @@ class Trex:
 
         `key` is that of a parameter, or such as `rc_channel_2`.
         """
-        memory = self._keeper().memory
+        self._keeper.load()
+        memory = self._board.memory
         notes = {} if memory.record is None else memory.record.settings.notes
         wanted = {**notes, key: clean_note(text)[:LONGEST_NOTE].rstrip()}
         memory.set_notes({key: note for key, note in wanted.items() if note})
-
-    def _keeper(self) -> Keeper:
-        return Keeper(self.state, self._settings, log.info, log.warning)
 
     def _write(
         self,
@@ -336,11 +353,12 @@ class Trex:
         if not parameters and not calibrations:
             return
         reason = f"library: {', '.join(key for key, _ in (*parameters, *calibrations))}"
-        transaction = self._keeper().begin(reason, parameters, calibrations)
+        transaction = self._keeper.begin(
+            self.state, self._settings, reason, parameters, calibrations
+        )
         request = Write(next(self._ids), parameters, calibrations, before=self.state)
         written = self._result(request.id, request, _WRITING)
         assert isinstance(written, Written)  # noqa: S101 - for the type checker
-        self._state = written.state
         transaction.finish(written.results, written.state, utc_now())
         for result in written.results:
             if result.error is not None:
@@ -374,10 +392,8 @@ class Trex:
             raise BadRequest(f"the auxiliary motor's speed is 0 to 127, not {auxiliary}")
         self._require_open()
         self._pump(self._clock())  # what was reported meanwhile may forbid it
-        control = self._newest.get(Control)
-        if not (self.state.serial_controls if control is None else control.by_serial):
-            joint = self.state.parameters.get(ParameterKey.MOTOR_MODE) == 1
-            raise BadRequest(who_controls(self.state.mode, by_serial=False, joint=joint))
+        if not self._board.serial_controls:
+            raise BadRequest(self._board.control_text)
         if not self._is_armed:
             self._is_armed = True
             self._inbox.put(Arm())
@@ -438,14 +454,12 @@ class Trex:
             report = self._reports.get(0.0)
 
     def _take(self, report: Report) -> None:
+        for event in self._board.take(report, self._clock(), utc_now()):
+            if isinstance(event, Sample):
+                self._take_sample(event)
         match report:
-            case Connected(state=state):
-                self._state = state
-                if self._is_armed:
-                    self._fail("The board was restarted or changed, so the motors were stopped.")
-            case Batch(samples=samples):
-                for sample in samples:
-                    self._take_sample(sample)
+            case Connected() if self._is_armed:
+                self._fail("The board was restarted or changed, so the motors were stopped.")
             case Outcome(id=number):
                 self._outcomes[number] = report
             case NotResponding(reason=reason):
@@ -461,14 +475,12 @@ class Trex:
                 pass
 
     def _take_sample(self, sample: Sample) -> None:
-        self._newest.take(sample)
         if self._listener is not None:
             self._listener(sample)
         if not isinstance(sample, LatchedStatus):
             return
         names = (*bit_names(sample.status), *bit_names(sample.uart))
         self._errors |= dict.fromkeys(names)
-        self._counts.take(sample, self._clock())
         errors_stop = bool(self.state.parameters.get(ParameterKey.UART_ERROR_SHUTDOWN))
         bits = (sample.status, sample.uart)
         has_stopped = any(stops_motors(one, errors_stop=errors_stop) for one in bits)

@@ -10,11 +10,11 @@ from typing import Any, Generic
 import numpy as np
 from PySide6.QtCore import QObject, Signal, Slot
 
+from trex_gui.core.events import Event, EventKind
 from trex_gui.core.recording.export import export_span
 from trex_gui.core.recording.kinds import HeaderT, Marker, RecordingError, RecordT, Value
 from trex_gui.core.recording.replay import Replay, StateT
 from trex_gui.core.recording.store import Recording
-from trex_gui.ui.event_log import Event, EventKind
 from trex_gui.ui.playback.transport import PlaybackCursor
 from trex_gui.ui.plotting.history import SampleHistory
 from trex_gui.ui.plotting.traces import Traces

@@ -8,10 +8,10 @@ from PySide6.QtCore import QDateTime, QLocale, Qt, Signal, Slot
 from PySide6.QtGui import QCloseEvent, QKeySequence, QResizeEvent, QShortcut
 from PySide6.QtWidgets import QFileDialog, QMainWindow, QProgressBar, QWidget
 
+from trex_gui.core.events import Event
 from trex_gui.core.optional_packages import install_command
 from trex_gui.core.recording.export import MCAP_SUFFIX, has_mcap
 from trex_gui.core.translation import tr
-from trex_gui.ui.event_log import Event
 from trex_gui.ui.notifier import CopyCommand, Notifier
 from trex_gui.ui.playback.player import RecordingPlayer
 from trex_gui.ui.playback.transport import TransportBar, time_text

@@ -24,8 +24,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from trex_gui.core.events import Event
 from trex_gui.core.translation import tr
-from trex_gui.ui.event_log import Event
 from trex_gui.ui.plotting.history import Statistics
 from trex_gui.ui.plotting.marks import EVENT_COLORS, charge_text, mean_text, value_text
 from trex_gui.ui.plotting.plot import TracePlot

@@ -7,8 +7,8 @@ from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QHelpEvent, QMouseEvent, QPaintEvent, QPalette
 from PySide6.QtWidgets import QLabel, QSizePolicy, QToolTip, QWidget
 
+from trex_gui.core.events import Event, EventKind
 from trex_gui.core.translation import Number, tr
-from trex_gui.ui.event_log import Event, EventKind
 from trex_gui.ui.plotting.axes import clock_text, spread
 from trex_gui.ui.plotting.history import Statistics
 from trex_gui.ui.plotting.traces import TraceInfo, Traces

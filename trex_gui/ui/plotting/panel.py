@@ -6,8 +6,8 @@ Importing it loads pyqtgraph: do so when a plot is to be shown.
 from PySide6.QtCore import QEvent, QPoint, Qt, Slot
 from PySide6.QtWidgets import QSplitter, QWidget
 
+from trex_gui.core.events import Event
 from trex_gui.core.translation import Number, tr
-from trex_gui.ui.event_log import Event
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.plotting.axes import MAX_SPAN, MIN_SPAN
 from trex_gui.ui.plotting.export import ExportButton

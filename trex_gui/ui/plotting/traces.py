@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from operator import attrgetter
 from typing import TYPE_CHECKING
 
-from trex_gui.ui.event_log import Event
+from trex_gui.core.events import Event
 
 if TYPE_CHECKING:  # numpy takes as long to load as the window
     from trex_gui.ui.plotting.history import Floats, Points, SampleHistory, Statistics

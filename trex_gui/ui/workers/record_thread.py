@@ -7,6 +7,7 @@ from typing import Any, Generic
 
 from PySide6.QtCore import QObject, Qt, Signal, Slot
 
+from trex_gui.core.events import Event
 from trex_gui.core.recording.backlog import Backlog
 from trex_gui.core.recording.kinds import (
     HeaderT,
@@ -18,7 +19,6 @@ from trex_gui.core.recording.kinds import (
 )
 from trex_gui.core.recording.store import RecordingWriter
 from trex_gui.core.translation import tr
-from trex_gui.ui.event_log import Event
 from trex_gui.ui.runtime import now, runtime
 from trex_gui.ui.workers.threads import WorkerThread, adopt_orphan, release_orphan
 

@@ -11,6 +11,7 @@ from tests.devices.aracna.model.test_robot import RobotHarness
 from tests.devices.aracna.recordings import open_recording, read_all
 from tests.support.playing import loading
 from tests.support.simulator import SimulatedDevice
+from trex_gui.core.events import EventKind
 from trex_gui.core.recording.kinds import Marker
 from trex_gui.devices.aracna.model.recordings import AracnaRecorder, RobotPlayback
 from trex_gui.devices.aracna.model.robot import Robot
@@ -28,7 +29,6 @@ from trex_gui.devices.aracna.session.messages import (
     Stuck,
 )
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.event_log import EventKind
 
 LONG_TIMEOUT = 15_000
 RECORDED = (

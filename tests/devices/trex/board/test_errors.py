@@ -10,6 +10,7 @@ from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.protocol.flags import UART_MEANING, Status, UartError, stops_motors
 
 NOW = 100.0
+TODAY = datetime(2026, 7, 1, 12, tzinfo=UTC)
 
 BITS: list[Status | UartError] = [
     *(Status.MOTOR1_FAULT, Status.MOTOR1_OVER_LIMIT),
@@ -52,8 +53,8 @@ def test_log_starts_with_zero_counts(log: ErrorCounts) -> None:
 
 def test_bits_from_before_the_connection_are_noted_and_not_counted(log: ErrorCounts) -> None:
     earlier = replace(news(Status.UART_ERROR, UartError.FRAMING), is_earlier=True)
-    log.take(earlier, NOW)
-    log.take(news(UartError.FRAMING), NOW)
+    log.take(earlier, NOW, TODAY)
+    log.take(news(UartError.FRAMING), NOW, TODAY)
     noted = [(entry.bit, entry.count) for entry in log.entries if entry.is_earlier]
     assert noted == [(Status.UART_ERROR, 0), (UartError.FRAMING, 1)]
     assert log.uncleared == 1
@@ -61,24 +62,21 @@ def test_bits_from_before_the_connection_are_noted_and_not_counted(log: ErrorCou
 
 @pytest.mark.parametrize("position", range(13), ids=lambda index: BITS[index].name or "")
 def test_each_bit_is_counted_separately(log: ErrorCounts, position: int) -> None:
-    before = datetime.now(UTC)
-    log.take(news(BITS[position]), NOW)
-    log.take(news(BITS[position]), NOW)
+    log.take(news(BITS[position]), NOW, TODAY)
+    log.take(news(BITS[position]), NOW, TODAY)
     expected = [0] * 13
     expected[position] = 2
     assert counts(log) == expected
-    last = log.entries[position].last
-    assert last is not None
-    assert before <= last <= datetime.now(UTC)
+    assert log.entries[position].last == TODAY
 
 
 def test_simultaneous_bits_are_all_counted(log: ErrorCounts) -> None:
-    log.take(news(*BITS), NOW)
+    log.take(news(*BITS), NOW, TODAY)
     assert counts(log) == [1] * 13
 
 
 def test_same_bit_of_the_other_byte_is_not_counted(log: ErrorCounts) -> None:
-    log.take(news(Status.UART_ERROR), NOW)
+    log.take(news(Status.UART_ERROR), NOW, TODAY)
     entry = next(one for one in log.entries if one.bit is UartError.SEND_OVERRUN)
     assert entry.count == 0
 
@@ -86,7 +84,7 @@ def test_same_bit_of_the_other_byte_is_not_counted(log: ErrorCounts) -> None:
 def test_each_change_is_told() -> None:
     told: list[int] = []
     board = ErrorCounts(lambda: told.append(sum(counts(board))))
-    board.take(news(*BITS), NOW)
+    board.take(news(*BITS), NOW, TODAY)
     board.clear()
     board.reset()
     assert told == [13, 13, 0]
@@ -95,17 +93,17 @@ def test_each_change_is_told() -> None:
 
 def test_clearing_keeps_counts_and_ends_with_the_next_report(log: ErrorCounts) -> None:
     assert log.uncleared == 0
-    log.take(news(Status.MOTOR1_FAULT, Status.UART_ERROR, UartError.SEND_OVERRUN), NOW)
+    log.take(news(Status.MOTOR1_FAULT, Status.UART_ERROR, UartError.SEND_OVERRUN), NOW, TODAY)
     assert log.uncleared == 2, "the bit that announces UART errors is no error of its own"
     log.clear()
     assert log.uncleared == 0
     assert sum(counts(log)) == 3
-    log.take(news(Status.UART_ERROR), NOW)
+    log.take(news(Status.UART_ERROR), NOW, TODAY)
     assert log.uncleared == 1
 
 
 def test_error_is_active_while_it_is_reported(log: ErrorCounts) -> None:
-    log.take(news(Status.MOTOR1_FAULT), NOW)
+    log.take(news(Status.MOTOR1_FAULT), NOW, TODAY)
     assert log.is_active(log.entries[0], NOW + 0.5)
     assert not log.is_active(log.entries[0], NOW + 1.5)
     assert not log.is_active(log.entries[1], NOW + 0.5)
@@ -131,19 +129,19 @@ def test_what_stops_the_motors_depends_on_error_shutdown(
 
 def test_returned_entries_are_not_updated(log: ErrorCounts) -> None:
     before = log.entries
-    log.take(news(*BITS), NOW)
+    log.take(news(*BITS), NOW, TODAY)
     assert [entry.count for entry in before] == [0] * 13
 
 
 def test_only_the_last_report_is_marked_as_doubtful(log: ErrorCounts) -> None:
-    log.take(news(Status.MOTOR1_FAULT), NOW, is_doubtful=True)
+    log.take(news(Status.MOTOR1_FAULT), NOW, TODAY, is_doubtful=True)
     assert [entry.bit for entry in log.entries if entry.is_doubtful] == [Status.MOTOR1_FAULT]
-    log.take(news(Status.MOTOR1_FAULT), NOW)
+    log.take(news(Status.MOTOR1_FAULT), NOW, TODAY)
     assert not any(entry.is_doubtful for entry in log.entries)
 
 
 def test_recent_errors_are_those_of_the_motor_and_of_the_line(log: ErrorCounts) -> None:
-    log.take(news(Status.MOTOR1_FAULT, Status.MOTOR2_OVER_LIMIT, UartError.TIMEOUT), NOW)
+    log.take(news(Status.MOTOR1_FAULT, Status.MOTOR2_OVER_LIMIT, UartError.TIMEOUT), NOW, TODAY)
     assert [entry.bit for entry in log.recent(1, NOW + 2)] == [
         Status.MOTOR1_FAULT, UartError.TIMEOUT
     ]  # fmt: skip
@@ -154,7 +152,7 @@ def test_recent_errors_are_those_of_the_motor_and_of_the_line(log: ErrorCounts) 
 
 
 def test_counts_of_another_board_on_the_line_are_kept(log: ErrorCounts) -> None:
-    log.take(news(Status.MOTOR1_FAULT), NOW)
+    log.take(news(Status.MOTOR1_FAULT), NOW, TODAY)
     log.select("one", "other")
     assert sum(counts(log)) == 0
     log.select("other", "one")

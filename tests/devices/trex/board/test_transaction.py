@@ -17,6 +17,7 @@ from trex_gui.devices.trex.protocol.flags import InputSource, Mode
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.accepted import AcceptedValues
 from trex_gui.devices.trex.settings.board_records import BoardRecords, utc_now
+from trex_gui.devices.trex.settings.document import settings_of
 
 KIND = Signature(device_table().model("trex"), "1.2")
 STATE = DeviceState(
@@ -36,10 +37,13 @@ class Kept(Keeper):
     def __init__(self) -> None:
         self.said: list[str] = []
         self.warned: list[str] = []
-        super().__init__(STATE, LINK, self.said.append, self.warned.append)
+        super().__init__(self.said.append, self.warned.append)
+        self.memory.take_board(settings_of(STATE), STATE.source, utc_now(), opened=True)
+        self.load()
 
-    def write(self, results: list[WriteResult]) -> None:
-        write = self.begin("a test", [(result.key, 0) for result in results])
+    def finish(self, results: list[WriteResult]) -> None:
+        keys = [(result.key, 0) for result in results]
+        write = self.begin(STATE, LINK, "a test", keys)
         write.finish(results, after_writing(STATE, results), utc_now())
 
 
@@ -49,7 +53,7 @@ def record_of(name: str) -> str:
 
 def test_snapshot_says_why_and_where() -> None:
     kept = Kept()
-    kept.begin("a test", [("serial_timeout", 5)])
+    kept.begin(STATE, LINK, "a test", [("serial_timeout", 5)])
     (snapshot,) = (data_folder() / "snapshots").glob("*.txt")
     assert {"# reason: a test", "# adapter: /dev/ttyUSB0"} <= {*snapshot.read_text().splitlines()}
     assert str(snapshot) in kept.said[0]
@@ -62,7 +66,7 @@ def test_only_what_was_verified_is_expected_and_accepted() -> None:
         WriteResult("motor_mode", 1),
     ]
     kept = Kept()
-    kept.write(results)
+    kept.finish(results)
     record = kept.memory.record
     assert record is not None
     assert dict(record.settings.parameters) == {
@@ -74,8 +78,8 @@ def test_only_what_was_verified_is_expected_and_accepted() -> None:
 
 def test_reset_expects_nothing_of_the_parameters() -> None:
     kept = Kept()
-    kept.write([WriteResult("serial_timeout", 5)])
-    kept.write([WriteResult(ParameterKey.FACTORY_RESET, 1)])
+    kept.finish([WriteResult("serial_timeout", 5)])
+    kept.finish([WriteResult(ParameterKey.FACTORY_RESET, 1)])
     assert kept.memory.record is not None
     assert not kept.memory.record.settings.parameters
 
@@ -84,7 +88,7 @@ def test_record_of_another_board_with_the_number_is_put_aside() -> None:
     kept = Kept()
     other = BoardRecords().folder / "trex-1.2-9.txt"
     other.write_text("of another board", "utf-8")
-    kept.write([WriteResult("device_number", 9)])
+    kept.finish([WriteResult("device_number", 9)])
     aside = other.with_name("trex-1.2-9.replaced-1.txt")
     assert aside.read_text("utf-8") == "of another board"
     assert f"is in {aside} now" in kept.said[-1]
@@ -98,7 +102,7 @@ def test_files_that_cannot_be_saved_are_said_once(tmp_path: Path) -> None:
     folder.parent.mkdir(parents=True, exist_ok=True)
     folder.write_text("not a folder")
     kept = Kept()
-    kept.write([WriteResult("serial_timeout", 5)])
+    kept.finish([WriteResult("serial_timeout", 5)])
     assert [text.partition(".")[0] for text in kept.warned] == [
         "what was applied is not remembered"
     ]

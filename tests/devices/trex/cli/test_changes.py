@@ -97,7 +97,7 @@ def test_unchanged_setting_is_not_written_again(
 ) -> None:
     del shown, reason
     first = trexcmd(*words)
-    monkeypatch.setattr("trex_gui.devices.trex.cli.changes.write_all", None)  # calling it fails
+    monkeypatch.setattr("trex_gui.devices.trex.board.keeper.write_all", None)  # calling it fails
     again = trexcmd(*words)
     assert again.exit_code == 0, again.stderr
     assert again.stdout == first.stdout

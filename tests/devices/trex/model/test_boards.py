@@ -131,7 +131,7 @@ def test_scan_finds_each_board_by_number(make: Make) -> None:
         "TReX Jr 1.2",
     ]
     assert stand.infos == ["3 boards on this line."]
-    assert not stand.device.quality.is_noisy
+    assert not stand.device.board.quality.is_noisy
     # One that is switched off is noticed, and is noticed again.
     stand.simulator.do("@3 power off")
     stand.wait(lambda: stand.presences[3] is Presence.SILENT)
@@ -320,15 +320,15 @@ def test_edits_and_counts_of_each_board_return(make: Make) -> None:
     device.parameters.edit("serial_timeout", 5)
     device.parameters.edit("crc7_polynomial", 0x11)
     stand.line.boards[0].serial.report(UartError.FORMAT, shut_down=False)
-    stand.wait(lambda: any(one.count for one in device.errors.entries))
+    stand.wait(lambda: any(one.count for one in device.board.errors.entries))
     stand.select(9)
     assert device.draft.pending == 0
     assert not device.draft.undo.canUndo()
-    assert not any(one.count for one in device.errors.entries)
+    assert not any(one.count for one in device.board.errors.entries)
     device.parameters.edit("serial_timeout", 9)
     stand.select(7)
     assert dict(device.parameters.pending) == {"serial_timeout": 5, "crc7_polynomial": 0x11}
-    assert any(one.count for one in device.errors.entries)
+    assert any(one.count for one in device.board.errors.entries)
     # What waits for the next start waits still.
     device.apply()
     stand.wait(lambda: device.draft.pending == 0 and not device.applying)

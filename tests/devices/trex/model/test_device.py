@@ -7,9 +7,9 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
+from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
-from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import recent_fault_text
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
@@ -137,7 +137,7 @@ def test_missing_port_is_reported(recorder: RecorderOfBoard) -> None:
 def test_errors_of_another_board_are_not_shown(
     connected: RecorderOfBoard, start_simulator: StartSimulator
 ) -> None:
-    errors = connected.device.errors
+    errors = connected.device.board.errors
     connected.simulator.do("fault 2 on")
     connected.until(lambda: errors.uncleared > 0)
     connected.simulator.do("fault 2 off")
@@ -287,7 +287,7 @@ def test_channel_driven_motors_cannot_be_armed(
     assert not recorder.device.motors.is_available
     recorder.device.motors.arm()
     assert not recorder.device.motors.armed
-    assert "The RC channels control the motors" in recorder.device.control_text
+    assert "The RC channels control the motors" in recorder.device.board.control_text
 
 
 # --- The end of a line ------------------------------------------------------------------

@@ -5,6 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pytestqt.qtbot import QtBot
 
+from trex_gui.devices.trex.board.newest import Newest
 from trex_gui.devices.trex.calibration.channel_curve import is_mixed
 from trex_gui.devices.trex.model.mix_jumper import MixJumper
 from trex_gui.devices.trex.model.motors import Motors
@@ -34,7 +35,7 @@ def test_neutral_or_inconsistent_values_give_no_result() -> None:
 
 
 def test_mix_result_needs_several_values_and_survives_neutral(qtbot: QtBot) -> None:
-    jumper, seen = MixJumper(SettingsDraft(), Telemetry(Motors())), []
+    jumper, seen = MixJumper(SettingsDraft(), Telemetry(Motors(), Newest())), []
     for times, outputs, answered in (
         (1, (80, 0), (80, -80)),
         (3, (80, 0), (80, -80)),

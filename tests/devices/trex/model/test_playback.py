@@ -20,6 +20,7 @@ from tests.devices.trex.recording.samples import (
     write_an_hour,
 )
 from tests.support.playing import loading
+from trex_gui.core.events import EventKind
 from trex_gui.core.recording.kinds import Marker
 from trex_gui.core.recording.store import CHUNK
 from trex_gui.devices.trex.board.newest import BoardSnapshot
@@ -32,7 +33,6 @@ from trex_gui.devices.trex.recording import (
     SetpointRecord,
     SettingsSnapshot,
 )
-from trex_gui.ui.event_log import EventKind
 from trex_gui.ui.runtime import now
 from trex_gui.ui.workers.file_worker import FileWorker
 

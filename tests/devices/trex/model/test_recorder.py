@@ -11,6 +11,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.recording.samples import open_recording, read_file
 from tests.support.simulator import SimulatedDevice
+from trex_gui.core.events import EventKind
 from trex_gui.core.recording.backlog import Backlog
 from trex_gui.core.recording.kept import kept_path, make_kept_folder, make_room
 from trex_gui.core.recording.kinds import Marker
@@ -23,7 +24,6 @@ from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.recording import Record, SetpointRecord, SettingsSnapshot
 from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.event_log import EventKind
 from trex_gui.ui.runtime import now
 
 
@@ -299,7 +299,7 @@ def test_fault_is_kept_even_if_the_line_is_closed_at_once(
 ) -> None:
     kept.wait(2)
     session.simulator.do("fault 2 on")
-    session.wait(lambda: bool(session.device.errors.recent(2, now())))
+    session.wait(lambda: bool(session.device.board.errors.recent(2, now())))
     session.device.disconnect_line()
     path, records = kept.newest(1)
     assert path.stem.endswith("_fault")
@@ -312,8 +312,8 @@ def test_bits_from_before_the_connection_are_not_kept(session: RecorderSetup, ke
     session.simulator.do("fault 2 on")
     session.simulator.do("fault 2 off")
     session.connect()
-    session.wait(lambda: any(entry.is_earlier for entry in session.device.errors.entries))
-    assert not session.device.errors.recent(2, now())
+    session.wait(lambda: any(entry.is_earlier for entry in session.device.board.errors.entries))
+    assert not session.device.board.errors.recent(2, now())
     kept.wait(1)
     assert not kept.recorder.recording
 

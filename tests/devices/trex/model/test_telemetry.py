@@ -6,7 +6,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from trex_gui.core.timing import TEXT_INTERVAL
-from trex_gui.devices.trex.client.client import Counters
+from trex_gui.devices.trex.board.newest import Newest
 from trex_gui.devices.trex.client.telemetry import (
     Control,
     Currents,
@@ -19,7 +19,6 @@ from trex_gui.devices.trex.client.telemetry import (
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.model.telemetry import Series, Telemetry
 from trex_gui.devices.trex.protocol.flags import Mode, Status, UartError
-from trex_gui.devices.trex.session.messages import Batch
 
 
 @pytest.fixture
@@ -29,13 +28,16 @@ def motors(qtbot: QtBot) -> Motors:
 
 @pytest.fixture
 def telemetry(motors: Motors) -> Telemetry:
-    telemetry = Telemetry(motors)
+    telemetry = Telemetry(motors, Newest())
     telemetry.begin(0.15)
     return telemetry
 
 
 def take(telemetry: Telemetry, *samples: Sample) -> None:
-    telemetry.take(Batch(samples, Counters()))
+    for sample in samples:
+        telemetry.newest.take(sample)
+        telemetry.add(sample)
+    telemetry.finish()
 
 
 def test_newest_sample_of_each_kind_is_kept(telemetry: Telemetry) -> None:
@@ -116,6 +118,7 @@ def test_status_and_mode_samples_set_only_the_time(telemetry: Telemetry) -> None
 def test_forget_clears_values_and_keeps_the_history(telemetry: Telemetry, qtbot: QtBot) -> None:
     take(telemetry, Currents(1.0, (1, 2)), Raw(1.0, (1, 2, 3, 4, 5)), Control(1.0, by_serial=True))
     with qtbot.waitSignal(telemetry.updated):
+        telemetry.newest.samples.clear()
         telemetry.forget()
     assert telemetry.raw is None
     assert telemetry.motor_currents is None

@@ -17,7 +17,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.keyboard import tab_order
 from tests.support.pages.calibration import CalibrationPage, calibration_page
 from tests.support.simulator import SimulatedDevice
-from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.model.calibration_moves import Handle
 from trex_gui.devices.trex.protocol.calibration import (
     DEFAULT_CALIBRATION,

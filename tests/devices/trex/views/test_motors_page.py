@@ -11,7 +11,6 @@ from tests.support.accessible_names import spoken_state
 from tests.support.simulator import StartSimulator
 from tests.support.window import WidgetDriver
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.drive_status import SafeStartWatch
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.views.bars import CurrentBar
 from trex_gui.devices.trex.views.pages.motors.drive_pad import DrivePad
@@ -26,7 +25,7 @@ class MotorsPageDriver(WidgetDriver):
 
     def __init__(self, device: Device, qtbot: QtBot) -> None:
         self.device = device
-        self.page = MotorsPage(device, SafeStartWatch(device))
+        self.page = MotorsPage(device)
         self.area = ScrollBox(self.page)
         super().__init__(self.page, qtbot)
         qtbot.addWidget(self.area)

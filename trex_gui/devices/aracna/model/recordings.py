@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 from PySide6.QtCore import QObject, Slot
 
+from trex_gui.core.events import Event, EventKind
 from trex_gui.core.recording.kinds import marker
 from trex_gui.core.recording.store import Recording
 from trex_gui.core.translation import tr
@@ -24,7 +25,6 @@ from trex_gui.devices.aracna.session.messages import (
     SpeedsHeld,
 )
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.event_log import Event, EventKind
 from trex_gui.ui.playback.player import Curves, RecordingPlayer
 from trex_gui.ui.plotting.history import SampleHistory
 from trex_gui.ui.plotting.traces import TraceInfo, Traces

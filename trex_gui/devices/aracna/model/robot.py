@@ -6,6 +6,7 @@ from dataclasses import replace
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.errors import BadRequest, StudioError
+from trex_gui.core.events import EventKind
 from trex_gui.core.session import Close, Outcome
 from trex_gui.core.translation import Number, tr
 from trex_gui.core.transport.settings import PortSettings
@@ -35,7 +36,7 @@ from trex_gui.devices.aracna.session.messages import (
 from trex_gui.devices.aracna.session.session import AracnaSession
 from trex_gui.devices.aracna.session.traffic_decoder import AracnaDecoder
 from trex_gui.ui.devices.connection import ConnectionState, DeviceConnection
-from trex_gui.ui.event_log import EventKind, EventLog
+from trex_gui.ui.event_log import EventLog
 from trex_gui.ui.notifier import Notifier, remedies_of
 from trex_gui.ui.runtime import now
 from trex_gui.ui.translations import error_sentence, error_text

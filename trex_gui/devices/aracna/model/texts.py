@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from trex_gui.core.events import EventKind
 from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.aracna.model.robot_state import MissedGoal, RobotState
@@ -21,7 +22,6 @@ from trex_gui.devices.aracna.session.messages import (
     SpeedsHeld,
     Stuck,
 )
-from trex_gui.ui.event_log import EventKind
 from trex_gui.ui.translations import error_text
 
 

@@ -7,7 +7,7 @@ again for as long as its cause lasts.
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from datetime import UTC, datetime
+from datetime import datetime
 
 from trex_gui.core.translation import tr_noop
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
@@ -116,12 +116,14 @@ class ErrorCounts:
             and (isinstance(entry.bit, UartError) or entry.bit & _OF_MOTOR[motor])
         ]
 
-    def take(self, latched: LatchedStatus, now: float, *, is_doubtful: bool = False) -> None:
+    def take(
+        self, latched: LatchedStatus, now: float, utc: datetime, *, is_doubtful: bool = False
+    ) -> None:
         """Count the bits of a status; `is_doubtful`: its reply may have been corrupted.
 
         Bits that are older than the connection are only noted.
         """
-        today = datetime.now(UTC).astimezone()
+        today = utc.astimezone()
 
         def taken(entry: ErrorEntry) -> ErrorEntry:
             if not is_latched(entry.bit, latched):

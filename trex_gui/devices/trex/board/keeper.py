@@ -1,45 +1,82 @@
-"""The files of a board for programs without a window: each is read and saved at once."""
+"""The files of a board for programs without a window, and its writes over an open line."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from functools import partial
 
+from trex_gui.core.errors import StudioError
 from trex_gui.core.files import SettingsError
 from trex_gui.core.transport.adapters import adapter_key
 from trex_gui.devices.trex.board.memory import DOUBTED, BoardMemory
 from trex_gui.devices.trex.board.transaction import WriteTransaction
-from trex_gui.devices.trex.client.reading import DeviceState
+from trex_gui.devices.trex.client.client import TrexClient
+from trex_gui.devices.trex.client.reading import (
+    DeviceState,
+    Progress,
+    read_everything,
+    require_free_number,
+)
+from trex_gui.devices.trex.client.writing import (
+    WriteResult,
+    after_writing,
+    write_all,
+    write_parameter,
+)
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.errors import ErrorCode, OtherBoard
+from trex_gui.devices.trex.protocol.parameters import ParameterKey, ParameterSpec
 from trex_gui.devices.trex.settings.accepted import AcceptedValues
 from trex_gui.devices.trex.settings.board_records import BoardRecord, BoardRecords, utc_now
+from trex_gui.devices.trex.settings.comparison import compare, values_to_write
 from trex_gui.devices.trex.settings.document import settings_of
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity, put_aside
 from trex_gui.devices.trex.settings.history import SettingsHistory
 
+Say = Callable[[str], None]
+
+
+def read_record(board: BoardIdentity, warn: Say) -> BoardRecord | None:
+    """Return what this computer keeps of a board; `None`: nothing, or it is damaged (warns)."""
+    try:
+        return BoardRecords().load(board)
+    except SettingsError as error:
+        warn(f"what was applied to this board before is not known. {error}")
+        return None
+
 
 class Keeper:
-    """Snapshots, record and accepted values of a board that was read."""
+    """Snapshots, record and accepted values of a board; files are read when first needed."""
 
-    def __init__(
-        self,
-        state: DeviceState,
-        link: ConnectionSettings,
-        say: Callable[[str], None],
-        warn: Callable[[str], None],
-    ) -> None:
+    def __init__(self, say: Say, warn: Say) -> None:
         """`say` takes sentences about what was kept, `warn` those about what was not."""
-        self._state, self._link = state, link
         self._say, self._warn = say, warn
         self._records = BoardRecords()
         self._is_failing = False
+        self._sought: BoardIdentity | None = None
         self.memory = BoardMemory(self)
-        self.memory.take_board(
+
+    @classmethod
+    def of(cls, state: DeviceState, link: ConnectionSettings, say: Say, warn: Say) -> "Keeper":
+        """Return that of a board which was just read, with its record."""
+        keeper = cls(say, warn)
+        keeper.memory.take_board(
             settings_of(state), state.source, utc_now(), opened=True, adapter=adapter_key(link.url)
         )
+        keeper.load()
+        return keeper
+
+    def load(self) -> None:
+        """Read the record of the board, if that was not done yet."""
+        board, self._sought = self._sought, None
+        if board is not None:
+            self.memory.take_record(board, read_record(board, self._warn))
 
     def begin(
         self,
+        state: DeviceState,
+        link: ConnectionSettings,
         reason: str,
         parameters: Sequence[tuple[str, int]],
         calibrations: Sequence[tuple[CalibrationKey, Calibration]] = (),
@@ -49,8 +86,9 @@ class Keeper:
         Raises:
             SettingsError: the snapshot cannot be saved; nothing must be written.
         """
+        self.load()
         values = tuple(parameters), tuple(calibrations)
-        transaction = WriteTransaction(self.memory, self._state, self._link, values, reason=reason)
+        transaction = WriteTransaction(self.memory, state, link, values, reason=reason)
         history = SettingsHistory()
         snapshot = transaction.take_snapshot(history)
         self._say(f"Snapshot of the previous settings: {snapshot.path}.")
@@ -59,15 +97,73 @@ class Keeper:
         transaction.begin()
         return transaction
 
+    def write(
+        self,
+        client: TrexClient,
+        state: DeviceState,
+        reason: str,
+        parameters: Sequence[tuple[str, int]],
+        calibrations: Sequence[tuple[CalibrationKey, Calibration]] = (),
+        *,
+        progress: Progress = lambda _done, _total, _what: None,
+        cancelled: Callable[[], bool] = lambda: False,
+    ) -> tuple[WriteResult, ...]:
+        """Save a snapshot, write, and remember what was applied; see `write_all`.
+
+        Nothing is written after a BadRequest: another board on the line has the device number.
+        """
+        number = dict(parameters).get(ParameterKey.DEVICE_NUMBER)
+        if number is not None and number != state.parameters.get(ParameterKey.DEVICE_NUMBER):
+            require_free_number(client, number)
+        transaction = self.begin(state, client.settings, reason, parameters, calibrations)
+        results = write_all(
+            client.request,
+            state.specs,
+            parameters,
+            calibrations,
+            progress,
+            before=state,
+            has_crc=client.has_crc,
+            cancelled=cancelled,
+        )
+        transaction.finish(results, after_writing(state, results), utc_now())
+        return results
+
+    @contextmanager
+    def restored_afterwards(
+        self, client: TrexClient, state: DeviceState, reason: str
+    ) -> Iterator[Callable[[ParameterSpec, int], int]]:
+        """Save a snapshot, give what tries a value, and restore the board, whatever happens.
+
+        Meanwhile the record of the board expects what was stored before: if this program dies, or
+        the line is gone, the next connection shows what differs.
+        """
+        before, record = settings_of(state), self.memory.record
+        assert record is not None  # noqa: S101 - it was loaded
+        self.begin(state, client.settings, reason, ()).finish((), state, utc_now())
+        try:
+            yield partial(write_parameter, client.request, has_crc=client.has_crc)
+        finally:
+            try:
+                found = read_everything(client.request, has_crc=client.has_crc)
+                rows = [row for row in compare(settings_of(found), before).rows if row.changed]
+                if found.signature != state.signature or len(rows) > 3:  # one, and stray writes
+                    raise OtherBoard(ErrorCode.TOO_MANY_DIFFER, len(rows))
+                wanted = values_to_write(rows)
+                for result in write_all(
+                    client.request, state.specs, *wanted, has_crc=client.has_crc
+                ):
+                    if result.error is not None:
+                        raise result.error
+                self.memory.restore(record)
+            except StudioError as error:
+                self._say(f"The board may store other settings than before. {error}")
+                self._say("`trexcmd diff --last` shows them; the snapshot has what was stored.")
+
     # --- For the memory -----------------------------------------------------------------
 
     def find(self, board: BoardIdentity) -> None:
-        found = None
-        try:
-            found = self._records.load(board)
-        except SettingsError as error:
-            self._warn(f"what was applied to this board before is not known. {error}")
-        self.memory.take_record(board, found)
+        self._sought = board
 
     def find_lost(self, board: BoardIdentity, adapter: str) -> None:
         self.memory.take_lost(board, self._records.of_other_number(board, adapter))

@@ -1,34 +1,27 @@
 """What every command does before and after it changes what a board stores."""
 
-import contextlib
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from trex_gui.core.cli import Interruption, ProgressLine, say
-from trex_gui.core.errors import StudioError
 from trex_gui.core.files import Finding, SettingsError
 from trex_gui.core.texts import counted
-from trex_gui.devices.trex.board.keeper import Keeper
+from trex_gui.devices.trex.board.keeper import Keeper, read_record
 from trex_gui.devices.trex.cli.common import as_options, identify
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import (
     DeviceState,
-    Progress,
     read_everything,
-    require_free_number,
 )
-from trex_gui.devices.trex.client.writing import WriteResult, after_writing, write_all
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.errors import ErrorCode, OtherBoard, Rejected, ResultCode
-from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 from trex_gui.devices.trex.session.reconnecting import after_power_cycle
 from trex_gui.devices.trex.settings.accepted import AcceptedValues
-from trex_gui.devices.trex.settings.board_records import BoardRecord, BoardRecords, utc_now
+from trex_gui.devices.trex.settings.board_records import BoardRecord
 from trex_gui.devices.trex.settings.comparison import (
     Comparison,
     compare,
-    values_to_write,
 )
 from trex_gui.devices.trex.settings.document import Settings, open_values, settings_of
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
@@ -42,9 +35,13 @@ def read_board(client: TrexClient) -> DeviceState:
         return read_everything(client.request, line, has_crc=client.has_crc)
 
 
+def say_warning(text: str) -> None:
+    say(f"Warning: {text}")
+
+
 def warn(settings: Settings, context: Context) -> None:
     for found in lint(settings, context):
-        say(f"Warning: {found.text}")
+        say_warning(found.text)
 
 
 def say_changes(result: Comparison) -> None:
@@ -72,7 +69,7 @@ def require_consent(
 
 
 def keeper_of(client: TrexClient, state: DeviceState) -> Keeper:
-    return Keeper(state, client.settings, say, lambda text: say(f"Warning: {text}"))
+    return Keeper.of(state, client.settings, say, say_warning)
 
 
 def require_serial_mode(state: DeviceState, what: str) -> None:
@@ -120,70 +117,9 @@ def write_one(
 ) -> None:
     """Store one setting, if the board still stores what was read; raise what prevents it."""
     with Interruption():
-        (stored,) = write_kept(client, state, command, parameters, calibrations)
+        (stored,) = keeper_of(client, state).write(client, state, command, parameters, calibrations)
     if stored.error is not None:
         raise stored.error
-
-
-def write_kept(
-    client: TrexClient,
-    state: DeviceState,
-    command: str,
-    parameters: Sequence[tuple[str, int]],
-    calibrations: Sequence[tuple[CalibrationKey, Calibration]] = (),
-    *,
-    progress: Progress = lambda _done, _total, _what: None,
-    cancelled: Callable[[], bool] = lambda: False,
-) -> tuple[WriteResult, ...]:
-    """Save a snapshot, write, and remember what was applied; see `write_all`.
-
-    Nothing is written after a BadRequest: another board on the line has the device number.
-    """
-    number = dict(parameters).get(ParameterKey.DEVICE_NUMBER)
-    if number is not None and number != state.parameters.get(ParameterKey.DEVICE_NUMBER):
-        require_free_number(client, number)
-    transaction = keeper_of(client, state).begin(command, parameters, calibrations)
-    results = write_all(
-        client.request,
-        state.specs,
-        parameters,
-        calibrations,
-        progress,
-        before=state,
-        has_crc=client.has_crc,
-        cancelled=cancelled,
-    )
-    transaction.finish(results, after_writing(state, results), utc_now())
-    return results
-
-
-@contextlib.contextmanager
-def restored_afterwards(client: TrexClient, state: DeviceState, command: str) -> Iterator[None]:
-    """Save a snapshot, and restore the board in the end, whatever happens.
-
-    Meanwhile the record of the board expects what was stored before: if this program dies, or the
-    line is gone, the next connection shows what differs.
-    """
-    before, keeper = settings_of(state), keeper_of(client, state)
-    record = keeper.memory.record
-    assert record is not None  # noqa: S101 - it is found at once
-    keeper.begin(command, ()).finish((), state, utc_now())
-    try:
-        yield
-    finally:
-        try:
-            found = read_everything(client.request, has_crc=client.has_crc)
-            rows = [row for row in compare(settings_of(found), before).rows if row.changed]
-            if found.signature != state.signature or len(rows) > 3:  # one, and stray writes
-                raise OtherBoard(ErrorCode.TOO_MANY_DIFFER, len(rows))
-            wanted = values_to_write(rows)
-            for result in write_all(client.request, state.specs, *wanted, has_crc=client.has_crc):
-                if result.error is not None:
-                    raise result.error
-            keeper.memory.restore(record)
-        except StudioError as error:
-            say(f"The board may store other settings than before. {error}")
-            say("`trexcmd diff --last` shows them; the snapshot has what was stored.")
 
 
 def board_settings(state: DeviceState) -> Settings:
@@ -206,12 +142,7 @@ def remember_notes(client: TrexClient, state: DeviceState, notes: Mapping[str, s
 def remembered(stored: Settings) -> BoardRecord:
     """Return what this computer keeps of a board; empty, with a warning, if it is damaged."""
     board = BoardIdentity.of(stored)
-    found = None
-    try:
-        found = BoardRecords().load(board)
-    except SettingsError as error:
-        say(f"Warning: what was applied to this board before is not known. {error}")
-    return found or BoardRecord(Settings(board.product, board.firmware))
+    return read_record(board, say_warning) or BoardRecord(Settings(board.product, board.firmware))
 
 
 def say_what_follows(

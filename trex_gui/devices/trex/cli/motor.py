@@ -22,7 +22,9 @@ from trex_gui.core.session import Close, Closed, Outcome
 from trex_gui.core.texts import hex_text
 from trex_gui.core.transport.linux_ports import holder_of
 from trex_gui.core.transport.serial_port import Transport
-from trex_gui.devices.trex.cli.changes import remembered
+from trex_gui.devices.trex.board.keeper import Keeper
+from trex_gui.devices.trex.board.mirror import BoardMirror
+from trex_gui.devices.trex.cli.changes import say_warning
 from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
 from trex_gui.devices.trex.client.reading import DeviceState, query
 from trex_gui.devices.trex.client.telemetry import Control, LatchedStatus, StatusReader
@@ -41,19 +43,15 @@ from trex_gui.devices.trex.driving.requests import (
 )
 from trex_gui.devices.trex.driving.timeout_stop import (
     TimeoutStop,
-    remedy_for_silence,
-    timeout_stop,
     turning_text,
 )
 from trex_gui.devices.trex.protocol.commands import GetSerialControl
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP, who_controls
+from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.devices.trex.protocol.flags import bit_names, stops_motors
-from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.session.messages import (
-    Batch,
     Connected,
     GuardianChanged,
     NotResponding,
@@ -63,7 +61,7 @@ from trex_gui.devices.trex.session.messages import (
     SendPacket,
 )
 from trex_gui.devices.trex.session.session import TrexSession
-from trex_gui.devices.trex.settings.document import settings_of
+from trex_gui.devices.trex.settings.board_records import utc_now
 
 _SLICE = 0.02  # longest wait in seconds without a look at signals
 
@@ -184,8 +182,8 @@ class _Run:
     _interrupted: Interruption
     _transport: Transport
     _requests: deque[Request] = field(default_factory=deque)
-    _state: DeviceState | None = None
-    _silence: TimeoutStop = TimeoutStop.OFF
+    _keeper: Keeper = field(default_factory=lambda: Keeper(say, say_warning))
+    _board: BoardMirror = field(init=False)
     _now: float = 0.0
     _end: float = math.inf
     _heartbeat_at: float = math.inf
@@ -196,6 +194,9 @@ class _Run:
     _reason: str | None = None
     _stop_error: StudioError | None = None
     _line_error: StudioError | None = None
+
+    def __post_init__(self) -> None:
+        self._board = BoardMirror(self._keeper.memory)
 
     # --- The inbox ----------------------------------------------------------------------
 
@@ -230,17 +231,22 @@ class _Run:
     # --- Reports ------------------------------------------------------------------------
 
     def take(self, report: Report) -> None:
+        if isinstance(report, Connected) and report.occasion is not ReadReason.OPENED:
+            is_changed = report.occasion is ReadReason.SETTING_CHANGED
+            cause = "A setting of the board changed" if is_changed else "The board was restarted"
+            self._finish(f"{cause}, so the motors were stopped.")
+            return  # no file is saved while motors may move
+        for event in self._board.take(report, self._now, utc_now()):
+            match event:
+                case LatchedStatus():
+                    self._take_status(event)
+                case Control(by_serial=by_serial):
+                    self._take_control(by_serial=by_serial)
         match report:
             case GuardianChanged(is_ready=is_ready):
                 self._is_guarded = is_ready
-            case Connected(state=state, occasion=occasion):
-                self._connected(state, occasion)
-            case Batch(samples=samples):
-                for sample in samples:
-                    if isinstance(sample, LatchedStatus):
-                        self._take_status(sample)
-                    elif isinstance(sample, Control):
-                        self._take_control(by_serial=sample.by_serial)
+            case Connected(state=state):
+                self._connected(state)
             case NotResponding(reason=reason):
                 self._finish(f"The board has stopped responding: {reason}")
             case MotorsStopped(reason=ErrorCode() as code):
@@ -264,28 +270,23 @@ class _Run:
             except (click.ClickException, OSError) as error:  # it must not end the session
                 self._finish(str(error))
 
-    def _connected(self, state: DeviceState, occasion: ReadReason) -> None:
-        if self._state is not None:
-            is_changed = occasion is ReadReason.SETTING_CHANGED
-            cause = "A setting of the board changed" if is_changed else "The board was restarted"
-            self._finish(f"{cause}, so the motors were stopped.")
-            return
-        self._state = state
-        joint = state.parameters.get(ParameterKey.MOTOR_MODE) == 1
+    def _connected(self, state: DeviceState) -> None:
         if not state.serial_controls:
-            self._finish(who_controls(state.mode, by_serial=False, joint=joint))
+            self._finish(self._board.control_text)
             return
-        if joint and any(isinstance(one, SetMotor) and one.motor == 2 for one in self._orders):
+        is_ignored = any(isinstance(one, SetMotor) and one.motor == 2 for one in self._orders)
+        if self._board.is_joint and is_ignored:
             say("Warning: in joint mode both drivers work as motor 1; motor 2 is ignored.")
-        self._silence = timeout_stop(state.parameters, remembered(settings_of(state)).trial)
-        if not self._silence.is_reliable:
+        self._keeper.load()
+        silence = self._board.timeout_stop
+        if not silence.is_reliable:
             program = "" if self._is_guarded else ", and also if this program is killed"
-            verb = "may keep" if self._silence is TimeoutStop.DOUBTFUL else "keeps"
+            verb = "may keep" if silence is TimeoutStop.DOUBTFUL else "keeps"
             wanted = {"serial_timeout": '"0.5 s"', "uart_error_shutdown": "on"}.items()
             missing = [f"`trexcmd set {k} {v}`" for k, v in wanted if not state.parameters.get(k)]
             remedy = " and ".join(missing)
             say(
-                f"Warning: {_CAUSES[self._silence]}, so the motor {verb} running if the cable or "
+                f"Warning: {_CAUSES[silence]}, so the motor {verb} running if the cable or "
                 f"this computer fails{program}.{remedy and f' Remedy: {remedy}.'}"
             )
 
@@ -313,11 +314,10 @@ class _Run:
         """Report how it ended; CommandFailed if not as intended."""
         error = self._line_error or self._stop_error
         if error is not None:
-            text, state = str(error), self._state
-            if self._is_running and isinstance(error, PortUnavailable) and state is not None:
+            text = str(error)
+            if self._is_running and isinstance(error, PortUnavailable):
                 motors = {one.motor for one in self._orders if not isinstance(one, SendPacket)}
-                remedy = remedy_for_silence(self._silence, f"{state.serial_timeout:g} s")
-                text = f"{turning_text(motors)} {remedy} {text}"
+                text = f"{turning_text(motors)} {self._board.silence_remedy} {text}"
             raise CommandFailed(text) from error
         if self._is_running:
             say("Stopped.")

@@ -10,8 +10,10 @@ import click
 from trex_gui.core.cli import CommandFailed, Interruption, ProgressLine, say, shell_words
 from trex_gui.core.files import Finding, SettingsError
 from trex_gui.core.texts import counted
+from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.cli.changes import (
     board_settings,
+    keeper_of,
     read_board,
     remember_notes,
     require_consent,
@@ -19,7 +21,6 @@ from trex_gui.devices.trex.cli.changes import (
     say_changes,
     say_what_follows,
     warn,
-    write_kept,
 )
 from trex_gui.devices.trex.cli.common import (
     link_options,
@@ -37,7 +38,6 @@ from trex_gui.devices.trex.cli.files import (
 )
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState
-from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.discovery import NUMBERS
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import Skipped
@@ -204,7 +204,7 @@ def _write(
 ) -> None:
     names = {row.key: row.name for row in rows}
     with ProgressLine("Writing") as line, Interruption() as interrupted:
-        results = write_kept(
+        results = keeper_of(client, state).write(
             client,
             state,
             command,

@@ -1,7 +1,7 @@
 """survey: facts of a board's firmware, for the tables of this program."""
 
 import json
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from itertools import groupby
 from pathlib import Path
@@ -15,11 +15,10 @@ from trex_gui.core.command_io import FileName
 from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.core.files import save
 from trex_gui.core.texts import hex_text
-from trex_gui.devices.trex.cli.changes import read_board, require_serial_mode, restored_afterwards
+from trex_gui.devices.trex.cli.changes import keeper_of, read_board, require_serial_mode
 from trex_gui.devices.trex.cli.common import link_options, link_settings, open_line
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import ATTEMPTS, agreed, query
-from trex_gui.devices.trex.client.writing import write_parameter
 from trex_gui.devices.trex.protocol import commands as c
 from trex_gui.devices.trex.protocol.device_table import HIGHEST_WIRE
 from trex_gui.devices.trex.protocol.errors import Rejected, TrexBadReplyError
@@ -32,6 +31,8 @@ from trex_gui.devices.trex.settings.document import settings_of
 _ALL = range(HIGHEST_WIRE + 1)
 _SAMPLES = {0, 1, 2, 4, 8, 16, 32, 64, 127}  # tried of each range, to see bits that are not stored
 _SILENT = "no reply"
+_Store = Callable[[ParameterSpec, int], int]
+"""Writes a value and returns the stored one."""
 
 
 @click.command()
@@ -71,12 +72,14 @@ def survey(file: str, *, limits: bool, as_new: bool, **options: Any) -> None:
             ]
             with (
                 Interruption(precious=True) as interrupted,
-                restored_afterwards(client, state, "trexcmd survey"),
+                keeper_of(client, state).restored_afterwards(
+                    client, state, "trexcmd survey"
+                ) as store,
                 ProgressLine("Trying") as line,
             ):
                 for done, spec in enumerate(specs):
                     line(done, len(specs), spec.name)
-                    found.find_range(spec, state.parameters[spec.key], interrupted)
+                    found.find_range(spec, state.parameters[spec.key], store, interrupted)
         text = found.text(state.signature, as_new=as_new)
         click.echo(text, nl=False)  # not lost, should the file fail
         save(Path(file), text)
@@ -113,7 +116,9 @@ class _Survey:
             self._tables["errors"]["unknown_number"] = self._errors_of(command)
         self._unknown.setdefault(reply, []).append(number)
 
-    def find_range(self, spec: ParameterSpec, stored: int, interrupted: Interruption) -> None:
+    def find_range(
+        self, spec: ParameterSpec, stored: int, store: _Store, interrupted: Interruption
+    ) -> None:
         """Try values until the ends of the range are known, and restore what was stored."""
         tried: dict[int, int | None] = {stored: stored}
         values = [wire for wire in _ALL if wire in spec.valid or spec.is_open(wire)]
@@ -122,7 +127,7 @@ class _Survey:
             if interrupted:
                 raise click.Abort
             if wire not in tried:
-                tried[wire] = self._store(spec, wire)
+                tried[wire] = self._try(store, spec, wire)
             return tried[wire] == wire
 
         for end in (values[0], values[-1]):
@@ -138,12 +143,12 @@ class _Survey:
         number = f"0x{spec.number:02X}"
         self._tables["ranges"][number] = _spans(filter(takes, whole), "d")
         self._tables["altered"] |= {number: ", ".join(altered)} if altered else {}
-        self._store(spec, stored)
+        self._try(store, spec, stored)
 
-    def _store(self, spec: ParameterSpec, wire: int) -> int | None:
+    def _try(self, store: _Store, spec: ParameterSpec, wire: int) -> int | None:
         """Write a value and return the stored one, `None` if the board rejects it."""
         try:
-            return write_parameter(self._request, spec, wire, has_crc=self._has_crc)
+            return store(spec, wire)
         except Rejected:
             if "rejected_write" not in (errors := self._tables["errors"]):
                 errors["rejected_write"] = self._errors_of(c.SetParameter(spec.number, wire))

@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.errors import BadRequest, StudioError
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.model.boards import BoardList
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.draft import diff_against_draft

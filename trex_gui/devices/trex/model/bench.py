@@ -6,6 +6,7 @@ from enum import Enum, auto
 
 from PySide6.QtCore import QObject, Qt, Signal, Slot
 
+from trex_gui.core.events import EventKind
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.bench.run import End, Plan, Run
 from trex_gui.devices.trex.client.telemetry import Currents, LatchedStatus
@@ -14,7 +15,6 @@ from trex_gui.devices.trex.model.held_drive import held_drive_blocker
 from trex_gui.devices.trex.protocol.flags import MOTOR_FAULTS, OVER_LIMITS, UartError
 from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.event_log import EventKind
 from trex_gui.ui.runtime import new_timer, now
 
 _HOLDER = "bench"  # the name by which the bench acquires the motors
@@ -115,7 +115,7 @@ class Bench(QObject):
     def blocker(self) -> str:
         """Why no test can start now and what to do, for the user; empty when one can."""
         device = self._device
-        if device.is_connected and device.is_joint:
+        if device.is_connected and device.board.is_joint:
             return tr(
                 "In joint mode the board measures no current, so a test could not be aborted."
             )

@@ -9,7 +9,6 @@ from PySide6.QtCore import QObject, Signal, Slot
 from trex_gui.core.errors import StudioError
 from trex_gui.core.session import Close, Outcome, Progress
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.driving.requests import (
     MotorsStopped,
     SetpointRequest,
@@ -50,7 +49,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
     device_read = Signal(object)  # the board was read, or read again: the `Connected`
     ready = Signal()  # `device_read` was handled, and `link` is `CONNECTED`
     leaving = Signal()  # the line is about to be closed, or another board selected, on request
-    not_responding = Signal()
+    not_responding = Signal(object)  # the `NotResponding`
     guardian_changed = Signal()  # `is_guarded`
     stop_sent = Signal()  # a stop has left; its confirmation follows
     motors_stopped = Signal(object)  # a `MotorsStopped`: the session stopped them by itself
@@ -64,7 +63,6 @@ class Connection(DeviceConnection[ConnectionSettings]):
         self.port_rates: frozenset[int] | None = None  # what the port supports; `None`: unknown
         self.selection = 0  # see `Connected.selection`
         self.is_guarded = False  # a process stops the motors if this one fails
-        self.counters = Counters()  # line statistics since it was opened
         self._watchers = {"window"}
         self.started.connect(self._submit_watched)
 
@@ -88,7 +86,6 @@ class Connection(DeviceConnection[ConnectionSettings]):
         return isinstance(request, Write)
 
     def new_session(self, settings: ConnectionSettings, *, may_move: bool) -> MakeSession:
-        self.counters = Counters()
         self.is_guarded = False
         return lambda inbox, emit: TrexSession(
             settings, inbox, emit, self.open_logged, may_move=may_move
@@ -131,7 +128,6 @@ class Connection(DeviceConnection[ConnectionSettings]):
     def take(self, report: object) -> None:
         match report:
             case Batch():
-                self.counters = report.counters
                 self.sampled.emit(report)
             case GuardianChanged(is_ready=is_ready):
                 self.is_guarded = is_ready
@@ -151,10 +147,9 @@ class Connection(DeviceConnection[ConnectionSettings]):
                 self.progressed.emit(done, total, what)
             case Connected():
                 self._take_state(report)
-            case NotResponding(reason=reason, counters=counters):
+            case NotResponding(reason=reason):
                 log.info("the board does not respond: %s", reason)
-                self.counters = counters
-                self.not_responding.emit()
+                self.not_responding.emit(report)
                 text = tr("The board has stopped responding. Is its power on? Waiting for it …")
                 self._set_state(ConnectionState.NOT_RESPONDING, text)
 

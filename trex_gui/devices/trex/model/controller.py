@@ -148,7 +148,7 @@ class TrexController(DeviceController[ConnectionSettings]):
 
     @property
     def quality(self) -> LineQuality:
-        device, quality = self.device, self.device.quality
+        device, quality = self.device, self.device.board.quality
         if quality.is_noisy is None or not device.is_connected:
             return LineQuality()
         if not quality.is_noisy:

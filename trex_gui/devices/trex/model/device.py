@@ -6,24 +6,21 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.errors import StudioError
+from trex_gui.core.events import Event
 from trex_gui.core.session import Closed, Outcome
 from trex_gui.core.timing import Timeouts
-from trex_gui.core.translation import Number, tr
-from trex_gui.devices.trex.board.errors import ErrorCounts
-from trex_gui.devices.trex.client.reading import DeviceState, may_be_same_board
-from trex_gui.devices.trex.client.telemetry import Control, LatchedStatus
-from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.core.translation import tr
+from trex_gui.devices.trex.board import WriteResult
+from trex_gui.devices.trex.board.mirror import BoardMirror, BoardRead, LineJudged, MotorsShutDown
+from trex_gui.devices.trex.client.reading import DeviceState
+from trex_gui.devices.trex.client.telemetry import Sample
 from trex_gui.devices.trex.driving.timeout_stop import (
-    TimeoutStop,
-    remedy_for_silence,
-    timeout_stop,
     turning_text,
     with_shutdown,
 )
 from trex_gui.devices.trex.model.board_events import BoardEvents
 from trex_gui.devices.trex.model.connection import Connection, remedies_for
-from trex_gui.devices.trex.model.connection_quality import ConnectionQuality
-from trex_gui.devices.trex.model.drive_controller import DriveController, why_the_board_stopped
+from trex_gui.devices.trex.model.drive_controller import DriveController
 from trex_gui.devices.trex.model.mix_jumper import MixJumper
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.model.settings.accepted_memory import AcceptedMemory
@@ -38,7 +35,6 @@ from trex_gui.devices.trex.protocol.calibration import (
     CalibrationKey,
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.descriptions import who_controls
 from trex_gui.devices.trex.protocol.parameters import (
     MotorParameter,
     ParameterKey,
@@ -47,19 +43,19 @@ from trex_gui.devices.trex.protocol.parameters import (
 from trex_gui.devices.trex.session.messages import (
     Batch,
     Connected,
+    NotResponding,
     ReadReason,
     Reload,
+    Report,
     SetReconnectCandidates,
     Write,
     Written,
 )
 from trex_gui.devices.trex.session.reconnecting import REACH, reconnect_candidates
 from trex_gui.devices.trex.settings.board_records import utc_now
-from trex_gui.devices.trex.settings.document import factory_settings, settings_of
-from trex_gui.devices.trex.settings.edit_files import BoardIdentity
+from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.event_log import EventKind
 from trex_gui.ui.notifier import Notifier, Remedies, Remedy
 from trex_gui.ui.runtime import now
 from trex_gui.ui.translations import error_text
@@ -84,34 +80,28 @@ class Device(QObject):
         super().__init__(parent)
         self.notifier = notifier or Notifier(self)
         self.motors = Motors(self)
-        self.telemetry = Telemetry(self.motors, self)
-        self.errors = ErrorCounts(self.errors_changed.emit)
         self.draft = SettingsDraft(self)  # what the board stores, and its edits
         self.parameters = self.draft.parameters
         self.calibrations = self.draft.calibrations
-        self.mix_jumper = MixJumper(self.draft, self.telemetry, self)
         self.history = SettingsHistory()  # what boards stored before each Apply
         # What this computer keeps: edits over the end of the program; what was applied last, notes
         self.edit_backup = EditBackup(self.draft, self)
         self._accepted = AcceptedMemory(self.parameters, self)
         self.kept = KeptFiles(self.draft.notes, self._accepted, parent=self)
-        self.memory = self.kept.memory
-        self._apply = Apply(self.draft, self.history, self.memory, self._request, self)
+        self.board = BoardMirror(self.kept.memory, self.errors_changed.emit)
+        self.telemetry = Telemetry(self.motors, self.board.newest, self)
+        self.mix_jumper = MixJumper(self.draft, self.telemetry, self)
+        self._apply = Apply(self.draft, self.history, self.board.memory, self._request, self)
         self.connection = Connection(self)
         self.driving = DriveController(
             self.motors, self.telemetry, self.connection, self.notifier, self
         )
-        # What happened since the line was opened, on the clock of `telemetry`
-        self.events = BoardEvents(self.motors, self.connection, self)
-        self.state: DeviceState | None = None  # as read; `None` while no board is connected
-        self.quality = ConnectionQuality()
-        self._url = ""  # of the board that was read last
+        self.events = BoardEvents(self.motors, self)  # since the line was opened
         self._replaced: list[Path] = []  # files of other boards, renamed since the last reading
 
         self.connection.changed.connect(self.link_changed)
-        self.connection.device_read.connect(self._on_read)
+        self.connection.device_read.connect(self._take)
         self.connection.ready.connect(self._on_ready)
-        self.connection.not_responding.connect(self.telemetry.forget)
         self.connection.not_responding.connect(self._on_not_responding)
         self.connection.line_closed.connect(self._on_closed)
         self.connection.sampled.connect(self._on_sampled)
@@ -132,6 +122,10 @@ class Device(QObject):
         self._apply.failed.connect(self._on_request_failed)
 
     # --- What is known ------------------------------------------------------------------
+
+    @property
+    def state(self) -> DeviceState | None:
+        return self.board.state
 
     @property
     def link(self) -> ConnectionState:
@@ -210,11 +204,6 @@ class Device(QObject):
         parameters = self.parameters
         return parameters.spec_of(key).name if parameters.index_of(key).isValid() else key
 
-    @property
-    def is_joint(self) -> bool:
-        """Whether both drivers work as one motor now, whatever is stored for the next start."""
-        return self.parameters.active_of(ParameterKey.MOTOR_MODE) == 1
-
     def current_limit(self, motor: int) -> float | None:
         """Return the limit in A that the board stores; `None` when off or not known."""
         key = MotorParameter.CURRENT_LIMIT.of(motor)
@@ -222,32 +211,9 @@ class Device(QObject):
         return wire * self.parameters.spec_of(key).scale if wire else None
 
     @property
-    def control_text(self) -> str:
-        """Who controls the motors, as a sentence; empty while no board is connected."""
-        by_serial = self.telemetry.serial_controls
-        if self.state is None or by_serial is None or not self.is_connected:
-            return ""
-        return who_controls(self.state.mode, by_serial, joint=self.is_joint)
-
-    @property
-    def timeout_stop(self) -> TimeoutStop:
-        """What is expected of the board's serial timeout, also after it was lost."""
-        keys = (_TIMEOUT, ParameterKey.UART_ERROR_SHUTDOWN)
-        record = self.memory.record
-        trial = None if record is None else record.trial
-        return timeout_stop({key: self.parameters.stored_of(key) or 0 for key in keys}, trial)
-
-    @property
-    def silence_remedy(self) -> str:
-        """What the user should do when a driven board is lost."""
-        wire = self.parameters.stored_of(_TIMEOUT)
-        text = self.parameters.spec_of(_TIMEOUT).text(wire) if wire else ""
-        return remedy_for_silence(self.timeout_stop, text)
-
-    @property
     def loss_text(self) -> str:
         """Warning about motors that may be turning without a connection."""
-        return f"{turning_text(self.driving.driven)} {self.silence_remedy}"
+        return f"{turning_text(self.driving.driven)} {self.board.silence_remedy}"
 
     def warn(self, cause: str, remedies: Remedies = ()) -> None:
         """Show the `loss_text` and its cause until a stop is confirmed."""
@@ -381,6 +347,7 @@ class Device(QObject):
 
     def note_power_cycled(self) -> None:
         if self.state is not None:
+            self.board.note_power_cycled()
             self.draft.take_state(self.state, self.settings, power_cycled=True)
             self.state_changed.emit()
             self.link_changed.emit()
@@ -434,26 +401,34 @@ class Device(QObject):
     # --- Reports from the line ----------------------------------------------------------
 
     @Slot(object)
-    def _on_read(self, report: Connected) -> None:
+    def _take(self, report: Report) -> None:
+        """Take a report, and do what its events need."""
+        self.board.adapter = self.motors.adapter
+        for event in self.board.take(report, now(), utc_now()):
+            match event:
+                case Sample():
+                    self.telemetry.add(event)
+                case Event():
+                    self.events.put(event)
+                case BoardRead():
+                    self._on_read(event)
+                case MotorsShutDown(reason=reason):
+                    if self.motors.text:
+                        self.motors.stop(reason)
+                case LineJudged():
+                    self.quality_changed.emit()
+
+    def _on_read(self, read: BoardRead) -> None:
         self._replaced.clear()
-        state, occasion = report.state, report.occasion
+        state, occasion = read.report.state, read.report.occasion
         if occasion is ReadReason.SELECTED:
-            self._on_selected(report)
+            self._on_selected(read.report)
             return
-        is_other = occasion is ReadReason.OPENED or (
-            occasion.power_cycled
-            and self.state is not None
-            and not may_be_same_board(self.state, state)
-        )
-        if state != self.state:
+        pending, before = self.draft.pending, self.draft.stored
+        if read.is_changed:
             reason = tr("Nothing was written: other settings were read from the board.")
             self._give_up_apply(reason)
-        self.state = state
-        pending, before = self.draft.pending, self.draft.stored
-        url, self._url = self._url, report.settings.url
-        is_known = before is not None and before.parameters == state.parameters
-        if is_other and not (is_known and url == self._url):
-            self.errors.reset()
+        if read.is_new:
             self.calibrations.forget_seen()
         is_same_kind = self.parameters.model_key == state.signature.model.key
         if pending and before is not None and not is_same_kind:
@@ -464,44 +439,33 @@ class Device(QObject):
                 pending,
             )
             self.notifier.delayed_info.emit(text.format(f"{before.product.name} {before.firmware}"))
-        if occasion is not ReadReason.RELOADED:
-            self._forget_quality()
-        if pending and is_same_kind and is_other:
+        if pending and is_same_kind and read.is_other:
             text = tr(
                 "%n earlier change(s) still pending. Click Apply to write to this board.",
                 "",
                 pending,
             )
             self.notifier.delayed_info.emit(text)
-        if occasion is ReadReason.OPENED:
-            self.telemetry.begin(state.signature.model.current_unit)
-        self.telemetry.newest.take(Control(self.telemetry.latest, state.serial_controls))
-        self.edit_backup.leave_board()
         opened = occasion is ReadReason.OPENED
+        if opened:
+            self.events.clear()
+            self.telemetry.begin(state.signature.model.current_unit)
+        self.edit_backup.leave_board()
         self.draft.take_state(
-            state, report.settings, power_cycled=occasion.power_cycled, opened=opened
+            state, read.report.settings, power_cycled=occasion.power_cycled, opened=opened
         )
-        self._take_files(report, opened=opened)
+        self._take_files(read.report, opened=opened)
 
     def _take_files(self, report: Connected, *, opened: bool) -> None:
         """Follow in its files what the board stores; `opened`: it may be another board."""
         state, is_simulated = report.state, bool(report.settings.name)
         self.edit_backup.take_board(ask=opened, is_simulated=is_simulated)
         self._accepted.take_board(state.signature, opened=opened, is_simulated=is_simulated)
-        self.memory.take_board(
-            settings_of(state),
-            state.source,
-            utc_now(),
-            opened=opened,
-            is_simulated=is_simulated,
-            adapter=self.motors.adapter,
-        )
 
     def _on_selected(self, report: Connected) -> None:
-        """Show another board on the line, with its edits and counts; those of the last are kept."""
+        """Show another board on the line, with its edits; those of the last are kept."""
         reason = tr("Nothing was written: another board was selected.")
         self._give_up_apply(reason)
-        before = self.draft.stored
         if pending := self.draft.pending:
             text = tr(
                 "%n edit(s) of the former board kept: they return when it is selected again.",
@@ -509,15 +473,9 @@ class Device(QObject):
                 pending,
             )
             self.notifier.delayed_info.emit(text)
-        url, state = report.settings.url, report.state
-        if before is not None:
-            board = BoardIdentity.of(settings_of(state))
-            self.errors.select(f"{url} {BoardIdentity.of(before)}", f"{url} {board}")
-        self.state = state
-        self.telemetry.begin(state.signature.model.current_unit)
-        self.telemetry.newest.take(Control(self.telemetry.latest, state.serial_controls))
+        self.telemetry.begin(report.state.signature.model.current_unit)
         self.edit_backup.leave_board(is_deselected=True)
-        self.draft.select_state(state, report.settings)
+        self.draft.select_state(report.state, report.settings)
         self._take_files(report, opened=True)
 
     @Slot(object)
@@ -530,10 +488,11 @@ class Device(QObject):
         )
         self.notifier.info.emit(text.format(", ".join(map(str, self._replaced))))
 
-    @Slot()
-    def _on_not_responding(self) -> None:
+    @Slot(object)
+    def _on_not_responding(self, report: NotResponding) -> None:
+        self._take(report)
+        self.telemetry.forget()
         self._give_up_apply(tr("Nothing was written: the board does not respond."))
-        self._forget_quality()
         if self.may_move:
             text = tr("The board does not respond; the stop is being repeated.")
             self.warn(text)
@@ -546,12 +505,11 @@ class Device(QObject):
     @Slot(object)
     def _on_written(self, written: Written) -> None:
         self._replaced.clear()
-        self.state = written.state
+        self.board.note_written(written)
         self.connection.settings = written.settings
         self.draft.note_stored(written.state)
-        uncertain = {result.key for result in written.results if result.error is not None}
-        keys = {result.key for result in written.results}
-        if self.draft.reset_pending or ParameterKey.FACTORY_RESET in keys:
+        uncertain = written.uncertain
+        if self.draft.reset_pending:
             uncertain |= written.state.parameters.keys()
         self.driving.note_stored(written.state, uncertain)
         self.state_changed.emit()
@@ -563,57 +521,22 @@ class Device(QObject):
 
     @Slot(object)
     def _on_sampled(self, batch: Batch) -> None:
-        """Take samples; a stop of the board's precedes those that show it."""
-        self._note_statuses(batch)
-        self._note_quality(batch)
-        self.telemetry.take(batch)
+        self._take(batch)
+        self.telemetry.finish()
         self.driving.follow_control()
         self.sampled.emit(batch)
-
-    def _note_statuses(self, batch: Batch) -> None:
-        has_failed = self.quality.has_failed_lately(now(), batch.counters)
-        has_crc = self.settings is not None and self.settings.line.has_crc
-        for sample in batch.samples:
-            if isinstance(sample, LatchedStatus):
-                self.events.note_status(sample)
-                self.errors.take(sample, now(), is_doubtful=has_failed and not has_crc)
-                self._follow_board_stop(sample)
-
-    def _note_quality(self, batch: Batch) -> None:
-        was_noisy, time = self.quality.is_noisy, batch.samples[-1].time
-        if not self.is_connected or not self.quality.take(time, batch.counters):
-            return
-        if self.quality.is_noisy and not was_noisy:
-            text = tr("The line is noisy: {0:.1f} % lost").format(Number(100 * self.quality.lost))
-            self.events.add(EventKind.LINK, text, time, is_problem=True)
-        elif was_noisy and not self.quality.is_noisy:
-            self.events.add(EventKind.LINK, tr("The line is good again"), time)
-        self.quality_changed.emit()
 
     @Slot()
     def _recommend_crc(self) -> None:
         settings = self.settings
-        if self.motors.armed and self.quality.is_noisy and settings and not settings.line.has_crc:
+        is_noisy = self.board.quality.is_noisy
+        if self.motors.armed and is_noisy and settings and not settings.line.has_crc:
             text = tr("Noise on the line can turn a motor another way for an instant.")
             self.notifier.report(text, (Remedy.SET_UP_CRC,))
 
-    def _forget_quality(self) -> None:
-        if self.quality.reset():
-            self.quality_changed.emit()
-
-    def _follow_board_stop(self, latched: LatchedStatus) -> None:
-        """Drop the setpoints of motors that the board has stopped by itself."""
-        parameters = {} if self.state is None else self.state.parameters
-        errors_stop = bool(parameters.get(ParameterKey.UART_ERROR_SHUTDOWN))
-        why = why_the_board_stopped(latched, errors_stop=errors_stop)
-        if why and self.motors.text:
-            self.motors.stop(why)
-
     @Slot(object)
-    def _on_closed(self, _last: Closed | None) -> None:
-        self.state = None
-        self.memory.leave_board()
+    def _on_closed(self, last: Closed | None) -> None:
+        self._take(last or Closed(None, may_move=False))
         self._apply.end()
         self.telemetry.forget()
-        self._forget_quality()
         self.state_changed.emit()

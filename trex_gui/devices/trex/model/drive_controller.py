@@ -13,7 +13,6 @@ from trex_gui.core.session import Closed, Outcome
 from trex_gui.core.translation import tr
 from trex_gui.core.transport.serial_port import latency_of
 from trex_gui.devices.trex.client.reading import DeviceState, may_be_same_board
-from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.driving.requests import (
     HEARTBEAT_INTERVAL,
     Arm,
@@ -32,7 +31,6 @@ from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
-from trex_gui.devices.trex.protocol.flags import UartError, bit_names
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.protocol.raw_packets import RawPacket
 from trex_gui.devices.trex.session.messages import Connected, ReadReason, SendPacket
@@ -384,23 +382,3 @@ def _name_of(board: Connected) -> str:
     if number is None:
         return name
     return tr("{0}, device {1}").format(name, number)
-
-
-def why_the_board_stopped(latched: LatchedStatus, *, errors_stop: bool) -> str:
-    """Return why the motors are at rest after these bits; empty if they are not.
-
-    Other serial errors than a timeout stop them only if UART-Error Shutdown (0x08) is set
-    (`errors_stop`). The next motor command would start them again: only the user may give it.
-    """
-    if latched.uart & UartError.TIMEOUT:
-        return tr(
-            "The board received nothing within its Serial Timeout, so the motors were stopped.",
-        )
-    if latched.uart and errors_stop:
-        names = ", ".join(map(tr, bit_names(latched.uart)))
-        text = tr(
-            "The board stopped its motors because of an error on the line ({0}): UART-Error "
-            "Shutdown is set.",
-        )
-        return text.format(names.lower())
-    return ""

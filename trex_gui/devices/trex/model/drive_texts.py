@@ -58,10 +58,10 @@ def report_text(device: Device, motor: int) -> str:
     if motor in {1, 2}:
         if telemetry.motor_currents is None:
             return tr("Board: N/A")
-        if device.is_joint:
+        if device.board.is_joint:
             parts.append(tr("no current sensing in joint mode"))
         else:
-            parts += [tr(entry.name).lower() for entry in device.errors.recent(motor, now())]
+            parts += [tr(entry.name).lower() for entry in device.board.errors.recent(motor, now())]
     value = telemetry.remapped_of(motor)
     if by_serial and state is not None and not state.mode.is_serial and value is not None:
         value = abs(value) if motor == 3 else value
@@ -94,7 +94,7 @@ def timeout_warning(device: Device) -> TimeoutWarning | None:
     if timeout is None or settings is None:
         return None
     return timeout_warning_on(
-        settings, timeout, device.timeout_stop, is_guarded=device.connection.is_guarded
+        settings, timeout, device.board.timeout_stop, is_guarded=device.connection.is_guarded
     )
 
 

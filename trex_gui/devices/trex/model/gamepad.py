@@ -178,7 +178,7 @@ class Gamepad(QObject):
     def _drive(self) -> None:
         if self._unattended or not self._motors.armed:
             return
-        self._drive_with.joint = self._device.is_joint
+        self._drive_with.joint = self._device.board.is_joint
         if not self.request.drives:
             self._drive_with.release()
         elif not self._drive_with.steer(self.request.forward, self.request.turn):

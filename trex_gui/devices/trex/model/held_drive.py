@@ -23,7 +23,7 @@ def held_drive_blocker(
     if device.applying:
         return tr("Settings are being written.")
     if device.telemetry.serial_controls is False:
-        return tr("{0} A test needs serial control.").format(device.control_text)
+        return tr("{0} A test needs serial control.").format(device.board.control_text)
     if motors.locked_for:
         text = tr("After a stop the motors are locked for another {0:.0f} s.")
         return text.format(max(1.0, motors.locked_for))

@@ -80,7 +80,7 @@ class LossWhileDriven(QObject):
             "its Serial Timeout stop the motor meanwhile?"
         ).format(Number(self._silent_for))
         self._silent_for = None
-        save, shutdown = self._device.memory.record_trial, self._has_shutdown
+        save, shutdown = self._device.board.memory.record_trial, self._has_shutdown
         worked, failed = TimeoutTrial(True, shutdown), TimeoutTrial(False, shutdown)
         self._device.notifier.ask(
             text,

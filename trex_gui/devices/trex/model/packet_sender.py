@@ -5,13 +5,13 @@ from functools import partial
 from PySide6.QtCore import QObject, Signal
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.events import EventKind
 from trex_gui.core.session import Outcome
 from trex_gui.core.texts import hex_text
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.raw_packets import RawPacket, packets_of, parse_hexadecimal
-from trex_gui.ui.event_log import EventKind
 from trex_gui.ui.traffic.send_row import SendPreview
 from trex_gui.ui.translations import error_text
 

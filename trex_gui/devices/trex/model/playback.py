@@ -5,6 +5,7 @@ from functools import partial
 
 from PySide6.QtCore import QObject
 
+from trex_gui.core.events import Event
 from trex_gui.core.files import SettingsError
 from trex_gui.core.recording.kinds import Value
 from trex_gui.core.recording.store import Recording
@@ -14,7 +15,6 @@ from trex_gui.devices.trex.model.telemetry import Series, board_traces, values_o
 from trex_gui.devices.trex.protocol.parameters import MotorParameter
 from trex_gui.devices.trex.recording import Header, Record
 from trex_gui.devices.trex.settings.reader import read_settings
-from trex_gui.ui.event_log import Event
 from trex_gui.ui.playback.player import Curves, RecordingPlayer
 from trex_gui.ui.plotting.history import MAX_GAP, SampleHistory
 from trex_gui.ui.plotting.traces import Traces

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Slot
 
+from trex_gui.core.events import Event, EventKind
 from trex_gui.core.recording.kept import kept_path, make_room
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.board.newest import BoardSnapshot
@@ -25,7 +26,6 @@ from trex_gui.devices.trex.recording import (
 )
 from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.event_log import Event, EventKind
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.workers.record_thread import RecordThread

@@ -4,8 +4,9 @@ from collections.abc import Callable
 from functools import partial
 
 from trex_gui.core.texts import counted
+from trex_gui.devices.trex.board.drive_status import drive_statuses
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.drive_status import drive_inputs, drive_statuses
+from trex_gui.devices.trex.model.drive_status import drive_inputs
 from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.settings.writer import write_settings
@@ -18,7 +19,7 @@ def status_text(device: Device) -> str:
         number = settings.device_number
         packets = "compact" if number is None else f"expanded, to device {number}"
         lines += [f"Line: {settings.text()}", f"Packets: {packets}"]
-    counters = device.connection.counters
+    counters = device.board.counters
     lines.append(
         f"Requests: {counters.requests}, replies: {counters.replies}, timeouts: "
         f"{counters.missing}, corrupted replies: {counters.corrupted}, unsolicited bytes: "
@@ -26,7 +27,7 @@ def status_text(device: Device) -> str:
     )
     lines += [
         f"{entry.name}: {counted(entry.count, 'time')}, last {entry.last:%Y-%m-%d %H:%M:%S}"
-        for entry in device.errors.entries
+        for entry in device.board.errors.entries
         if entry.last is not None
     ]
     reasons = drive_statuses(drive_inputs(device))
@@ -37,7 +38,7 @@ def status_text(device: Device) -> str:
     lines += [
         f"Board: {device.board_name}",
         f"Mode: {MODE_TEXT[state.mode]}",
-        f"In control: {device.control_text}",
+        f"In control: {device.board.control_text}",
         f"Echo: {_yes(device.connection.echo)}",
         f"Guardian: {_yes(device.connection.is_guarded)}",
         f"Armed: {_yes(device.motors.armed)}, may be moving: {_yes(device.may_move)}",

@@ -11,11 +11,10 @@ from PySide6.QtCore import QObject, Signal
 from trex_gui.core.timing import TEXT_INTERVAL
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.board.newest import Newest
-from trex_gui.devices.trex.client.telemetry import Control, Currents, Raw, Remapped
+from trex_gui.devices.trex.client.telemetry import Control, Currents, Raw, Remapped, Sample
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import CHANNELS
-from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.plotting.traces import TraceInfo
 
 if TYPE_CHECKING:
@@ -96,9 +95,9 @@ class Telemetry(QObject):
     frame_due = Signal()
     text_due = Signal()  # for what is shown as text, at most once in `TEXT_INTERVAL`
 
-    def __init__(self, motors: Motors, parent: QObject | None = None) -> None:
+    def __init__(self, motors: Motors, newest: Newest, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.newest = Newest()
+        self.newest = newest  # of the board's mirror
         self.latest: float = 0.0
         self.samples = 0
         self._is_seen = True
@@ -122,21 +121,23 @@ class Telemetry(QObject):
         self.forget()
 
     def forget(self) -> None:
-        self.newest.samples.clear()
+        """Show that nothing is known any more."""
         self.updated.emit()
         self._renew_views()
 
-    def take(self, batch: Batch) -> None:
-        for sample in batch.samples:
-            self.newest.take(sample)
-            if isinstance(sample, Raw):
-                values = (math.nan if count is None else count for count in sample.counts)
-                self.inputs.append(sample.time, *values)
-            elif isinstance(sample, Currents):
-                row = values_of_series(self.newest, self._motors.drive, self.ampere)
-                self.currents.append(sample.time, *row)
-            self.latest = sample.time
-        self.samples += len(batch.samples)
+    def add(self, sample: Sample) -> None:
+        """Take a sample that is the newest of its kind now; `finish` shows it."""
+        if isinstance(sample, Raw):
+            values = (math.nan if count is None else count for count in sample.counts)
+            self.inputs.append(sample.time, *values)
+        elif isinstance(sample, Currents):
+            row = values_of_series(self.newest, self._motors.drive, self.ampere)
+            self.currents.append(sample.time, *row)
+        self.latest = sample.time
+        self.samples += 1
+
+    def finish(self) -> None:
+        """Show the samples that were added."""
         self.updated.emit()
         if self._is_seen:
             self.frame_due.emit()

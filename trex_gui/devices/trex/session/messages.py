@@ -15,6 +15,7 @@ from trex_gui.devices.trex.driving.requests import MotorRequest, MotorsStopped, 
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.commands import Command
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.protocol.raw_packets import RawPacket
 
 
@@ -158,6 +159,14 @@ class Written:
     results: tuple[WriteResult, ...]
     state: DeviceState
     settings: ConnectionSettings
+
+    @property
+    def uncertain(self) -> set[str]:
+        """Keys of values of which it is not known whether the board stores them."""
+        uncertain = {result.key for result in self.results if result.error is not None}
+        if any(result.key == ParameterKey.FACTORY_RESET for result in self.results):
+            uncertain |= self.state.parameters.keys()
+        return uncertain
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,7 +16,7 @@ def arm(device: Device, window: QWidget) -> None:
     """Arm the motors; on a real board without a serial timeout that should stop them, ask first."""
     motors, warning = device.motors, timeout_warning(device)
     is_real = device.settings is not None and not device.settings.name
-    lacks_stop = device.timeout_stop.may_be_mended
+    lacks_stop = device.board.timeout_stop.may_be_mended
     can_offer = is_real and lacks_stop and motors.can_arm and not device.rejects_settings
     if can_offer and warning and warning.seconds and not motors.arms_without_timeout:
         ArmDialog(device, warning.text, warning.seconds, window).open()
@@ -77,7 +77,7 @@ class ArmDialog(QDialog):
     def _on_applied(self) -> None:
         if not self.isVisible():
             return
-        if not self._device.timeout_stop.may_be_mended:
+        if not self._device.board.timeout_stop.may_be_mended:
             self._device.motors.arm()
             self.close()
         else:

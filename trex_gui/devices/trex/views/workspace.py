@@ -13,10 +13,9 @@ from shiboken6 import Shiboken
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.model.boards import BoardList
 from trex_gui.devices.trex.model.controller import TrexController
-from trex_gui.devices.trex.model.drive_status import SafeStartWatch
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
@@ -87,7 +86,6 @@ class TrexWorkspace(Workspace):
             (("TX", "SI"), ("RX", "SO"), ("GND", "GND")),
             tr("Wiring: TX of the adapter to SI, RX to SO, GND to GND of the board"),
         )
-        self._safe_start = SafeStartWatch(device, self)
         self._offered_losses: set[ComparisonRow] = set()  # lost settings
         self.help_topics, self.message_help = TOPICS, message_help()
         self.log.follow(device.events)
@@ -182,7 +180,7 @@ class TrexWorkspace(Workspace):
             ),
         )
         start = StartPanel(texts, self._frame, self)
-        page = StatusPage(self._device, self._safe_start, start, self)
+        page = StatusPage(self._device, start, self)
         page.setup_requested.connect(self._set_up)
         return page
 
@@ -201,7 +199,7 @@ class TrexWorkspace(Workspace):
     def _make_motors_page(self) -> QWidget:
         from trex_gui.devices.trex.views.pages.motors.page import MotorsPage  # noqa: PLC0415
 
-        page = MotorsPage(self._device, self._safe_start, self)
+        page = MotorsPage(self._device, self)
         page.parameter_wanted.connect(self._show_parameter)
         return page
 
@@ -502,7 +500,7 @@ class TrexWorkspace(Workspace):
 
     @Slot()
     def _on_errors_changed(self) -> None:
-        count = self._device.errors.uncleared
+        count = self._device.board.errors.uncleared
         title = tr("Errors ({0})").format(count) if count else tr("Errors")
         self.set_page_title("errors", title)
 
@@ -562,7 +560,7 @@ class TrexWorkspace(Workspace):
     @Slot()
     def _on_memory_changed(self) -> None:
         """Ask about each difference from what was applied last, once for each connection."""
-        memory = self._device.memory
+        memory = self._device.board.memory
         differing, record = memory.differing, memory.expected
         self._question.reconsider()
         news = set(differing.rows) - self._offered_losses
@@ -585,7 +583,7 @@ class TrexWorkspace(Workspace):
             )
 
     def _show_differing(self) -> None:
-        applied, record = self._device.memory.applied, self._device.memory.expected
+        applied, record = self._device.board.memory.applied, self._device.board.memory.expected
         if applied is not None and record is not None and record.applied is not None:
             self.files.offer_settings(applied, local_time(record.applied))
 

@@ -9,10 +9,10 @@ from tests.support.pages.motors import is_stopped
 from tests.support.program import new_controller
 from tests.support.simulator import StartSimulator
 from tests.support.virtual_devices import VirtualSimulator
+from trex_gui.core.events import EventKind
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.event_log import EventKind
 
 Start = Callable[..., VirtualSimulator]
 

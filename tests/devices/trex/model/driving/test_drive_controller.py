@@ -14,6 +14,7 @@ from tests.support.virtual_time import VirtualRuntime
 from trex_gui.core.errors import StudioError
 from trex_gui.core.guardian.log import log_file
 from trex_gui.core.timing import Timeouts
+from trex_gui.devices.trex.board.newest import Newest
 from trex_gui.devices.trex.driving.requests import Heartbeat, MotorsStopped
 from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.device import Device
@@ -197,7 +198,7 @@ def test_session_that_hangs_is_noticed_within_a_second(
 
 
 def test_arming_on_a_noisy_line_recommends_crc(driven: DrivenDevice, qtbot: QtBot) -> None:
-    driven.quality.is_noisy = True
+    driven.board.quality.is_noisy = True
     with qtbot.waitSignal(driven.notifier.remedies_offered) as offered:
         driven.motors.arming_changed.emit()
     assert offered.args == [(Remedy.SET_UP_CRC,)]
@@ -232,7 +233,7 @@ def test_session_that_did_not_respond_disarms_the_motors(driven: DrivenDevice) -
 def test_unconfirmed_stop_is_reported_as_unconfirmed(qtbot: QtBot) -> None:
     connection, motors = Connection(), Motors()
     notifier = Notifier()
-    driving = DriveController(motors, Telemetry(motors), connection, notifier)
+    driving = DriveController(motors, Telemetry(motors, Newest()), connection, notifier)
     with qtbot.waitSignal(notifier.error) as said:
         connection.motors_stopped.emit(MotorsStopped(ErrorCode.NO_HEARTBEAT, confirmed=False))
     assert said.args == [f"{STOOD_STILL} A stop was sent but is not confirmed yet."]
@@ -245,7 +246,7 @@ def test_armed_motors_send_heartbeats_at_a_steady_rate(
 ) -> None:
     connection, motors = RecordingConnection(), Motors()
     notifier = Notifier()
-    driving = DriveController(motors, Telemetry(motors), connection, notifier)
+    driving = DriveController(motors, Telemetry(motors, Newest()), connection, notifier)
     assert not driving.may_move
     motors.set_available(True)
     motors.arm()

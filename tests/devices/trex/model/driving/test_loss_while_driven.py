@@ -91,11 +91,11 @@ def test_answer_about_the_timeout_is_remembered_for_the_board(
     lost.answers[answer].then()
     if known is TimeoutStop.FAILED and lost.goes_on:
         known = TimeoutStop.REFUTED  # with UART-Error Shutdown it may stop them
-    assert lost.device.timeout_stop is known
+    assert lost.device.board.timeout_stop is known
 
     lost.lose()
     lost.answers["timeoutWorked"].then()
-    newest = lost.device.timeout_stop
+    newest = lost.device.board.timeout_stop
     assert newest is TimeoutStop.TRIED
 
 

@@ -9,9 +9,9 @@ from pytestqt.qtbot import QtBot
 from tests.support.simulator import SimulatedDevice
 from tests.support.transmitter import Stick, Transmitter
 from trex_gui.core.errors import NoReply, StudioError
+from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.calibration.problems import ProblemKind
 from trex_gui.devices.trex.client.telemetry import Control
-from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning, LearningStep
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
@@ -191,7 +191,9 @@ def test_joint_mode_motor_stays_stopped_while_sticks_move(setup: LearningSetup) 
     setup.simulator.do("power off")
     setup.until(lambda: setup.device.link is ConnectionState.NOT_RESPONDING)
     setup.simulator.do("power on")
-    setup.until(lambda: setup.device.link is ConnectionState.CONNECTED and setup.device.is_joint)
+    setup.until(
+        lambda: setup.device.link is ConnectionState.CONNECTED and setup.device.board.is_joint
+    )
     setup.until(lambda: setup.device.motors.is_available)
     setup.device.motors.arm()
     setup.device.motors.set_speed(1, 60)

@@ -8,7 +8,7 @@ from pytestqt.modeltest import ModelTester
 from pytestqt.qtbot import QtBot
 
 from trex_gui.core.errors import BadReply, NoReply
-from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel, Role
 from trex_gui.devices.trex.model.parameters.text import (
     ParameterColumn,

@@ -8,7 +8,7 @@ from pytestqt.qtbot import QtBot
 from tests.devices.trex.model.test_device import DeviceRecorder
 from tests.support.matrix import sampled
 from tests.support.simulator import SimulatedDevice
-from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import Skipped

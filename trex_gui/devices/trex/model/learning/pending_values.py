@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.channels import Choice
 from trex_gui.devices.trex.protocol.flags import channel_mask, channels_in

@@ -17,7 +17,7 @@ from PySide6.QtGui import QUndoStack
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.model.parameters.draft import Draft
 from trex_gui.devices.trex.model.parameters.text import (
     ParameterColumn,

@@ -64,7 +64,7 @@ class MotorPulses(QObject):
                 "Skip this step, or switch the board off, remove the mode jumper and switch it on."
             )
             return text.format(device.state.mode.source.word)
-        if device.is_connected and device.is_joint:
+        if device.is_connected and device.board.is_joint:
             return tr("Joint mode: both outputs drive one motor, so there is nothing to find.")
         return ""
 

@@ -106,7 +106,7 @@ class RobotSetup(QObject):
                 return is_right and step in self._completed
             case SetupStep.STICKS:
                 return self.knows_sticks
-            case SetupStep.MOTORS if device.is_connected and device.is_joint:
+            case SetupStep.MOTORS if device.is_connected and device.board.is_joint:
                 return True  # both outputs drive one motor
             case SetupStep.MOTORS:
                 wiring = self.wiring
@@ -216,7 +216,7 @@ class RobotSetup(QObject):
         model = self._device.parameters.model_key
         self.preset = preset
         self.current_limit = None
-        if preset is not None and not self._device.is_joint:
+        if preset is not None and not self._device.board.is_joint:
             self.current_limit = preset.values(model).get(LIMITS[0])
         self.changed.emit()
 

@@ -157,7 +157,7 @@ class ChannelsPage(QWidget):
             text = function_text(
                 channel,
                 state.mode,
-                joint=device.is_joint,
+                joint=device.board.is_joint,
                 ignored=curve.ignored,
                 is_reversed=curve.reversed_,
                 overridden=bool(by_serial) and not state.mode.is_serial,
@@ -170,7 +170,7 @@ class ChannelsPage(QWidget):
         state, is_mixed = self._device.state, self._device.mix_jumper.is_on
         if state is None:
             return tr("Connect to a board to see its inputs.")
-        if self._device.is_joint:
+        if self._device.board.is_joint:
             mixing = tr("Joint mode: both drivers power motor 1, nothing is mixed.")
         elif is_mixed is None:
             mixing = tr("Moving channel 1 or 2 shows whether the mix jumper is on.")

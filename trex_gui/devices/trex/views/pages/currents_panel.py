@@ -55,7 +55,7 @@ class CurrentsPanel(TracePanel):
                     "No board is connected. Choose a port at the top of the main window and press "
                     "Connect; without hardware, choose the demo board."
                 )
-        elif self._device.is_joint:
+        elif self._device.board.is_joint:
             note = empty = tr("Joint mode: the board does not sense currents.")
         else:
             empty = tr("No current has been read yet.")

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.board.errors import ErrorEntry
-from trex_gui.devices.trex.model.connection_quality import quality_text
+from trex_gui.devices.trex.board.quality import quality_text
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.flags import stops_motors
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
@@ -48,7 +48,7 @@ class ErrorsPage(QWidget):
                 "comes back at once"
             ),
             icon="ok",
-            on_click=device.errors.clear,
+            on_click=device.board.errors.clear,
         )
         self._reset = ui.button(
             self,
@@ -56,7 +56,7 @@ class ErrorsPage(QWidget):
             tr("Reset co&unts"),
             tip=tr("Set every count to zero, and forget when errors were seen"),
             icon="clear",
-            on_click=device.errors.reset,
+            on_click=device.board.errors.reset,
         )
         buttons = ui.row((Muted(text, self), 1), self._clear, self._reset, spacing=10)
         self._values: dict[str, QLabel] = {}
@@ -70,7 +70,7 @@ class ErrorsPage(QWidget):
         self._on_device_changed()
 
     def _make_table(self) -> QTableWidget:
-        count = len(self._device.errors.entries)
+        count = len(self._device.board.errors.entries)
         table = ui.flat_table(QTableWidget(count, len(_Column), self), "errorsTable", tr("Errors"))
         titles = {
             _Column.ERROR: tr("Error"),
@@ -81,7 +81,7 @@ class ErrorsPage(QWidget):
             _Column.REMEDY: tr("What it means, and what to do"),
         }
         table.setHorizontalHeaderLabels([titles[column] for column in _Column])
-        for row, entry in enumerate(self._device.errors.entries):
+        for row, entry in enumerate(self._device.board.errors.entries):
             items = {column: QTableWidgetItem() for column in _Column}
             self._show_entry(items, entry)  # before the sizes follow every change of a text
             for column, item in items.items():
@@ -164,10 +164,10 @@ class ErrorsPage(QWidget):
     def _on_text_due(self) -> None:
         device = self._device
         self._show_errors()  # an error is over some time after its last report
-        opened = device.events.connected_at
+        opened = device.board.connected_at
         if not device.is_connected or opened is None:
             return
-        counters, events, quality = device.connection.counters, device.events, device.quality
+        board, counters, quality = device.board, device.board.counters, device.board.quality
         requests = tr(
             "{0}; timeouts: {1}, corrupted replies: {2}, slowest reply: {3:.0f}\u00a0ms"
         ).format(counters.requests, counters.missing, counters.corrupted, 1000 * counters.slowest)
@@ -176,8 +176,8 @@ class ErrorsPage(QWidget):
             "requests": requests,
             "rate": f"{quality.rate:.0f}" if quality.rate else "–",
             "connected": str(timedelta(seconds=int(now() - opened))),
-            "restarts": str(events.restarts),
-            "returns": str(events.returns),
+            "restarts": str(board.restarts),
+            "returns": str(board.returns),
         }
         for key, text in texts.items():
             self._values[key].setText(text)
@@ -185,7 +185,7 @@ class ErrorsPage(QWidget):
     @Slot()
     @only_when_visible
     def _show_errors(self) -> None:
-        errors = self._device.errors
+        errors = self._device.board.errors
         for items, entry in zip(self._items, errors.entries, strict=True):
             self._show_entry(items, entry)
         self._clear.setEnabled(errors.uncleared > 0)
@@ -193,7 +193,7 @@ class ErrorsPage(QWidget):
 
     def _show_entry(self, items: dict[_Column, QTableWidgetItem], entry: ErrorEntry) -> None:
         device = self._device
-        is_active = device.is_connected and device.errors.is_active(entry, now())
+        is_active = device.is_connected and device.board.errors.is_active(entry, now())
         errors_stop = device.parameters.stored_of(ParameterKey.UART_ERROR_SHUTDOWN) == 1
         is_stopping = is_active and stops_motors(entry.bit, errors_stop=errors_stop)
         last, doubt = tr("never"), ""

@@ -11,6 +11,8 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.core.translation import tr
+from trex_gui.devices.trex.board.drive_status import DriveStatus, drive_statuses
+from trex_gui.devices.trex.board.quality import quality_text
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.driving.blockers import DriveBlocker, Effect
 from trex_gui.devices.trex.driving.board_reasons import (
@@ -20,14 +22,8 @@ from trex_gui.devices.trex.driving.board_reasons import (
     BoardInputs,
     led_patterns,
 )
-from trex_gui.devices.trex.model.connection_quality import quality_text
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.drive_status import (
-    DriveStatus,
-    SafeStartWatch,
-    drive_inputs,
-    drive_statuses,
-)
+from trex_gui.devices.trex.model.drive_status import drive_inputs
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
@@ -96,7 +92,6 @@ class StatusPage(QWidget):
     def __init__(
         self,
         device: Device,
-        safe_start: SafeStartWatch,
         start: QWidget,
         parent: QWidget | None = None,
     ) -> None:
@@ -104,7 +99,6 @@ class StatusPage(QWidget):
         super().__init__(parent)
         self.setObjectName("statusPage")
         self._device = device
-        self._safe_start = safe_start
         self._start = start
         self._report = QWidget(self)
         self._lost = ui.named(Note(0, self), "statusLost")
@@ -185,7 +179,7 @@ class StatusPage(QWidget):
             "firmware": state.signature.firmware,
             "mode": tr(MODE_TEXT[state.mode]),
             "motors": tr("joint: one motor")
-            if self._device.is_joint
+            if self._device.board.is_joint
             else tr("two independent motors"),
             "port": settings.label,
             "settings": f"{settings.line.text()}, {addressing}",
@@ -208,7 +202,7 @@ class StatusPage(QWidget):
 
     @Slot()
     def _show_motors(self) -> tuple[DriveStatus, ...]:
-        inputs = drive_inputs(self._device, is_held=self._safe_start.may_hold)
+        inputs = drive_inputs(self._device)
         statuses = drive_statuses(inputs)
         self._motors.show_statuses(statuses, inputs.board)
         return statuses
@@ -219,8 +213,8 @@ class StatusPage(QWidget):
         self._show_motors()
         if not self._device.is_connected:
             return
-        self._values["control"].setText(self._device.control_text)
-        self._values["quality"].setText(quality_text(self._device.quality))
+        self._values["control"].setText(self._device.board.control_text)
+        self._values["quality"].setText(quality_text(self._device.board.quality))
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

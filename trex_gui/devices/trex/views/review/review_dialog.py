@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.errors import NoReply, PortUnavailable, StudioError
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.model.power_cycle import PowerCycle, PowerCycleStage

@@ -434,12 +434,12 @@ class LimitsPage(QWidget):
             self._limit.setRange(0, spec.maximum * spec.scale)
             self._limit.setSingleStep(spec.scale)
             self._limit.setValue(wire * spec.scale)
-        self._limit.setEnabled(not device.is_joint)
+        self._limit.setEnabled(not device.board.is_joint)
         self._hint.show_note(self._hint_text())
 
     def _hint_text(self) -> str:
         preset = self._setup.preset
-        if self._device.is_joint:
+        if self._device.board.is_joint:
             return tr("In joint mode the board measures no current, so it cannot limit it.")
         text = tr(
             "Set the current that your motors can draw continuously; the values above are only "

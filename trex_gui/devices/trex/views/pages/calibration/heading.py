@@ -152,7 +152,7 @@ class ChannelHeading(QWidget):
             channel_text.function_text(
                 channel,
                 state.mode,
-                joint=self._device.is_joint,
+                joint=self._device.board.is_joint,
                 ignored=curve is not None and curve.ignored,
                 switches_at=switches_at,
                 mixed=mixed,

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import Number, tr
-from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.model import channel_text
 from trex_gui.devices.trex.model.calibration_moves import Handle
 from trex_gui.devices.trex.model.device import Device
@@ -162,7 +162,7 @@ class CalibrationPage(PlotPage):
         calibrations = self._device.calibrations
         if self._is_active:
             return calibrations.shown(self.channel)
-        return self._device.memory.hidden_calibration(self.channel, self.source)[0]
+        return self._device.board.memory.hidden_calibration(self.channel, self.source)[0]
 
     @Slot()
     def _on_device_changed(self) -> None:
@@ -195,7 +195,7 @@ class CalibrationPage(PlotPage):
         self._legend.set_curves(shown is not None, differs=before != after, live=is_active)
         self._other.setVisible(not is_active)
         if not is_active:
-            known = self._device.memory.hidden_calibration(channel, self.source)[1]
+            known = self._device.board.memory.hidden_calibration(channel, self.source)[1]
             self._other.show_source(self.source, known)
         if self._plot is not None:
             self._plot.show_channel(channel, self.source, before, after, editable=editable)
@@ -214,7 +214,7 @@ class CalibrationPage(PlotPage):
         if source is calibrations.source:
             calibration = calibrations.shown(self.channel)
         else:
-            calibration, known = self._device.memory.hidden_calibration(self.channel, source)
+            calibration, known = self._device.board.memory.hidden_calibration(self.channel, source)
             since = "" if known is None else channel_text.known_text(known)
         if calibration is None:
             return tr("For {0}: not read yet").format(name)

@@ -8,8 +8,9 @@ from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.translation import tr
+from trex_gui.devices.trex.board.drive_status import drive_statuses
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.drive_status import SafeStartWatch, drive_inputs, drive_statuses
+from trex_gui.devices.trex.model.drive_status import drive_inputs
 from trex_gui.devices.trex.model.drive_texts import channel_text, report_text, setpoint_text
 from trex_gui.devices.trex.model.momentary_drive import MomentaryDrive
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
@@ -45,16 +46,13 @@ class MotorsPage(QWidget):
 
     parameter_wanted = Signal(str)  # the key of a parameter that the user wants to see or change
 
-    def __init__(
-        self, device: Device, safe_start: SafeStartWatch, parent: QWidget | None = None
-    ) -> None:
+    def __init__(self, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("motorsPage")
         self._device = device
         self._motors = device.motors
         self._pad_drive = MomentaryDrive(device.motors, "drive pad")
         self._key_drive = MomentaryDrive(device.motors, "keyboard")
-        self._safe_start = safe_start
 
         self._holder = ""
         self._dragged: int | None = None
@@ -158,7 +156,7 @@ class MotorsPage(QWidget):
 
     @Slot()
     def _on_state_changed(self) -> None:
-        joint = self._device.is_joint
+        joint = self._device.board.is_joint
         for drive in (self._pad_drive, self._key_drive):
             drive.joint = joint
         self._controls[1].set_title(tr("Motor (joint)") if joint else tr("Motor 1"))
@@ -177,7 +175,7 @@ class MotorsPage(QWidget):
     def _show_stored(self) -> None:
         """Show the stored settings; grey, and without links, while the board may store others."""
         device, is_connected = self._device, self._device.is_connected
-        text = _stored_text(device.parameters, joint=device.is_joint, linked=is_connected)
+        text = _stored_text(device.parameters, joint=device.board.is_joint, linked=is_connected)
         self._stored.setText(text)
         self._stored.setEnabled(is_connected)
         self._stored.setAccessibleName("" if text else tr("Stored motor settings: not known"))
@@ -199,12 +197,14 @@ class MotorsPage(QWidget):
         for number, control in self._controls.items():
             control.setEnabled(motors.armed and not self._is_unused(number))
             control.set_ceiling(motors.ceiling)
-            control.current.set_connected(self._device.is_connected and not self._device.is_joint)
+            control.current.set_connected(
+                self._device.is_connected and not self._device.board.is_joint
+            )
             control.brake.setToolTip(ui.plain(brake))
         self._on_text_due()
 
     def _is_unused(self, number: int) -> bool:
-        return number == 2 and self._device.is_joint
+        return number == 2 and self._device.board.is_joint
 
     @Slot()
     def _show_setpoints(self) -> None:
@@ -257,7 +257,7 @@ class MotorsPage(QWidget):
 
     def _show_status(self) -> None:
         """Show what matters most in bold, and every other reason behind it."""
-        inputs = drive_inputs(self._device, is_held=self._safe_start.may_hold)
+        inputs = drive_inputs(self._device)
         first, *others = drive_statuses(inputs)
         name, color = SIGNS[first.blocker.effect]
         self._sign.show_sign(name, color)

@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import pytest
 
+from trex_gui.devices.trex.board.quality import ConnectionQuality, quality_text
 from trex_gui.devices.trex.client.client import Counters
-from trex_gui.devices.trex.model.connection_quality import ConnectionQuality, quality_text
 
 
 class MeasuredLine:

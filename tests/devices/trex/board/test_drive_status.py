@@ -1,0 +1,160 @@
+"""Why the motors do not follow the setpoints."""
+
+import itertools
+from collections.abc import Iterator
+from dataclasses import replace
+
+import pytest
+
+from trex_gui.devices.trex.board.drive_status import DriveInputs, drive_statuses
+from trex_gui.devices.trex.driving.blockers import DriveBlocker, Effect
+from trex_gui.devices.trex.driving.board_reasons import BoardInputs
+from trex_gui.devices.trex.protocol.flags import Mode, UartError
+
+SERIAL = BoardInputs()
+LINKS = (
+    None,
+    DriveBlocker.NO_BOARD,
+    DriveBlocker.OPENING,
+    DriveBlocker.CLOSING,
+    DriveBlocker.SILENT,
+)
+RC = BoardInputs(mode=Mode.RC, by_serial=False)
+
+
+@pytest.mark.parametrize(
+    ("situation", "blockers", "said"),
+    [
+        (DriveInputs(link=DriveBlocker.NO_BOARD), [DriveBlocker.NO_BOARD], "No board"),
+        (
+            DriveInputs(link=DriveBlocker.NO_BOARD, may_move=True, driven=frozenset({1})),
+            [DriveBlocker.LOST],
+            "Motor 1 may still be turning.",
+        ),
+        (
+            DriveInputs(link=DriveBlocker.NO_BOARD, may_move=True, silence_remedy="Cut the power."),
+            [DriveBlocker.LOST],
+            "Cut the power.",
+        ),
+        (
+            DriveInputs(link=DriveBlocker.NO_BOARD, lost_board="It got no stop."),
+            [DriveBlocker.LOST],
+            "It got no stop.",
+        ),
+        (
+            DriveInputs(link=DriveBlocker.SILENT, may_move=True, silence_remedy="Cut the power."),
+            [DriveBlocker.SILENT],
+            "Cut the power.",
+        ),
+        (DriveInputs(link=DriveBlocker.OPENING), [DriveBlocker.OPENING], "is connecting"),
+        (DriveInputs(link=DriveBlocker.CLOSING), [DriveBlocker.CLOSING], "closed"),
+        (
+            DriveInputs(link=DriveBlocker.SILENT, may_move=True),
+            [DriveBlocker.SILENT],
+            "the stop is being repeated",
+        ),
+        (
+            DriveInputs(link=DriveBlocker.SILENT, board=SERIAL),
+            [DriveBlocker.SILENT],
+            "does not respond. Check its power and the cable.",  # no stop is sent
+        ),
+        (DriveInputs(), [DriveBlocker.UNKNOWN], "not reported yet"),
+        (
+            DriveInputs(board=replace(SERIAL, by_serial=False), is_available=False),
+            [DriveBlocker.NOT_SERIAL],
+            "serial commands do not",
+        ),
+        (
+            DriveInputs(board=RC, is_available=False, stop_reason="The gamepad is gone."),
+            [DriveBlocker.RC_CHANNELS],
+            "The RC channels",
+        ),
+        (
+            DriveInputs(board=RC, is_available=False, locked_for=2.2),  # sticks may drive on
+            [DriveBlocker.RC_CHANNELS],
+            "The RC channels",
+        ),
+        (DriveInputs(board=SERIAL, locked_for=2.2), [DriveBlocker.LOCKED], "locked for 3 s"),
+        (
+            DriveInputs(board=SERIAL, may_move=True, locked_for=2.2),
+            [DriveBlocker.STOPPING],
+            "motors may still turn",
+        ),
+        (
+            DriveInputs(board=replace(SERIAL, faults=(1,)), locked_for=2.2),
+            [DriveBlocker.FAULT, DriveBlocker.LOCKED],
+            "Motor 1",
+        ),
+        (
+            DriveInputs(board=replace(SERIAL, faults=(2,)), armed=True),
+            [DriveBlocker.FAULT, DriveBlocker.RUNNING],
+            "Motor 2",
+        ),
+        (
+            DriveInputs(board=SERIAL, is_available=False),
+            [DriveBlocker.NOT_ALLOWED],
+            "cannot be armed",
+        ),
+        (
+            DriveInputs(board=SERIAL, is_available=False, reaches_several=True),
+            [DriveBlocker.SEVERAL_BOARDS],
+            "would reach several boards",
+        ),
+        (DriveInputs(board=SERIAL), [DriveBlocker.NOT_ARMED], "nothing is sent yet"),
+        (
+            DriveInputs(board=SERIAL, stop_reason="The gamepad is gone."),
+            [DriveBlocker.STOPPED],
+            "The gamepad is gone.",
+        ),
+        (
+            DriveInputs(board=replace(SERIAL, over_limit=(2,)), armed=True),
+            [DriveBlocker.OVER_LIMIT, DriveBlocker.RUNNING],
+            "Motor 2 is slowed down",
+        ),
+        (
+            DriveInputs(board=replace(SERIAL, over_limit=(2,))),
+            [DriveBlocker.NOT_ARMED, DriveBlocker.OVER_LIMIT],
+            "Not armed",
+        ),
+        (
+            DriveInputs(board=BoardInputs(mode=Mode.RC, joint=True), armed=True),
+            [DriveBlocker.RUNNING, DriveBlocker.OVERRIDE, DriveBlocker.JOINT],
+            "The motors are armed",
+        ),
+    ],
+)
+def test_all_reasons_explain_the_situation(
+    situation: DriveInputs, blockers: list[DriveBlocker], said: str
+) -> None:
+    statuses = drive_statuses(situation)
+    assert [status.blocker for status in statuses] == blockers
+    assert said in f"{statuses[0].text} {statuses[0].remedy}"
+
+
+def everything() -> Iterator[DriveInputs]:
+    boards = [
+        BoardInputs(mode=mode, by_serial=by_serial, faults=faults, uart=uart, error_shutdown=True)
+        for mode, by_serial, faults, uart in itertools.product(
+            Mode, (False, True), ((), (2,)), (UartError(0), UartError.TIMEOUT, UartError.CRC)
+        )
+    ]
+    for board, link, armed, may_move in itertools.product(
+        (None, *boards), LINKS, (False, True), (False, True)
+    ):
+        yield DriveInputs(board=board, link=link, armed=armed, may_move=may_move)
+
+
+def test_motors_follow_only_where_nothing_stops_or_blocks_them() -> None:
+    for now in everything():
+        status = drive_statuses(now)[0]
+        assert status.text.endswith("."), now
+        assert not status.remedy or status.remedy.endswith("."), now
+        obeyed = (
+            now.link is None
+            and now.board is not None
+            and now.board.by_serial
+            and now.armed
+            and not now.board.faults
+            and not now.board.uart
+        )
+        assert (status.blocker.effect in {Effect.LIMITS, Effect.NOTE}) is obeyed, now

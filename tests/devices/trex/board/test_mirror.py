@@ -1,0 +1,382 @@
+"""What the mirror of a board makes of the reports of a session."""
+
+from datetime import UTC, datetime
+
+import pytest
+
+from tests.devices.trex.board.test_memory import Shelf
+from trex_gui.core.events import Event
+from trex_gui.core.session import Closed
+from trex_gui.devices.trex.board.mirror import (
+    BoardEvent,
+    BoardMirror,
+    BoardRead,
+    LineJudged,
+    MotorsShutDown,
+)
+from trex_gui.devices.trex.client.client import Counters
+from trex_gui.devices.trex.client.reading import DeviceState
+from trex_gui.devices.trex.client.telemetry import (
+    Control,
+    Currents,
+    LatchedStatus,
+    Raw,
+    Remapped,
+    Sample,
+)
+from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop, TimeoutTrial
+from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
+from trex_gui.devices.trex.protocol.commands import Signature
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode, Status, UartError
+from trex_gui.devices.trex.session.messages import (
+    Batch,
+    Connected,
+    NotResponding,
+    ReadReason,
+    Report,
+)
+from trex_gui.devices.trex.settings.document import factory_settings
+
+LINE = ConnectionSettings("/dev/ttyUSB0")
+WHERE = "/dev/ttyUSB0 at 19200 baud, no error detection, 1 stop bit"
+UTC_NOW = datetime(2026, 7, 1, 12, tzinfo=UTC)
+NO_UART, NO_STATUS = UartError(0), Status(0)
+LINE_ERRORS = [bit for bit in UartError if bit is not UartError.TIMEOUT]
+
+
+def state(mode: Mode = Mode.SERIAL_RC, **parameters: int) -> DeviceState:
+    model = device_table().model("trex")
+    stored = {**factory_settings(model, "1.2").parameters, **parameters}
+    curves = dict.fromkeys(CHANNELS, DEFAULT_CALIBRATION[InputSource.RC])
+    return DeviceState(Signature(model, "1.2"), mode, mode.is_serial, stored, curves, calibrated=0)
+
+
+class Watched:
+    """A mirror, and what it has reported."""
+
+    def __init__(self) -> None:
+        self.shelf = Shelf()
+        self.board = BoardMirror(self.shelf.memory)
+        self.now = 0.0
+        self.events: list[BoardEvent] = []
+
+    def take(self, report: Report) -> list[BoardEvent]:
+        found = list(self.board.take(report, self.now, UTC_NOW))
+        self.events += found
+        return found
+
+    def read(
+        self,
+        board: DeviceState,
+        occasion: ReadReason = ReadReason.OPENED,
+        line: ConnectionSettings = LINE,
+    ) -> BoardRead:
+        found = self.take(Connected(board, False, occasion, line))
+        (read,) = (event for event in found if isinstance(event, BoardRead))
+        return read
+
+    def sample(self, *samples: Sample, **counters: int) -> list[BoardEvent]:
+        return self.take(Batch(samples, Counters(**counters)))
+
+    def lose(self) -> None:
+        self.take(NotResponding("", Counters()))
+
+    def close(self, *, may_move: bool = False) -> None:
+        self.take(Closed(None, may_move=may_move))
+
+    def connection(self) -> tuple[float | None, int, int]:
+        return self.board.connected_at, self.board.returns, self.board.restarts
+
+    def stored(self) -> DeviceState | None:
+        return self.board.state
+
+    def controls(self) -> bool | None:
+        return self.board.serial_controls
+
+    def joint(self) -> bool:
+        return self.board.is_joint
+
+    def silence(self) -> TimeoutStop:
+        return self.board.timeout_stop
+
+    @property
+    def logged(self) -> list[tuple[float, str, str]]:
+        return [
+            (event.time, event.kind.value, event.text)
+            for event in self.events
+            if isinstance(event, Event)
+        ]
+
+
+@pytest.fixture
+def watched() -> Watched:
+    return Watched()
+
+
+# --- Connections ------------------------------------------------------------------------
+
+
+def test_connection_is_logged_from_its_beginning_to_its_end(watched: Watched) -> None:
+    watched.close()
+    assert not watched.logged, "it was never connected"
+    watched.now = 5
+    watched.read(state())
+    watched.lose()
+    watched.read(state(), ReadReason.RETURNED)
+    watched.read(state(), ReadReason.RELOADED)
+    watched.close(may_move=True)
+    assert watched.logged == [
+        (5, "link", f"Connected to TReX 1.2 on {WHERE}."),
+        (5, "link", "The board stopped responding"),
+        (5, "link", "The board responds again"),
+        (5, "link", "Disconnected before a stop was confirmed: motors may still turn"),
+    ]
+
+
+def test_returns_and_restarts_are_counted_since_the_line_was_opened(watched: Watched) -> None:
+    watched.now = 2.0
+    watched.read(state())
+    watched.now = 9.0
+    for occasion in (ReadReason.RETURNED, ReadReason.RESTARTED, ReadReason.RESTARTED):
+        watched.read(state(), occasion)
+    assert watched.connection() == (2.0, 1, 2)
+    watched.close()
+    assert watched.connection() == (None, 1, 2)
+    watched.read(state())
+    assert watched.connection() == (9.0, 0, 0)
+
+
+def test_nothing_is_stored_or_measured_without_a_board(watched: Watched) -> None:
+    watched.read(state())
+    watched.sample(Currents(1.0, (1, 2)))
+    watched.lose()
+    assert watched.stored() is not None
+    assert watched.board.inputs(0.0) is None
+    assert watched.board.control_text == ""
+    watched.close()
+    assert watched.stored() is None
+    assert watched.board.last == state()
+
+
+@pytest.mark.parametrize(
+    ("occasion", "other", "line", "is_changed", "is_other", "is_new"),
+    [
+        (ReadReason.OPENED, state(), LINE, True, True, False),
+        (ReadReason.OPENED, state(), ConnectionSettings("COM3"), True, True, True),
+        (ReadReason.OPENED, state(device_number=9), LINE, True, True, True),
+        (ReadReason.RETURNED, state(), LINE, False, False, False),
+        (ReadReason.RESTARTED, state(device_number=9), LINE, True, True, True),
+        (ReadReason.RELOADED, state(device_number=9), LINE, True, False, False),
+    ],
+)
+def test_errors_are_counted_on_for_what_may_be_the_same_board(
+    watched: Watched,
+    occasion: ReadReason,
+    other: DeviceState,
+    line: ConnectionSettings,
+    is_changed: bool,
+    is_other: bool,
+    is_new: bool,
+) -> None:
+    watched.read(state())
+    watched.sample(LatchedStatus(1.0, Status.MOTOR1_FAULT, NO_UART))
+    if occasion is ReadReason.OPENED:
+        watched.close()
+    read = watched.read(other, occasion, line)
+    assert (read.is_changed, read.is_other, read.is_new) == (is_changed, is_other, is_new)
+    assert watched.board.errors.entries[0].count == (0 if is_new else 1)
+
+
+def test_selected_board_has_counts_of_its_own(watched: Watched) -> None:
+    first, second = state(device_number=7), state(device_number=8, motor_mode=1)
+    watched.read(first)
+    watched.sample(LatchedStatus(1.0, Status.MOTOR1_FAULT, NO_UART))
+    for board, count, is_joint in ((second, 0, True), (first, 1, False), (second, 0, True)):
+        watched.read(board, ReadReason.SELECTED)
+        assert watched.board.errors.entries[0].count == count
+        assert watched.board.is_joint is is_joint
+
+
+def test_joint_mode_begins_with_the_next_start(watched: Watched) -> None:
+    watched.read(state())
+    watched.read(state(motor_mode=1), ReadReason.RELOADED)
+    assert not watched.joint()
+    watched.board.note_power_cycled()
+    assert watched.joint()
+    watched.read(state(), ReadReason.RESTARTED)
+    assert not watched.joint()
+
+
+def test_record_follows_the_board(watched: Watched) -> None:
+    watched.board.adapter = "0403:6001-A"
+    watched.read(state(serial_timeout=5))
+    (record,) = watched.shelf.records.values()
+    assert record.adapter == "0403:6001-A"
+
+
+# --- Status bits ------------------------------------------------------------------------
+
+
+def test_lasting_fault_is_one_event_and_recurring_fault_two(watched: Watched) -> None:
+    for tenth in range(30):
+        watched.sample(LatchedStatus(tenth / 10, Status.MOTOR1_FAULT, NO_UART))
+    both = Status.MOTOR1_FAULT | Status.MOTOR2_OVER_LIMIT
+    watched.sample(LatchedStatus(9, both, NO_UART))
+    assert watched.logged == [
+        (0, "fault", "Motor 1 fault"),
+        (9, "fault", "Motor 1 fault"),
+        (9, "over-limit", "Motor 2 over current limit"),
+    ]
+
+
+def test_serial_timeout_is_an_event_and_framing_error_is_not(watched: Watched) -> None:
+    watched.sample(LatchedStatus(1, Status.UART_ERROR, UartError.FRAMING))
+    watched.sample(LatchedStatus(2, Status.UART_ERROR, UartError.TIMEOUT))
+    assert watched.logged == [(2, "timeout", "Serial timeout")]
+
+
+def shut_down(watched: Watched, status: Status, uart: UartError) -> str:
+    found = watched.sample(LatchedStatus(1.0, status, uart))
+    return " ".join(event.reason for event in found if isinstance(event, MotorsShutDown))
+
+
+@pytest.mark.parametrize("shutdown", [0, 1])
+def test_serial_timeout_always_stops_the_motors(watched: Watched, shutdown: int) -> None:
+    watched.read(state(uart_error_shutdown=shutdown))
+    assert "Serial Timeout" in shut_down(watched, Status.UART_ERROR, UartError.TIMEOUT)
+
+
+@pytest.mark.parametrize("bit", LINE_ERRORS)
+def test_line_error_stops_the_motors_only_if_errors_do(watched: Watched, bit: UartError) -> None:
+    watched.read(state(uart_error_shutdown=0))
+    assert shut_down(watched, Status.UART_ERROR, bit) == ""
+    watched.read(state(uart_error_shutdown=1), ReadReason.RELOADED)
+    assert "error on the line" in shut_down(watched, Status.UART_ERROR, bit)
+
+
+def test_motor_status_bits_are_no_stop(watched: Watched) -> None:
+    watched.read(state(uart_error_shutdown=1))
+    both = Status.MOTOR1_FAULT | Status.MOTOR2_OVER_LIMIT
+    assert shut_down(watched, both, NO_UART) == ""
+
+
+def test_stop_of_the_board_precedes_the_samples_that_show_it(watched: Watched) -> None:
+    timeout = LatchedStatus(2.0, Status.UART_ERROR, UartError.TIMEOUT)
+    found = watched.sample(Currents(1.0, (9, 9)), timeout)
+    kinds = [type(event) for event in found]
+    assert kinds.index(MotorsShutDown) < kinds.index(Currents)
+
+
+def test_bits_after_a_corrupted_reply_are_doubtful_without_a_crc(watched: Watched) -> None:
+    watched.read(state())
+    watched.sample(LatchedStatus(1.0, Status.MOTOR1_FAULT, NO_UART), corrupted=1)
+    assert watched.board.errors.entries[0].is_doubtful
+
+
+# --- The line ---------------------------------------------------------------------------
+
+
+def test_noisy_line_is_an_event_at_its_beginning_and_its_end(watched: Watched) -> None:
+    watched.read(state())
+    requests, lost = 0, 0
+    for second in range(60):
+        requests += 200
+        lost += 6 if second < 20 else 0
+        watched.sample(Control(float(second), by_serial=True), requests=requests, missing=lost)
+    assert [text for _, _, text in watched.logged[1:]] == [
+        "The line is noisy: 3.0 % lost",
+        "The line is good again",
+    ]
+    assert LineJudged() in watched.events
+    watched.events.clear()
+    watched.lose()
+    assert LineJudged() in watched.events
+    assert watched.board.quality.is_noisy is None
+
+
+# --- Motors -----------------------------------------------------------------------------
+
+
+def test_serial_controls_since_the_board_was_read(watched: Watched) -> None:
+    assert watched.controls() is None
+    watched.read(state(Mode.RC))
+    assert watched.controls() is False
+    assert "RC channels control" in watched.board.control_text
+    watched.sample(Control(1.0, by_serial=True))
+    assert "channel 5 overrides" in watched.board.control_text
+
+
+def test_silence_is_judged_also_after_the_line_was_lost(watched: Watched) -> None:
+    assert watched.silence() is TimeoutStop.OFF
+    assert watched.board.silence_remedy == "Cut the power."
+    watched.read(state(serial_timeout=5, uart_error_shutdown=1))
+    watched.close()
+    assert "should stop 0.5 s after" in watched.board.silence_remedy
+    watched.board.memory.record_trial(TimeoutTrial(stopped=True, shutdown=True))
+    assert watched.silence() is TimeoutStop.TRIED
+
+
+def test_recent_errors_decide_whether_motors_run(watched: Watched) -> None:
+    watched.read(state(serial_timeout=5))
+    watched.sample(
+        Raw(1.0, (1500,) * 5), LatchedStatus(1.0, Status.MOTOR2_FAULT, UartError.TIMEOUT)
+    )
+    inputs = watched.board.inputs(0.0)
+    assert inputs is not None
+    assert (inputs.faults, inputs.uart, inputs.timeout) == ((2,), UartError.TIMEOUT, "0.5 s")
+    inputs = watched.board.inputs(10.0)
+    assert inputs is not None
+    assert inputs.faults == ()
+
+
+# --- Safe-start -------------------------------------------------------------------------
+
+
+def may_hold(watched: Watched) -> bool:
+    inputs = watched.board.inputs(0.0)
+    assert inputs is not None
+    return inputs.is_held
+
+
+def drive(watched: Watched, value: int, *, counts: int = 0, signal: bool = True) -> None:
+    pulse = (3000 if signal else None, *(1500,) * 4)
+    watched.sample(Raw(1.0, pulse), Remapped(1.0, (value, 0, 0, 0, 0)), Currents(1.0, (counts, 0)))
+
+
+@pytest.fixture
+def pushed(watched: Watched) -> Watched:
+    """A board that was connected while channel 1 asks for a speed."""
+    watched.read(state(Mode.RC, required_channels=1))
+    drive(watched, 100)
+    return watched
+
+
+def test_stick_off_neutral_since_connecting_may_be_held(pushed: Watched) -> None:
+    assert may_hold(pushed)
+
+
+def test_motor_current_shows_that_safe_start_is_over(pushed: Watched) -> None:
+    drive(pushed, 100, counts=1)
+    assert may_hold(pushed), "one count may be noise"
+    drive(pushed, 100, counts=2)
+    assert not may_hold(pushed)
+    pushed.read(state(Mode.RC), ReadReason.RESTARTED)
+    drive(pushed, 100)
+    assert may_hold(pushed)
+
+
+def test_required_channel_losing_signal_begins_safe_start_again(pushed: Watched) -> None:
+    drive(pushed, 0)
+    drive(pushed, 100)
+    assert not may_hold(pushed)
+    drive(pushed, 0, signal=False)
+    drive(pushed, 100)
+    assert may_hold(pushed)
+
+
+def test_joint_motors_are_not_said_to_be_held(pushed: Watched) -> None:
+    pushed.read(state(Mode.RC, motor_mode=1), ReadReason.RESTARTED)
+    drive(pushed, 100)
+    assert not may_hold(pushed)

@@ -1,0 +1,90 @@
+"""Whether the motors follow the setpoints, why not, and what to do about it."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import ceil
+
+from trex_gui.core.translation import tr, tr_noop
+from trex_gui.devices.trex.driving.blockers import DriveBlocker, Reason, worst_first
+from trex_gui.devices.trex.driving.board_reasons import BoardInputs, board_reasons
+from trex_gui.devices.trex.driving.timeout_stop import turning_text
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DriveInputs:
+    board: BoardInputs | None = None  # what the board reports; `None` while that is unknown
+    # Why nothing is known of a board: none, silent, being connected; `None` while it responds
+    link: DriveBlocker | None = None
+    may_move: bool = False  # whether motors were driven and no stop was confirmed since
+    driven: frozenset[int] = frozenset()  # those motors, as far as they are known
+    # A warning about a board that may still be driven, with another one at the line
+    lost_board: str = ""
+    silence_remedy: str = ""  # what to do if the board is lost while it is driven
+    reaches_several: bool = False  # whether a command would reach several boards
+    locked_for: float = 0.0  # seconds
+    is_available: bool = True
+    armed: bool = False
+    stop_reason: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class DriveStatus:
+    """Why the motors do what they do, and what the user can do about it, in sentences."""
+
+    blocker: DriveBlocker
+    text: str
+    remedy: str = ""
+
+
+_SILENT_WHILE_DRIVEN = tr_noop("The board does not respond; the stop is being repeated.")
+
+
+def drive_statuses(now: DriveInputs) -> tuple[DriveStatus, ...]:
+    """Return every reason why the motors do what they do, those that stop them first."""
+    if now.link is DriveBlocker.NO_BOARD and (now.may_move or now.lost_board):
+        return (_lost(now),)
+    if now.link is DriveBlocker.SILENT:
+        return (_silent(now),)
+    if now.link is not None:
+        return (_status(Reason(now.link)),)
+    if now.board is None:
+        return (_status(Reason(DriveBlocker.UNKNOWN)),)
+    reasons = [*board_reasons(now.board), *_own_reasons(now, by_serial=now.board.by_serial)]
+    return tuple(map(_status, worst_first(reasons)))
+
+
+def _own_reasons(now: DriveInputs, *, by_serial: bool) -> Iterator[Reason]:
+    """Yield why this program sends nothing, or that it does; nothing where channels drive."""
+    if now.armed:
+        yield Reason(DriveBlocker.RUNNING)
+    elif now.may_move:
+        yield Reason(DriveBlocker.STOPPING)
+    elif not by_serial:
+        return
+    elif now.locked_for:
+        yield Reason(DriveBlocker.LOCKED, (ceil(now.locked_for),))
+    elif now.reaches_several:
+        yield Reason(DriveBlocker.SEVERAL_BOARDS)
+    elif not now.is_available:
+        yield Reason(DriveBlocker.NOT_ALLOWED)
+    elif now.stop_reason:
+        yield Reason(DriveBlocker.STOPPED, (now.stop_reason,))
+    else:
+        yield Reason(DriveBlocker.NOT_ARMED)
+
+
+def _status(reason: Reason) -> DriveStatus:
+    return DriveStatus(reason.blocker, reason.text(tr), reason.remedy(tr))
+
+
+def _lost(now: DriveInputs) -> DriveStatus:
+    if not now.may_move:
+        return DriveStatus(DriveBlocker.LOST, now.lost_board)
+    return DriveStatus(DriveBlocker.LOST, turning_text(now.driven), now.silence_remedy)
+
+
+def _silent(now: DriveInputs) -> DriveStatus:
+    if not now.may_move:
+        return _status(Reason(DriveBlocker.SILENT))
+    remedy = f"{now.silence_remedy} {tr(_SILENT_WHILE_DRIVEN)}"
+    return DriveStatus(DriveBlocker.SILENT, turning_text(now.driven), remedy)

@@ -1,0 +1,308 @@
+"""What is known of a board, from the reports of its session: no Qt, no threads, no I/O."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from datetime import datetime
+from functools import reduce
+from operator import or_
+
+from trex_gui.core.events import Event, EventKind
+from trex_gui.core.session import Closed, Outcome
+from trex_gui.core.translation import Number, tr
+from trex_gui.devices.trex.board.errors import ErrorCounts
+from trex_gui.devices.trex.board.events import StatusEvents, read_event
+from trex_gui.devices.trex.board.memory import BoardMemory
+from trex_gui.devices.trex.board.newest import Newest
+from trex_gui.devices.trex.board.quality import ConnectionQuality
+from trex_gui.devices.trex.board.safe_start import SafeStart
+from trex_gui.devices.trex.client.client import Counters
+from trex_gui.devices.trex.client.reading import DeviceState, may_be_same_board
+from trex_gui.devices.trex.client.telemetry import Control, LatchedStatus, Raw, Sample
+from trex_gui.devices.trex.driving.board_reasons import BoardInputs, board_inputs
+from trex_gui.devices.trex.driving.timeout_stop import (
+    TimeoutStop,
+    remedy_for_silence,
+    timeout_stop,
+)
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.descriptions import who_controls
+from trex_gui.devices.trex.protocol.flags import Status, UartError, bit_names
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.session.messages import (
+    Batch,
+    Connected,
+    NotResponding,
+    ReadReason,
+    Report,
+    Written,
+)
+from trex_gui.devices.trex.settings.document import settings_of
+from trex_gui.devices.trex.settings.edit_files import BoardIdentity
+
+
+@dataclass(frozen=True, slots=True)
+class BoardRead:
+    """A board was read.
+
+    `is_changed`: it stores something else than before, or nothing was known. `is_other`: it may be
+    another board. `is_new`: it is, or is at another line: what was counted is not of it.
+    """
+
+    report: Connected
+    is_changed: bool
+    is_other: bool
+    is_new: bool
+
+
+@dataclass(frozen=True, slots=True)
+class MotorsShutDown:
+    """The board has stopped its motors by itself, for a `reason` in a sentence.
+
+    The next motor command would start them again: only the user may give it.
+    """
+
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class LineJudged:
+    """The judgement of the line has changed, or is not known any more."""
+
+
+BoardEvent = BoardRead | MotorsShutDown | LineJudged | Sample | Event
+
+
+class BoardMirror:
+    """One board, or none, as its session reports it."""
+
+    def __init__(
+        self, memory: BoardMemory, errors_changed: Callable[[], None] = lambda: None
+    ) -> None:
+        """`memory` is what this computer keeps of the board; `errors_changed`: see `errors`."""
+        self.memory = memory
+        self.errors = ErrorCounts(errors_changed)
+        self.quality = ConnectionQuality()
+        self.newest = Newest()
+        self.counters = Counters()  # of the line, since it was opened
+        self.settings: ConnectionSettings | None = None  # how the board is addressed
+        self.adapter = ""  # key of the adapter of the line; to be set before a board is read
+        self.is_responding = False
+        self.is_joint = False  # both drivers work as one motor now, whatever is stored
+        self.connected_at: float | None = None  # when the line was opened, as `now` in `take`
+        self.restarts = 0  # how often the board was seen to have restarted since then
+        self.returns = 0  # how often it responded again after it was silent
+        self.last: DeviceState | None = None  # what was read last, also after the line was closed
+        self._safe_start = SafeStart()
+        self._events = StatusEvents()
+        self._joint: dict[str, bool] = {}  # of boards on the line that are not selected
+        self._was_read = False  # since the line was opened
+
+    # --- What is known ------------------------------------------------------------------
+
+    @property
+    def state(self) -> DeviceState | None:
+        """What the board stores; `None` while none is connected."""
+        return self.last if self._was_read else None
+
+    @property
+    def serial_controls(self) -> bool | None:
+        """Whether motor commands reach the motors; `None` while that is not known."""
+        sample = self.newest.get(Control)
+        return None if sample is None else sample.by_serial
+
+    @property
+    def control_text(self) -> str:
+        """Who controls the motors, as a sentence; empty while that is not known."""
+        if self.state is None or self.serial_controls is None or not self.is_responding:
+            return ""
+        return who_controls(self.state.mode, self.serial_controls, joint=self.is_joint)
+
+    @property
+    def timeout_stop(self) -> TimeoutStop:
+        """What is expected of the board's serial timeout, also after the board was lost."""
+        record = self.memory.record
+        trial = None if record is None else record.trial
+        return timeout_stop({} if self.last is None else self.last.parameters, trial)
+
+    @property
+    def silence_remedy(self) -> str:
+        """What the user should do when the driven board is lost."""
+        text = ""
+        if self.last is not None and (wire := self.last.parameters.get(_TIMEOUT)):
+            text = self.last.specs[_TIMEOUT].text(wire)
+        return remedy_for_silence(self.timeout_stop, text)
+
+    def inputs(self, now: float) -> BoardInputs | None:
+        """Return what decides whether the motors run; `None` while that is not known."""
+        if self.state is None or self.serial_controls is None:
+            return None
+        raw = self.newest.get(Raw)
+        recent = [entry.bit for motor in (1, 2) for entry in self.errors.recent(motor, now)]
+        return board_inputs(
+            self.state,
+            None if raw is None else raw.counts,
+            reduce(or_, (bit for bit in recent if isinstance(bit, Status)), Status(0)),
+            reduce(or_, (bit for bit in recent if isinstance(bit, UartError)), UartError(0)),
+            by_serial=self.serial_controls,
+            joint=self.is_joint,
+            is_held=self._safe_start.may_hold(self.state, self.newest, joint=self.is_joint),
+        )
+
+    # --- Reports ------------------------------------------------------------------------
+
+    def take(self, report: Report, now: float, utc: datetime) -> Iterator[BoardEvent]:
+        """Take a report and yield what happened, as it becomes known: consume it whole.
+
+        `now` is in seconds of a monotonic clock, `utc` the date and time.
+        """
+        match report:
+            case Batch():
+                yield from self._take_batch(report, now, utc)
+            case Connected():
+                yield from self._take_board(report, now, utc)
+            case Outcome(value=Written() as written):
+                self.note_written(written)
+            case NotResponding(counters=counters):
+                self.counters = counters
+                self.is_responding = False
+                yield from self._forget()
+                text = tr("The board stopped responding")
+                yield Event(now, EventKind.LINK, text, is_problem=True)
+            case Closed(may_move=may_move):
+                yield from self.close(now, may_move=may_move)
+
+    def close(self, now: float, *, may_move: bool) -> Iterator[BoardEvent]:
+        """Take that the line was closed; `may_move`: no stop was confirmed."""
+        was_read, self._was_read = self._was_read, False
+        self.is_responding, self.connected_at = False, None
+        self.memory.leave_board()
+        yield from self._forget()
+        if was_read:
+            text = tr("Disconnected")
+            if may_move:
+                text = tr("Disconnected before a stop was confirmed: motors may still turn")
+            yield Event(now, EventKind.LINK, text, is_problem=may_move)
+
+    def note_written(self, written: Written) -> None:
+        self.last = written.state
+        self.settings = written.settings
+
+    def note_power_cycled(self) -> None:
+        """Take that everything stored is in force."""
+        if self.last is not None:
+            self.is_joint = _is_joint(self.last)
+
+    def _take_board(self, report: Connected, now: float, utc: datetime) -> Iterator[BoardEvent]:
+        state, occasion = report.state, report.occasion
+        is_changed = state != self.state
+        before, self.last = self.last, state
+        url = "" if self.settings is None else self.settings.url
+        self.settings = report.settings
+        self.is_responding = self._was_read = True
+        opened = occasion is ReadReason.OPENED
+        may_be_same = before is not None and may_be_same_board(before, state)
+        is_other = opened or (occasion.power_cycled and before is not None and not may_be_same)
+        is_known = before is not None and before.parameters == state.parameters
+        is_new = is_other and not (is_known and url == report.settings.url)
+        if occasion is ReadReason.SELECTED and before is not None:
+            self._select(f"{url} {_identity(before)}", f"{url} {_identity(state)}", state)
+        elif opened or occasion.power_cycled:
+            self.is_joint = _is_joint(state)
+        if occasion is not ReadReason.RELOADED:
+            self._safe_start.begin()
+        if is_new:
+            self.errors.reset()
+        if opened:
+            self.connected_at, self.restarts, self.returns = now, 0, 0
+            self.counters = Counters()
+            self._joint.clear()
+            self._events.begin()
+        if occasion not in {ReadReason.RELOADED, ReadReason.SELECTED} and self.quality.reset():
+            yield LineJudged()
+        self.returns += occasion is ReadReason.RETURNED
+        self.restarts += occasion is ReadReason.RESTARTED
+        if opened or occasion is ReadReason.SELECTED:
+            self.newest.samples.clear()
+        self.newest.take(Control(now, state.serial_controls))
+        yield BoardRead(report, is_changed, is_other, is_new)
+        if (event := read_event(report, now)) is not None:
+            yield event
+        self.memory.take_board(
+            settings_of(state),
+            state.source,
+            utc,
+            opened=opened or occasion is ReadReason.SELECTED,
+            is_simulated=bool(report.settings.name),
+            adapter=self.adapter,
+        )
+
+    def _select(self, before: str, board: str, state: DeviceState) -> None:
+        """Show another board on the line; keep what is known of the one `before`."""
+        self.errors.select(before, board)
+        self._joint[before] = self.is_joint
+        self.is_joint = self._joint.pop(board, _is_joint(state))
+
+    def _take_batch(self, batch: Batch, now: float, utc: datetime) -> Iterator[BoardEvent]:
+        """Take samples; a stop of the board's precedes those that show it."""
+        self.counters = batch.counters
+        has_failed = self.quality.has_failed_lately(now, batch.counters)
+        has_crc = self.settings is not None and self.settings.line.has_crc
+        for sample in batch.samples:
+            if isinstance(sample, LatchedStatus):
+                yield from self._events.of(sample)
+                self.errors.take(sample, now, utc, is_doubtful=has_failed and not has_crc)
+                if reason := self._why_stopped(sample):
+                    yield MotorsShutDown(reason)
+        yield from self._judge(batch)
+        for sample in batch.samples:
+            self.newest.take(sample)
+            yield sample
+        if self.state is not None and not self.state.mode.is_serial:
+            self._safe_start.take(self.state, self.newest, self.inputs(now), joint=self.is_joint)
+
+    def _why_stopped(self, latched: LatchedStatus) -> str:
+        """Return why the motors are at rest after these bits; empty if they are not.
+
+        Other serial errors than a timeout stop them only if UART-Error Shutdown (0x08) is set.
+        """
+        if latched.uart & UartError.TIMEOUT:
+            return tr(
+                "The board received nothing within its Serial Timeout, so the motors were stopped.",
+            )
+        parameters = {} if self.state is None else self.state.parameters
+        if latched.uart and parameters.get(ParameterKey.UART_ERROR_SHUTDOWN):
+            names = ", ".join(map(tr, bit_names(latched.uart)))
+            text = tr(
+                "The board stopped its motors because of an error on the line ({0}): UART-Error "
+                "Shutdown is set.",
+            )
+            return text.format(names.lower())
+        return ""
+
+    def _judge(self, batch: Batch) -> Iterator[BoardEvent]:
+        was_noisy, time = self.quality.is_noisy, batch.samples[-1].time
+        if not self.is_responding or not self.quality.take(time, batch.counters):
+            return
+        if self.quality.is_noisy and not was_noisy:
+            text = tr("The line is noisy: {0:.1f} % lost").format(Number(100 * self.quality.lost))
+            yield Event(time, EventKind.LINK, text, is_problem=True)
+        elif was_noisy and not self.quality.is_noisy:
+            yield Event(time, EventKind.LINK, tr("The line is good again"))
+        yield LineJudged()
+
+    def _forget(self) -> Iterator[BoardEvent]:
+        self.newest.samples.clear()
+        self._safe_start.begin()
+        if self.quality.reset():
+            yield LineJudged()
+
+
+_TIMEOUT = ParameterKey.SERIAL_TIMEOUT
+
+
+def _is_joint(state: DeviceState) -> bool:
+    return state.parameters.get(ParameterKey.MOTOR_MODE) == 1
+
+
+def _identity(state: DeviceState) -> BoardIdentity:
+    return BoardIdentity.of(settings_of(state))
