@@ -1543,16 +1543,10 @@
         <translation>{0}. Die Leitung ist geschlossen.</translation></message>
     <message><source>{0}. The board has confirmed the stop.</source>
         <translation>{0}. Das Board hat den Stopp bestätigt.</translation></message>
-    <message><source>The board accepts changes in serial mode only: switch it off, remove the mode jumper, switch it on. Edits are kept.</source>
-        <translation>Das Board nimmt Änderungen nur im seriellen Modus an: Schalten Sie es aus, ziehen Sie den Modus-Jumper ab, schalten Sie es ein. Änderungen bleiben erhalten.</translation></message>
     <message><source>Nothing was written: another board was selected.</source>
         <translation>Es wurde nichts geschrieben: Ein anderes Board wurde ausgewählt.</translation></message>
     <message><source>Edits, notes or settings were kept here for another board with this device number. They are in {0} now.</source>
         <translation>Für ein anderes Board mit dieser Gerätenummer waren hier Änderungen, Notizen oder Einstellungen hinterlegt. Sie sind jetzt in {0}.</translation></message>
-    <message><source>Reset to factory defaults</source>
-        <translation>Auf Werkseinstellungen zurücksetzen</translation></message>
-    <message><source>Nothing was written: without a device number it would reach several boards. Select one of the boards on this line.</source>
-        <translation>Es wurde nichts geschrieben: Ohne Gerätenummer würde es mehrere Boards erreichen. Wählen Sie eines der Boards an dieser Leitung aus.</translation></message>
     <message><source>Nothing was written: other settings were read from the board.</source>
         <translation>Es wurde nichts geschrieben: Vom Board wurden andere Einstellungen gelesen.</translation></message>
     <message numerus="yes"><source>%n edit(s) not applied to the previous {0}: kept, and offered when it is connected again.</source>
@@ -1567,8 +1561,6 @@
         <translation>Störungen auf der Leitung können einen Motor für einen Augenblick in die andere Richtung drehen.</translation></message>
     <message><source>{0}, device {1}</source>
         <translation>{0}, Gerät {1}</translation></message>
-    <message><source>{0} set</source>
-        <translation>{0} gesetzt</translation></message>
     <message><source>Reading again failed. {0}</source>
         <translation>Erneutes Lesen fehlgeschlagen. {0}</translation></message>
     <message><source>The connection is not responding, so the stop could not be sent.</source>
@@ -2043,12 +2035,6 @@
         <translation>Aufzeichnung {0} beendet: Das Board oder seine Eingangsquelle hat sich geändert.</translation></message>
     <message><source>What the board accepted was not remembered. {0}</source>
         <translation>Was das Board akzeptiert hat, wurde nicht vermerkt. {0}</translation></message>
-    <message><source>Nothing was written because no snapshot could be saved first. {0}</source>
-        <translation>Es wurde nichts geschrieben, weil zuvor keine Sicherungskopie gespeichert werden konnte. {0}</translation></message>
-    <message numerus="yes"><source>Apply of %n setting(s)</source>
-        <translation><numerusform>Anwenden von %n Einstellung</numerusform><numerusform>Anwenden von %n Einstellungen</numerusform></translation></message>
-    <message><source>Nothing more was written. {0}</source>
-        <translation>Mehr wurde nicht geschrieben. {0}</translation></message>
     <message><source>calibration of channel {0}: {1}</source>
         <translation>Kalibrierung von Kanal {0}: {1}</translation></message>
     <message><source>Setting</source>
@@ -2073,6 +2059,8 @@
         <translation>Die Kalibrierungen ({0}) werden ausgelassen: Das Board nimmt sie nur an, solange seine Eingangsquelle {0} ist.</translation></message>
     <message><source>These settings are for a {0}, not a {1}</source>
         <translation>Diese Einstellungen sind für einen {0}, nicht für einen {1}</translation></message>
+    <message><source>Reset to factory defaults</source>
+        <translation>Auf Werkseinstellungen zurücksetzen</translation></message>
     <message><source>There are no settings to compare with</source>
         <translation>Es gibt keine Einstellungen zum Vergleichen</translation></message>
     <message><source>Discard edits</source>
@@ -2115,6 +2103,18 @@
         <translation>heute {0}</translation></message>
     <message><source>yesterday {0}</source>
         <translation>gestern {0}</translation></message>
+    <message><source>The board accepts changes in serial mode only: switch it off, remove the mode jumper, switch it on. Edits are kept.</source>
+        <translation>Das Board nimmt Änderungen nur im seriellen Modus an: Schalten Sie es aus, ziehen Sie den Modus-Jumper ab, schalten Sie es ein. Änderungen bleiben erhalten.</translation></message>
+    <message><source>Nothing was written because no snapshot could be saved first. {0}</source>
+        <translation>Es wurde nichts geschrieben, weil zuvor keine Sicherungskopie gespeichert werden konnte. {0}</translation></message>
+    <message><source>Nothing was written: without a device number it would reach several boards. Select one of the boards on this line.</source>
+        <translation>Es wurde nichts geschrieben: Ohne Gerätenummer würde es mehrere Boards erreichen. Wählen Sie eines der Boards an dieser Leitung aus.</translation></message>
+    <message><source>Nothing more was written. {0}</source>
+        <translation>Mehr wurde nicht geschrieben. {0}</translation></message>
+    <message numerus="yes"><source>Apply of %n setting(s)</source>
+        <translation><numerusform>Anwenden von %n Einstellung</numerusform><numerusform>Anwenden von %n Einstellungen</numerusform></translation></message>
+    <message><source>{0} set</source>
+        <translation>{0} gesetzt</translation></message>
     <message><source>The board is in {0} mode, so the sticks control the motors and not this program. Skip this step, or switch the board off, remove the mode jumper and switch it on.</source>
         <translation>Das Board ist im Modus {0}, daher steuern die Knüppel die Motoren und nicht dieses Programm. Überspringen Sie diesen Schritt, oder schalten Sie das Board aus, ziehen Sie den Modus-Jumper ab und schalten Sie es wieder ein.</translation></message>
     <message><source>Joint mode: both outputs drive one motor, so there is nothing to find.</source>

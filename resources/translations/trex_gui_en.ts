@@ -27,10 +27,10 @@
         <translation><numerusform>%n edit of the former board kept: it returns when that board is selected again.</numerusform><numerusform>%n edits of the former board kept: they return when that board is selected again.</numerusform></translation></message>
     <message numerus="yes"><source>and %n more packet(s)</source>
         <translation><numerusform>and %n more packet</numerusform><numerusform>and %n more packets</numerusform></translation></message>
-    <message numerus="yes"><source>Apply of %n setting(s)</source>
-        <translation><numerusform>Apply of %n setting</numerusform><numerusform>Apply of %n settings</numerusform></translation></message>
     <message numerus="yes"><source>And %n more problem(s).</source>
         <translation><numerusform>And %n more problem.</numerusform><numerusform>And %n more problems.</numerusform></translation></message>
+    <message numerus="yes"><source>Apply of %n setting(s)</source>
+        <translation><numerusform>Apply of %n setting</numerusform><numerusform>Apply of %n settings</numerusform></translation></message>
     <message numerus="yes"><source>&amp;Write to %n board(s)</source>
         <translation><numerusform>&amp;Write to %n board</numerusform><numerusform>&amp;Write to %n boards</numerusform></translation></message>
     <message numerus="yes"><source>%n setting(s)</source>

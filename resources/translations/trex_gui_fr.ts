@@ -1543,16 +1543,10 @@
         <translation>{0}. La liaison est fermée.</translation></message>
     <message><source>{0}. The board has confirmed the stop.</source>
         <translation>{0}. La carte a confirmé l'arrêt.</translation></message>
-    <message><source>The board accepts changes in serial mode only: switch it off, remove the mode jumper, switch it on. Edits are kept.</source>
-        <translation>La carte n'accepte des modifications qu'en mode série : coupez son alimentation, retirez le cavalier de mode, remettez l'alimentation. Les modifications sont conservées.</translation></message>
     <message><source>Nothing was written: another board was selected.</source>
         <translation>Rien n'a été écrit : une autre carte a été sélectionnée.</translation></message>
     <message><source>Edits, notes or settings were kept here for another board with this device number. They are in {0} now.</source>
         <translation>Des modifications, des notes ou des réglages étaient conservés ici pour une autre carte ayant ce numéro d'appareil. Ils se trouvent maintenant dans {0}.</translation></message>
-    <message><source>Reset to factory defaults</source>
-        <translation>Réinitialisation aux réglages d'usine</translation></message>
-    <message><source>Nothing was written: without a device number it would reach several boards. Select one of the boards on this line.</source>
-        <translation>Rien n'a été écrit : sans numéro d'appareil, cela atteindrait plusieurs cartes. Sélectionnez l'une des cartes de cette liaison.</translation></message>
     <message><source>Nothing was written: other settings were read from the board.</source>
         <translation>Rien n'a été écrit : d'autres réglages ont été lus dans la carte.</translation></message>
     <message numerus="yes"><source>%n edit(s) not applied to the previous {0}: kept, and offered when it is connected again.</source>
@@ -1567,8 +1561,6 @@
         <translation>Du bruit sur la liaison peut faire tourner un moteur un instant dans un autre sens.</translation></message>
     <message><source>{0}, device {1}</source>
         <translation>{0}, appareil {1}</translation></message>
-    <message><source>{0} set</source>
-        <translation>{0} : réglé</translation></message>
     <message><source>Reading again failed. {0}</source>
         <translation>La relecture a échoué. {0}</translation></message>
     <message><source>The connection is not responding, so the stop could not be sent.</source>
@@ -2043,12 +2035,6 @@
         <translation>L'enregistrement {0} s'est terminé : la carte ou sa source des entrées a changé.</translation></message>
     <message><source>What the board accepted was not remembered. {0}</source>
         <translation>Ce que la carte a accepté n'a pas été mémorisé. {0}</translation></message>
-    <message><source>Nothing was written because no snapshot could be saved first. {0}</source>
-        <translation>Rien n'a été écrit, car aucun instantané n'a pu être enregistré au préalable. {0}</translation></message>
-    <message numerus="yes"><source>Apply of %n setting(s)</source>
-        <translation><numerusform>Application de %n réglage</numerusform><numerusform>Application de %n réglages</numerusform></translation></message>
-    <message><source>Nothing more was written. {0}</source>
-        <translation>Rien d'autre n'a été écrit. {0}</translation></message>
     <message><source>calibration of channel {0}: {1}</source>
         <translation>étalonnage de la voie {0} : {1}</translation></message>
     <message><source>Setting</source>
@@ -2073,6 +2059,8 @@
         <translation>Les étalonnages {0} sont omis : la carte ne les accepte que si elle lit ses entrées en {0}.</translation></message>
     <message><source>These settings are for a {0}, not a {1}</source>
         <translation>Ces réglages sont pour un {0}, pas pour un {1}</translation></message>
+    <message><source>Reset to factory defaults</source>
+        <translation>Réinitialisation aux réglages d'usine</translation></message>
     <message><source>There are no settings to compare with</source>
         <translation>Il n'y a pas de réglages auxquels comparer</translation></message>
     <message><source>Discard edits</source>
@@ -2115,6 +2103,18 @@
         <translation>aujourd'hui {0}</translation></message>
     <message><source>yesterday {0}</source>
         <translation>hier {0}</translation></message>
+    <message><source>The board accepts changes in serial mode only: switch it off, remove the mode jumper, switch it on. Edits are kept.</source>
+        <translation>La carte n'accepte des modifications qu'en mode série : coupez son alimentation, retirez le cavalier de mode, remettez l'alimentation. Les modifications sont conservées.</translation></message>
+    <message><source>Nothing was written because no snapshot could be saved first. {0}</source>
+        <translation>Rien n'a été écrit, car aucun instantané n'a pu être enregistré au préalable. {0}</translation></message>
+    <message><source>Nothing was written: without a device number it would reach several boards. Select one of the boards on this line.</source>
+        <translation>Rien n'a été écrit : sans numéro d'appareil, cela atteindrait plusieurs cartes. Sélectionnez l'une des cartes de cette liaison.</translation></message>
+    <message><source>Nothing more was written. {0}</source>
+        <translation>Rien d'autre n'a été écrit. {0}</translation></message>
+    <message numerus="yes"><source>Apply of %n setting(s)</source>
+        <translation><numerusform>Application de %n réglage</numerusform><numerusform>Application de %n réglages</numerusform></translation></message>
+    <message><source>{0} set</source>
+        <translation>{0} : réglé</translation></message>
     <message><source>The board is in {0} mode, so the sticks control the motors and not this program. Skip this step, or switch the board off, remove the mode jumper and switch it on.</source>
         <translation>La carte est en mode {0} : ce sont les manches qui commandent les moteurs, et non ce programme. Passez cette étape, ou coupez l'alimentation de la carte, retirez le cavalier de mode et remettez l'alimentation.</translation></message>
     <message><source>Joint mode: both outputs drive one motor, so there is nothing to find.</source>

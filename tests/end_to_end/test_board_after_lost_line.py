@@ -33,7 +33,7 @@ def test_pages_warn_of_motors_behind_a_lost_line(
         window.connect(board.url)
         if timeout:
             with window.qtbot.waitSignal(window.device.applied):
-                window.device.set_serial_timeout(timeout)
+                window.device.writer.set_serial_timeout(timeout)
         page = window.open_page("motorsPage")
         lose(window, board)
         assert f"{grave} {remedy}" in page.find(QLabel, "motorsReason").accessibleName()

@@ -212,7 +212,9 @@ def test_boards_get_values_beyond_inferred_limits_after_a_question(
     check_keyboard(fleet.root)
     fleet.click("writeAnyway")
     window.wait(lambda: boards.show("@9")["parameters"]["ignored_channels"] == 63)
-    window.wait(lambda: not window.device.applying and not fleet.is_enabled("endBoardsButton"))
+    window.wait(
+        lambda: not window.device.writer.running and not fleet.is_enabled("endBoardsButton")
+    )
 
 
 def test_what_drives_one_board_drives_no_other(

@@ -60,7 +60,7 @@ def test_calibration_is_dragged_undone_and_written(
     edited = page.shown()
     window.click("applyButton")
     window.click("writeButton")
-    window.wait(lambda: not window.device.applying)
+    window.wait(lambda: not window.device.writer.running)
     assert window.device.calibrations.stored(1) == edited
     assert window.device.draft.pending == 0
     assert "edited" not in page.row(1)

@@ -160,7 +160,7 @@ def test_parameters_are_edited_applied_and_activated(
     device.parameters.edit("motor1_current_limit", 10)
     device.parameters.edit("motor_mode", 1)
     apply(window)
-    window.wait(lambda: device.draft.pending == 0 and not device.applying)
+    window.wait(lambda: device.draft.pending == 0 and not device.writer.running)
     assert device.state is not None
     assert device.state.calibrations[1] == wanted
     assert device.draft.stored is not None

@@ -101,7 +101,7 @@ def test_stop_apply_fault_and_timeout_become_events(
     page.wait_for_event(EventKind.STOP, "Stop")
     page.device.parameters.edit("motor1_acceleration", 40)
     page.device.parameters.edit("motor1_current_limit", 20)
-    page.device.apply()
+    page.device.writer.apply()
     page.wait_for_event(EventKind.APPLY, "Motor 1 Acceleration")
     source = page.panel.plot.source
     assert source is not None

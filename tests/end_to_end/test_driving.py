@@ -709,8 +709,8 @@ def test_page_drives_while_override_switch_is_on(page: MotorsPage) -> None:
 
 def test_joint_mode_drives_one_motor_and_ignores_turning(page: MotorsPage) -> None:
     page.device.parameters.edit("motor_mode", 1)
-    page.device.apply()
-    page.wait(lambda: not page.device.applying)
+    page.device.writer.apply()
+    page.wait(lambda: not page.device.writer.running)
     page.simulator.do("power off")
     page.wait(lambda: page.device.link is ConnectionState.NOT_RESPONDING)
     assert "does not respond" in page.text("motorsReason")

@@ -170,5 +170,5 @@ def test_board_reset_needs_a_press_of_its_own(connected_window: WindowDriver) ->
     for _ in range(2):
         QTest.keyClick(dialog.root.windowHandle(), ENTER)
     assert not dialog.root.isVisible()
-    assert not connected_window.device.applying
+    assert not connected_window.device.writer.running
     assert not connected_window.device.draft.reset_pending

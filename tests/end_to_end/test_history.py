@@ -25,7 +25,7 @@ def apply(window: WindowDriver, **values: int) -> None:
     for key, value in values.items():
         window.device.parameters.edit(key, value)
     with window.qtbot.waitSignal(window.device.applied):
-        window.device.apply()
+        window.device.writer.apply()
 
 
 def pending(window: WindowDriver) -> dict[str, int]:
@@ -99,7 +99,7 @@ def test_edits_count_as_current_settings(connected_window: WindowDriver) -> None
 def test_snapshot_of_another_board_shows_a_note(
     window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
-    history = window.device.history
+    history = window.device.writer.history
     take(history, timedelta(hours=1), device_number=9)
     take(history, model="trexjr")
     dialog = open_history(window)

@@ -76,7 +76,7 @@ def test_all_channels_are_learned_and_tested(
     for channel in CHANNELS:
         learning.assert_learned(channel)
     assert learning.stored()["parameters"]["reversed_channels"] == 0b10010
-    assert len(learning.device.history.snapshots()) == 1
+    assert len(learning.device.writer.history.snapshots()) == 1
 
     learning.push(1, -1)
     for channel in CHANNELS:
@@ -131,7 +131,7 @@ def test_learning_can_be_cancelled_in_each_step(
         cancel()
         assert not learning.dialog.isVisible(), step
         learning.assert_nothing_changed()
-        assert learning.device.history.snapshots() == ()
+        assert learning.device.writer.history.snapshots() == ()
 
     assert not learning.dialog.isModal()
     learning.start_learning(1)

@@ -22,7 +22,7 @@ def apply(window: WindowDriver, **values: int) -> None:
     for key, value in values.items():
         window.device.parameters.edit(key, value)
     with window.qtbot.waitSignal(window.device.applied):
-        window.device.apply()
+        window.device.writer.apply()
 
 
 def test_settings_that_a_board_lost_are_shown_and_restored(
@@ -65,8 +65,8 @@ def test_other_settings_of_the_board_can_be_kept(
     assert lost.show()["parameters"]["serial_timeout"] == 0
 
     apply(window, serial_timeout=15)
-    window.device.reset_to_factory()
-    window.wait(lambda: not window.device.applying)
+    window.device.writer.reset_to_factory()
+    window.wait(lambda: not window.device.writer.running)
     lost.do("power cycle")
     window.wait(lambda: not window.device.draft.reset_pending)
     reconnect(window, lost.url)

@@ -77,8 +77,8 @@ class AskingWindow(WindowDriver):
         for key in [key for key in stored if key.startswith("motor")][:12]:
             self.device.parameters.edit(key, 1 - min(1, stored[key]))
         count = self.device.draft.pending
-        self.device.apply()
-        assert self.device.applying
+        self.device.writer.apply()
+        assert self.device.writer.running
         return count
 
 
@@ -226,14 +226,14 @@ def test_writing_continues_while_prompt_is_open(asking: AskingWindow) -> None:
     asking.click("connectButton")
     asking.click("questionCancel")
     asking.may_store = True
-    asking.wait(lambda: not asking.device.applying)
+    asking.wait(lambda: not asking.device.writer.running)
     assert asking.device.draft.pending == 0
     assert asking.link() is ConnectionState.CONNECTED
 
     asking.begin_to_write()
     asking.click("connectButton")
     asking.may_store = True
-    asking.wait(lambda: not asking.device.applying)
+    asking.wait(lambda: not asking.device.writer.running)
     asking.wait(lambda: not asking.has_question())
     assert asking.link() is ConnectionState.CONNECTED
 

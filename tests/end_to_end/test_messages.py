@@ -71,10 +71,10 @@ def test_messages_are_in_sight_and_move_no_control(connected_window: WindowDrive
         window.window.question.withdraw()
         window.device.notifier.cleared.emit()
         assert moved(window, before) == [], page
-        window.device.set_serial_timeout(0.5)
+        window.device.writer.set_serial_timeout(0.5)
         window.wait(lambda: not window.has("timeoutNotice"))
         assert moved(window, before) == [], page
-        window.device.set_serial_timeout(0)
+        window.device.writer.set_serial_timeout(0)
         window.wait(lambda: window.has("timeoutNotice"))
         window.device.parameters.edit("serial_timeout", 9)
         assert moved(window, before) == [], page

@@ -70,7 +70,7 @@ def test_note_is_typed_and_kept_wherever_the_value_goes(
     number_12.write_text("of another board", encoding="utf-8")
     window.device.parameters.edit("device_number", 12)
     with window.qtbot.waitSignal(window.device.kept.files.replaced):
-        window.device.apply()
+        window.device.writer.apply()
     (aside,) = number_12.parent.glob("*.replaced-1.txt")
     assert aside.read_text(encoding="utf-8") == "of another board"
     window.disconnect()

@@ -139,13 +139,13 @@ def test_apply_without_a_board_does_not_lock_apply(
     device.parameters.setData(device.parameters.index_of("serial_timeout"), 9)
     device.disconnect_line()
     qtbot.waitUntil(lambda: device.link is ConnectionState.DISCONNECTED)
-    device.apply()
+    device.writer.apply()
     try:
-        assert not device.applying
+        assert not device.writer.running
         device.connect_to(ConnectionSettings(simulator.url))
         qtbot.waitUntil(lambda: device.link is ConnectionState.CONNECTED)
         with qtbot.waitSignal(device.applied):
-            device.apply()
+            device.writer.apply()
     finally:
         device.shut_down()
 

@@ -84,7 +84,7 @@ def test_review_shows_edits_and_writes_only_checked_ones(
     review.close()
     assert stored(simulator, "serial_timeout") == 0
     assert device.draft.pending == 2
-    assert device.history.snapshots() == ()
+    assert device.writer.history.snapshots() == ()
 
     review.open()
     review.toggle("Serial Timeout")
@@ -101,7 +101,7 @@ def test_review_shows_edits_and_writes_only_checked_ones(
     review.toggle("Serial Timeout")
     assert review.button("writeButton").text() == "&Write 1 setting"
     review.click("writeButton")
-    review.wait(lambda: stored(simulator, "motor1_acceleration") == 5 and not device.applying)
+    review.wait(lambda: stored(simulator, "motor1_acceleration") == 5 and not device.writer.running)
     assert stored(simulator, "serial_timeout") == 0
     assert device.parameters.pending == (("serial_timeout", 15),)
 
@@ -124,14 +124,14 @@ def test_review_reports_stored_and_failed_settings(
     review.open()  # it was not closed
     focused: object = review.root.focusWidget()  # `None` is possible, against Qt's stubs
     QTest.keyClick(focused if isinstance(focused, QWidget) else review.root, Qt.Key.Key_Return)
-    review.wait(lambda: stored(simulator, "serial_timeout") == 14 and not device.applying)
+    review.wait(lambda: stored(simulator, "serial_timeout") == 14 and not device.writer.running)
     review.close()
 
     edit(window, serial_timeout=16)
     device.calibrations.edit(CalibrationKey.RC_CHANNEL_3, CALIBRATION)
     review.open()
     review.click("writeButton")
-    review.wait(lambda: device.applying and not device.is_saving_snapshot)
+    review.wait(lambda: device.writer.running and not device.writer.is_saving_snapshot)
     review.close()
     assert "written and verified" not in window.text("bannerText")
     window.wait_for_text("bannerText", "written and verified")
@@ -178,7 +178,9 @@ def test_board_decides_about_values_beyond_inferred_limits(
         assert review.text("questionText").startswith("Ignored Channels 63: beyond a limit")
         assert stored(simulator, key) == 0, "a question comes first"
         review.click("writeAnyway")
-        review.wait(lambda: not device.applying and len(review.rows()[0]) == len(ComparisonColumn))
+        review.wait(
+            lambda: not device.writer.running and len(review.rows()[0]) == len(ComparisonColumn)
+        )
 
     try_wire(63)
     review.open()
@@ -382,7 +384,7 @@ def test_defaults_are_compared_and_reviewed_before_writing(
     assert stored(simulator, "motor1_acceleration") == 5
     assert review.root.isVisible()
     review.click("writeButton")
-    review.wait(lambda: stored(simulator, "motor1_acceleration") == 0 and not device.applying)
+    review.wait(lambda: stored(simulator, "motor1_acceleration") == 0 and not device.writer.running)
     assert stored(simulator, "serial_timeout") == 15
 
 
@@ -407,15 +409,15 @@ def test_pending_reset_blocks_writing_until_power_cycle(
     guide = window.dialog("powerCycleDialog")
     guide.wait(guide.root.isVisible)
     window.wait(lambda: device.draft.reset_pending)
-    assert len(device.history.snapshots()) == 2
+    assert len(device.writer.history.snapshots()) == 2
     guide.click("powerCycleCloseButton")
 
     edit(window, motor1_acceleration=5)
     review.open()
     assert "will reset itself" in review.head
     assert not review.is_enabled("writeButton")
-    device.apply()
-    assert not device.applying
+    device.writer.apply()
+    assert not device.writer.running
     review.close()
 
     window.trigger("power")
@@ -448,7 +450,7 @@ def test_pending_edits_survive_a_disconnect(
     device.connect_to(ConnectionSettings(junior.url))
     window.wait(lambda: "TReX Jr" in device.status and device.link is ConnectionState.CONNECTED)
     assert device.draft.pending == 0
-    assert device.history.snapshots() == (), "no board has ever stored that"
+    assert device.writer.history.snapshots() == (), "no board has ever stored that"
     window.wait_for_text("bannerText", "1 edit not applied to the previous TReX 1.2: kept")
 
     device.connect_to(ConnectionSettings(simulator.url))
@@ -480,6 +482,8 @@ def test_calibration_of_inactive_input_source_stays_pending(
     assert not review.is_enabled("writeButton")
     edit(connected_window, channel_input_source=0)
     review.click("writeButton")
-    review.wait(lambda: stored(simulator, "channel_input_source") == 0 and not device.applying)
+    review.wait(
+        lambda: stored(simulator, "channel_input_source") == 0 and not device.writer.running
+    )
     power.cycle()
     assert list(device.calibrations.pending) == [(CalibrationKey.RC_CHANNEL_2, CALIBRATION)]

@@ -28,7 +28,7 @@ def files(connected_window: WindowDriver) -> SettingsFiles:
 
 
 def apply(window: WindowDriver) -> None:
-    window.device.apply()
+    window.device.writer.apply()
     window.wait(lambda: window.device.draft.pending == 0)
 
 
@@ -88,7 +88,7 @@ def test_checked_rows_become_edits_and_a_snapshot_reverts_them(
     assert stored is not None
     assert (stored.minimum, stored.deadband) == (2600, 60)
 
-    (snapshot,) = device.history.snapshots()
+    (snapshot,) = device.writer.history.snapshots()
     files.files.open_file(snapshot.path)
     window.wait_for_files()
     check_keyboard(files.load_dialog().root)
@@ -96,7 +96,7 @@ def test_checked_rows_become_edits_and_a_snapshot_reverts_them(
     assert device.parameters.pending == (("serial_timeout", 0),)
     apply(window)
     assert quick_simulator.show()["parameters"]["serial_timeout"] == 0
-    assert len(device.history.snapshots()) == 2
+    assert len(device.writer.history.snapshots()) == 2
 
 
 def test_edits_of_every_page_are_undone_from_the_menu(connected_window: WindowDriver) -> None:

@@ -58,14 +58,14 @@ def test_apply_begins_once_the_snapshot_is_saved(
 ) -> None:
     device, begin = connected_window.device, now()
     review.wait(lambda: now() > begin + SECONDS / 2)
-    assert device.applying
+    assert device.writer.running
     assert "Saving the board's present settings" in review.head
     assert not connected_window.is_enabled("applyButton")
     assert stored(quick_simulator) == 0
     review.wait_for_text("reviewHead", "written and verified")
     assert now() >= begin + SECONDS
     assert stored(quick_simulator) == 15
-    (snapshot,) = device.history.folder.iterdir()
+    (snapshot,) = device.writer.history.folder.iterdir()
     assert "serial_timeout: 0 " in snapshot.read_text(encoding="utf-8")
 
 
@@ -75,7 +75,7 @@ def test_apply_is_cancelled_while_the_snapshot_is_saved(
     device = connected_window.device
     assert review.button("reviewCloseButton").text() == "Cancel"
     review.close()
-    assert not device.applying
+    assert not device.writer.running
     review.wait_for_files()
     assert stored(quick_simulator) == 0
     assert device.parameters.pending == (("serial_timeout", 15),)
@@ -92,7 +92,7 @@ def test_board_that_goes_away_while_the_snapshot_is_saved_gets_nothing(
 ) -> None:
     device, begin = connected_window.device, now()
     quick_simulator.do(fault)
-    review.wait(lambda: not device.applying)
+    review.wait(lambda: not device.writer.running)
     assert now() < begin + SECONDS, "the snapshot was saved first"
     assert review.button("reviewCloseButton").text() == "Close"
     quick_simulator.do("line mute off" if "mute" in fault else "line plug")
@@ -108,7 +108,7 @@ def test_disconnecting_while_the_snapshot_is_saved_writes_nothing(
     device.connect_to(ConnectionSettings(quick_simulator.url))  # closes the line first
     review.wait(lambda: device.link is ConnectionState.CONNECTED)
     review.wait_for_files()
-    assert not device.applying
+    assert not device.writer.running
     assert stored(quick_simulator) == 0
     assert device.draft.pending == 1
 
@@ -129,9 +129,9 @@ def test_factory_reset_keeps_edits_until_the_snapshot_is_saved(
     del disk
     device = connected_window.device
     (tmp_path / "taken").write_bytes(b"")
-    device.history.folder = tmp_path / "taken"
+    device.writer.history.folder = tmp_path / "taken"
     device.parameters.edit("serial_timeout", 15)
-    device.reset_to_factory()
+    device.writer.reset_to_factory()
     connected_window.wait_for_text("bannerText", "Nothing was written")
     assert device.draft.pending == 1
 

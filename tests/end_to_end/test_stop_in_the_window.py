@@ -277,7 +277,7 @@ def test_disabled_serial_timeout_is_set_with_a_click(driving: DrivingWindow) -> 
     assert device.serial_timeout_s == pytest.approx(0.5)
     assert not driving.has("timeoutNotice")
     assert device.draft.pending == pending == 1, "other edits stay pending"
-    assert len(device.history.snapshots()) == 1
+    assert len(device.writer.history.snapshots()) == 1
 
 
 def test_stop_is_not_reported_while_rc_channels_drive(

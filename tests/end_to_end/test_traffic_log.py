@@ -87,7 +87,7 @@ def test_traffic_is_listed_from_connect_to_disconnect(
 
     window.device.parameters.edit("serial_timeout", 15)
     with window.qtbot.waitSignal(window.device.applied):
-        window.device.apply()
+        window.device.writer.apply()
     page.wait_for_row("set Serial Timeout to 1.5 s (15) → stored")
 
     window.disconnect()

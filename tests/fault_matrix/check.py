@@ -221,7 +221,7 @@ def _check_applied(scene: Scene, fault: str, said: Collection[str]) -> None:
     stored = scene.stored()
     if fault == "other_uart":  # another program has written them
         stored["uart_settings"] = scene.edits["uart_settings"]
-    name_of = scene.window.device.name_of
+    name_of = scene.window.device.draft.name_of
     missing = {name_of(key) for key, value in scene.edits.items() if stored[key] != value}
     refused = [text for text in said if text.startswith(NOT_STORED)]
     aborted = [text for text in said if NOTHING_MORE in text or NOTHING_WRITTEN in text]
@@ -286,7 +286,7 @@ def _check_close(scene: Scene) -> None:
 
 def _check_snapshots(scene: Scene) -> None:
     """Each is what the board stored before, and there is one before anything is written."""
-    history = scene.window.device.history
+    history = scene.window.device.writer.history
     own = [one for one in history.snapshots() if one.path not in scene.foreign]
     assert all(history.load(snapshot) == scene.before for snapshot in own)
     stored = scene.stored()

@@ -86,7 +86,7 @@ def _apply(step: int | None, scene: Scene, inject: Inject) -> None:
 
 
 def _end_apply(scene: Scene) -> None:
-    scene.window.wait(lambda: not scene.window.device.applying)
+    scene.window.wait(lambda: not scene.window.device.writer.running)
     scene.window.find(QDialog, "reviewDialog").close()
 
 

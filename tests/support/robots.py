@@ -108,8 +108,8 @@ class Robot:
         self.push()
 
     def apply(self) -> None:
-        self.device.apply()
-        self.wait(lambda: not self.device.draft.pending and not self.device.applying)
+        self.device.writer.apply()
+        self.wait(lambda: not self.device.draft.pending and not self.device.writer.running)
 
     def start_in_rc_mode(self) -> None:
         self.simulator.do("jumper mode rc")

@@ -114,8 +114,8 @@ class CalibrationPage(WidgetDriver):
 
     def apply(self) -> None:
         """Write all edits, without the window that shows them before."""
-        self.device.apply()
-        self.wait(lambda: not self.device.applying)
+        self.device.writer.apply()
+        self.wait(lambda: not self.device.writer.running)
 
 
 @contextmanager

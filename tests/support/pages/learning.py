@@ -176,8 +176,8 @@ class LearningDialog(WidgetDriver):
         self.apply()
 
     def apply(self) -> None:
-        self.device.apply()
-        self.wait(lambda: self.device.draft.pending == 0 and not self.device.applying)
+        self.device.writer.apply()
+        self.wait(lambda: self.device.draft.pending == 0 and not self.device.writer.running)
 
 
 @contextmanager

@@ -54,7 +54,7 @@ def by_window(bench: Bench, qtbot: QtBot) -> None:
 
     def apply() -> None:
         results.clear()
-        device.apply()
+        device.writer.apply()
         qtbot.waitUntil(lambda: bool(results) and saved())
 
     device.connect_to(ConnectionSettings(bench.simulator.url))
@@ -68,7 +68,7 @@ def by_window(bench: Bench, qtbot: QtBot) -> None:
     device.parameters.edit("device_number", 9)
     apply()
     results.clear()
-    device.reset_to_factory()
+    device.writer.reset_to_factory()
     qtbot.waitUntil(lambda: bool(results) and saved())
     qtbot.waitUntil(device.shut_down)
 

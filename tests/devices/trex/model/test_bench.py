@@ -124,8 +124,10 @@ def test_running_motors_block_the_test(armed: BenchSetup) -> None:
 
 def test_joint_mode_blocks_the_test(connected: BenchSetup) -> None:
     connected.device.parameters.edit("motor_mode", 1)
-    connected.device.apply()
-    connected.until(lambda: not connected.device.applying and connected.device.draft.pending == 0)
+    connected.device.writer.apply()
+    connected.until(
+        lambda: not connected.device.writer.running and connected.device.draft.pending == 0
+    )
     connected.device.note_power_cycled()
     connected.arm()
     assert "joint mode" in connected.bench.blocker
@@ -241,8 +243,8 @@ def test_board_ramp_lowers_the_measured_inrush_current(armed: BenchSetup) -> Non
     armed.plan(speed=120, duration=1.2, accelerate=True, abort_current=38.0)
     hard = figures(armed.run())
     armed.device.parameters.edit("motor1_acceleration", 20)
-    armed.device.apply()
-    armed.until(lambda: not armed.device.applying and armed.device.draft.pending == 0)
+    armed.device.writer.apply()
+    armed.until(lambda: not armed.device.writer.running and armed.device.draft.pending == 0)
     soft_run = armed.run()
     soft = figures(soft_run)
     assert hard.peak is not None
@@ -337,8 +339,8 @@ def test_what_ends_driving_aborts_the_test_and_disarms(
 @pytest.mark.parametrize("wanted", [False, True])
 def test_board_current_limit_aborts_only_when_enabled(armed: BenchSetup, *, wanted: bool) -> None:
     armed.device.parameters.edit("motor1_current_limit", 20)  # 6 A
-    armed.device.apply()
-    armed.until(lambda: not armed.device.applying and armed.device.draft.pending == 0)
+    armed.device.writer.apply()
+    armed.until(lambda: not armed.device.writer.running and armed.device.draft.pending == 0)
     armed.simulator.do("current 1 7")
     duration = 15.0 if wanted else 1.0
     armed.plan(speed=60, duration=duration, abort_current=20.0, abort_at_limit=wanted)

@@ -1,5 +1,6 @@
 """What a board holds, by what it said and what was written since."""
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import pytest
@@ -9,10 +10,9 @@ from trex_gui.core.errors import NoReply
 from trex_gui.core.session import Outcome
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.writing import WriteResult, after_writing
-from trex_gui.devices.trex.model.settings.accepted_memory import AcceptedMemory
-from trex_gui.devices.trex.model.settings.apply import Apply
+from trex_gui.devices.trex.model.connection import Connection
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
-from trex_gui.devices.trex.model.settings.kept_files import KeptFiles
 from trex_gui.devices.trex.protocol.calibration import (
     DEFAULT_CALIBRATION,
     Calibration,
@@ -23,8 +23,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode, channel_mask
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
-from trex_gui.devices.trex.session.messages import Written
-from trex_gui.devices.trex.settings.history import SettingsHistory
+from trex_gui.devices.trex.session.messages import Connected, ReadReason, Written
 
 FACTORY = DEFAULT_CALIBRATION[InputSource.RC]
 LEARNED = Calibration(2400, 3700, 5100, 80)
@@ -93,43 +92,49 @@ def test_active_input_source_is_unknown_outside_serial_mode() -> None:
 
 # --- A pending reset --------------------------------------------------------------------
 
-
-def written(qtbot: QtBot, *results: WriteResult) -> SettingsDraft:
-    """Return the draft of a board after these results of a write."""
-    draft = SettingsDraft()
-    draft.take_state(STATE, None, power_cycled=True)
-    outcome = Outcome(1, Written(results, STATE, ConnectionSettings("virtual")))
-    apply = Apply(
-        draft,
-        SettingsHistory(),
-        KeptFiles(draft.notes, AcceptedMemory(draft.parameters)).memory,
-        lambda make, then: then(outcome),
-    )
-    with qtbot.waitSignal(apply.finished):
-        apply.write(STATE, None, "test", (("motor_mode", 1),))
-    return draft
+DraftAfter = Callable[[WriteResult], SettingsDraft]
 
 
-def test_reset_is_pending_once_the_board_accepts_it(qtbot: QtBot) -> None:
-    assert written(qtbot, WriteResult("factory_reset", 1)).reset_pending
-    assert not written(qtbot, WriteResult("factory_reset", error=NoReply("x"))).reset_pending
-    assert not written(qtbot, WriteResult("motor_mode", 1)).reset_pending
+@pytest.fixture
+def written(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> DraftAfter:
+    """Gives the draft of a board after this result of a write."""
+
+    devices = []
+
+    def write(result: WriteResult) -> SettingsDraft:
+        link = ConnectionSettings("virtual", name="virtual")
+        outcome = Outcome(1, Written((result,), STATE, link))
+        monkeypatch.setattr(Connection, "is_open", True)
+        monkeypatch.setattr(Connection, "request", lambda _self, _make, then: then(outcome) or True)
+        devices.append(device := Device())
+        device.connection.device_read.emit(Connected(STATE, False, ReadReason.OPENED, link))
+        with qtbot.waitSignal(device.applied):
+            device.writer.write("test", (("motor_mode", 1),))
+        return device.draft
+
+    return write
 
 
-def test_reset_stays_pending_while_values_are_unchanged(qtbot: QtBot) -> None:
-    draft = written(qtbot, WriteResult("factory_reset", 1))
+def test_reset_is_pending_once_the_board_accepts_it(written: DraftAfter) -> None:
+    assert written(WriteResult("factory_reset", 1)).reset_pending
+    assert not written(WriteResult("factory_reset", error=NoReply("x"))).reset_pending
+    assert not written(WriteResult("motor_mode", 1)).reset_pending
+
+
+def test_reset_stays_pending_while_values_are_unchanged(written: DraftAfter) -> None:
+    draft = written(WriteResult("factory_reset", 1))
     draft.take_state(STATE, None, power_cycled=False)
     assert draft.reset_pending
 
 
-def test_power_cycle_completes_the_reset(qtbot: QtBot) -> None:
-    draft = written(qtbot, WriteResult("factory_reset", 1))
+def test_power_cycle_completes_the_reset(written: DraftAfter) -> None:
+    draft = written(WriteResult("factory_reset", 1))
     draft.take_state(STATE, None, power_cycled=True)
     assert not draft.reset_pending
 
 
-def test_changed_values_complete_the_reset(qtbot: QtBot) -> None:
-    draft = written(qtbot, WriteResult("factory_reset", 1))
+def test_changed_values_complete_the_reset(written: DraftAfter) -> None:
+    draft = written(WriteResult("factory_reset", 1))
     changed = replace(STATE, parameters={**STATE.parameters, "motor_mode": 1})
     draft.take_state(changed, None, power_cycled=False)
     assert not draft.reset_pending

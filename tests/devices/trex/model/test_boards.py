@@ -193,12 +193,12 @@ def test_nothing_reaches_several_boards_that_a_scan_has_found(make: Make) -> Non
     stand.boards.cancel_scan()
     stand.wait(lambda: stand.boards.can_scan)
     assert not device.motors.can_arm
-    assert not device.can_apply
-    device.set_serial_timeout(2)
+    assert not device.writer.can_apply
+    device.writer.set_serial_timeout(2)
     device.parameters.edit("motor1_acceleration", 9)
-    device.apply()
-    device.reset_to_factory()
-    assert not device.applying
+    device.writer.apply()
+    device.writer.reset_to_factory()
+    assert not device.writer.running
     stand.wait(lambda: len(stand.errors) == 3)
     assert all("it would reach several boards" in one for one in stand.errors)
     # The same file for all is written to one after the other, each with its number.
@@ -207,7 +207,7 @@ def test_nothing_reaches_several_boards_that_a_scan_has_found(make: Make) -> Non
     assert device.settings is not None
     assert device.settings.device_number == 7
     stand.wait(lambda: device.motors.can_arm)
-    assert device.can_apply
+    assert device.writer.can_apply
 
 
 def test_scan_asks_for_every_number_whatever_was_asked_before(make: Make) -> None:
@@ -330,8 +330,8 @@ def test_edits_and_counts_of_each_board_return(make: Make) -> None:
     assert dict(device.parameters.pending) == {"serial_timeout": 5, "crc7_polynomial": 0x11}
     assert any(one.count for one in device.board.errors.entries)
     # What waits for the next start waits still.
-    device.apply()
-    stand.wait(lambda: device.draft.pending == 0 and not device.applying)
+    device.writer.apply()
+    stand.wait(lambda: device.draft.pending == 0 and not device.writer.running)
     waiting = device.parameters.waiting_for_power
     assert waiting
     stand.select(9)
@@ -350,12 +350,12 @@ def test_board_gets_a_free_number(make: Make) -> None:
     stand = make("7", "9")
     stand.connect(7)
     stand.scan()
-    stand.device.set_device_number(9)
+    stand.device.writer.set_device_number(9)
     stand.wait(lambda: any("has the device number 9" in one for one in stand.errors))
-    assert not stand.device.applying
+    assert not stand.device.writer.running
     assert stand.show(7)["parameters"]["device_number"] == 7
-    stand.device.set_device_number(12)
-    stand.wait(lambda: stand.boards.selected == 12 and not stand.device.applying)
+    stand.device.writer.set_device_number(12)
+    stand.wait(lambda: stand.boards.selected == 12 and not stand.device.writer.running)
     assert stand.line.boards[0].eeprom["device_number"] == 12
     assert stand.presences == {9: Presence.RESPONDING, 12: Presence.SELECTED}
     stand.select(9)
@@ -420,7 +420,7 @@ def test_settings_are_written_to_several_boards(make: Make) -> None:
     assert stored == [(3, 5), (7, 5), (9, 0), (12, 0)]
     assert {board.eeprom["uart_settings"] for board in stand.line.boards} == {5}
     assert dict(stand.device.parameters.pending) == {"motor1_acceleration": 9}
-    history = stand.device.history
+    history = stand.device.writer.history
     kept = [history.load(snapshot) for snapshot in history.snapshots()]
     numbers = {settings.parameters["device_number"] for settings in kept}
     assert numbers == {3, 7}
@@ -477,7 +477,7 @@ def test_work_is_cancelled_between_boards(make: Make) -> None:
     work.reviewed(wanted(serial_timeout=5), 3, 7, 9)
 
     def cancel() -> None:
-        if work.steps[3] is BoardStep.WRITING and not stand.device.is_saving_snapshot:
+        if work.steps[3] is BoardStep.WRITING and not stand.device.writer.is_saving_snapshot:
             work.cancel()
 
     stand.device.link_changed.connect(cancel)
@@ -502,7 +502,7 @@ def test_stop_ends_the_work_and_leaves_no_board_half_written(make: Make) -> None
         work.write((3, 7, 9))
         stand.wait(is_due)
         stand.device.motors.press_stop()
-        stand.wait(lambda: not work.is_running and not stand.device.applying)
+        stand.wait(lambda: not work.is_running and not stand.device.writer.running)
 
     write_and_stop(lambda: stand.boards.is_selecting and work.steps[3] is BoardStep.READING)
     assert set(work.steps.values()) == {BoardStep.SKIPPED}

@@ -65,7 +65,7 @@ class DeviceRecorder:
     def apply(self) -> tuple[WriteResult, ...]:
         """Apply every edit; return how it went."""
         before = len(self.results)
-        self.device.apply()
+        self.device.writer.apply()
         self.until(lambda: len(self.results) > before)
         return self.results[-1]
 
@@ -168,11 +168,11 @@ def test_apply_saves_a_snapshot_of_old_values(connected: RecorderOfBoard) -> Non
     connected.edit("serial_timeout", 15)
     connected.edit("motor_mode", 1)
     connected.apply()
-    (snapshot,) = connected.device.history.snapshots()
+    (snapshot,) = connected.device.writer.history.snapshots()
     assert snapshot.product == "TReX"
     assert snapshot.reason == "Apply of 2 settings"
     assert snapshot.adapter
-    kept = connected.device.history.load(snapshot)
+    kept = connected.device.writer.history.load(snapshot)
     assert kept.parameters["serial_timeout"] == 0
     assert kept.parameters["motor_mode"] == 0
     assert len(kept.calibrations) == 5
@@ -182,17 +182,17 @@ def test_apply_without_a_snapshot_writes_nothing(
     connected: RecorderOfBoard, tmp_path: Path
 ) -> None:
     (tmp_path / "taken").write_text("a file where the folder should be", encoding="utf-8")
-    connected.device.history.folder = tmp_path / "taken"
+    connected.device.writer.history.folder = tmp_path / "taken"
     connected.edit("serial_timeout", 15)
-    connected.device.apply()
-    connected.until(lambda: not connected.device.applying)
+    connected.device.writer.apply()
+    connected.until(lambda: not connected.device.writer.running)
     assert "Nothing was written" in connected.failures[-1]
     assert connected.device.draft.pending == 1
     assert connected.simulator.show()["parameters"]["serial_timeout"] == 0
 
 
 def test_apply_without_edits_writes_nothing(connected: RecorderOfBoard) -> None:
-    connected.device.apply()
+    connected.device.writer.apply()
     connected.device.reload()
     steps = len(connected.steps)
     connected.until(

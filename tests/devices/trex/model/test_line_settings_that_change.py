@@ -19,8 +19,8 @@ def store(setup: ConnectorSetup, **wires: int) -> None:
     device = setup.device
     for key, wire in wires.items():
         device.parameters.edit(key, wire)
-    device.apply()
-    setup.until(lambda: not device.applying and device.draft.pending == 0)
+    device.writer.apply()
+    setup.until(lambda: not device.writer.running and device.draft.pending == 0)
 
 
 def restart(setup: ConnectorSetup, act: Callable[[], None]) -> None:
@@ -40,7 +40,7 @@ def test_reconnect_at_new_line_settings_is_saved(
 ) -> None:
     setup.connect(setup.ports.add_typed(quick_simulator.url))
     store(setup, **{UART: NEW.to_wire(), POLYNOMIAL: 0x11})
-    setup.device.expect((ConnectionSettings("", NEW, polynomial=0x91),))
+    setup.device.connection.expect((ConnectionSettings("", NEW, polynomial=0x91),))
     quick_simulator.do("power off")
     setup.until_link(ConnectionState.NOT_RESPONDING)
     assert setup.connector.settings == ConnectionSettings("")
@@ -60,7 +60,7 @@ def test_failed_write_of_line_settings_keeps_candidates(
     setup: ConnectorSetup, quick_simulator: SimulatedDevice
 ) -> None:
     setup.connect(setup.ports.add_typed(quick_simulator.url))
-    setup.device.expect((ConnectionSettings("", NEW),))
+    setup.device.connection.expect((ConnectionSettings("", NEW),))
     PowerCycle(setup.device).begin(failed=[UART])
     quick_simulator.do("power off")
     setup.until_link(ConnectionState.NOT_RESPONDING)
@@ -73,7 +73,7 @@ def test_failed_write_of_line_settings_keeps_candidates(
 def test_simulated_board_reconnects_at_its_last_settings(setup: ConnectorSetup) -> None:
     setup.connect(setup.ports.demo_of("trex"))
     store(setup, **{UART: NEW.to_wire()})
-    setup.device.expect((ConnectionSettings("", NEW),))
+    setup.device.connection.expect((ConnectionSettings("", NEW),))
     restart(setup, setup.connector.demo_board.power_cycle)
     assert line_of(setup) == NEW
     assert setup.connector.settings == ConnectionSettings("")  # which are for real boards
@@ -85,7 +85,7 @@ def test_simulated_board_reconnects_at_its_last_settings(setup: ConnectorSetup) 
 def test_new_simulated_board_uses_factory_line_settings(setup: ConnectorSetup) -> None:
     setup.connect(setup.ports.demo_of("trex"))
     store(setup, **{UART: NEW.to_wire()})
-    setup.device.expect((ConnectionSettings("", NEW),))
+    setup.device.connection.expect((ConnectionSettings("", NEW),))
     restart(setup, setup.connector.demo_board.power_cycle)
     restart(setup, setup.connector.demo_board.restore_factory)
     assert line_of(setup) == LineSettings()

@@ -125,7 +125,7 @@ def test_setpoints_events_and_settings_are_recorded_in_order(
     session.wait(lambda: not device.may_move)
     device.parameters.edit("serial_timeout", 9)
     with session.qtbot.waitSignal(device.applied):
-        device.apply()
+        device.writer.apply()
     session.end_recording()
     records = everything(path)
     setpoints = [record for record in records if isinstance(record, SetpointRecord)]

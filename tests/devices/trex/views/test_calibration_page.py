@@ -331,7 +331,7 @@ def test_rc_mode_disables_what_the_board_rejects_and_says_so_once(
     page.connect(board.url)
     page.device.calibrations.edit(1, Calibration(2400, 3700, 3800, 60))
     assert page.text("channelDoes").startswith("Channel 1 drives motor 1")
-    assert page.note == page.device.settings_blocker
+    assert page.note == page.device.writer.blocker
     assert "serial mode only" in page.note
     for name in ("minimumEdit", "reversedBox", "learnButton", "learnAllButton"):
         assert not page.is_enabled(name), name

@@ -103,8 +103,8 @@ class ApplyToBoards(QObject):
     def cancel(self) -> None:
         """End the work after the board that is being read or written; no other one is written."""
         self._is_cancelled = True
-        if self._device.is_saving_snapshot and self._current is not None:
-            self._device.cancel_apply()
+        if self._device.writer.is_saving_snapshot and self._current is not None:
+            self._device.writer.cancel()
             self._set(self._current, BoardStep.SKIPPED)
             self._current = None
             self._go_on()
@@ -162,7 +162,7 @@ class ApplyToBoards(QObject):
             self._set(number, BoardStep.SKIPPED)
             self._go_on()
             return
-        if (blocker := self._device.settings_blocker) or self._wanted is None:
+        if (blocker := self._device.writer.blocker) or self._wanted is None:
             self._set(number, BoardStep.FAILED, blocker)
             self._go_on()
             return
@@ -205,7 +205,7 @@ class ApplyToBoards(QObject):
         values = values_to_write(row for row in changes.rows if row.changed)
         self._current = number
         self._set(number, BoardStep.WRITING)
-        self._device.write(tr("The same settings for several boards"), *values)
+        self._device.writer.write(tr("The same settings for several boards"), *values)
 
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
@@ -214,7 +214,7 @@ class ApplyToBoards(QObject):
         self._current = None
         failed = [result for result in results if result.error is not None]
         if failed:
-            names = ", ".join(self._device.name_of(result.key) for result in failed)
+            names = ", ".join(self._device.draft.name_of(result.key) for result in failed)
             reasons = dict.fromkeys(error_text(one.error) for one in failed if one.error)
             text = tr("Not verified: {0}. {1}").format(names, " ".join(reasons))
             self._set(number, BoardStep.FAILED, text)

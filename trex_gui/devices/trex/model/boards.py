@@ -103,14 +103,14 @@ class BoardList(QObject):
         device = self._device
         return (
             device.link in {ConnectionState.CONNECTED, ConnectionState.NOT_RESPONDING}
-            and not device.applying
+            and not device.writer.running
             and not self.is_selecting
         )
 
     @property
     def can_change_number(self) -> bool:
         """Whether the selected board can get another number: that asks for it, and is a write."""
-        return self._may_ask and not self._device.rejects_settings
+        return self._may_ask and not self._device.writer.is_rejected
 
     @property
     def _may_ask(self) -> bool:

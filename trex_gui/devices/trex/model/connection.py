@@ -31,6 +31,7 @@ from trex_gui.devices.trex.session.messages import (
     ProbeProgress,
     SelectBoard,
     SendPacket,
+    SetReconnectCandidates,
     SetWatched,
     Write,
 )
@@ -76,6 +77,10 @@ class Connection(DeviceConnection[ConnectionSettings]):
     @Slot()
     def _submit_watched(self) -> None:
         self.submit(SetWatched(bool(self._watchers)))
+
+    def expect(self, settings: tuple[ConnectionSettings, ...]) -> None:
+        """Set where to look for the board if it stops responding."""
+        self.submit(SetReconnectCandidates(settings))
 
     def moves(self, request: object) -> bool:
         if isinstance(request, SendPacket):

@@ -128,7 +128,7 @@ class TrexController(DeviceController[ConnectionSettings]):
     def _on_demo_factory_reset(self) -> None:
         self._demo_settings = self._default
         if self.demo_in_use:
-            self.device.expect((ConnectionSettings(""),))
+            self.device.connection.expect((ConnectionSettings(""),))
 
     def _read_settings(self) -> ConnectionSettings:
         store = self._store
@@ -158,12 +158,12 @@ class TrexController(DeviceController[ConnectionSettings]):
             text = tr("{0}: noisy; shorten cable, check ground")
             return LineQuality(text.format(lost), is_bad=True)
         text = tr("{0}: noisy; shorten cable, check ground, use CRC").format(lost)
-        can_set_up = device.is_writable and not device.rejects_settings and not self.is_armed
+        can_set_up = device.is_writable and not device.writer.is_rejected and not self.is_armed
         return LineQuality(text, is_bad=True, remedy=Remedy.SET_UP_CRC if can_set_up else None)
 
     @property
     def is_busy(self) -> bool:
-        return self.device.applying
+        return self.device.writer.running
 
     @property
     def is_armed(self) -> bool:

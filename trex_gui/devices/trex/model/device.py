@@ -1,6 +1,5 @@
 """The board as the window sees it: the connection to it, and the models that mirror it."""
 
-from collections.abc import Callable, Collection, Mapping
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
@@ -16,7 +15,6 @@ from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import Sample
 from trex_gui.devices.trex.driving.timeout_stop import (
     turning_text,
-    with_shutdown,
 )
 from trex_gui.devices.trex.model.board_events import BoardEvents
 from trex_gui.devices.trex.model.connection import Connection, remedies_for
@@ -24,21 +22,15 @@ from trex_gui.devices.trex.model.drive_controller import DriveController
 from trex_gui.devices.trex.model.mix_jumper import MixJumper
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.model.settings.accepted_memory import AcceptedMemory
-from trex_gui.devices.trex.model.settings.apply import Apply
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.model.settings.edit_backup import EditBackup
 from trex_gui.devices.trex.model.settings.kept_files import KeptFiles
+from trex_gui.devices.trex.model.settings.writer import SettingsWriter
 from trex_gui.devices.trex.model.telemetry import Telemetry
-from trex_gui.devices.trex.protocol.calibration import (
-    CALIBRATION_KEYS,
-    Calibration,
-    CalibrationKey,
-)
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.parameters import (
     MotorParameter,
     ParameterKey,
-    ParameterSpec,
 )
 from trex_gui.devices.trex.session.messages import (
     Batch,
@@ -47,14 +39,9 @@ from trex_gui.devices.trex.session.messages import (
     ReadReason,
     Reload,
     Report,
-    SetReconnectCandidates,
-    Write,
     Written,
 )
-from trex_gui.devices.trex.session.reconnecting import REACH, reconnect_candidates
 from trex_gui.devices.trex.settings.board_records import utc_now
-from trex_gui.devices.trex.settings.document import factory_settings
-from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.notifier import Notifier, Remedies, Remedy
 from trex_gui.ui.runtime import now
@@ -66,7 +53,7 @@ _TIMEOUT = ParameterKey.SERIAL_TIMEOUT
 class Device(QObject):
     """One board, or none."""
 
-    # `link`, `status`, `settings`, `may_move`, `applying`, `is_saving_snapshot` or `can_apply`
+    # `link`, `status`, `settings`, `may_move`, or what `writer` knows
     link_changed = Signal()
     state_changed = Signal()  # `state` was read again, or forgotten
     request_failed = Signal(str)  # why a request or a connection failed; the notifier has it, too
@@ -83,7 +70,6 @@ class Device(QObject):
         self.draft = SettingsDraft(self)  # what the board stores, and its edits
         self.parameters = self.draft.parameters
         self.calibrations = self.draft.calibrations
-        self.history = SettingsHistory()  # what boards stored before each Apply
         # What this computer keeps: edits over the end of the program; what was applied last, notes
         self.edit_backup = EditBackup(self.draft, self)
         self._accepted = AcceptedMemory(self.parameters, self)
@@ -91,11 +77,11 @@ class Device(QObject):
         self.board = BoardMirror(self.kept.memory, self.errors_changed.emit)
         self.telemetry = Telemetry(self.motors, self.board.newest, self)
         self.mix_jumper = MixJumper(self.draft, self.telemetry, self)
-        self._apply = Apply(self.draft, self.history, self.board.memory, self._request, self)
         self.connection = Connection(self)
         self.driving = DriveController(
             self.motors, self.telemetry, self.connection, self.notifier, self
         )
+        self.writer = SettingsWriter(self.draft, self.board, self.connection, self.driving, self)
         self.events = BoardEvents(self.motors, self)  # since the line was opened
         self._replaced: list[Path] = []  # files of other boards, renamed since the last reading
 
@@ -115,11 +101,11 @@ class Device(QObject):
         self.kept.doubted.connect(self.notifier.info)
         for files in (self.edit_backup.files, self.kept.files):
             files.replaced.connect(self._on_replaced)
-        self._apply.written.connect(self._on_written)
-        self._apply.changed.connect(self.link_changed)
-        self._apply.finished.connect(self._on_applied)
-        self._apply.failed.connect(self.link_changed)
-        self._apply.failed.connect(self._on_request_failed)
+        self.writer.written.connect(self._on_written)
+        self.writer.changed.connect(self.link_changed)
+        self.writer.finished.connect(self._on_applied)
+        self.writer.failed.connect(self.link_changed)
+        self.writer.failed.connect(self._on_request_failed)
 
     # --- What is known ------------------------------------------------------------------
 
@@ -138,28 +124,7 @@ class Device(QObject):
     @property
     def is_writable(self) -> bool:
         """Whether the board is connected and no settings are being written."""
-        return self.is_connected and not self.applying
-
-    @property
-    def rejects_settings(self) -> bool:
-        """Whether the board is in a mode in which it rejects every write."""
-        return self.is_connected and self.state is not None and not self.state.mode.is_serial
-
-    @property
-    def can_apply(self) -> bool:
-        """Whether edits can be written: to this board, and to no other one on the line."""
-        several = self.driving.reaches_several
-        return self.is_writable and not self.rejects_settings and not several
-
-    @property
-    def settings_blocker(self) -> str:
-        """What lets the board accept writes again, for the user; empty if it does not reject."""
-        if not self.rejects_settings:
-            return ""
-        return tr(
-            "The board accepts changes in serial mode only: switch it off, remove the mode jumper, "
-            "switch it on. Edits are kept."
-        )
+        return self.is_connected and not self.writer.running
 
     @property
     def status(self) -> str:
@@ -186,23 +151,6 @@ class Device(QObject):
     @property
     def may_move(self) -> bool:
         return self.driving.may_move
-
-    @property
-    def applying(self) -> bool:
-        return self._apply.running
-
-    @property
-    def is_saving_snapshot(self) -> bool:
-        """Whether Apply has sent nothing yet, so that it can be cancelled."""
-        return self._apply.is_saving_snapshot
-
-    def name_of(self, key: str) -> str:
-        if key in CALIBRATION_KEYS:
-            return CALIBRATION_KEYS[key].label
-        if key == ParameterKey.FACTORY_RESET:
-            return tr("Reset to factory defaults")
-        parameters = self.parameters
-        return parameters.spec_of(key).name if parameters.index_of(key).isValid() else key
 
     def current_limit(self, motor: int) -> float | None:
         """Return the limit in A that the board stores; `None` when off or not known."""
@@ -259,91 +207,9 @@ class Device(QObject):
         """Close the line at the end of the program; see `SessionThread.shut_down`."""
         return self.connection.shut_down()
 
-    def set_serial_timeout(self, seconds: float) -> None:
-        """Write how long the board waits for a byte before it stops its motors, 0 to disable that.
-
-        UART-Error Shutdown is switched on with it: the timeout may need it. Nothing else is
-        written, after a snapshot, and verified; `applied` reports it.
-
-        Raises:
-            BadRequest: the board cannot wait so long.
-        """
-        self._set(_TIMEOUT, lambda spec: with_shutdown(spec.check(round(seconds / spec.scale))))
-
-    def set_device_number(self, number: int) -> None:
-        """Write another device number (0-127), unless another board on this line has it.
-
-        As `set_serial_timeout`.
-        """
-        key = ParameterKey.DEVICE_NUMBER
-        self._set(key, lambda spec: {key: spec.check(number)})
-
-    def _set(self, key: str, wires_of: Callable[[ParameterSpec], Mapping[str, int]]) -> None:
-        if self.state is None or not self.connection.is_open:
-            self._on_request_failed(tr("No board is connected."))
-            return
-        spec, stored = self.state.specs[key], self.state.parameters
-        wires = wires_of(spec)
-        if key in REACH:
-            self._expect_after({**stored, **wires})
-        changed = {name: wire for name, wire in wires.items() if stored.get(name) != wire}
-        self.write(tr("{0} set").format(spec.name), tuple((changed or wires).items()))
-
-    def write(
-        self,
-        reason: str,
-        parameters: tuple[tuple[str, int], ...],
-        calibrations: tuple[tuple[CalibrationKey, Calibration], ...] = (),
-    ) -> None:
-        """Write and verify these values after a snapshot for this `reason`; edits stay pending.
-
-        `applied` or `request_failed` reports the result.
-        """
-        if (state := self._state_to_change()) is not None:
-            self._apply.write(state, self.settings, reason, parameters, calibrations)
-
     def reload(self) -> None:
-        self._request(Reload, self._on_reloaded)
-
-    def apply(self, only: Collection[str] | None = None) -> None:
-        """Write and verify every edit, or those with these keys; `applied` reports the result.
-
-        Before the first byte the session gets the settings at which the board may be afterwards,
-        since its power may fail right behind the write.
-        """
-        if not self.draft.reset_pending and (state := self._state_to_change()) is not None:
-            self._expect_after(self.parameters.all_shown)
-            self._apply.start(state, self.settings, only)
-
-    def reset_to_factory(self) -> None:
-        """Let the board reset every parameter at its next start; a snapshot is saved first.
-
-        Once the board has accepted that, pending edits are discarded: the values they change will
-        be gone. `applied` reports the result.
-        """
-        if self.applying or (state := self._state_to_change()) is None:
-            return
-        defaults = factory_settings(state.signature.model, state.signature.firmware)
-        self._expect_after(defaults.parameters)
-        spec = state.specs[ParameterKey.FACTORY_RESET]
-        reason = self.name_of(spec.key)
-        self._apply.write(state, self.settings, reason, ((spec.key, spec.maximum),))
-
-    def _state_to_change(self) -> DeviceState | None:
-        """Return what the board stores; `None` if a write would not reach it, or others, too."""
-        if self.driving.reaches_several and self.connection.is_open:
-            text = tr(
-                "Nothing was written: without a device number it would reach several boards. "
-                "Select one of the boards on this line."
-            )
-            self._on_request_failed(text)
-            return None
-        return self.state if self.connection.is_open else None
-
-    def cancel_apply(self) -> None:
-        """Write nothing, if nothing was sent yet; the edits stay pending."""
-        if self._apply.cancel():
-            self.link_changed.emit()
+        if not self.connection.request(Reload, self._on_reloaded):
+            self._on_request_failed(tr("No board is connected."))
 
     def note_power_cycled(self) -> None:
         if self.state is not None:
@@ -352,24 +218,7 @@ class Device(QObject):
             self.state_changed.emit()
             self.link_changed.emit()
 
-    def _expect_after(self, stored: Mapping[str, int]) -> None:
-        """Look for the board at the settings of these values, too, if it stops responding."""
-        if self.state is None or self.settings is None:
-            return
-        firmware = self.state.signature.firmware
-        self.expect(reconnect_candidates(self.settings, self.state.parameters, stored, firmware))
-
-    def expect(self, settings: tuple[ConnectionSettings, ...]) -> None:
-        """Set where to look for the board if it stops responding."""
-        self.connection.submit(SetReconnectCandidates(settings))
-
     # --- Requests and their outcomes ----------------------------------------------------
-
-    def _request(
-        self, make: Callable[[int], Reload | Write], then: Callable[[Outcome], None]
-    ) -> None:
-        if not self.connection.request(make, then):
-            self._on_request_failed(tr("No board is connected."))
 
     def _on_reloaded(self, outcome: Outcome) -> None:
         if outcome.error is not None:
@@ -380,7 +229,7 @@ class Device(QObject):
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
         self.link_changed.emit()
-        names = tuple(self.name_of(result.key) for result in results)
+        names = tuple(self.draft.name_of(result.key) for result in results)
         self.events.note_applied(results, names)
         self.applied.emit(results)
 
@@ -427,7 +276,7 @@ class Device(QObject):
         pending, before = self.draft.pending, self.draft.stored
         if read.is_changed:
             reason = tr("Nothing was written: other settings were read from the board.")
-            self._give_up_apply(reason)
+            self.writer.give_up(reason)
         if read.is_new:
             self.calibrations.forget_seen()
         is_same_kind = self.parameters.model_key == state.signature.model.key
@@ -465,7 +314,7 @@ class Device(QObject):
     def _on_selected(self, report: Connected) -> None:
         """Show another board on the line, with its edits; those of the last are kept."""
         reason = tr("Nothing was written: another board was selected.")
-        self._give_up_apply(reason)
+        self.writer.give_up(reason)
         if pending := self.draft.pending:
             text = tr(
                 "%n edit(s) of the former board kept: they return when it is selected again.",
@@ -492,15 +341,10 @@ class Device(QObject):
     def _on_not_responding(self, report: NotResponding) -> None:
         self._take(report)
         self.telemetry.forget()
-        self._give_up_apply(tr("Nothing was written: the board does not respond."))
+        self.writer.give_up(tr("Nothing was written: the board does not respond."))
         if self.may_move:
             text = tr("The board does not respond; the stop is being repeated.")
             self.warn(text)
-
-    def _give_up_apply(self, reason: str) -> None:
-        """Write nothing, if the snapshot is still being saved."""
-        if self._apply.cancel():
-            self._apply.failed.emit(reason)
 
     @Slot(object)
     def _on_written(self, written: Written) -> None:
@@ -537,6 +381,6 @@ class Device(QObject):
     @Slot(object)
     def _on_closed(self, last: Closed | None) -> None:
         self._take(last or Closed(None, may_move=False))
-        self._apply.end()
+        self.writer.end()
         self.telemetry.forget()
         self.state_changed.emit()

@@ -20,7 +20,7 @@ def held_drive_blocker(
         return tr("The board does not respond.")
     if not device.is_connected:
         return tr("Connect to a board to test its motors.")
-    if device.applying:
+    if device.writer.running:
         return tr("Settings are being written.")
     if device.telemetry.serial_controls is False:
         return tr("{0} A test needs serial control.").format(device.board.control_text)

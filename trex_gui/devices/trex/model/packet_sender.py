@@ -78,7 +78,7 @@ class TrexPacketSender(QObject):
         settings = self._device.settings
         if not self._device.is_connected or settings is None:
             return tr("Connect a board to send this.")
-        if self._device.applying:
+        if self._device.writer.running:
             return tr("Settings are being written; wait until they are.")
         moving = [packet for packet in packets if packet.moves]
         if moving and not self._device.motors.armed:

@@ -61,7 +61,7 @@ class PowerCycle(QObject):
         expected = after_power_cycle(settings, stored, signature.firmware)
         self.expected = None if expected == settings else expected
         if not any(key in REACH for key in failed):
-            self._device.expect(() if self.expected is None else (self.expected,))
+            self._device.connection.expect(() if self.expected is None else (self.expected,))
         self._go(PowerCycleStage.OFF_WANTED)
 
     def confirm(self) -> None:

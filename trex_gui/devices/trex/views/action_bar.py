@@ -55,11 +55,11 @@ class TimeoutNotice(QWidget):
     def _on_changed(self) -> None:
         self._warning = warning = timeout_warning(self._device)
         self.setVisible(warning is not None)
-        self._button.setEnabled(not self._device.applying)
+        self._button.setEnabled(not self._device.writer.running)
         if warning is None:
             return
         self._text.setText(warning.text)
-        can_set = warning.seconds is not None and not self._device.rejects_settings
+        can_set = warning.seconds is not None and not self._device.writer.is_rejected
         self._button.setVisible(can_set)
         if warning.seconds is None:
             return
@@ -76,7 +76,7 @@ class TimeoutNotice(QWidget):
     @Slot()
     def _on_clicked(self) -> None:
         if self._warning is not None and self._warning.seconds is not None:
-            self._device.set_serial_timeout(self._warning.seconds)
+            self._device.writer.set_serial_timeout(self._warning.seconds)
 
 
 class StopButton(RedButton):
@@ -185,7 +185,7 @@ class ActionBar(QWidget):
             color="danger" if self._is_out_of_reach else "warning",
         )
         self._unapplied.setVisible(pending)
-        self._apply.setEnabled(pending and self._device.can_apply)
+        self._apply.setEnabled(pending and self._device.writer.can_apply)
 
     @property
     def _is_out_of_reach(self) -> bool:

@@ -17,7 +17,7 @@ def arm(device: Device, window: QWidget) -> None:
     motors, warning = device.motors, timeout_warning(device)
     is_real = device.settings is not None and not device.settings.name
     lacks_stop = device.board.timeout_stop.may_be_mended
-    can_offer = is_real and lacks_stop and motors.can_arm and not device.rejects_settings
+    can_offer = is_real and lacks_stop and motors.can_arm and not device.writer.is_rejected
     if can_offer and warning and warning.seconds and not motors.arms_without_timeout:
         ArmDialog(device, warning.text, warning.seconds, window).open()
     else:
@@ -65,7 +65,7 @@ class ArmDialog(QDialog):
     def _on_write(self) -> None:
         self._set_writing(True)
         self._note.show_note(tr("Writing …"))
-        self._device.set_serial_timeout(self._seconds)
+        self._device.writer.set_serial_timeout(self._seconds)
 
     @Slot()
     def _on_without(self) -> None:

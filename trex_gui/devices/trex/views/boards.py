@@ -267,4 +267,4 @@ class NumberDialog(ReusedDialog):
     @Slot()
     def _on_accepted(self) -> None:
         self.accept()
-        self._device.set_device_number(self._number.value())
+        self._device.writer.set_device_number(self._number.value())

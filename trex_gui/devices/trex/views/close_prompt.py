@@ -34,7 +34,7 @@ class ClosePrompt(QObject):
         device, draft, question = self._device, self._device.draft, self._frame.question
         agreed, self._agreed = self._agreed, None
         may_leave = agreed is not None and agreed == draft.shown
-        if may_leave or not (device.applying or draft.pending):
+        if may_leave or not (device.writer.running or draft.pending):
             leave_now = partial(self._leave, leave, draft.shown if may_leave else None)
             return self._files.may_close(leave_now)
 
@@ -52,24 +52,24 @@ class ClosePrompt(QObject):
             self._files.ask_and_save(partial(leave_with, draft.shown, keep_edits=False))
 
         self._frame.activateWindow()
-        if device.applying:
+        if device.writer.running:
             question.ask(
                 tr(
                     "Settings are still being written. Close anyway? Unwritten settings are "
                     "offered when the board is connected again."
                 ),
                 Answer("closeYes", tr("Close anyway"), keep),
-                still=lambda: device.applying,
+                still=lambda: device.writer.running,
             )
         else:
             apply = Answer("applyFirst", tr("Review and apply…"), self._review.review)
             question.ask(
                 tr("There are unapplied changes."),
-                *([apply] if device.can_apply else []),
+                *([apply] if device.writer.can_apply else []),
                 Answer("saveAndClose", tr("Save as a settings file…"), save_and_leave),
                 Answer("keepAndClose", tr("Keep and close"), keep),
                 Answer("closeYes", tr("Discard and close"), discard),
-                still=lambda: draft.pending > 0 and not device.applying,
+                still=lambda: draft.pending > 0 and not device.writer.running,
             )
         return False
 

@@ -51,8 +51,8 @@ class HistoryDialog(ReusedDialog):
         self.setObjectName("historyDialog")
         self.setWindowTitle(tr("History"))
         self.setWindowFlags(Qt.WindowType.Window)
-        self._history = device.history
-        self._table = SnapshotTable(device.history, self)
+        self._history = device.writer.history
+        self._table = SnapshotTable(device.writer.history, self)
         self._bound_problem = ""
         self._later = new_timer(self, 0, self._renew, single_shot=True)
         # The thread that reads slows this one down: not before the window was drawn.

@@ -215,7 +215,7 @@ class SnapshotPane(QWidget):
             return tr("To restore, compare with the board.")
         if not self._device.is_connected:
             return tr("The board does not respond, so nothing can be restored.")
-        if self._device.applying:
+        if self._device.writer.running:
             return tr("Settings are being written; wait until that is done.")
         if self._rows.table.comparison.offered == 0:
             return tr("There is nothing to restore.")

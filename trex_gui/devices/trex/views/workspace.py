@@ -141,7 +141,7 @@ class TrexWorkspace(Workspace):
         for reviewed in (bar.apply_requested, learning.edited):
             reviewed.connect(self._review.review)
         learning.stored.connect(self._review.close_if_verified)  # the test of the sticks follows
-        self._defaults.reset_requested.connect(device.reset_to_factory)
+        self._defaults.reset_requested.connect(device.writer.reset_to_factory)
         controller.demo_board.rejected.connect(self.notifier.error)
         device.applied.connect(self._on_applied)
         device.applied.connect(self._question.reconsider)
@@ -451,7 +451,7 @@ class TrexWorkspace(Workspace):
     def enabled_actions(self) -> Mapping[str, bool]:
         device, draft = self._device, self._device.draft
         recorder, writable = self.recordings.recorder, device.is_writable
-        shown = draft.shown is not None and not device.applying
+        shown = draft.shown is not None and not device.writer.running
         to_activate = bool(device.parameters.waiting_for_power) or device.draft.reset_pending
         return {
             **dict.fromkeys(
@@ -459,14 +459,14 @@ class TrexWorkspace(Workspace):
                 device.is_writable,
             ),
             **dict.fromkeys(("save", "print", "export"), shown),
-            "open": not device.applying,
+            "open": not device.writer.running,
             "record": recorder.recording or recorder.can_record,
             "run": device.motors.can_arm,
             "setup": device.is_connected,
             "boards": self._boards.can_scan,
             "number": self._boards.can_change_number,
             "to_boards": writable and self._boards.has_several,
-            "apply": device.can_apply and draft.pending > 0,
+            "apply": device.writer.can_apply and draft.pending > 0,
             "power": device.is_connected and to_activate,
             "discard": shown and draft.pending > 0,
             "undo": shown and draft.undo.canUndo(),
@@ -514,7 +514,7 @@ class TrexWorkspace(Workspace):
             elif not self._review.isVisible():
                 self.notifier.info.emit(tr("%n setting(s) written and verified.", "", len(results)))
             return
-        names = ", ".join(self._device.name_of(result.key) for result in failed)
+        names = ", ".join(self._device.draft.name_of(result.key) for result in failed)
         reasons = " ".join(dict.fromkeys(error_sentence(result.error) for result in failed))
         self.notifier.error.emit(tr("Not verified: {0}. {1}").format(names, reasons))
 

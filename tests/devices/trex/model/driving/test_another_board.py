@@ -201,7 +201,7 @@ def test_interrupted_apply_does_not_make_it_another_board(driven: DrivenBoard) -
     device = driven.device
     device.parameters.edit("serial_timeout", 15)
     device.parameters.edit("motor1_acceleration", 3)
-    device.apply()
+    device.writer.apply()
     driven.board.do("power off")
     driven.wait(lambda: device.link is ConnectionState.NOT_RESPONDING)
     driven.board.do("power on")

@@ -155,8 +155,8 @@ def test_new_device_number_changes_no_ceiling(
     if chosen != FIRST_CEILING:
         motors.set_ceiling(chosen)
     device.parameters.edit("device_number", 9)
-    device.apply()
-    qtbot.waitUntil(lambda: not device.draft.pending and not device.applying)
+    device.writer.apply()
+    qtbot.waitUntil(lambda: not device.draft.pending and not device.writer.running)
     assert motors.ceiling_in_force == chosen
     device.reload()
     connect(device, slow, qtbot)

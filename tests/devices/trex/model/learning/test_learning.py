@@ -88,8 +88,8 @@ class LearningSetup:
         self.learning.next()
 
     def write(self) -> None:
-        self.device.apply()
-        self.until(lambda: not self.device.applying)
+        self.device.writer.apply()
+        self.until(lambda: not self.device.writer.running)
 
     def hold(self) -> None:
         """Wait for as many measurements as make an end."""
@@ -329,7 +329,7 @@ def test_written_values_request_a_test(setup: LearningSetup) -> None:
     setup.push_all()
     setup.learning.next()
     setup.learning.use_values()
-    setup.device.apply()
+    setup.device.writer.apply()
     setup.until(lambda: bool(stored))
     setup.learning.begin_test(setup.learning.numbers)
     setup.until_step(LearningStep.TEST)
@@ -413,8 +413,8 @@ def test_requesting_a_test_does_not_stop_running_motors(setup: LearningSetup) ->
 def test_each_written_channel_requests_its_own_test(setup: LearningSetup) -> None:
     setup.to_review(1, 2)
     setup.learning.use_values()
-    setup.device.apply({"rc_channel_2"})
-    setup.until(lambda: not setup.device.applying)
+    setup.device.writer.apply({"rc_channel_2"})
+    setup.until(lambda: not setup.device.writer.running)
     assert setup.requested_tests == [(2,)]
     setup.write()
     assert setup.requested_tests == [(2,), (1,)]

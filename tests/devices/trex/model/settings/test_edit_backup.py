@@ -144,8 +144,8 @@ def test_edits_that_are_done_with_leave_no_file(run: Start, how: str) -> None:
     first.edit(serial_timeout=15)
     assert len(files()) == 1
     if how == "apply":
-        first.device.apply()
-        first.wait(lambda: not first.device.applying)
+        first.device.writer.apply()
+        first.wait(lambda: not first.device.writer.running)
     elif how == "discard":
         first.draft.discard_edits()
     else:
@@ -202,9 +202,9 @@ def test_no_edit_is_lost_if_another_model_answers_during_apply(
             quick_simulator.on_write = lambda _data: None
             quick_simulator.move_cable_to(other)
 
-    one.device.apply()
+    one.device.writer.apply()
     quick_simulator.on_write = exchange
-    one.wait(lambda: not one.device.applying)
+    one.wait(lambda: not one.device.writer.running)
     one.settle()
     stored = quick_simulator.show()["parameters"]
     one.connect(quick_simulator.url)
@@ -218,11 +218,11 @@ def test_reset_that_is_not_written_discards_no_edit(
     one = run()
     one.edit(serial_timeout=15)
     quick_simulator.do("eeprom motor1_acceleration 9")  # as if it were another board
-    one.device.reset_to_factory()
-    one.wait(lambda: not one.device.applying)
+    one.device.writer.reset_to_factory()
+    one.wait(lambda: not one.device.writer.running)
     assert dict(one.device.draft.parameters.pending) == {"serial_timeout": 15}
-    one.device.reset_to_factory()
-    one.wait(lambda: not one.device.applying)
+    one.device.writer.reset_to_factory()
+    one.wait(lambda: not one.device.writer.running)
     assert not one.device.draft.pending
 
 
@@ -245,7 +245,7 @@ def test_edits_follow_a_board_that_gets_another_number(run: Start) -> None:
     record.write_text("its notes", encoding="utf-8")
     messages = list[str]()
     first.device.notifier.info.connect(messages.append)
-    first.device.apply({"device_number"})
+    first.device.writer.apply({"device_number"})
     first.wait(lambda: len(messages) == 2)
     first.settle()
     moved, aside = sorted(files(), key=lambda each: len(each.name))

@@ -67,8 +67,8 @@ class InterruptedApply:
                 act()
 
         self.device.connection.progressed.connect(on_progressed)
-        self.device.apply()
-        self.recorder.until(lambda: bool(done) and not self.device.applying)
+        self.device.writer.apply()
+        self.recorder.until(lambda: bool(done) and not self.device.writer.running)
         self.device.connection.progressed.disconnect(on_progressed)
 
     @property
@@ -83,8 +83,8 @@ class InterruptedApply:
 
     def require_kept(self) -> None:
         """The snapshot says what was stored before, whole."""
-        (snapshot,) = self.device.history.snapshots()
-        assert self.device.history.load(snapshot) == self.before
+        (snapshot,) = self.device.writer.history.snapshots()
+        assert self.device.writer.history.load(snapshot) == self.before
 
     def require_named(self) -> None:
         """Whatever is not stored was told, and what was told to be stored is."""

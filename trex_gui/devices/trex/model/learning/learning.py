@@ -116,7 +116,7 @@ class Learning(QObject):
             self.step is LearningStep.REVIEW
             and bool(self.included)
             and all(channel.can_be_used for channel in self.included)
-            and not self._device.applying
+            and not self._device.writer.running
         )
 
     @property

@@ -76,7 +76,7 @@ class CalibrationPreconditions(QObject):
                     "settings. Switch it off, remove the mode jumper and switch it on."
                 )
             return why.format(state.mode.source.word)
-        if self._device.applying:
+        if self._device.writer.running:
             return tr("Settings are being written.")
         return ""
 

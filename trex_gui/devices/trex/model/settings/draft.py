@@ -55,6 +55,14 @@ class SettingsDraft(QObject):
 
     # --- Stored settings ----------------------------------------------------------------
 
+    def name_of(self, key: str) -> str:
+        if key in CALIBRATION_KEYS:
+            return CALIBRATION_KEYS[key].label
+        if key == ParameterKey.FACTORY_RESET:
+            return tr("Reset to factory defaults")
+        parameters = self.parameters
+        return parameters.spec_of(key).name if parameters.index_of(key).isValid() else key
+
     def stored_curve(self, channel: int) -> ChannelCurve | None:
         """Return the curve of a channel (1-5) with the stored values, if they are known."""
         calibration = self.calibrations.stored(channel)

@@ -58,7 +58,7 @@ class MotorPulses(QObject):
     def cannot_drive(self) -> str:
         """Why this board cannot show its motors one by one; empty if it can."""
         device = self._device
-        if device.rejects_settings and device.state is not None:
+        if device.writer.is_rejected and device.state is not None:
             text = tr(
                 "The board is in {0} mode, so the sticks control the motors and not this program. "
                 "Skip this step, or switch the board off, remove the mode jumper and switch it on."

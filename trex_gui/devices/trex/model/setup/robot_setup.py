@@ -137,9 +137,9 @@ class RobotSetup(QObject):
             return ""
         if not device.is_connected or device.state is None:
             return tr("No board is connected, so nothing can be changed.")
-        if device.applying:
+        if device.writer.running:
             return tr("Settings are being written.")
-        if device.rejects_settings:
+        if device.writer.is_rejected:
             text = tr(
                 "The board is in {0} mode and rejects settings: go back to the jumpers, or skip."
             )
@@ -234,7 +234,7 @@ class RobotSetup(QObject):
             with self._device.draft.one_edit(tr("Set up my robot")):
                 for key, wire in edits.items():
                     self._device.parameters.edit(key, wire, alone=True)
-        if self.step is not SetupStep.JUMPERS or not self._device.rejects_settings:
+        if self.step is not SetupStep.JUMPERS or not self._device.writer.is_rejected:
             self._completed.add(self.step)
         self._move(1)
 

@@ -147,7 +147,7 @@ class ReviewDialog(ReusedDialog):
     @property
     def _is_cancellable(self) -> bool:
         """Whether it was told to write, and nothing is written yet."""
-        return self._phase is _Phase.WRITING and self._device.is_saving_snapshot
+        return self._phase is _Phase.WRITING and self._device.writer.is_saving_snapshot
 
     # --- User actions -------------------------------------------------------------------
 
@@ -172,7 +172,7 @@ class ReviewDialog(ReusedDialog):
         self._progress.setValue(0)
         self._enter(_Phase.WRITING)
         self._written = wanted
-        self._device.apply(wanted)
+        self._device.writer.apply(wanted)
 
     @Slot(object)
     def _on_accepted(self, finding: LintFinding) -> None:
@@ -187,7 +187,7 @@ class ReviewDialog(ReusedDialog):
     def _on_finished(self) -> None:
         if self._is_cancellable:
             self._phase = _Phase.REVIEW
-            self._device.cancel_apply()
+            self._device.writer.cancel()
         elif self._phase is _Phase.DONE:  # writing continues while the dialog is hidden
             self._cycle.end()
         if self._phase is _Phase.REVIEW and self._staged == self._undo.index():
@@ -212,7 +212,7 @@ class ReviewDialog(ReusedDialog):
 
     @Slot(int, int, str)
     def _on_progressed(self, done: int, total: int, what: str) -> None:
-        if self._phase is _Phase.WRITING and self._device.applying:
+        if self._phase is _Phase.WRITING and self._device.writer.running:
             self._progress.setRange(0, total)
             self._progress.setValue(done)
             self._progress.setFormat(
@@ -257,7 +257,7 @@ class ReviewDialog(ReusedDialog):
 
     @Slot(str)
     def _on_failed(self, reason: str) -> None:
-        if self._phase is _Phase.WRITING and not self._device.applying:
+        if self._phase is _Phase.WRITING and not self._device.writer.running:
             self._problem = reason
             self._enter(_Phase.DONE)
 

@@ -204,7 +204,7 @@ class JumperPage(QWidget):
 
     def _mix_result(self, is_mixed: bool) -> tuple[bool | None, str]:
         seen = self._setup.is_mixed
-        if seen is not is_mixed and self._device.rejects_settings:
+        if seen is not is_mixed and self._device.writer.is_rejected:
             return None, tr(
                 "The mix jumper can be checked in serial mode only: in this mode a stick that you "
                 "push would drive the motors."
@@ -320,7 +320,7 @@ class SticksPage(QWidget):
             tr("Both sticks are fully &forward now"),
         )
         self._forward.setText(one if self._is_one else two)
-        can_push = self._device.is_connected and not self._device.rejects_settings
+        can_push = self._device.is_connected and not self._device.writer.is_rejected
         for button in (self._forward, self._right):
             button.setEnabled(can_push)
         self._wiring.setText(self._wiring_text())
@@ -605,7 +605,7 @@ class ReviewPage(QWidget):
         if not device.is_connected:
             text = tr("No board is connected.")
         self._pending.show_note(text)
-        self._apply.setEnabled(device.can_apply and pending > 0)
+        self._apply.setEnabled(device.writer.can_apply and pending > 0)
         still_open = self._setup.open_steps
         self._open_title.setVisible(bool(still_open))
         for step, (go, reason) in self._open.items():

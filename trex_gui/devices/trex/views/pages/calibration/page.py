@@ -156,7 +156,7 @@ class CalibrationPage(PlotPage):
     @property
     def _editable(self) -> bool:
         device = self._device
-        return device.is_writable and self._is_active and not device.rejects_settings
+        return device.is_writable and self._is_active and not device.writer.is_rejected
 
     def _calibration(self) -> Calibration | None:
         calibrations = self._device.calibrations
@@ -235,7 +235,7 @@ class CalibrationPage(PlotPage):
         )
 
     def _show_actions(self) -> None:
-        is_connected, reason = self._device.is_connected, self._device.settings_blocker
+        is_connected, reason = self._device.is_connected, self._device.writer.blocker
         if not self._is_active:
             read = tr(channel_text.SOURCE_NAMES[self._device.calibrations.source])
             shown = tr(channel_text.SOURCE_NAMES[self.source])
@@ -278,7 +278,7 @@ class CalibrationPage(PlotPage):
         if failure := self._failure(self.channel):
             return failure
         calibration = self._calibration()
-        if calibration is None or not self._device.is_connected or self._device.rejects_settings:
+        if calibration is None or not self._device.is_connected or self._device.writer.is_rejected:
             return ""
         return channel_text.concern(calibration, self.source)
 
@@ -289,7 +289,7 @@ class CalibrationPage(PlotPage):
             return tr(
                 "No board responds. Edits are kept until a board of the same kind is connected."
             )
-        if blocker := self._device.settings_blocker:
+        if blocker := self._device.writer.blocker:
             return blocker
         values, counts = f"1500 µs, {Number(1.5)} ms", "3750"
         if self.source is InputSource.ANALOG:

@@ -74,7 +74,7 @@ class ParametersPage(QWidget):
         self._discard.setEnabled(connected and self._device.draft.pending > 0)
         # Edits go to the board with Apply only; a silent one interrupts nobody who is typing.
         is_silent = self._device.link is ConnectionState.NOT_RESPONDING
-        can_edit = (connected or is_silent) and not self._device.rejects_settings
+        can_edit = (connected or is_silent) and not self._device.writer.is_rejected
         self.table.set_rows_enabled(can_edit)
         self._notice.setText(self._state_text(connected=connected))
 
@@ -85,7 +85,7 @@ class ParametersPage(QWidget):
             return tr(
                 "No board is responding. Edits are kept until the same kind of board is connected."
             )
-        if blocker := self._device.settings_blocker:
+        if blocker := self._device.writer.blocker:
             return blocker
         if self._device.draft.reset_pending:
             return tr("Factory defaults take effect after the next power cycle.")
