@@ -14,7 +14,7 @@ from tests.support.window import WindowDriver
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.supervisor import UNCONFIRMED_STOP
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.frame.main_window import UnconfirmedStopWarning
+from trex_gui.ui.frame.stopping import UnconfirmedStopWarning
 from trex_gui.ui.runtime import runtime
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")

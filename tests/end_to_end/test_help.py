@@ -16,7 +16,7 @@ from trex_gui.devices.aracna.session.errors import ErrorCode as RobotErrorCode
 from trex_gui.devices.aracna.views import help as aracna
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
 from trex_gui.devices.trex.views import help as trex
-from trex_gui.ui.frame.main_window import _HELP_TOPICS
+from trex_gui.ui.frame.main_window import HELP_TOPICS
 from trex_gui.ui.help.pages import pages
 from trex_gui.ui.translations import error_sentence
 
@@ -41,7 +41,7 @@ def press_f1(window: WindowDriver, widget: QWidget) -> str:
 def test_topics_exist() -> None:
     anchors = {one.topic for page in pages() for one in page.sections}
     names = {page.name for page in pages()}
-    for topic in (*trex.TOPICS.values(), *aracna.TOPICS.values(), *_HELP_TOPICS.values()):
+    for topic in (*trex.TOPICS.values(), *aracna.TOPICS.values(), *HELP_TOPICS.values()):
         assert topic in names | anchors, topic
 
 
@@ -73,7 +73,7 @@ def test_f1_opens_help_on_the_window_in_front(
         window.trigger(key)
         dialog = window.find(QDialog, name)
         window.wait(dialog.isVisible)
-        assert press_f1(window, dialog) == _HELP_TOPICS[name]
+        assert press_f1(window, dialog) == HELP_TOPICS[name]
         dialog.close()
     window.trigger("check_board")
     assert press_f1(window, window.find(QDialog, "checkBoardDialog")) == "lost_settings.md"
@@ -96,7 +96,7 @@ def test_every_dialog_has_a_topic() -> None:
     named = re.compile(r'\.setObjectName\("(\w+(?:Dialog|Window|sEditor))"\)')
     names = {name for source in sources for name in named.findall(source)}
     assert {"mainWindow", "newSettingsDialog", "settingsEditor"} < names
-    assert names - {"mainWindow"} <= trex.TOPICS.keys() | _HELP_TOPICS.keys()
+    assert names - {"mainWindow"} <= trex.TOPICS.keys() | HELP_TOPICS.keys()
 
 
 def test_message_with_a_code_offers_its_help(connected_window: WindowDriver) -> None:

@@ -66,7 +66,7 @@ def test_recent_files_open_again(window: WindowDriver, tmp_path: Path) -> None:
     assert recent(window) == []
 
     workspace = trex(window.program).workspace
-    window.window.open_file(settings)
+    window.window.files.open_file(settings)
     workspace.recordings.open_file(recording)
     window.wait_for_files()
     assert [action.toolTip() for action in recent(window)] == [str(recording), str(settings)]

@@ -89,7 +89,7 @@ def test_port_that_is_unplugged_is_no_longer_offered(
 
 
 def test_recent_files_are_offered_and_open(window: WindowDriver, tmp_path: Path) -> None:
-    recent = window.window.recent
+    recent = window.window.files.recent
     group = window.find(QWidget, "startFiles")
     assert not group.isVisible()
     poses = tmp_path / "walk & turn.ppr"

@@ -118,7 +118,7 @@ def test_file_of_another_kind_of_device_is_opened_in_a_window_that_never_used_on
 ) -> None:
     path = tmp_path / "one.ppr"
     path.write_text("", encoding="ascii")
-    started.window.open_file(path)
+    started.window.files.open_file(path)
     assert started.device_manager.current.plugin.key == "aracna"
 
 

@@ -110,9 +110,9 @@ class Program:
             else:
                 kind.open_offline(path)
         elif connecting and not is_current:
-            self.device_manager.when_connected(lambda: self.window.open_file(path))
+            self.device_manager.when_connected(lambda: self.window.files.open_file(path))
         else:
-            self.window.open_file(path)
+            self.window.files.open_file(path)
 
     def _file_kind(self, path: Path) -> tuple[str, FileKind]:
         kinds = [(key, kind) for key, space in self.workspaces.items() for kind in space.file_kinds]

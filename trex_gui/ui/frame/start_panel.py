@@ -127,7 +127,7 @@ class StartPanel(QWidget):
             follow_theme(each, "widest", partial(self._limit_width, each))
         ui.column(*(ui.row((each, 1)) for each in shown), 1, into=self, margins=0)
         frame.ports.changed.connect(self._on_ports_changed)
-        frame.recent.changed.connect(self._on_recent_changed)
+        frame.files.recent.changed.connect(self._on_recent_changed)
         self._on_ports_changed()
         self._on_recent_changed()
 
@@ -175,7 +175,7 @@ class StartPanel(QWidget):
 
     @Slot()
     def _on_recent_changed(self) -> None:
-        files = self._frame.recent.entries[:_MOST_FILES]
+        files = self._frame.files.recent.entries[:_MOST_FILES]
         self._recent.setVisible(bool(files))
         for button, file in zip_longest(self._files, files):
             button.setVisible(file is not None)
@@ -199,7 +199,7 @@ class StartPanel(QWidget):
         self._frame.connect_to(self._frame.ports.demo_of(self._device))
 
     def _on_file_clicked(self, at: int) -> None:
-        self._frame.open_recent(self._frame.recent.entries[at])
+        self._frame.files.open_recent(self._frame.files.recent.entries[at])
 
 
 def _left(*buttons: QPushButton) -> list[ui.Item]:

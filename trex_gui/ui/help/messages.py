@@ -1,11 +1,13 @@
-"""Which section of the help explains a message that has a code."""
+"""Finding the section of the help on a message that has a code, or on what has the focus."""
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from enum import Enum
 
+from PySide6.QtWidgets import QApplication, QWidget
+
 from trex_gui.core.translation import tr
-from trex_gui.ui.help.pages import anchor_of
+from trex_gui.ui.help.pages import INDEX, anchor_of
 
 MESSAGES = "messages.md"
 _FIELD = re.compile(r"\{\w*(?::[^}]*)?\}")
@@ -50,3 +52,13 @@ class MessageHelp:
 def texts_of(codes: Iterable[Enum]) -> list[str]:
     """Return the texts of codes whose values they are."""
     return [str(code.value) for code in codes]
+
+
+def topic_in_front(topics: Mapping[str, str], page: QWidget | None) -> str:
+    """Return the topic of what has the focus, or of a page; `topics` are by object name."""
+    widget = QApplication.focusWidget() or QApplication.activeWindow()
+    while widget is not None:
+        if widget.objectName() in topics:
+            return topics[widget.objectName()]
+        widget = None if widget.isWindow() else widget.parentWidget()
+    return topics.get(page.objectName().removesuffix("Area") if page is not None else "", INDEX)

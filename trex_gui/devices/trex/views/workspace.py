@@ -134,8 +134,8 @@ class TrexWorkspace(Workspace):
         self.files.staged.connect(lambda: self.show_page("parameters"))
         self.recordings.accept_drops(frame, self)
         self.openers = {"settings": files.open_file, "recording": self.recordings.open_file}
-        files.used.connect(partial(frame.recent.note, self.key, "settings"))
-        self.recordings.used.connect(partial(frame.recent.note, self.key, "recording"))
+        files.used.connect(partial(frame.files.recent.note, self.key, "settings"))
+        self.recordings.used.connect(partial(frame.files.recent.note, self.key, "recording"))
         self.recordings.settings_wanted.connect(self.files.open_editor)
         self._defaults.staged.connect(self._review.review_staged)
         for reviewed in (bar.apply_requested, learning.edited):

@@ -3,8 +3,8 @@ from pathlib import Path
 import pytest
 from pytestqt.qtbot import QtBot
 
+from trex_gui.ui.frame.files import RecentFiles
 from trex_gui.ui.preferences import Preferences
-from trex_gui.ui.recent_files import RecentFiles
 
 pytestmark = pytest.mark.usefixtures("qapp")
 FOLDER = Path("/some where").absolute()

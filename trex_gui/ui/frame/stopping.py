@@ -1,0 +1,123 @@
+"""Stopping by Esc in every window, and closing the window while a stop is unconfirmed."""
+
+from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Slot
+from PySide6.QtGui import QGuiApplication, QKeyEvent, QWindow
+from PySide6.QtWidgets import QAbstractItemView, QApplication, QDialog, QWidget
+
+from trex_gui.core.translation import tr
+from trex_gui.ui.devices.device_manager import DeviceManager
+from trex_gui.ui.notifier import Answer
+from trex_gui.ui.runtime import now
+from trex_gui.ui.widgets.behaviour import ReusedDialog
+from trex_gui.ui.widgets.messages import InlinePrompt
+
+_LOG_OUT_S = 60.0
+"""Seconds after the start of a log-out within which closing the window is part of it."""
+
+
+def stop_or_close_dialog(device_manager: DeviceManager) -> None:
+    """Stop, or close the dialog in front, which stops only what may be moving."""
+    dialog, needs_stop = QApplication.activeWindow(), device_manager.needs_stop
+    if needs_stop or not isinstance(dialog, QDialog):
+        device_manager.press_stop()
+    stays = isinstance(dialog, ReusedDialog) and dialog.stays_on_stop
+    if isinstance(dialog, QDialog) and not (needs_stop and stays):
+        dialog.reject()
+
+
+class EscapeWatch(QObject):
+    """Event filter that stops on Esc before any widget gets the key.
+
+    Modal dialogs block a shortcut, and editors in a table consume the key. The filter is on the
+    native windows, so only their events pass through Python.
+
+    Esc that closes a dialog, a question, a menu, a list or an editor in a table is no stop while
+    nothing can be moving; otherwise it does both.
+    """
+
+    def __init__(
+        self, app: QGuiApplication, device_manager: DeviceManager, parent: QObject
+    ) -> None:
+        super().__init__(parent)
+        self._manager = device_manager
+        app.focusWindowChanged.connect(self._on_focus_window_changed)
+        self._on_focus_window_changed(app.focusWindow())
+
+    @Slot(QWindow)
+    def _on_focus_window_changed(self, window: QWindow | None) -> None:
+        if window is not None:
+            window.removeEventFilter(self)
+            window.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        del watched
+        if not isinstance(event, QKeyEvent) or event.key() != Qt.Key.Key_Escape:
+            return False
+        if event.type() == QEvent.Type.ShortcutOverride and _is_closed_by_escape():
+            event.accept()  # it comes as a key press, not as the shortcut of the menu
+            return True
+        is_pressed = event.type() == QEvent.Type.KeyPress and not event.isAutoRepeat()
+        closes = _is_closed_by_escape() or isinstance(QApplication.activeWindow(), QDialog)
+        if is_pressed and (not closes or self._manager.needs_stop):
+            self._manager.press_stop()
+        return False
+
+
+def _is_closed_by_escape() -> bool:
+    """Whether a menu, a list, a question or an editor in a table is open, which Esc closes."""
+    if QApplication.activePopupWidget() is not None:
+        return True
+    focus = QApplication.focusWidget()
+    parent = None if focus is None or focus.isWindow() else focus.parentWidget()
+    while parent is not None and not isinstance(parent, QAbstractItemView | InlinePrompt):
+        parent = None if parent.isWindow() else parent.parentWidget()
+    return parent is not None
+
+
+class UnconfirmedStopWarning(QObject):
+    """Warns in the window about an unconfirmed stop when the window is closed.
+
+    It does not block, so that anything else can still end the program. A stop that is confirmed
+    after all closes the window, and so does closing it again. There is no warning on log-out.
+    """
+
+    def __init__(
+        self, device_manager: DeviceManager, question: InlinePrompt, window: QWidget
+    ) -> None:
+        super().__init__(window)
+        self._manager = device_manager
+        self._question = question
+        self._window = window
+        self.given = False  # whether it is shown; closing the window then needs no other question
+        self._log_out_at: float | None = None
+        app = QApplication.instance()
+        if isinstance(app, QApplication):
+            app.commitDataRequest.connect(self.note_log_out)
+
+    @property
+    def is_due(self) -> bool:
+        """Whether the window, with every line closed, must not close without it."""
+        is_log_out = self._log_out_at is not None and now() - self._log_out_at < _LOG_OUT_S
+        return bool(self._manager.unconfirmed_stop) and not self.given and not is_log_out
+
+    @Slot()
+    def note_log_out(self) -> None:
+        self._log_out_at = now()
+
+    def give(self) -> None:
+        text = self._manager.unconfirmed_stop
+        self.given = True
+        self._window.setWindowState(self._window.windowState() & ~Qt.WindowState.WindowMinimized)
+        self._window.activateWindow()
+        self._question.ask(
+            text,
+            Answer("closeUnstopped", tr("Close the window"), self._window.close),
+            still=lambda: self._manager.unconfirmed_stop == text,
+            otherwise=self._on_over,
+        )
+
+    def _on_over(self) -> None:
+        if self._manager.is_idle and not self._manager.unconfirmed_stop:
+            QTimer.singleShot(0, self._window.close)
+        else:
+            self.given = False
