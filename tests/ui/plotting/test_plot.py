@@ -175,7 +175,9 @@ def test_curves_are_one_logical_pixel_wide_with_a_thin_pen(plot: TracePlot) -> N
         return int(np.count_nonzero(pixels == theme().color("motor2").rgb()))
 
     assert drawn(2) == pytest.approx(4 * drawn(1), rel=0.2)
-    assert {curve.item.opts["pen"].width() for curve in plot._curves.values()} == {1}
+    assert {
+        curve.item.opts["pen"].width() for curve in (shapes[0] for shapes in plot._shapes.values())
+    } == {1}
 
 
 def test_points_drawn_are_limited_however_long_the_history(plot: TracePlot) -> None:
@@ -187,7 +189,7 @@ def test_points_drawn_are_limited_however_long_the_history(plot: TracePlot) -> N
         plot.set_window(length)
         assert 0 < plot.points_drawn <= 2 * 1100, length
         for name in plot.shown:
-            assert len(plot._curves[name].item.getData()[0]) <= 1100
+            assert len(plot._shapes[name][0].item.getData()[0]) <= 1100
 
 
 def test_curve_is_shown_and_hidden_in_the_legend(panel: TracePanelDriver, plot: TracePlot) -> None:
@@ -374,7 +376,7 @@ def color_menus(button: LayoutButton) -> list[QMenu]:
 
 
 def curve_color(plot: TracePlot) -> QColor:
-    color: QColor = plot._curves["motor1"].item.opts["pen"].color()
+    color: QColor = plot._shapes["motor1"][0].item.opts["pen"].color()
     return color
 
 

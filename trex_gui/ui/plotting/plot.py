@@ -5,6 +5,7 @@ Importing it loads pyqtgraph: do so when a plot is to be shown.
 
 import math
 from collections.abc import Sequence
+from itertools import chain
 from typing import TypeVar
 
 import numpy as np
@@ -12,18 +13,12 @@ from PySide6.QtCore import QEvent, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QAccessible, QFontMetrics, QKeyEvent
 from PySide6.QtWidgets import QWidget
 
+from trex_gui.core.translation import tr, tr_noop
 from trex_gui.core.events import Event
-from trex_gui.core.translation import tr
 from trex_gui.ui.plotting.axes import Span, ValueAxis, ago_labels, clock_text, since_labels
 from trex_gui.ui.plotting.canvas import Curve, Line, PlotCanvas
 from trex_gui.ui.plotting.history import Floats, Points
-from trex_gui.ui.plotting.marks import (
-    EVENT_COLORS,
-    MAX_MARKS,
-    CurveTags,
-    EventMarks,
-    Readout,
-)
+from trex_gui.ui.plotting.marks import EVENT_COLORS, MAX_MARKS, CurveTags, EventMarks, Readout
 from trex_gui.ui.plotting.traces import TraceInfo, Traces
 from trex_gui.ui.widgets.bar import MINUS
 from trex_gui.ui.widgets.builders import column, named
@@ -35,6 +30,11 @@ _PAN = 0.25
 _ZOOM = 0.7
 _FINE, _COARSE = 0.002, 0.05
 _NEAR_MARK = 6  # pixels
+
+_KEYS = tr_noop(
+    "Left and Right move the cursor, with Shift in large steps; its values are read "
+    "out here. M sets a mark, plus and minus zoom, L goes back to live."
+)
 
 FloatsT = TypeVar("FloatsT", float, Floats)
 
@@ -63,18 +63,14 @@ class TracePlot(Painted):
         self.span = Span()
         self.source: Traces | None = None
         self.shown: set[str] = set()  # names of the curves that are drawn
-        # The time of the first sample, which times are counted from.
-        self.origin: float | None = None
-        # The time from which peaks are held; `None` while they are not.
-        self.peaks_since: float | None = None
+        self.origin: float | None = None  # time of the first sample, from which times count
+        self.peaks_since: float | None = None  # time from which peaks are held, if they are
         self.cursor_time: float | None = None
         self.mark_time: float | None = None
         self.points_drawn = 0  # the points of all curves in the last frame
         self.top: float | None = None  # where the left axis ends; `None`: where the values do
         self._left, self._right = ValueAxis(""), ValueAxis("")
-        self._curves: dict[str, Curve] = {}
-        self._limits: dict[str, Line] = {}
-        self._peaks: dict[str, Line] = {}
+        self._shapes: dict[str, tuple[Curve, Line, Line]] = {}  # a curve, its limit and its peak
         self._drawn_axes: object = None
         self._hovered: float | None = None  # pixels: under a mouse at rest the time moves on
         self.setObjectName("tracePlot")
@@ -104,15 +100,13 @@ class TracePlot(Painted):
         self._canvas.selected.connect(
             lambda x0, x1: self.show_span(self._time_at(x0), self._time_at(x1))
         )
-        self._canvas.zoomed.connect(self._on_zoomed)
+        self._canvas.zoomed.connect(lambda factor, x: self._zoom(factor, self._time_at(x)))
         self._canvas.panned.connect(self._on_panned)
         self._canvas.arranged.connect(self._on_arranged)
         self._marks.chosen.connect(self.event_chosen)
 
-    # --- What is shown ------------------------------------------------------------------
-
     def set_source(self, source: Traces) -> None:
-        for shape in (*self._curves.values(), *self._limits.values(), *self._peaks.values()):
+        for shape in chain.from_iterable(self._shapes.values()):
             shape.set_visible(False)
         self.source = source
         self.origin = None
@@ -123,9 +117,11 @@ class TracePlot(Painted):
         canvas, pens = self._canvas, Qt.PenStyle
         for trace in source.traces:
             style = pens.DotLine if self.is_right(trace) else pens.SolidLine
-            self._curves[trace.name] = canvas.add_curve(trace.color, self._line_width, style)
-            self._limits[trace.name] = canvas.add_line(trace.color, pens.DashLine)
-            self._peaks[trace.name] = canvas.add_line(trace.color, pens.DashDotDotLine)
+            self._shapes[trace.name] = (
+                canvas.add_curve(trace.color, self._line_width, style),
+                canvas.add_line(trace.color, pens.DashLine),
+                canvas.add_line(trace.color, pens.DashDotDotLine),
+            )
         self._tags.set_traces(source.traces)
         self._show_margins()
         self.draw()
@@ -141,12 +137,11 @@ class TracePlot(Painted):
         self.draw()
 
     def set_color(self, name: str, color: str) -> None:
-        """Draw a curve in another colour of the theme."""
         if self.source is None:
             return
         self.source.set_color(name, color)
-        for shapes in (self._curves, self._limits, self._peaks):
-            shapes[name].set_color(color)
+        for shape in self._shapes[name]:
+            shape.set_color(color)
         self._tags.set_traces(self.source.traces)
         self._tags.update()
         self.colors_changed.emit()
@@ -193,8 +188,6 @@ class TracePlot(Painted):
     def text_of_time(self, time: float) -> str:
         return clock_text(time - (self.origin or 0.0))
 
-    # --- Drawing ------------------------------------------------------------------------
-
     def draw(self) -> None:
         """Draw a frame; its cost does not depend on the number of samples."""
         source, span = self.source, self.span
@@ -211,12 +204,10 @@ class TracePlot(Painted):
         lines = self._fit_axes(source)
         heights = self._draw_curves(source, lines)
         for trace in source.traces:
-            shown = trace.name in self.shown
-            for levels, level in (
-                (self._limits, source.limits.get(trace.name) if shown else None),
-                (self._peaks, self.peak_of(trace.name) if shown else None),
-            ):
-                levels[trace.name].set_value(None if level is None else self._height(trace, level))
+            levels = (source.limits.get(trace.name), self.peak_of(trace.name))
+            for line, level in zip(self._shapes[trace.name][1:], levels, strict=True):
+                height = None if level is None else self._height(trace, level)
+                line.set_value(height if trace.name in self.shown else None)
         self._draw_events(source.events_between(span.start, span.end)[-MAX_MARKS:])
         self._empty.setVisible(not lines)
         self._show_cursors()
@@ -259,7 +250,7 @@ class TracePlot(Painted):
         """Draw the curves; return the pixel from the top at which each ends."""
         heights = {}
         for trace in source.traces:
-            curve, line = self._curves[trace.name], lines.get(trace.name)
+            curve, line = self._shapes[trace.name][0], lines.get(trace.name)
             curve.set_visible(line is not None)
             if line is not None:
                 y = self._height(trace, line[1])
@@ -312,23 +303,16 @@ class TracePlot(Painted):
         time, source = self.cursor_time, self.source
         if time is None or source is None or not self.span.start <= time <= self.span.end:
             self._readout.hide()
-            keys = tr(
-                "Left and Right move the cursor, with Shift in large steps; its values are read "
-                "out here. M sets a mark, plus and minus zoom, L goes back to live."
-            )
             empty = self._empty.isVisibleTo(self)
-            self.setAccessibleDescription(self._empty.text() if empty else keys)
+            self.setAccessibleDescription(self._empty.text() if empty else tr(_KEYS))
             return
         self._readout.show_values(source, time, self.mark_time, self.origin or 0.0, self.shown)
         if self._hovered is None:  # under a mouse it would be read out with each frame
             self.setAccessibleDescription(self._readout.text())
         self._readout.show_beside(self._canvas.x_of(time - self.span.end), self._canvas.frame)
 
-    # --- The mouse ----------------------------------------------------------------------
-
     def _time_at(self, x: float) -> float:
-        ago = min(0.0, max(-self.span.length, self._canvas.x_at(x)))
-        return self.span.end + ago
+        return self.span.end + min(0.0, max(-self.span.length, self._canvas.x_at(x)))
 
     @Slot(float)
     def _on_hovered(self, x: float) -> None:
@@ -342,18 +326,17 @@ class TracePlot(Painted):
         near = mark is not None and abs(self._canvas.x_of(mark - self.span.end) - x) < _NEAR_MARK
         self.set_mark(None if near else self._time_at(x))
 
-    @Slot(float, float)
-    def _on_zoomed(self, factor: float, x: float) -> None:
-        self.span.zoom(factor, self._time_at(x))
-        self._on_view_changed()
-
     @Slot(float)
     def _on_panned(self, pixels: float) -> None:
-        width = max(1.0, self._canvas.frame.width())
-        self.span.pan(-pixels / width * self.span.length)
+        self._pan(-pixels / max(1.0, self._canvas.frame.width()))
+
+    def _zoom(self, factor: float, around: float) -> None:
+        self.span.zoom(factor, around)
         self._on_view_changed()
 
-    # --- Keys ---------------------------------------------------------------------------
+    def _pan(self, share: float) -> None:
+        self.span.pan(share * self.span.length)
+        self._on_view_changed()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         span, modifiers = self.span, event.modifiers()
@@ -362,8 +345,7 @@ class TracePlot(Painted):
             case Qt.Key.Key_Left | Qt.Key.Key_Right as key:
                 sign = -1 if key == Qt.Key.Key_Left else 1
                 if modifiers & Qt.KeyboardModifier.ControlModifier:
-                    span.pan(sign * _PAN * span.length)
-                    self._on_view_changed()
+                    self._pan(sign * _PAN)
                 else:
                     with_shift = modifiers & Qt.KeyboardModifier.ShiftModifier
                     step = sign * (_COARSE if with_shift else _FINE) * span.length
@@ -374,19 +356,15 @@ class TracePlot(Painted):
             case Qt.Key.Key_End:
                 self.set_cursor(span.end)
             case Qt.Key.Key_Plus | Qt.Key.Key_Equal:
-                span.zoom(_ZOOM, cursor)
-                self._on_view_changed()
+                self._zoom(_ZOOM, cursor)
             case Qt.Key.Key_Minus:
-                span.zoom(1 / _ZOOM, cursor)
-                self._on_view_changed()
+                self._zoom(1 / _ZOOM, cursor)
             case Qt.Key.Key_M:
                 self.set_mark(self.cursor_time if self.mark_time is None else None)
             case Qt.Key.Key_L:
                 self.go_live()
             case _:
                 super().keyPressEvent(event)
-
-    # --- Room ---------------------------------------------------------------------------
 
     def sizeHint(self) -> QSize:
         return QSize(self.fontMetrics().averageCharWidth() * 80, self.fontMetrics().height() * 16)
