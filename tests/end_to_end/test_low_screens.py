@@ -15,7 +15,7 @@ from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import runtime
-from trex_gui.ui.widgets.builders import ConfirmButton
+from trex_gui.ui.widgets.behaviour import ConfirmButton
 from trex_gui.ui.widgets.messages import InlinePrompt
 
 LOW = (960, 500)

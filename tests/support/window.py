@@ -34,7 +34,7 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.ports import Port
 from trex_gui.ui.files import background
 from trex_gui.ui.program import Program
-from trex_gui.ui.widgets.builders import ConfirmButton
+from trex_gui.ui.widgets.behaviour import ConfirmButton
 
 ObjectT = TypeVar("ObjectT", bound=QObject)
 

@@ -17,7 +17,7 @@ from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.devices.trex.views.history_dialog import HistoryDialog as HistoryWidget
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.widgets.builders import ConfirmButton
+from trex_gui.ui.widgets.behaviour import ConfirmButton
 from trex_gui.ui.widgets.messages import InlinePrompt
 
 

@@ -15,6 +15,7 @@ from trex_gui.ui.notifier import ConnectWith, Remedy
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import follow_theme, set_text_color
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.behaviour import ConfirmButton
 from trex_gui.ui.widgets.labels import ElidedLabel
 
 _NOT_CONNECTED, _OTHER = "not connected", "other"
@@ -70,7 +71,7 @@ class ConnectionBar(QWidget):
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
         )
         # A double click on Connect does not disconnect.
-        self._connect = ui.named(ui.ConfirmButton(tr("&Connect"), self), "connectButton")
+        self._connect = ui.named(ConfirmButton(tr("&Connect"), self), "connectButton")
         self._connect.clicked.connect(self.toggle)
         self._line = ui.tool_button(
             self,

@@ -2,10 +2,11 @@
 
 from collections.abc import Callable, Iterator
 from functools import wraps
+from math import inf
 from typing import TypeVar
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal, Slot
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QTransform, QWheelEvent
+from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QShowEvent, QTransform, QWheelEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractItemView,
@@ -19,7 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.core.translation import tr
-from trex_gui.ui.runtime import new_timer
+from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.placement import keep_on_screen
 
@@ -199,6 +200,35 @@ class PressMonitor(QObject):
         if self._timer.isActive():
             self.end()
             self.lost.emit()
+
+
+class ConfirmButton(QPushButton):
+    """Takes no click before it has been in sight, as it is now, for the time of a double click.
+
+    The double click that makes it appear under the pointer cannot press it. Clicks that come too
+    early do not make it wait longer.
+    """
+
+    def __init__(self, text: str = "", parent: QWidget | None = None) -> None:
+        super().__init__(text, parent)
+        self._appeared = -inf  # when it was shown, or changed what it does; seconds
+
+    @property
+    def takes_clicks(self) -> bool:
+        return now() - self._appeared > QApplication.doubleClickInterval() / 1000
+
+    def hold_off(self) -> None:
+        """Begin to wait again: the button will do something else from now on."""
+        self._appeared = now()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        if not event.spontaneous():
+            self.hold_off()
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if self.takes_clicks:
+            super().mousePressEvent(event)
 
 
 class HoldButton(QPushButton):

@@ -4,7 +4,6 @@ import re
 from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from itertools import pairwise
-from math import inf
 from typing import Any, TypeVar
 
 from PySide6.QtCore import QEvent, QLocale, QObject, SignalInstance
@@ -12,17 +11,14 @@ from PySide6.QtGui import (
     QAction,
     QIcon,
     QKeySequence,
-    QMouseEvent,
     QPalette,
     QShortcut,
-    QShowEvent,
     Qt,
 )
 from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractItemView,
     QAbstractSpinBox,
-    QApplication,
     QBoxLayout,
     QCheckBox,
     QComboBox,
@@ -46,12 +42,16 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.style import use_theme_style
 from trex_gui.ui.theme.theme import follow_theme, theme, tint
 from trex_gui.ui.units import units
-from trex_gui.ui.widgets.behaviour import clear_corner, focused_wheel, name_headers
+from trex_gui.ui.widgets.behaviour import (
+    ConfirmButton,
+    clear_corner,
+    focused_wheel,
+    name_headers,
+)
 from trex_gui.ui.widgets.painted import never_mirror
 
 
@@ -107,35 +107,6 @@ class RedButton(QPushButton):
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange:
             set_bold(self)
-
-
-class ConfirmButton(QPushButton):
-    """Takes no click before it has been in sight, as it is now, for the time of a double click.
-
-    The double click that makes it appear under the pointer cannot press it. Clicks that come too
-    early do not make it wait longer.
-    """
-
-    def __init__(self, text: str = "", parent: QWidget | None = None) -> None:
-        super().__init__(text, parent)
-        self._appeared = -inf  # when it was shown, or changed what it does; seconds
-
-    @property
-    def takes_clicks(self) -> bool:
-        return now() - self._appeared > QApplication.doubleClickInterval() / 1000
-
-    def hold_off(self) -> None:
-        """Begin to wait again: the button will do something else from now on."""
-        self._appeared = now()
-
-    def showEvent(self, event: QShowEvent) -> None:
-        super().showEvent(event)
-        if not event.spontaneous():
-            self.hold_off()
-
-    def mousePressEvent(self, event: QMouseEvent) -> None:
-        if self.takes_clicks:
-            super().mousePressEvent(event)
 
 
 Handler = Callable[..., object] | SignalInstance  # what a signal is connected to
@@ -259,10 +230,9 @@ def label(
     bold: bool = False,
     buddy: QWidget | None = None,
 ) -> QLabel:
-    """Create a label.
+    """Create a label: `wrap` breaks long text into lines, `expand` takes the width that is left.
 
-    `wrap` breaks long text into lines, `expand` takes the width that is left. A `rich` text is
-    markup: what is not ours in it has to be escaped.
+    A `rich` text is markup: what is not ours in it has to be escaped.
     """
     made = QLabel(parent)
     made.setObjectName(name)

@@ -11,7 +11,7 @@ from tests.support.window import LEFT
 from trex_gui import app
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.ports import Ports
-from trex_gui.ui.widgets.builders import ConfirmButton
+from trex_gui.ui.widgets.behaviour import ConfirmButton
 
 DEMO_TREX, DEMO_ARACNA = "Demo TReX (no hardware)", "Demo Aracna (no hardware)"
 NONE = "Not connected"
