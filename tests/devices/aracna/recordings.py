@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from trex_gui.core.recording.kinds import Marker
 from trex_gui.core.recording.store import CHUNK, Recording, RecordingWriter
-from trex_gui.devices.aracna.recording import FORMAT, Header, Record, StoppedResponding
+from trex_gui.devices.aracna.recording import FORMAT, Record, RobotHeader, StoppedResponding
 from trex_gui.devices.aracna.session.messages import (
     Ending,
     Moved,
@@ -23,7 +23,7 @@ from trex_gui.devices.aracna.session.messages import (
 )
 
 MOTORS = 8
-HEADER = Header(datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC), 1234.5, version=1, motors=MOTORS)
+HEADER = RobotHeader(datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC), 1234.5, version=1, motors=MOTORS)
 T0 = HEADER.clock
 
 _times = st.floats(0, 1e6).map(lambda seconds: T0 + seconds)
@@ -87,9 +87,9 @@ def session(moves: int = 20, *, seconds: float = 2.0, pause: float = 1.0) -> Ite
     yield Marker(time, "stop", "Stopped: nothing more is sent.")
 
 
-def write(path: Path, what: list[Record], header: Header = HEADER) -> int:
+def write(path: Path, what: list[Record], header: RobotHeader = HEADER) -> int:
     """Write a recording; return its size."""
-    writer = RecordingWriter[Header, Record](path, FORMAT, header)
+    writer = RecordingWriter[RobotHeader, Record](path, FORMAT, header)
     for at in range(0, len(what), 7):
         writer.write(what[at : at + 7])
     writer.finish()
@@ -98,7 +98,7 @@ def write(path: Path, what: list[Record], header: Header = HEADER) -> int:
     return size
 
 
-def open_recording(path: Path) -> Recording[Header, Record]:
+def open_recording(path: Path) -> Recording[RobotHeader, Record]:
     """Open a recording of a robot."""
     return Recording(path, FORMAT)
 

@@ -16,10 +16,10 @@ from tests.devices.trex.recording import samples
 from tests.support.matrix import examples
 from trex_gui.core.recording.export import export_span
 from trex_gui.core.recording.kinds import Marker, RecordingError
-from trex_gui.devices.aracna.recording import Header, Record, StoppedResponding, sample_kinds
+from trex_gui.devices.aracna.recording import Record, RobotHeader, StoppedResponding, sample_kinds
 from trex_gui.devices.aracna.session.messages import Moved, Moving, Passed, SpeedsHeld, StepBegun
 
-HEADER = Header(datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC), 100.0, version=1, motors=2)
+HEADER = RobotHeader(datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC), 100.0, version=1, motors=2)
 
 
 @pytest.fixture(scope="module")
@@ -132,10 +132,10 @@ def test_invalid_header_is_rejected_with_reason(name: str, value: object, reason
     values: dict[str, object] = dict(HEADER.values())
     values[name] = value
     with pytest.raises(ValueError, match=reason):
-        Header.from_values(values)
+        RobotHeader.from_values(values)
     del values[name]
     with pytest.raises(ValueError, match=f"the header is incomplete \\('{name}'\\)"):
-        Header.from_values(values)
+        RobotHeader.from_values(values)
 
 
 def test_recording_of_another_device_is_rejected(tmp_path: Path) -> None:

@@ -43,7 +43,7 @@ Record = Report | StoppedResponding | Marker  # times are seconds on the session
 
 
 @dataclass(frozen=True, slots=True)
-class Header:
+class RobotHeader:
     """Describes the recording of a robot; `clock` is the session's (s) at the start."""
 
     started: datetime
@@ -64,7 +64,7 @@ class Header:
         }
 
     @classmethod
-    def from_values(cls, values: Mapping[str, Any]) -> "Header":
+    def from_values(cls, values: Mapping[str, Any]) -> "RobotHeader":
         """Return the header of these rows; ValueError if one is missing or damaged."""
         try:
             header = cls(
@@ -199,4 +199,6 @@ def _answers(cells: Sequence[int | None]) -> tuple[int, ...]:
     return tuple(UNREADABLE if cell is None else cell for cell in cells)
 
 
-FORMAT = RecordingFormat("aracna", Header.from_values, lambda header: sample_kinds(header.motors))
+FORMAT = RecordingFormat(
+    "aracna", RobotHeader.from_values, lambda header: sample_kinds(header.motors)
+)

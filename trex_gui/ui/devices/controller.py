@@ -38,7 +38,7 @@ class DeviceModel(Protocol[SettingsT_contra]):
 
 
 @dataclass(frozen=True, slots=True)
-class LineQuality:
+class QualityReport:
     """How good a line is, in words, and whether the user should do something about it."""
 
     text: str = ""  # empty while it is not known
@@ -209,8 +209,8 @@ class DeviceController(QObject, Generic[SettingsT]):
         """Use settings at which a device was found before; a device with only one has none."""
 
     @property
-    def quality(self) -> LineQuality:
-        return LineQuality()
+    def quality(self) -> QualityReport:
+        return QualityReport()
 
     @property
     def is_busy(self) -> bool:

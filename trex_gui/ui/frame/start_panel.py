@@ -13,7 +13,7 @@ from trex_gui.core.translation import tr
 from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.welcome import Welcome, is_first_start
-from trex_gui.ui.frame.wiring_sketch import Wiring, WiringSketch
+from trex_gui.ui.frame.wiring_sketch import Wires, WiringSketch
 from trex_gui.ui.frame.workspace import Workspace
 from trex_gui.ui.theme.theme import follow_theme
 from trex_gui.ui.widgets import builders as ui
@@ -29,7 +29,7 @@ class StartWay:
     """One way to wire a device."""
 
     steps: str  # rich text
-    wiring: Wiring
+    wiring: Wires
     name: str = ""  # to choose it by, with a free letter, if there are several
     jumpers: QWidget | None = None  # a picture, for below that of the wires
 

@@ -18,7 +18,7 @@ _WIRE_COLORS = ("motor1", "motor2", "muted")
 
 
 @dataclass(frozen=True, slots=True)
-class Wiring:
+class Wires:
     """The wires of one kind of device."""
 
     board: str  # name of what is wired
@@ -31,7 +31,7 @@ class Wiring:
 class WiringSketch(Painted):
     """The wires between an adapter and the board."""
 
-    def __init__(self, wiring: Wiring, name: str, parent: QWidget | None = None) -> None:
+    def __init__(self, wiring: Wires, name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName(name)
         self.setAccessibleName(wiring.text)

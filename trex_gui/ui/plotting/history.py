@@ -1,6 +1,6 @@
 """Many rows of samples in bounded memory; any span is drawn and summarized at once.
 
-A plot of an hour needs the extremes of some hundred spans of samples. `Column` keeps those of
+A plot of an hour needs the extremes of some hundred spans of samples. `SampleColumn` keeps those of
 blocks of rows, of blocks of blocks, and so on: they cost the same for eight samples and for a
 hundred thousand.
 """
@@ -29,7 +29,7 @@ _BATCH = 64  # rows summarized at once: as many cost little more than a single b
 MAX_LEVELS = 6  # the largest block has 8 to the power of 6 rows: 55 minutes at 80 samples a second
 
 
-class Column:
+class SampleColumn:
     """The values of one column, and summaries of whole blocks of them.
 
     NaN is left out; a block of nothing else is NaN itself. Integrals are by the trapezoidal rule:
@@ -216,7 +216,7 @@ class SampleHistory:
 
     def clear(self) -> None:
         self._times: Floats = np.empty(0)
-        self._columns = [Column(kind, self._levels, self._max_gap) for kind in self._kinds]
+        self._columns = [SampleColumn(kind, self._levels, self._max_gap) for kind in self._kinds]
         self._size = 0
         self._gaps: list[tuple[float, float]] = []  # when each ended and how long it was
 

@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from trex_gui.devices.aracna.protocol import joints
-from trex_gui.devices.aracna.protocol.joints import JOINTS, JointKind, Limits, Side, factory_limits
+from trex_gui.devices.aracna.protocol.joints import JOINTS, JointKind, Leg, Limits, factory_limits
 
 
 @given(position=st.integers(0, 1023))
@@ -52,9 +52,9 @@ def test_speed_for_time_matches_authors_formula() -> None:
 
 def test_even_motors_are_inner_joints_and_legs_are_pairs() -> None:
     assert [joint.kind for joint in JOINTS] == [JointKind.INNER, JointKind.OUTER] * 4
-    assert all(JOINTS[motor].side is JOINTS[motor + 1].side for motor in range(0, 8, 2))
-    front = {joint.motor for joint in JOINTS if joint.side in {Side.LEFT_FRONT, Side.RIGHT_FRONT}}
-    right = {joint.motor for joint in JOINTS if joint.side in {Side.RIGHT_FRONT, Side.RIGHT_BACK}}
+    assert all(JOINTS[motor].leg is JOINTS[motor + 1].leg for motor in range(0, 8, 2))
+    front = {joint.motor for joint in JOINTS if joint.leg in {Leg.LEFT_FRONT, Leg.RIGHT_FRONT}}
+    right = {joint.motor for joint in JOINTS if joint.leg in {Leg.RIGHT_FRONT, Leg.RIGHT_BACK}}
     assert front == {0, 1, 2, 3}
     assert right == {2, 3, 4, 5}
 

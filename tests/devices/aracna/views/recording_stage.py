@@ -10,7 +10,7 @@ from tests.support.window import WidgetDriver
 from trex_gui.core.recording.kinds import Marker
 from trex_gui.devices.aracna.model.recordings import RobotPlayback
 from trex_gui.devices.aracna.model.robot import Robot
-from trex_gui.devices.aracna.recording import Header, Record
+from trex_gui.devices.aracna.recording import Record, RobotHeader
 from trex_gui.devices.aracna.session.messages import Moved, Moving, Passed, SpeedsHeld
 from trex_gui.devices.aracna.views.playback import RobotPlaybackWindow
 from trex_gui.ui.plotting.plot import TracePlot
@@ -54,7 +54,7 @@ class RecordingWindowDriver(WidgetDriver):
 
 
 def show_recording(
-    path: Path, qtbot: QtBot, records: list[Record], header: Header = HEADER
+    path: Path, qtbot: QtBot, records: list[Record], header: RobotHeader = HEADER
 ) -> RecordingWindowDriver:
     """Write a recording and show it in a window."""
     write(path, records, header)

@@ -4,37 +4,37 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trex_gui.devices.aracna.protocol.joints import Side
-from trex_gui.devices.aracna.views.robot.drawing import legs
+from trex_gui.devices.aracna.protocol.joints import Leg
+from trex_gui.devices.aracna.views.robot.drawing import drawn_legs
 
 POSITIONS = st.tuples(st.integers(0, 1023), st.integers(0, 1023))
 
 
 @given(pair=POSITIONS)
 def test_legs_with_equal_positions_are_mirrored(pair: tuple[int, int]) -> None:
-    drawn = {leg.side: leg for leg in legs(pair * 4)}
+    drawn = {leg.leg: leg for leg in drawn_legs(pair * 4)}
     for right, left in (
-        (Side.RIGHT_FRONT, Side.LEFT_FRONT),
-        (Side.RIGHT_BACK, Side.LEFT_BACK),
+        (Leg.RIGHT_FRONT, Leg.LEFT_FRONT),
+        (Leg.RIGHT_BACK, Leg.LEFT_BACK),
     ):
         assert drawn[right].foot[0] == pytest.approx(-drawn[left].foot[0], abs=1e-9)
         assert drawn[right].foot[1] == pytest.approx(drawn[left].foot[1], abs=1e-9)
-    front, back = drawn[Side.RIGHT_FRONT].foot, drawn[Side.RIGHT_BACK].foot
+    front, back = drawn[Leg.RIGHT_FRONT].foot, drawn[Leg.RIGHT_BACK].foot
     assert front[1] == pytest.approx(-back[1], abs=1e-9)
 
 
 @given(pair=POSITIONS)
 def test_feet_stay_within_picture(pair: tuple[int, int]) -> None:
-    for leg in legs(pair * 4):
+    for leg in drawn_legs(pair * 4):
         assert max(map(abs, leg.foot)) <= 1.05
 
 
 def test_motors_0_and_1_are_left_front_leg() -> None:
-    first = legs((512,) * 8)[0]
-    assert first.side is Side.LEFT_FRONT
+    first = drawn_legs((512,) * 8)[0]
+    assert first.leg is Leg.LEFT_FRONT
     assert first.foot[0] < 0
     assert first.foot[1] < 0
 
 
 def test_two_motor_robot_has_one_leg() -> None:
-    assert len(legs((512, 512))) == 1
+    assert len(drawn_legs((512, 512))) == 1

@@ -14,7 +14,7 @@ from tests.devices.aracna.views.recording_stage import (
     RecordingWindowDriver,
     show_recording,
 )
-from trex_gui.devices.aracna.recording import Header
+from trex_gui.devices.aracna.recording import RobotHeader
 from trex_gui.devices.aracna.session.messages import Moved
 
 
@@ -54,7 +54,7 @@ def test_curve_hidden_while_loading_stays_hidden(tmp_path: Path, qtbot: QtBot) -
 def test_recording_with_other_motor_count_is_shown(
     tmp_path: Path, qtbot: QtBot, motors: int
 ) -> None:
-    header = Header(HEADER.started, T0, version=0, motors=motors)
+    header = RobotHeader(HEADER.started, T0, version=0, motors=motors)
     goals = (300,) * motors
     moved = Moved(T0 + 1, goals, goals, 1.0)
     window = show_recording(tmp_path / "a.trexrec", qtbot, [moved], header)

@@ -16,7 +16,7 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.protocol.joints import degrees
-from trex_gui.devices.aracna.recording import FORMAT, Header, Record, Report, StoppedResponding
+from trex_gui.devices.aracna.recording import FORMAT, Record, Report, RobotHeader, StoppedResponding
 from trex_gui.devices.aracna.session.messages import (
     Moved,
     Moving,
@@ -68,7 +68,7 @@ class AracnaRecorder(RecordThread[Record]):
         if not self.can_record:
             return False
         self._motors = self._robot.state.motors
-        header = Header(datetime.now(UTC), now(), self._robot.state.version or 0, self._motors)
+        header = RobotHeader(datetime.now(UTC), now(), self._robot.state.version or 0, self._motors)
         self.begin(path, FORMAT, header, self._known_at(header.clock))
         return True
 
@@ -115,10 +115,10 @@ class AracnaRecorder(RecordThread[Record]):
             self.changed.emit()
 
 
-class RobotPlayback(RecordingPlayer[Header, Record, RobotState]):
+class RobotPlayback(RecordingPlayer[RobotHeader, Record, RobotState]):
     def __init__(
         self,
-        recording: Recording[Header, Record],
+        recording: Recording[RobotHeader, Record],
         parent: QObject | None = None,
         *,
         max_rows: int = MAX_ROWS,

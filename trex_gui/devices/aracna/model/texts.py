@@ -10,7 +10,7 @@ from trex_gui.devices.aracna.protocol.joints import (
     JOINTS,
     Joint,
     JointKind,
-    Side,
+    Leg,
     degrees,
     degrees_per_second,
 )
@@ -38,13 +38,13 @@ def joint_text(motor: int) -> str:
     return f"{motor} {tr('inner') if joint.kind is JointKind.INNER else tr('outer')}"
 
 
-def side_text(side: Side) -> str:
+def leg_text(leg: Leg) -> str:
     return {
-        Side.LEFT_FRONT: tr("Front left"),
-        Side.RIGHT_FRONT: tr("Front right"),
-        Side.RIGHT_BACK: tr("Back right"),
-        Side.LEFT_BACK: tr("Back left"),
-    }[side]
+        Leg.LEFT_FRONT: tr("Front left"),
+        Leg.RIGHT_FRONT: tr("Front right"),
+        Leg.RIGHT_BACK: tr("Back right"),
+        Leg.LEFT_BACK: tr("Back left"),
+    }[leg]
 
 
 def spoken_joint(motor: int) -> str:
@@ -52,7 +52,7 @@ def spoken_joint(motor: int) -> str:
     joint = joint_of(motor)
     if joint is None:
         return tr("Motor {0}").format(motor)
-    return tr("Motor {0}, {1} leg").format(joint_text(motor), side_text(joint.side).lower())
+    return tr("Motor {0}, {1} leg").format(joint_text(motor), leg_text(joint.leg).lower())
 
 
 def position_text(position: int | None) -> str:

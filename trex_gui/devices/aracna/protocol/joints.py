@@ -32,7 +32,7 @@ class JointKind(Enum):
     OUTER = "outer"
 
 
-class Side(Enum):
+class Leg(Enum):
     """Which leg, seen from above with the front up."""
 
     LEFT_FRONT = "front left"
@@ -43,18 +43,18 @@ class Side(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Joint:
-    """One joint and its motor (0-7); `side` is assumed, `kind` is documented."""
+    """One joint and its motor (0-7); `leg` is assumed, `kind` is documented."""
 
     motor: int
     kind: JointKind
-    side: Side
+    leg: Leg
 
 
-_SIDES = (Side.LEFT_FRONT, Side.RIGHT_FRONT, Side.RIGHT_BACK, Side.LEFT_BACK)
+_LEGS = (Leg.LEFT_FRONT, Leg.RIGHT_FRONT, Leg.RIGHT_BACK, Leg.LEFT_BACK)
 """Motors 0-3 are in front and 4-7 at the back, 2-5 right and 6, 7, 0, 1 left."""
 
 JOINTS = tuple(
-    Joint(motor, JointKind.OUTER if motor % 2 else JointKind.INNER, _SIDES[motor // 2])
+    Joint(motor, JointKind.OUTER if motor % 2 else JointKind.INNER, _LEGS[motor // 2])
     for motor in range(MOTORS)
 )
 

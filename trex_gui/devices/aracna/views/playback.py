@@ -19,7 +19,7 @@ from trex_gui.devices.aracna.model.texts import (
 from trex_gui.devices.aracna.protocol.joints import CENTRE, MOTORS
 from trex_gui.devices.aracna.protocol.replies import UNREADABLE
 from trex_gui.devices.aracna.session.messages import StepBegun
-from trex_gui.devices.aracna.views.action_bar import StopSequenceButton
+from trex_gui.devices.aracna.views.motion_bar import StopSequenceButton
 from trex_gui.devices.aracna.views.robot.drawing import RobotDrawing
 from trex_gui.ui.playback.window import RecordingWindow
 from trex_gui.ui.theme.theme import theme

@@ -16,17 +16,17 @@ from trex_gui.devices.aracna.model.library import Library
 from trex_gui.devices.aracna.model.recordings import AracnaRecorder, RobotPlayback
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.poses.ppr import SUFFIX
-from trex_gui.devices.aracna.recording import FORMAT, Header, Record
-from trex_gui.devices.aracna.views.action_bar import ActionBar
+from trex_gui.devices.aracna.recording import FORMAT, Record, RobotHeader
 from trex_gui.devices.aracna.views.demo import RobotPanel
 from trex_gui.devices.aracna.views.help import TOPICS, message_help
 from trex_gui.devices.aracna.views.log_page import RobotLogPage
+from trex_gui.devices.aracna.views.motion_bar import MotionBar
 from trex_gui.devices.aracna.views.poses.page import PosesPage
 from trex_gui.devices.aracna.views.robot.page import RobotPage
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.start_panel import StartPanel, StartTexts, StartWay
-from trex_gui.ui.frame.wiring_sketch import Wiring
+from trex_gui.ui.frame.wiring_sketch import Wires
 from trex_gui.ui.frame.workspace import (
     SEPARATOR,
     Entry,
@@ -63,10 +63,10 @@ class AracnaRecordings(RecordingManager["RobotPlaybackWindow"]):
         )
         self._robot = robot
 
-    def open_recording(self, path: Path) -> Recording[Header, Record]:
+    def open_recording(self, path: Path) -> Recording[RobotHeader, Record]:
         return Recording(path, FORMAT)
 
-    def make_window(self, recording: Recording[Header, Record]) -> "RobotPlaybackWindow":
+    def make_window(self, recording: Recording[RobotHeader, Record]) -> "RobotPlaybackWindow":
         # The plotting library takes as long to load as all of Qt: not before it is needed.
         from trex_gui.devices.aracna.views.playback import RobotPlaybackWindow  # noqa: PLC0415
 
@@ -104,7 +104,7 @@ class AracnaWorkspace(Workspace):
         self.recordings = AracnaRecordings(robot, self)
         self.recordings.accept_drops(frame, self)
         frame.seen_changed.connect(traffic.set_window_seen)
-        bar = ActionBar(robot, self)
+        bar = MotionBar(robot, self)
         ui.column((tabs, 1), self.recordings.indicator, bar, into=self, margins=0)
         self._demo = RobotPanel(controller, frame)
         self.stop_text = tr("&Stop sequence")  # this robot has no stop
@@ -143,7 +143,7 @@ class AracnaWorkspace(Workspace):
                         "never ends, and connect. Nothing moves until you choose Move.</li>"
                         "</ol>"
                     ),
-                    Wiring(
+                    Wires(
                         tr("ArbotiX"),
                         (("TX", "RX"), ("RX", "TX"), ("GND", "GND")),
                         tr("Wiring: TX of the adapter to RX, RX to TX, GND to GND of the board"),

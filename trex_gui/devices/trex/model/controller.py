@@ -21,7 +21,7 @@ from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
 from trex_gui.devices.trex.protocol.framing import check_polynomial
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.devices.controller import DeviceController, LineQuality
+from trex_gui.ui.devices.controller import DeviceController, QualityReport
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.devices.scanner import DeviceScanner
 from trex_gui.ui.notifier import Notifier, Remedy
@@ -147,19 +147,19 @@ class TrexController(DeviceController[ConnectionSettings]):
             return self._default
 
     @property
-    def quality(self) -> LineQuality:
+    def quality(self) -> QualityReport:
         device, quality = self.device, self.device.board.quality
         if quality.is_noisy is None or not device.is_connected:
-            return LineQuality()
+            return QualityReport()
         if not quality.is_noisy:
-            return LineQuality(tr("Line: good"))
+            return QualityReport(tr("Line: good"))
         lost = tr("{0:.1f} % lost").format(Number(100 * quality.lost))
         if device.settings is not None and device.settings.line.has_crc:
             text = tr("{0}: noisy; shorten cable, check ground")
-            return LineQuality(text.format(lost), is_bad=True)
+            return QualityReport(text.format(lost), is_bad=True)
         text = tr("{0}: noisy; shorten cable, check ground, use CRC").format(lost)
         can_set_up = device.is_writable and not device.writer.is_rejected and not self.is_armed
-        return LineQuality(text, is_bad=True, remedy=Remedy.SET_UP_CRC if can_set_up else None)
+        return QualityReport(text, is_bad=True, remedy=Remedy.SET_UP_CRC if can_set_up else None)
 
     @property
     def is_busy(self) -> bool:

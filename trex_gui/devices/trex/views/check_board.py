@@ -11,7 +11,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.views.jumper_sketch import JumperPlaces, JumperSketch
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.frame.wiring_sketch import Wiring, WiringSketch
+from trex_gui.ui.frame.wiring_sketch import Wires, WiringSketch
 from trex_gui.ui.notifier import ConnectWith
 from trex_gui.ui.theme.style import use_theme_style
 from trex_gui.ui.widgets import builders as ui
@@ -94,7 +94,7 @@ _SIGHTS = (
 class SightsPage(QWidget):
     """The LED patterns of a board, and how it is connected."""
 
-    def __init__(self, wiring: Wiring, parent: QWidget) -> None:
+    def __init__(self, wiring: Wires, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName("checkLedsPage")
         rows = ui.grid(margins=0, spacing=(16, 8), stretch=[(1, 1)])
@@ -288,7 +288,7 @@ class CheckBoardDialog(ReusedDialog):
     connect_requested = Signal(object)  # a `ConnectWith`
     find_requested = Signal()
 
-    def __init__(self, device: Device, wiring: Wiring, parent: QWidget | None = None) -> None:
+    def __init__(self, device: Device, wiring: Wires, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("checkBoardDialog")
         self.setWindowTitle(tr("Board does not respond"))

@@ -5,10 +5,10 @@ from PySide6.QtWidgets import QWidget
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.views.jumper_sketch import JumperPlaces, JumperSketch
 from trex_gui.ui.frame.start_panel import StartWay
-from trex_gui.ui.frame.wiring_sketch import Wiring
+from trex_gui.ui.frame.wiring_sketch import Wires
 
 
-def start_ways(ttl: Wiring, parent: QWidget) -> tuple[StartWay, ...]:
+def start_ways(ttl: Wires, parent: QWidget) -> tuple[StartWay, ...]:
     """Return the wiring of a TTL adapter, an RS-232 adapter and a receiver.
 
     Ref: the reference, 4 (levels) and 7 (BEC and mode jumpers).
@@ -40,7 +40,7 @@ def start_ways(ttl: Wiring, parent: QWidget) -> tuple[StartWay, ...]:
                 "<li>Lift the wheels off the ground, switch the board on, and connect:</li>"
                 "</ol>"
             ),
-            Wiring(
+            Wires(
                 ttl.board,
                 (("TX, pin 3", "RX"), ("RX, pin 2", "TX"), ("GND, pin 5", "GND")),
                 tr(
@@ -66,7 +66,7 @@ def start_ways(ttl: Wiring, parent: QWidget) -> tuple[StartWay, ...]:
                 "transmitter drives, and this program shows what it does.</li>"
                 "</ol>"
             ),
-            Wiring(
+            Wires(
                 ttl.board,
                 (("CH 1", "Channel 1"), ("CH 2", "Channel 2"), ("5 V, GND", "5 V, GND")),
                 tr(

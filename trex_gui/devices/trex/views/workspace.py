@@ -42,7 +42,7 @@ from trex_gui.devices.trex.views.start_ways import start_ways
 from trex_gui.ui.devices.undo import undo_titles
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.start_panel import StartPanel, StartTexts
-from trex_gui.ui.frame.wiring_sketch import Wiring
+from trex_gui.ui.frame.wiring_sketch import Wires
 from trex_gui.ui.frame.workspace import (
     SEPARATOR,
     Entry,
@@ -81,7 +81,7 @@ class TrexWorkspace(Workspace):
         self._question = frame.question
         self._frame = frame
         self._linter = BoardLinter(device, self)
-        self._wiring = Wiring(
+        self._wiring = Wires(
             tr("TReX"),
             (("TX", "SI"), ("RX", "SO"), ("GND", "GND")),
             tr("Wiring: TX of the adapter to SI, RX to SO, GND to GND of the board"),

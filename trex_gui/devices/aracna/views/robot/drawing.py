@@ -16,20 +16,20 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.model.texts import position_text, spoken_joint
-from trex_gui.devices.aracna.protocol.joints import JOINTS, Side, degrees
+from trex_gui.devices.aracna.protocol.joints import JOINTS, Leg, degrees
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.builders import plain
 from trex_gui.ui.widgets.painted import Painted, Painter
 
 _OUTWARD = {
-    Side.RIGHT_FRONT: 45.0,
-    Side.LEFT_FRONT: 135.0,
-    Side.LEFT_BACK: 225.0,
-    Side.RIGHT_BACK: 315.0,
+    Leg.RIGHT_FRONT: 45.0,
+    Leg.LEFT_FRONT: 135.0,
+    Leg.LEFT_BACK: 225.0,
+    Leg.RIGHT_BACK: 315.0,
 }
 """Degrees anticlockwise from the right, the front up."""
 
-_MIRROR = {Side.RIGHT_FRONT: 1, Side.LEFT_FRONT: -1, Side.LEFT_BACK: 1, Side.RIGHT_BACK: -1}
+_MIRROR = {Leg.RIGHT_FRONT: 1, Leg.LEFT_FRONT: -1, Leg.LEFT_BACK: 1, Leg.RIGHT_BACK: -1}
 
 _CENTRE = 150.0
 _REDUCTION = 0.35  # drawn part of a servo's angle
@@ -43,30 +43,30 @@ Point = tuple[float, float]
 
 
 @dataclass(frozen=True, slots=True)
-class Leg:
+class DrawnLeg:
     """Places of inner joint, outer joint and foot: x to the right and y down, -1 to 1."""
 
-    side: Side
+    leg: Leg
     inner: Point
     outer: Point
     foot: Point
 
 
-def legs(positions: tuple[float, ...]) -> tuple[Leg, ...]:
+def drawn_legs(positions: tuple[float, ...]) -> tuple[DrawnLeg, ...]:
     """Return the legs of which both motors have a position (units), in the order of motors."""
     return tuple(
-        _leg(JOINTS[motor].side, positions[motor], positions[motor + 1])
+        _drawn_leg(JOINTS[motor].leg, positions[motor], positions[motor + 1])
         for motor in range(0, min(len(positions), len(JOINTS)) - 1, 2)
     )
 
 
-def _leg(side: Side, inner: float, outer: float) -> Leg:
-    outward, mirror = _OUTWARD[side], _MIRROR[side]
+def _drawn_leg(leg: Leg, inner: float, outer: float) -> DrawnLeg:
+    outward, mirror = _OUTWARD[leg], _MIRROR[leg]
     hip = _along((0.0, 0.0), outward, _HIP * math.sqrt(2))
     first = outward + mirror * _REDUCTION * (degrees(inner) - _CENTRE)
     knee = _along(hip, first, _UPPER)
     second = first + mirror * _REDUCTION * (degrees(outer) - _CENTRE)
-    return Leg(side, hip, knee, _along(knee, second, _LOWER))
+    return DrawnLeg(leg, hip, knee, _along(knee, second, _LOWER))
 
 
 def _along(start: Point, angle: float, length: float) -> Point:
@@ -162,10 +162,10 @@ class RobotDrawing(Painted):
                 found, nearest = motor, distance
         return found
 
-    def _solid(self) -> tuple[Leg, ...]:
+    def _solid(self) -> tuple[DrawnLeg, ...]:
         """Return the legs at reported positions, or at goals where these are unknown."""
         pairs = zip(self._state.present, self._goals, strict=False)
-        return legs(tuple(goal if present is None else present for present, goal in pairs))
+        return drawn_legs(tuple(goal if present is None else present for present, goal in pairs))
 
     def _scale(self) -> float:
         return min(self.width(), self.height()) / 2.06
@@ -182,7 +182,7 @@ class RobotDrawing(Painted):
             for index, leg in enumerate(solid):
                 is_known = None not in self._state.present[2 * index : 2 * index + 2]
                 self._paint_leg(painter, leg, theme().color("neutral"), dashed=not is_known)
-            for goal, leg in zip(legs(self._goals), solid, strict=False):
+            for goal, leg in zip(drawn_legs(self._goals), solid, strict=False):
                 if _differ(goal, leg):
                     self._paint_leg(painter, goal, theme().color("info"), dashed=True)
             for motor in range(2 * len(solid)):
@@ -199,7 +199,7 @@ class RobotDrawing(Painted):
         above = QRectF(0, 0, self.width(), 1.4 * painter.fontMetrics().height())
         painter.drawText(above, Qt.AlignmentFlag.AlignCenter, tr("▲ front*"))
 
-    def _paint_leg(self, painter: QPainter, leg: Leg, color: QColor, *, dashed: bool) -> None:
+    def _paint_leg(self, painter: QPainter, leg: DrawnLeg, color: QColor, *, dashed: bool) -> None:
         pen = QPen(color, max((0.018 if dashed else 0.05) * self._scale(), 1.5))
         pen.setCapStyle(Qt.PenCapStyle.RoundCap)
         if dashed:
@@ -231,7 +231,7 @@ class RobotDrawing(Painted):
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, f"{motor}!" if is_bad else str(motor))
 
 
-def _differ(one: Leg, other: Leg) -> bool:
+def _differ(one: DrawnLeg, other: DrawnLeg) -> bool:
     """Whether two pictures of a leg differ visibly."""
     pairs = zip((*one.outer, *one.foot), (*other.outer, *other.foot), strict=True)
     return any(abs(a - b) > 0.01 for a, b in pairs)

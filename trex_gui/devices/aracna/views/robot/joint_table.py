@@ -9,9 +9,9 @@ from trex_gui.devices.aracna.model.texts import (
     difference_text,
     joint_of,
     joint_text,
+    leg_text,
     missed_text,
     position_text,
-    side_text,
     speed_text,
     spoken_joint,
 )
@@ -269,7 +269,7 @@ class JointTable(QWidget):
         line = 1 + motor + motor // 2  # a gap between legs
         joint = joint_of(motor)
         if joint is not None and motor % 2 == 0:
-            text = side_text(joint.side).replace(" ", "\n")
+            text = leg_text(joint.leg).replace(" ", "\n")
             label = ui.label(self, f"aracnaLeg{motor // 2}", text)
             label.setAlignment(Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft)
             self._grid.addWidget(label, line, _LEG, 2, 1)

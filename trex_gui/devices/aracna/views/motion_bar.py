@@ -34,7 +34,7 @@ class StopSequenceButton(RedButton):
         self.setEnabled(self._robot.link not in unavailable)
 
 
-class ActionBar(QWidget):
+class MotionBar(QWidget):
     """Says what the button can do: end what is sent, not what moves."""
 
     def __init__(self, robot: Robot, parent: QWidget | None = None) -> None:
