@@ -310,10 +310,3 @@ class Bar(Painted):
     def _snap(self, x: float) -> float:
         """Return `x` on the nearest edge of a device pixel, so that lines stay sharp."""
         return round(x * self._ratio) / self._ratio
-
-
-def with_sign(value: int) -> str:
-    """Return a signed number for display: `+64`, `0`, and a real minus before 64."""
-    if value > 0:
-        return f"+{value}"
-    return f"{MINUS}{-value}" if value else "0"

@@ -6,6 +6,7 @@ from PySide6.QtCore import QRect, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QWidget
 
+from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
@@ -18,7 +19,6 @@ from trex_gui.ui.widgets.bar import (
     BarState,
     LimitState,
     limit_state,
-    with_sign,
 )
 
 # Raw counts. Ref: Pololu TReX User's Guide 4.b: a pulse counts from 0.5 to 2.5 ms.
@@ -356,13 +356,13 @@ class OutputBar(_FilledBar):
     def _value_text(self) -> str:
         if self.value is None:
             return ""
-        return with_sign(int(self.value)) if self._bipolar else f"{self.value:.0f}"
+        return signed_text(int(self.value)) if self._bipolar else f"{self.value:.0f}"
 
     def _spoken_value(self) -> str:
         return tr("{value} of {full}").format(value=self._value_text(), full=FULL_SCALE)
 
     def _widest_value(self) -> str:
-        return with_sign(-FULL_SCALE) if self._bipolar else str(FULL_SCALE)
+        return signed_text(-FULL_SCALE) if self._bipolar else str(FULL_SCALE)
 
 
 class CurrentBar(_FilledBar):

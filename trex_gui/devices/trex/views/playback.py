@@ -3,6 +3,7 @@
 from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtWidgets import QLabel, QWidget
 
+from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.board.newest import BoardSnapshot
 from trex_gui.devices.trex.client.telemetry import Control, Currents, ModeSample, Raw, Remapped
@@ -16,7 +17,7 @@ from trex_gui.ui.playback.transport import time_text
 from trex_gui.ui.playback.window import RecordingWindow
 from trex_gui.ui.plotting.figures import TraceColumn, TraceTable, TraceTableView
 from trex_gui.ui.widgets import builders
-from trex_gui.ui.widgets.bar import NO_VALUE, with_sign
+from trex_gui.ui.widgets.bar import NO_VALUE
 
 
 class PlaybackWindow(RecordingWindow):
@@ -140,7 +141,7 @@ class ValuesPanel(QWidget):
             raw = raws.counts[place] if raws is not None else None
             self._set(f"channel{channel}Raw", no_signal if raw is None else str(raw))
             self._set(f"channel{channel}Physical", NO_VALUE if raw is None else source.text(raw))
-            text = NO_VALUE if remapped is None else with_sign(remapped.values[place])
+            text = NO_VALUE if remapped is None else signed_text(remapped.values[place])
             self._set(f"channel{channel}Remapped", text)
 
     def _control_text(self, state: BoardSnapshot) -> str:
@@ -161,7 +162,7 @@ class ValuesPanel(QWidget):
             return NO_VALUE
         if drive.is_brake:
             return tr("brake {0}").format(drive.speed)
-        return with_sign(drive.signed)
+        return signed_text(drive.signed)
 
     def _set(self, name: str, text: str) -> None:
         label = self._cells[name]

@@ -10,6 +10,7 @@ from PySide6.QtCore import QSignalBlocker, QSize, Qt, Slot
 from PySide6.QtGui import QIcon, QResizeEvent
 from PySide6.QtWidgets import QBoxLayout, QTabBar, QWidget
 
+from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.calibration.neutral import deadband_floor
 from trex_gui.devices.trex.calibration.proposal import WHY_THESE_VALUES
@@ -26,7 +27,6 @@ from trex_gui.ui.theme.style import use_theme_style
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.units import units
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.bar import with_sign
 from trex_gui.ui.widgets.labels import LegendKey, Muted, Note
 
 _GAP = 16
@@ -204,7 +204,7 @@ class CurvePane(QWidget):
             tr("as it was {0}"): channel.curve_before,
         }
         outputs = [
-            text.format(with_sign(curve.output(channel.raw)))
+            text.format(signed_text(curve.output(channel.raw)))
             for text, curve in curves.items()
             if curve is not None
         ]

@@ -4,13 +4,13 @@ from PySide6.QtCore import QEvent, QRect, QSignalBlocker, QSize, Qt, Signal, Slo
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPen, QWheelEvent
 from PySide6.QtWidgets import QSpinBox, QWidget
 
+from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.descriptions import CURRENT_ACCURACY
 from trex_gui.devices.trex.views.bars import CurrentBar, OutputBar
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.bar import with_sign
 from trex_gui.ui.widgets.labels import ElidedLabel
 from trex_gui.ui.widgets.sliders import PressSlider
 
@@ -122,7 +122,7 @@ class SpeedSlider(PressSlider):
                 continue
             x = self.x_of(value, handle)
             painter.drawLine(x, top, x, top + 4)
-            text = with_sign(value) if self.minimum() < 0 else str(value)
+            text = signed_text(value) if self.minimum() < 0 else str(value)
             width = metrics.horizontalAdvance(text)
             place = min(max(x - width // 2, 0), self.width() - width)
             painter.drawText(place, top + 6 + metrics.ascent(), text)

@@ -6,6 +6,7 @@ from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtGui import QHideEvent
 from PySide6.QtWidgets import QDialogButtonBox, QFormLayout, QWidget
 
+from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.gamepad import Gamepad, axis_text, button_text
 from trex_gui.devices.trex.model.momentary_drive import mix
@@ -22,7 +23,6 @@ from trex_gui.gamepad.profile import (
 )
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.accessible import SpokenRange
-from trex_gui.ui.widgets.bar import with_sign
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.leds import Lamp
@@ -40,7 +40,7 @@ class PartBar(OutputBar):
 
     def _value_text(self) -> str:
         value = self.value
-        return "" if value is None else f"{with_sign(round(100 * value / FULL_SCALE))} %"
+        return "" if value is None else f"{signed_text(round(100 * value / FULL_SCALE))} %"
 
     def _spoken_value(self) -> str:
         return self._value_text()
@@ -49,7 +49,7 @@ class PartBar(OutputBar):
         return SpokenRange(-100, round(100 * (self.value or 0) / FULL_SCALE), 100)
 
     def _widest_value(self) -> str:
-        return f"{with_sign(-100)} %"
+        return f"{signed_text(-100)} %"
 
 
 def _axis_names(pad: Pad | None) -> list[str]:
