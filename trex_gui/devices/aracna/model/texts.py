@@ -10,18 +10,11 @@ from trex_gui.devices.aracna.protocol.joints import (
     JOINTS,
     Joint,
     JointKind,
-    Leg,
     degrees,
     degrees_per_second,
 )
-from trex_gui.devices.aracna.session.messages import (
-    Ending,
-    Moved,
-    PlayEnded,
-    Restarted,
-    SpeedsHeld,
-    Stuck,
-)
+from trex_gui.devices.aracna.session.messages import Moved, PlayEnded, Restarted, SpeedsHeld, Stuck
+from trex_gui.core.events import EventKind
 from trex_gui.ui.translations import error_text
 
 
@@ -38,21 +31,12 @@ def joint_text(motor: int) -> str:
     return f"{motor} {tr('inner') if joint.kind is JointKind.INNER else tr('outer')}"
 
 
-def leg_text(leg: Leg) -> str:
-    return {
-        Leg.LEFT_FRONT: tr("Front left"),
-        Leg.RIGHT_FRONT: tr("Front right"),
-        Leg.RIGHT_BACK: tr("Back right"),
-        Leg.LEFT_BACK: tr("Back left"),
-    }[leg]
-
-
 def spoken_joint(motor: int) -> str:
     """Return motor, joint and leg for screen readers."""
     joint = joint_of(motor)
     if joint is None:
         return tr("Motor {0}").format(motor)
-    return tr("Motor {0}, {1} leg").format(joint_text(motor), leg_text(joint.leg).lower())
+    return tr("Motor {0}, {1} leg").format(joint_text(motor), tr(joint.leg.value).lower())
 
 
 def position_text(position: int | None) -> str:
@@ -122,19 +106,6 @@ def cropped_goals_text(goals: Sequence[int], cropped: Sequence[int]) -> str:
     return tr("Cropped to the limits of the joints: {0}.").format(", ".join(changes))
 
 
-def _ending_text(why: Ending) -> str:
-    return {
-        Ending.DONE: tr("Played to the end."),
-        Ending.ENDED: tr("The sequence has ended after its step."),
-        Ending.HALTED: tr("The sequence was stopped."),
-        Ending.RESTARTED: tr("The sequence was aborted: the board has restarted."),
-        Ending.STUCK: tr("The sequence was aborted: the robot waits for a motor."),
-        Ending.SPEEDS: tr("The sequence was aborted: a motor did not accept its speed."),
-        Ending.MISSED: tr("The sequence was aborted: a motor was far from its goal."),
-        Ending.LOST: tr("The sequence was aborted: the robot does not respond."),
-    }[why]
-
-
 def event_of(report: object, state: RobotState) -> tuple[EventKind, str] | None:
     """Return the event for a report that `state` has taken, if it is worth logging."""
     match report:
@@ -148,5 +119,5 @@ def event_of(report: object, state: RobotState) -> tuple[EventKind, str] | None:
         case Stuck(motor=motor):
             return EventKind.FAULT, stuck_text(motor)
         case PlayEnded(why=why):
-            return EventKind.NOTE, _ending_text(why)
+            return EventKind.NOTE, tr(why.value)
     return None

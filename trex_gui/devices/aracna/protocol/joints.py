@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import tr, tr_noop
 
 MOTORS = 8
 HIGHEST = 1023  # the highest position and the highest speed setting
@@ -33,12 +33,12 @@ class JointKind(Enum):
 
 
 class Leg(Enum):
-    """Which leg, seen from above with the front up."""
+    """Which leg, seen from above with the front up; the value is its name for the user."""
 
-    LEFT_FRONT = "front left"
-    RIGHT_FRONT = "front right"
-    RIGHT_BACK = "back right"
-    LEFT_BACK = "back left"
+    LEFT_FRONT = tr_noop("Front left")
+    RIGHT_FRONT = tr_noop("Front right")
+    RIGHT_BACK = tr_noop("Back right")
+    LEFT_BACK = tr_noop("Back left")
 
 
 @dataclass(frozen=True, slots=True)

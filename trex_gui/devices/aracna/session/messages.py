@@ -5,10 +5,11 @@ the servo's units, speeds 0-1023 (0: unlimited). Times are seconds on the sessio
 """
 
 from dataclasses import dataclass
-from enum import Enum, auto
+from enum import Enum
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.session import Close, Closed, Outcome
+from trex_gui.core.translation import tr_noop
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.protocol.joints import Limits
 
@@ -233,19 +234,16 @@ class StepBegun:
 
 
 class Ending(Enum):
-    """Why a sequence ended.
+    """Why a sequence ended; the value is the sentence for the user."""
 
-    `SPEEDS`: a servo did not take the speed of a step; `MISSED`: a motor was far from its goal.
-    """
-
-    DONE = auto()
-    ENDED = auto()
-    HALTED = auto()
-    RESTARTED = auto()
-    STUCK = auto()
-    SPEEDS = auto()
-    MISSED = auto()
-    LOST = auto()
+    DONE = tr_noop("Played to the end.")
+    ENDED = tr_noop("The sequence has ended after its step.")
+    HALTED = tr_noop("The sequence was stopped.")
+    RESTARTED = tr_noop("The sequence was aborted: the board has restarted.")
+    STUCK = tr_noop("The sequence was aborted: the robot waits for a motor.")
+    SPEEDS = tr_noop("The sequence was aborted: a motor did not accept its speed.")
+    MISSED = tr_noop("The sequence was aborted: a motor was far from its goal.")
+    LOST = tr_noop("The sequence was aborted: the robot does not respond.")
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,6 @@ from trex_gui.devices.aracna.model.texts import (
     difference_text,
     joint_of,
     joint_text,
-    leg_text,
     missed_text,
     position_text,
     speed_text,
@@ -100,8 +99,6 @@ class JointRow(QObject):
                 pass
         return super().eventFilter(watched, event)
 
-    # --- What the robot has -----------------------------------------------------------------
-
     def show_goal(self) -> None:
         """Show the target without a signal."""
         goal = self._robot.targets.goals[self._motor]
@@ -124,7 +121,6 @@ class JointRow(QObject):
             self.high.setValue(limits.high)
 
     def show_state(self) -> None:
-        """Show the speed and the reported state."""
         state = self._robot.state
         if self.speed.value() != (speed := self._robot.speeds[self._motor]):
             self.speed.setValue(speed)  # an equal one would replace what the user is typing
@@ -148,14 +144,11 @@ class JointRow(QObject):
         self._state.setPalette(palette)
 
     def set_marked(self, marked: bool) -> None:
-        """Highlight the name."""
         if marked != self.name.autoFillBackground():
             role = self.name.palette().ColorRole
             self.name.setBackgroundRole(role.Highlight)
             self.name.setForegroundRole(role.HighlightedText if marked else role.WindowText)
             self.name.setAutoFillBackground(marked)
-
-    # --- Edits ------------------------------------------------------------------------------
 
     def _on_goal_edited(self, goal: int) -> None:
         self._robot.targets.set(self._motor, goal)
@@ -250,8 +243,6 @@ class JointTable(QWidget):
         self._grid.addWidget(label, 0, column)
         return label
 
-    # --- Rows -------------------------------------------------------------------------------
-
     def _show_rows(self, motors: int) -> None:
         while len(self._rows) < motors:
             self._add_row(len(self._rows))
@@ -269,7 +260,7 @@ class JointTable(QWidget):
         line = 1 + motor + motor // 2  # a gap between legs
         joint = joint_of(motor)
         if joint is not None and motor % 2 == 0:
-            text = leg_text(joint.leg).replace(" ", "\n")
+            text = tr(joint.leg.value).replace(" ", "\n")
             label = ui.label(self, f"aracnaLeg{motor // 2}", text)
             label.setAlignment(Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft)
             self._grid.addWidget(label, line, _LEG, 2, 1)
@@ -285,8 +276,6 @@ class JointTable(QWidget):
         row.slider.released.connect(self.released)
         row.pointed.connect(self.pointed)
         self._rows.append(row)
-
-    # --- Updates ----------------------------------------------------------------------------
 
     @Slot()
     def _on_halted(self) -> None:
