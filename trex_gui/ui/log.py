@@ -117,7 +117,7 @@ class LogPage(QWidget):
             tr("E&xplain"),
             icon="help",
             tip=tr("Show the help on the message in the line with the cursor"),
-            on_click=self._on_help_clicked,
+            on_click=lambda: self.help_wanted.emit(self._topic),
         )
         copy = ui.button(
             self,
@@ -182,10 +182,6 @@ class LogPage(QWidget):
     @only_when_visible
     def _on_cursor_moved(self) -> None:
         self._help.setEnabled(bool(self._topic))
-
-    @Slot()
-    def _on_help_clicked(self) -> None:
-        self.help_wanted.emit(self._topic)
 
     @Slot()
     def _copy(self) -> None:

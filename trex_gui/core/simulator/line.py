@@ -316,9 +316,8 @@ class SimulatedLine:
         then: Callable[[], object] = _nothing,
     ) -> None:
         """Begin a byte of a station; it is lost if `is_alive` is false at its end."""
-        now, baud, sender = self.timeline.now, station.baud, station.line_format
-        end = now + (sender.bits_per_byte / baud if self.paced else 0.0)
-        self._put(_Frame(now, end, byte, sender, baud, is_alive, then))
+        now, end = self.now, self.now + self.byte_time_of(station)
+        self._put(_Frame(now, end, byte, station.line_format, station.baud, is_alive, then))
 
     def arrive(self, byte: int, begun: float) -> None:
         arriving = self.faults.on_way_to_host(byte, begun)

@@ -27,8 +27,6 @@ _LONG = 90  # seconds from which on the time left is shown in minutes
 
 @dataclass(frozen=True, slots=True)
 class ScanJob:
-    """Scan of one port."""
-
     settings: PortSettings
     # The prober of each device kind by its key, the most common kind first.
     probers: Mapping[str, ProberInfo]
@@ -137,7 +135,7 @@ class DeviceScanner(QObject):
         self._begun = 0.0
         self.text = ""  # what is probed now; empty while idle
         self.summary = ""  # how the last scan ended, in a sentence; empty before any did
-        self._cancelled = False
+        self.was_cancelled = False
         self._faults = 0
 
     def add_simulator(self, device: str, simulator: Simulator) -> None:
@@ -165,15 +163,11 @@ class DeviceScanner(QObject):
     def time_left(self) -> str:
         """The longest that the scan still takes, for the user; empty while that is not known."""
         left = seconds_left(now() - self._begun, self.done, self.total)
-        if not self.running or self._cancelled or left is None:
+        if not self.running or self.was_cancelled or left is None:
             return ""
         if left <= _LONG:
             return tr("At most {0} s left.").format(left)
         return tr("At most {0} min left.").format(math.ceil(left / 60))
-
-    @property
-    def was_cancelled(self) -> bool:
-        return self._cancelled
 
     def is_searching(self, port: Port) -> bool:
         return self.running and any(map(port.is_same, self._ports[self._searched :]))
@@ -194,7 +188,7 @@ class DeviceScanner(QObject):
         self.total = 1
         self._begun = now()
         self.summary = ""
-        self._cancelled = False
+        self.was_cancelled = False
         self.text = tr("Opening {0} …").format(_name(self._ports[0]))
         jobs = [self._job(port) for port in self._ports]
         self._worker = ScanWorker(jobs, full=full, only_recall=only_recall, logs=self._logs)
@@ -208,8 +202,8 @@ class DeviceScanner(QObject):
     @Slot()
     def cancel(self) -> None:
         """End the scan after the current probe; does not wait."""
-        if self._worker is not None and not self._cancelled:
-            self._cancelled = True
+        if self._worker is not None and not self.was_cancelled:
+            self.was_cancelled = True
             self.text = tr("Ending the search …")
             self._worker.cancel()
             self.progressed.emit()
@@ -248,7 +242,7 @@ class DeviceScanner(QObject):
     def _on_stepped(self, index: int, step: ScanProgress) -> None:
         self.total = len(self._ports) * step.total
         self.done = index * step.total + step.done
-        if not self._cancelled:
+        if not self.was_cancelled:
             what = step.kind
             if step.number is not None:
                 what = tr("{0} with device number {1}").format(what, step.number)
@@ -303,7 +297,7 @@ class DeviceScanner(QObject):
     def _sum_up(self) -> str:
         if self._only_recall:
             return ""
-        if self._cancelled:
+        if self.was_cancelled:
             return tr("Search cancelled.")
         boards = sum(finding.found is not None for finding in self.findings)
         text = tr("No board was found.")

@@ -35,8 +35,7 @@ class MessageHelp:
 
         Of several texts in it the longest counts: it contains the others.
         """
-        found = max(((size, topic) for size, topic in self._matches(message)), default=(0, ""))
-        return found[1]
+        return max(self._matches(message), default=(0, ""))[1]
 
     def _matches(self, message: str) -> Iterable[tuple[int, str]]:
         line = " ".join(message.split())

@@ -100,8 +100,10 @@ class TracePanel(QWidget):
         self.plot.set_window(seconds)
         self._show_top(self._store.real(f"{self._key}top", 0, 0, LARGEST_TOP))
 
-        self.plot.view_changed.connect(self._on_view_changed)
-        self.plot.cursor_changed.connect(self._on_cursor_changed)
+        self.plot.view_changed.connect(self._show_state)
+        self.plot.view_changed.connect(self._table.refresh)
+        self.plot.cursor_changed.connect(self._table.refresh)
+        self.plot.cursor_changed.connect(self._view.show_needed_columns)
         self.plot.event_chosen.connect(self._list.choose)
         self.plot.shown_changed.connect(self._on_shown_changed)
         self.plot.colors_changed.connect(self._on_colors_changed)
@@ -192,8 +194,6 @@ class TracePanel(QWidget):
             at = self._view.viewport().mapToGlobal(place)
             self.layout_button.show_colors_of(source.traces[row], at)
 
-    # --- Layouts ------------------------------------------------------------------------
-
     def _colors(self) -> dict[str, str]:
         traces = self.plot.source.traces if self.plot.source is not None else ()
         return {trace.name: color_name(trace.color) for trace in traces}
@@ -229,15 +229,6 @@ class TracePanel(QWidget):
         self.refresh()
 
     @Slot()
-    def _on_view_changed(self) -> None:
-        self._show_state()
-        self._table.refresh()
-
-    @Slot()
-    def _on_cursor_changed(self) -> None:
-        self._table.refresh()
-        self._view.show_needed_columns()
-
     def _show_state(self) -> None:
         span = self.plot.span
         self._pause.setChecked(not span.live)

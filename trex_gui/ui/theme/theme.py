@@ -119,7 +119,7 @@ class Theme(QObject):
     def install(self, app: QApplication) -> None:
         """Give the application the Fusion style and our palette, and follow the system."""
         if self._app is None:  # afterwards the palette is ours
-            self._system_was_dark = _is_dark(app.palette().window().color())
+            self._system_was_dark = app.palette().window().color().lightnessF() < 0.5
             self._system_font = app.font()
         self._app = app
         app.setStyle("Fusion")
@@ -222,10 +222,6 @@ def restore_choices() -> None:
         if scheme == wanted and scheme != theme().choice:
             theme().set_scheme(scheme)
     theme().set_font_size(store.integer(_FONT_SIZE, 100, FONT_SIZES[0], FONT_SIZES[-1]))
-
-
-def _is_dark(background: QColor) -> bool:
-    return background.lightnessF() < 0.5
 
 
 class _Follower(QObject):

@@ -9,7 +9,7 @@ were tuned on the robot, as the authors' programs do before they send a goal.
 """
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from trex_gui.core.translation import tr_noop
@@ -76,21 +76,6 @@ class Gait:
         return self.stages[-1].pose if self.cyclic else None
 
 
-def sampled(
-    name: str,
-    motion: Callable[[float], tuple[float, ...]],
-    seconds: float,
-    samples: int,
-    about: str,
-) -> Gait:
-    """Return the gait that samples a periodic function of time."""
-    stages = []
-    for number in range(1, samples + 1):
-        pose = _within_limits(f"{number} of {samples}", motion(seconds * number / samples))
-        stages.append(GaitStage(pose, seconds / samples))
-    return Gait(name, tuple(stages), about)
-
-
 _NEUTRAL = 300
 _LIFT = 200
 _SWING = 300
@@ -128,8 +113,14 @@ def _star(swung: int) -> Gait:
     )
 
 
-def _sine(time: float) -> tuple[float, ...]:
-    return (512 + 100 * math.sin(time),) * MOTORS
+def _sine() -> Gait:
+    period, samples, stages = 2 * math.pi, 16, []
+    for number in range(1, samples + 1):
+        place = 512 + 100 * math.sin(period * number / samples)
+        pose = _within_limits(f"{number} of {samples}", (place,) * MOTORS)
+        stages.append(GaitStage(pose, period / samples))
+    about = tr_noop("All motors together, 100 units about the centre.")
+    return Gait("sine", tuple(stages), about)
 
 
 STAND_UP = Gait(
@@ -142,9 +133,7 @@ STAND_UP = Gait(
 GAITS = (
     STAND_UP,
     *(_star(leg) for leg in range(4)),
-    sampled(
-        "sine", _sine, 2 * math.pi, 16, tr_noop("All motors together, 100 units about the centre.")
-    ),
+    _sine(),
     Gait(
         "self-test",
         (GaitStage(SELF_TEST_A, 1.0), GaitStage(SELF_TEST_B, 1.0)),

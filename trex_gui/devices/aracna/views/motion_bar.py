@@ -89,7 +89,10 @@ class MotionBar(QWidget):
             more = tr("The motion continues by itself for about {0:.0f} s.")
             return f"{text} {more.format(max(left, 1))}", True
         if state.stuck is not None:
-            return self._stuck_text(state.stuck.motor), True
+            if (motor := state.stuck.motor) is None:
+                return tr("The robot does not respond."), True
+            text = tr("Stuck: the robot is waiting for motor {0} and reads nothing.")
+            return text.format(motor), True
         wait = self._wait_text(left)
         if state.play is not None:
             return f"{self._playing_text(state.play, state.step)} {wait}", True
@@ -110,11 +113,6 @@ class MotionBar(QWidget):
         else:
             text = tr("Nothing is sent. Whether it moves is unknown until its first move.")
         return text.format(max(left, 1)), was_sent or left > 0
-
-    def _stuck_text(self, motor: int | None) -> str:
-        if motor is None:
-            return tr("The robot does not respond.")
-        return tr("Stuck: the robot is waiting for motor {0} and reads nothing.").format(motor)
 
     def _wait_text(self, left: float) -> str:
         state = self._robot.state

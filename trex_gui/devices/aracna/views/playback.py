@@ -1,7 +1,7 @@
 """Window of a recording of a robot."""
 
-from PySide6.QtCore import QSize, Qt, Signal, Slot
-from PySide6.QtGui import QColor, QIcon, QPixmap
+from PySide6.QtCore import Qt, Signal, Slot
+from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QSizePolicy, QWidget
 
 from trex_gui.core.translation import Number, tr
@@ -185,14 +185,10 @@ class JointValues(QWidget):
     @Slot()
     def _on_theme_changed(self) -> None:
         for motor, box in enumerate(self._boxes):
-            box.setIcon(_swatch(theme().color(COLORS[motor % len(COLORS)])))
-            box.setIconSize(QSize(14, 4))
-
-
-def _swatch(color: QColor) -> QIcon:
-    pixmap = QPixmap(14, 4)
-    pixmap.fill(color)
-    return QIcon(pixmap)
+            swatch = QPixmap(14, 4)
+            swatch.fill(theme().color(COLORS[motor % len(COLORS)]))
+            box.setIcon(swatch)
+            box.setIconSize(swatch.size())
 
 
 def activity_text(state: RobotState, time: float) -> tuple[str, bool]:

@@ -172,13 +172,16 @@ class AracnaWorkspace(Workspace):
             "traffic.txt": robot.traffic.newest(),
         }
 
-    # --- Menus --------------------------------------------------------------------------
-
     def menus(self) -> Menus:
         keys = QKeySequence.StandardKey
         controls, robot = self._page.controls, self._robot
         files, undo = self._poses.files, self.library.undo
         record, open_recording = self.recordings.toggle, self.recordings.choose_and_open
+        play = partial(self._on_page, "poses", self._poses.play)
+
+        def switch_led() -> None:
+            robot.set_led(on=not robot.state.led)
+
         return {
             tr("&Aracna"): (
                 Entry(
@@ -194,9 +197,7 @@ class AracnaWorkspace(Workspace):
                 Entry("aracna_centre", tr("Sliders to the &centre"), controls.centre),
                 Entry("aracna_stand", tr("Sliders to &stand"), controls.stand),
                 SEPARATOR,
-                Entry(
-                    "aracna_play", tr("Pla&y the current sequence or gait"), self._play, "Ctrl+R"
-                ),
+                Entry("aracna_play", tr("Pla&y the current sequence or gait"), play, "Ctrl+R"),
                 Entry("aracna_end", tr("&End sequence after this step"), robot.end_play, "Ctrl+E"),
                 SEPARATOR,
                 Entry("aracna_record", tr("&Record…"), record, "Ctrl+Shift+R", "record"),
@@ -211,12 +212,10 @@ class AracnaWorkspace(Workspace):
                 Entry(
                     "aracna_offline",
                     tr("Set up &goals and limits without a robot"),
-                    self._set_up_offline,
+                    partial(self._on_page, "robot", self._page.set_up_offline),
                 ),
                 Entry("aracna_limits", tr("Reset the joints' &limits"), robot.limits.reset),
-                Entry(
-                    "aracna_led", tr("&Debug LED of the board"), self._switch_led, checkable=True
-                ),
+                Entry("aracna_led", tr("&Debug LED of the board"), switch_led, checkable=True),
             ),
             tr("Pos&es"): (
                 Entry("aracna_new", tr("&New pose file"), files.new, keys.New, "new"),
@@ -230,7 +229,7 @@ class AracnaWorkspace(Workspace):
                 Entry(
                     "aracna_capture",
                     tr("&Capture the present position as a pose"),
-                    self._capture,
+                    partial(self._on_page, "poses", self._poses.capture),
                     "Ctrl+Shift+P",
                 ),
             ),
@@ -281,22 +280,9 @@ class AracnaWorkspace(Workspace):
             "aracna_demo": self._controller.demo_in_use,
         }
 
-    def _switch_led(self) -> None:
-        self._robot.set_led(on=not self._robot.state.led)
-
-    def _set_up_offline(self) -> None:
-        self.show_page("robot")
-        self._page.set_up_offline()
-
-    def _play(self) -> None:
-        self.show_page("poses")
-        self._poses.play()
-
-    def _capture(self) -> None:
-        self.show_page("poses")
-        self._poses.capture()
-
-    # --- Updates ------------------------------------------------------------------------
+    def _on_page(self, key: str, act: Callable[[], None]) -> None:
+        self.show_page(key)
+        act()
 
     @Slot()
     def _on_changed(self) -> None:
@@ -311,8 +297,6 @@ class AracnaWorkspace(Workspace):
         if (shown := (self.enabled_actions(), self.has_edits)) != self._shown:
             self._shown = shown
             self.actions_changed.emit()
-
-    # --- The end ------------------------------------------------------------------------
 
     def may_close(self, leave: Callable[[], object]) -> bool:
         return self._poses.files.may_close(leave)

@@ -82,7 +82,8 @@ class MotionBox(ui.GroupBox):
         self._down.clicked.connect(lambda: self._steps.shift(1))
         self._list.chosen.connect(lambda: self.table.show_item(self._list.current))
         self._steps.selectionModel().currentChanged.connect(self._update_buttons)
-        self.table.shown.connect(self._on_table_shown)
+        self.table.shown.connect(self._update_buttons)
+        self.table.shown.connect(self.shown)
         self._list.choose(ItemKey(GAITS[0].name, built_in=True))  # something that can be played
         self._update_buttons()
 
@@ -123,11 +124,6 @@ class MotionBox(ui.GroupBox):
     def _pose_for_step(self) -> str:
         names = self._library.project.pose_names
         return self._next_pose if self._next_pose in names else next(iter(names), "")
-
-    @Slot()
-    def _on_table_shown(self) -> None:
-        self._update_buttons()
-        self.shown.emit()
 
     @Slot()
     def _on_add_clicked(self) -> None:
