@@ -30,7 +30,6 @@ class Language(Enum):
 
 
 def render(name: str, **values: object) -> str:
-    """Fill in a template of the resources."""
     return _template(name).render(values)
 
 

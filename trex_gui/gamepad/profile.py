@@ -135,9 +135,6 @@ def _part(found: object, most: float) -> float:
     raise ValueError(found)
 
 
-# --- Setpoints --------------------------------------------------------------------------
-
-
 class Waits(Enum):
     """What a gamepad has to do before it drives."""
 

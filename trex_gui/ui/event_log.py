@@ -13,8 +13,6 @@ MOST_EVENTS = 10_000  # events kept; the oldest are dropped
 
 
 class EventLog(QObject):
-    """The newest events."""
-
     happened = Signal(object)  # the new `Event`
 
     def __init__(self, parent: QObject | None = None, *, clock: Callable[[], float] = now) -> None:

@@ -107,8 +107,6 @@ class Tour(QObject):
             yield lambda: manager.current.link is ConnectionState.CONNECTED
             yield from plugin.tour.load()(self, controller)
 
-    # --- For the steps of a device ------------------------------------------------------
-
     @staticmethod
     def wait(seconds: float = _SETTLE_MS / 1000) -> Iterator[Do]:
         yield from [lambda: None] * round(seconds * 1000 / _STEP_MS)

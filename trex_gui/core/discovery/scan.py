@@ -46,8 +46,6 @@ _KEPT = 48  # unsolicited bytes that are kept for the diagnosis
 
 @dataclass(slots=True)
 class PortScan:
-    """Result of the scan of one port."""
-
     device: str = ""  # key of the kind that was found; empty if none was
     found: Sequence[FoundDevice] = ()  # the devices, all of that kind
     diagnoses: list[Diagnosis] = field(default_factory=list)  # what was received, strongest first

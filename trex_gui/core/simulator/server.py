@@ -133,8 +133,6 @@ class Server:
         parity = settings.parity or self._line.host_format.parity
         return SerialFormat(settings.baud, parity, settings.stop_bits)
 
-    # --- Control lines ------------------------------------------------------------------
-
     def _execute(self) -> None:
         while self._control_lines and not self._ended:
             text = self._control_lines.popleft()
@@ -199,8 +197,6 @@ class Server:
         if ends_with_input:
             self._control_lines.append(None)
         self._wake_up()
-
-    # --- Waking up ----------------------------------------------------------------------
 
     def _wake_up(self) -> None:
         """Wake the loop, from a thread or a signal handler."""

@@ -79,8 +79,6 @@ class AutoConnect(QObject):
         first = [last] if last is not None and last.kind is PortKind.SERIAL else []
         self._look_at(first, [port for port in self._adapters(self._present) if port != last])
 
-    # --- The adapter that was unplugged -------------------------------------------------
-
     @Slot()
     def _on_link_changed(self) -> None:
         current = self._manager.current
@@ -136,8 +134,6 @@ class AutoConnect(QObject):
         self._notifier.cleared.emit()
         self._manager.connect_to(found)
         return True
-
-    # --- Known adapters -----------------------------------------------------------------
 
     @property
     def _is_wanted(self) -> bool:

@@ -98,8 +98,6 @@ class DeviceController(QObject, Generic[SettingsT]):
     def line_text(self) -> str:
         return self.settings.short
 
-    # --- Connecting ---------------------------------------------------------------------
-
     def choose(self, port: Port) -> None:
         """Use the settings at which a device was found at a port, until others are chosen."""
         if self._chosen is None or not self._chosen.is_same(port):

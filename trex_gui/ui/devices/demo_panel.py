@@ -68,8 +68,6 @@ class Rows(ui.GroupBox, Generic[SnapshotT]):
     def on_snapshot(self, update: Callable[[SnapshotT], object]) -> None:
         self._updates.append(update)
 
-    # --- Controls -----------------------------------------------------------------------
-
     def check_box(
         self,
         name: str,
@@ -145,8 +143,6 @@ class Rows(ui.GroupBox, Generic[SnapshotT]):
 
         self.on_snapshot(update)
         self.add_wide(made)
-
-    # --- Layout -------------------------------------------------------------------------
 
     def add_headings(self, slider: str, *ticks: str, over_value: bool = False) -> None:
         row_number = self._next()

@@ -170,8 +170,6 @@ class DemoDevice(QObject, Generic[SnapshotT]):
         elif not watched:
             self._timer.stop()
 
-    # --- Power and cable ----------------------------------------------------------------
-
     def set_power(self, on: bool) -> None:
         self._send(f"power {switch(on)}")
 
@@ -184,8 +182,6 @@ class DemoDevice(QObject, Generic[SnapshotT]):
     def set_noise(self, probability: float) -> None:
         """Corrupt this share of the bytes on the wire."""
         self._send_newest("noise", f"line noise {probability:.4f}")
-
-    # --- Lines to the simulator ---------------------------------------------------------
 
     def _send(self, line: str, then: Callable[[], None] | None = None) -> None:
         def answered(answer: str) -> None:

@@ -127,8 +127,6 @@ class ConnectionBar(QWidget):
         self._combo.setMinimumWidth(_LEAST * metrics.averageCharWidth())
         self._state.setMinimumHeight(2 * metrics.lineSpacing())  # nothing moves below
 
-    # --- The user's choices -------------------------------------------------------------
-
     @Slot()
     def toggle(self) -> None:
         if self.would_connect:
@@ -241,8 +239,6 @@ class ConnectionBar(QWidget):
             self._manager.connect_to(port)
 
         self._unless_busy(connect)
-
-    # --- What has changed ---------------------------------------------------------------
 
     @Slot()
     def _on_ports_changed(self) -> None:

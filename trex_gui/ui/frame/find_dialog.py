@@ -168,8 +168,6 @@ class FindDialog(ReusedDialog):
         if not event.spontaneous():  # minimized is not closed
             self._scanner.cancel()
 
-    # --- Which ports --------------------------------------------------------------------
-
     @property
     def _chosen(self) -> list[Port]:
         items = [self._list.item(row) for row in range(self._list.count())]
@@ -229,8 +227,6 @@ class FindDialog(ReusedDialog):
         self._check.setVisible(self._manager.current.has_line_settings)
         for connect, its_port in self._connects.items():
             connect.setEnabled(its_port != port)
-
-    # --- The search ---------------------------------------------------------------------
 
     @Slot()
     def _on_progressed(self) -> None:

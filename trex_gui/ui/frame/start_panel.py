@@ -26,8 +26,6 @@ _MOST_FILES = 3
 
 @dataclass(frozen=True, slots=True)
 class StartWay:
-    """One way to wire a device."""
-
     steps: str  # rich text
     wiring: Wires
     name: str = ""  # to choose it by, with a free letter, if there are several
@@ -36,8 +34,6 @@ class StartWay:
 
 @dataclass(frozen=True, slots=True)
 class StartTexts:
-    """What the panel says about one kind of device."""
-
     title: str
     ways: Sequence[StartWay]
     none: str  # heading of what needs no hardware

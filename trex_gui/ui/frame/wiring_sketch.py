@@ -19,8 +19,6 @@ _WIRE_COLORS = ("motor1", "motor2", "muted")
 
 @dataclass(frozen=True, slots=True)
 class Wires:
-    """The wires of one kind of device."""
-
     board: str  # name of what is wired
     # Names of the pins at the adapter and at the board, from top to bottom; at most three.
     wires: Sequence[tuple[str, str]]
@@ -29,8 +27,6 @@ class Wires:
 
 
 class WiringSketch(Painted):
-    """The wires between an adapter and the board."""
-
     def __init__(self, wiring: Wires, name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName(name)

@@ -254,10 +254,7 @@ class RecordingManager(QObject, Generic[WindowT]):
             window.close()
 
     def shut_down(self) -> bool:
-        """End recording, loading and exporting at the end of the program.
-
-        Return whether every thread has ended; Qt aborts when a running thread is destroyed.
-        """
+        """End recording, loading and exporting; return whether every thread has ended."""
         ends = [self.recorder.shut_down()]
         ends += [window.player.close() for window in self.windows]
         return all(ends)

@@ -26,8 +26,6 @@ _CLOSE_TIMEOUT_MS = 500  # a window that hangs for twice as long stops armed mot
 
 @dataclass(frozen=True, slots=True)
 class Curves(Generic[RecordT, StateT]):
-    """Defines what is drawn of a recording."""
-
     columns: int  # number of curves
     # Takes records into a state; returns rows (time in s, a value for each curve).
     rows_of: Callable[[StateT, Iterable[RecordT]], list[tuple[float, ...]]]
@@ -37,8 +35,6 @@ class Curves(Generic[RecordT, StateT]):
 
 @dataclass(frozen=True, slots=True)
 class LoadedRecording(Generic[HeaderT, RecordT, StateT]):
-    """A recording after loading."""
-
     replay: Replay[HeaderT, RecordT, StateT]
     history: SampleHistory
     events: tuple[Event, ...]  # in order of time
@@ -137,18 +133,12 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
         raise NotImplementedError
 
     def close(self) -> bool:
-        """Cancel loading or exporting, and close the file.
-
-        Return whether the thread has ended. Until then the process must not exit normally: Qt
-        aborts when a running thread is destroyed.
-        """
+        """Cancel loading or exporting, and close the file; return whether the thread has ended."""
         self.pause()
         if not self._task.close(_CLOSE_TIMEOUT_MS):
             return False  # the file still belongs to that thread
         self._recording.close()
         return True
-
-    # --- State --------------------------------------------------------------------------
 
     @property
     def problems(self) -> Sequence[str]:
@@ -179,8 +169,6 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
             except RecordingError as error:
                 self.failed.emit(str(error))
         return self._initial
-
-    # --- Loading and exporting ----------------------------------------------------------
 
     def loader(self) -> Callable[[ProgressCallback], LoadedRecording[HeaderT, RecordT, StateT]]:
         """Return the function that loads it, independent of this object."""

@@ -190,8 +190,6 @@ class RecordingWindow(QMainWindow):
     def show_curves(self) -> None:
         self.plot.set_source(self.player.traces)
 
-    # --- Loading and exporting ----------------------------------------------------------
-
     @Slot()
     def show_all(self) -> None:
         player = self.player
@@ -275,8 +273,6 @@ class RecordingWindow(QMainWindow):
                 "The curves show its last {0} of {1} samples; exports contain all of them."
             ).format(QLocale().toString(drawn), QLocale().toString(rows))
         return text
-
-    # --- Position -----------------------------------------------------------------------
 
     @Slot()
     def _on_moved(self) -> None:

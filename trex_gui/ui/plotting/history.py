@@ -236,8 +236,6 @@ class SampleHistory:
     def span(self) -> tuple[float, float] | None:
         return (float(self.times[0]), float(self.times[-1])) if self._size else None
 
-    # --- Adding -------------------------------------------------------------------------
-
     def append(self, time: float, *values: float) -> None:
         """Add a row; a time before the newest one is replaced by the newest."""
         self._make_room(1)
@@ -294,8 +292,6 @@ class SampleHistory:
         self._size = left
         oldest = float(self._times[0]) if left else math.inf
         self._gaps = [gap for gap in self._gaps if gap[0] > oldest]
-
-    # --- Reading ------------------------------------------------------------------------
 
     @property
     def _begin(self) -> int:

@@ -119,8 +119,6 @@ class LayoutButton(QToolButton):
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         menu.popup(place)
 
-    # --- Files --------------------------------------------------------------------------
-
     def _ask_and_open(self) -> None:
         chosen, _ = QFileDialog.getOpenFileName(
             self.window(),

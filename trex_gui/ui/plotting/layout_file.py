@@ -36,8 +36,6 @@ def color_name(color: str) -> str:
 
 @dataclass(frozen=True, slots=True)
 class PlotLayout:
-    """How a plot is shown."""
-
     seconds: float  # how much time is shown
     top: float  # where the left axis ends, in its unit; 0 if it fits what is shown
     curves: Mapping[str, str]  # those that are drawn, and the colour of each, as in `COLORS`

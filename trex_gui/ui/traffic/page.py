@@ -161,8 +161,6 @@ class TrafficPage(QWidget):
         )
         return copy, save, clear
 
-    # --- Rows shown ---------------------------------------------------------------------
-
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         self._traffic.set_seen(True)
@@ -230,8 +228,6 @@ class TrafficPage(QWidget):
     def _show_current(self) -> None:
         index = self._view.currentIndex()
         self._details.show_row(self._table.rows[index.row()] if index.isValid() else None)
-
-    # --- Copy and save ------------------------------------------------------------------
 
     @Slot()
     def _copy(self) -> None:

@@ -13,8 +13,6 @@ from trex_gui.ui.widgets.labels import Note, Sign
 
 @dataclass(frozen=True, slots=True)
 class SendPreview:
-    """What typed bytes mean."""
-
     text: str = ""  # for the user; empty if nothing was typed, or no bytes
     blocker: str = ""  # why they cannot be sent now, for the user; empty if they can
     is_risky: bool = False  # whether they move something or change what is stored

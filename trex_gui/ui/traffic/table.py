@@ -65,8 +65,6 @@ class TrafficTable(QAbstractTableModel):
     def _take_font(self) -> None:
         self._fixed = fixed_font()
 
-    # --- Filter -------------------------------------------------------------------------
-
     @property
     def _source(self) -> RowBuffer:
         return self._traffic.everything if self._polling else self._traffic.without_polling
@@ -137,8 +135,6 @@ class TrafficTable(QAbstractTableModel):
             return False
         texts = (words.text, shown(row.sent), shown(row.received))
         return any(self._text in text.casefold() for text in texts)
-
-    # --- Appearance ---------------------------------------------------------------------
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 - Qt's signature
         return 0 if parent.isValid() else len(self.rows)

@@ -17,8 +17,6 @@ from trex_gui.ui.widgets.file_questions import SaveAnswer
 
 
 class Document(Protocol):
-    """What the user edits."""
-
     @property
     def name(self) -> str: ...
 
@@ -116,8 +114,6 @@ class DocumentSaver(QObject):
         if not self._running and self._leave is not None:
             leave, self._leave = self._leave, None
             leave()
-
-    # --- Before the document is left ----------------------------------------------------
 
     def may_leave(
         self, answer: SaveAnswer, save: Callable[[], bool], leave: Callable[[], object]

@@ -100,8 +100,6 @@ class PressSlider(PaintedSlider):
             self._monitor.begin()
             self.grabbed.emit()
 
-    # --- Mouse --------------------------------------------------------------------------
-
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Take the left button only: a middle one would make Qt jump to where it is."""
         if event.button() is not Qt.MouseButton.LeftButton:

@@ -129,8 +129,7 @@ class FileTask(QObject):
     def close(self, timeout_ms: int, *, finish_ms: int = 0) -> bool:
         """Let the work finish for `finish_ms`, then cancel it and wait for `timeout_ms`.
 
-        Return whether the thread has ended. Until then the process must not exit normally: Qt
-        aborts when a running thread is destroyed.
+        Return whether the thread has ended.
         """
         worker, self._worker = self._worker, None
         if worker is not None and not worker.wait(finish_ms):

@@ -180,8 +180,7 @@ class RecordThread(QObject, Generic[RecordT]):
     def shut_down(self) -> bool:
         """End the recording at the end of the program, waiting for the disk for a while.
 
-        Return whether its thread has ended. Until then the process must not exit normally: Qt
-        aborts when a running thread is destroyed.
+        Return whether its thread has ended.
         """
         self.stop()
         worker = self._worker

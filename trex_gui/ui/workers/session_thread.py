@@ -20,8 +20,6 @@ _WRITING_TIMEOUT_MS = 3000
 
 
 class Session(Protocol):
-    """A line session of any device."""
-
     def run(self) -> None:
         """Serve the line until it is lost or `Close` comes; never raise."""
         ...

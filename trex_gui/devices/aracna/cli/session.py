@@ -108,15 +108,11 @@ class CommandSession:
         if self.faults:
             raise CommandFailed("Some motors did not do what was commanded.")
 
-    # --- For subclasses -----------------------------------------------------------------
-
     def _check(self) -> None:
         """Called every tenth of a second while waiting."""
 
     def _take(self, report: Report) -> None:
         """Take a report."""
-
-    # --- Waiting ------------------------------------------------------------------------
 
     def _result(self, request: SetSpeeds | SetLed | Move | Play) -> object:
         self._inbox.put(request)

@@ -80,7 +80,6 @@ class Library(QObject):
         self._load(Project(poses=BUILT_IN_POSES), None, None)
 
     def take_file(self, path: Path, file: PoseFile) -> None:
-        """Show a pose file that was read."""
         self._load(file.project, path, file.data)
 
     def content(self) -> Content:

@@ -85,7 +85,6 @@ class RobotState:
     stats: LineStats = field(default_factory=LineStats)
 
     def __post_init__(self) -> None:
-        """Start without positions."""
         self.present = (None,) * self.motors
 
     def take(self, report: object) -> None:

@@ -167,8 +167,6 @@ class SequencePlayer:
             self._report(PlayEnded(now, why))
             self._report(Outcome(clock.play.id, None if error else why, error))
 
-    # --- While the line is free ---------------------------------------------------------
-
     def seconds_to_next(self, now: float) -> float:
         """Return how long until something is to be sent; infinity while nothing plays."""
         if self._clock is None or self._is_moving:

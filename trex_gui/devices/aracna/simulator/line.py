@@ -61,8 +61,6 @@ class RobotStation:
         for servo in self.firmware.servos:
             servo.advance(seconds)
 
-    # --- Power --------------------------------------------------------------------------
-
     def power_on(self) -> None:
         if not self.powered:
             self.powered = True
@@ -82,8 +80,6 @@ class RobotStation:
         """Pull the reset line; the servos are not affected."""
         self.power_off()
         self.power_on()
-
-    # --- UART ---------------------------------------------------------------------------
 
     def receive(
         self, byte: int, host: SerialFormat | None, _error: ReceiveError | None, _begun: float
@@ -123,8 +119,6 @@ class RobotStation:
     def _arrive_sampled(self, byte: int, _error: ReceiveError | None, begun: float) -> None:
         self._line.faults.counters["garbled"] += 1
         self._line.arrive(byte, begun)
-
-    # --- Program ------------------------------------------------------------------------
 
     def _run(self, byte: int = 0) -> None:
         self._is_waiting = False

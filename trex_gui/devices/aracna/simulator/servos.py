@@ -47,8 +47,6 @@ class Servo:
         self.to_fail: Counter[Register] = Counter()  # number of reads of a register that fail next
         self._since_goal = math.inf
 
-    # Bus
-
     def write_goal(self, value: int) -> None:
         """Write a goal; one above 1023 is rejected."""
         if self.answers and 0 <= value <= HIGHEST:
@@ -77,8 +75,6 @@ class Servo:
     @property
     def answers(self) -> bool:
         return self.powered and self.alive
-
-    # Motion
 
     @property
     def moving(self) -> bool:

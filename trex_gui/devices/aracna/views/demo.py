@@ -229,7 +229,6 @@ class ServoGauge(Painted):
 
     @property
     def position(self) -> int:
-        """Position in units."""
         return self._shown[0]
 
     def spoken_range(self) -> SpokenRange:

@@ -87,8 +87,6 @@ class PoseBox(ui.GroupBox):
         key = self._list.current
         return "" if key is None else key.name
 
-    # --- Updates ------------------------------------------------------------------------
-
     @Slot()
     def _on_chosen(self) -> None:
         pose = self._pose
@@ -132,8 +130,6 @@ class PoseBox(ui.GroupBox):
         tip = mismatch(poses, self._robot.state.motors)
         tip = tip or tr("Move every motor to this pose, within its limits.")
         self._go_to.setToolTip(ui.plain(blocker or tip))
-
-    # --- Edits --------------------------------------------------------------------------
 
     @Slot()
     def capture(self) -> None:
