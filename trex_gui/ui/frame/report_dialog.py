@@ -10,7 +10,6 @@ from PySide6.QtWidgets import (
     QListWidget,
     QListWidgetItem,
     QPlainTextEdit,
-    QPushButton,
     QWidget,
 )
 
@@ -70,10 +69,6 @@ class ReportDialog(ReusedDialog):
         self._list.currentItemChanged.connect(self._show_current)
         self._list.itemChanged.connect(self._enable)
         buttons.rejected.connect(self.close)
-
-    @property
-    def save_button(self) -> QPushButton:
-        return self._save
 
     def open_report(self, parts: Mapping[str, Callable[[], str]]) -> None:
         """Collect the files beside the window's thread; `parts` make them there."""

@@ -2,7 +2,6 @@
 
 import pytest
 
-from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.session.messages import (
     Connected,
@@ -16,7 +15,7 @@ from trex_gui.devices.aracna.session.messages import (
 GOALS = (300, 400)
 BEGUN = Moving(10.0, GOALS, (None, None), 4.0)
 THERE = Moved(13.0, GOALS, GOALS, 3.0)
-CONNECTED = Connected(1, 2, PortSettings(""))
+CONNECTED = Connected(1, 2)
 
 
 def known(*reports: object) -> RobotState:

@@ -32,11 +32,10 @@ class JobQueue:
     motion in flight were sent.
     """
 
-    def __init__(self, report: Callable[[Report], None], clock: Callable[[], float]) -> None:
+    def __init__(self, report: Callable[[Report], None]) -> None:
         self.drag: Drag | None = None
         self.is_setting_speeds = False
         self._report = report
-        self._clock = clock
         self._jobs: deque[Job] = deque()
         self._in_flight: Job | Drag | None = None
 
@@ -128,7 +127,7 @@ class JobQueue:
             self._report(Outcome(request.id, error=error))
 
     def reject_drag(self, drag: Drag, error: StudioError) -> None:
-        self._report(DragDropped(self._clock(), drag.goals, error))
+        self._report(DragDropped(drag.goals, error))
 
     def drop(self, reason: StudioError) -> None:
         """Drop everything queued, and a motion in flight of which only the speeds were sent."""

@@ -25,14 +25,11 @@ class QueryReason(Enum):
 class LivenessMonitor:
     """Decides when to send `.q`.
 
-    Attributes:
-        reason: why a reply to `.q` is awaited; `None` while the robot responds.
-        was_restarted: it has reported a start since its last `.q` reply.
+    `reason`: why a reply to it is awaited; `None` while the robot responds.
     """
 
     def __init__(self, now: float) -> None:
         self.reason: QueryReason | None = QueryReason.CONNECTING
-        self.was_restarted = False
         self._query_at = now
         self._deadline = now + BOOT_TIMEOUT
         self._connect_deadline = now + CONNECT_TIMEOUT
@@ -51,7 +48,6 @@ class LivenessMonitor:
 
     def on_restart(self, now: float) -> None:
         """Wait for the firmware to boot after `.h`."""
-        self.was_restarted = True
         self._query_at = now + BOOT_TIME
         self._deadline = now + BOOT_TIMEOUT
         if self.reason is QueryReason.CONNECTING:
@@ -67,12 +63,9 @@ class LivenessMonitor:
     def on_reply(self, now: float) -> None:
         self._keepalive_at = now + KEEPALIVE_INTERVAL
 
-    def on_version(self, now: float) -> QueryReason | None:
-        """Accept a reply to `.q`; return why it was awaited."""
-        reason, self.reason = self.reason, None
-        self.was_restarted = False
+    def on_version(self, now: float) -> None:
+        self.reason = None
         self.on_reply(now)
-        return reason
 
     def on_query_timeout(self, now: float) -> None:
         self._query_at = max(self._query_at, now)

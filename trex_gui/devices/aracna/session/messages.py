@@ -10,7 +10,6 @@ from enum import Enum
 from trex_gui.core.errors import StudioError
 from trex_gui.core.session import Close, Closed, Outcome
 from trex_gui.core.translation import tr_noop
-from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.protocol.joints import Limits
 
 # --- Requests -------------------------------------------------------------------------------
@@ -141,8 +140,6 @@ class Connected:
 
     version: int
     motors: int
-    settings: PortSettings
-    restarted: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -194,7 +191,6 @@ class SpeedsHeld:
 class DragDropped:
     """A `Drag` was not sent, and will not be."""
 
-    time: float
     goals: tuple[int, ...]
     error: StudioError
 

@@ -88,7 +88,7 @@ class AracnaSession:
         self._report = report
         self._open_transport = open_transport
         self._servos = ServoEstimates()
-        self._jobs = JobQueue(report, self._now)
+        self._jobs = JobQueue(report)
         self._player = SequencePlayer(report, self._servos)
         self._is_stuck = False  # a late reply to a motion is still awaited
         self._reported_stats = LineStats()
@@ -310,17 +310,16 @@ class AracnaSession:
 
     def _on_version(self, reply: Version, now: float) -> None:
         motors = reply.motor_count
-        was_restarted, was_responding = self._liveness.was_restarted, self._liveness.is_responding
-        reason = self._liveness.on_version(now)
+        was_responding = self._liveness.is_responding
+        self._liveness.on_version(now)
         if motors != self._client.motors:
             self._client.motors = motors
             self._servos.reset(motors)
             if was_responding:  # queued requests were meant for another robot
                 self._drop(now, Ending.LOST, RobotNoReplyError(ErrorCode.OTHER_ROBOT))
-                reason, was_responding = QueryReason.NOT_RESPONDING, False
+                was_responding = False
         if not was_responding:
-            restarted = was_restarted and reason is not QueryReason.CONNECTING
-            self._report(Connected(reply.version, motors, self._settings, restarted))
+            self._report(Connected(reply.version, motors))
 
     def _on_late_reply(self, motor: int | None, now: float) -> None:
         """Drop what is queued: it must not start when a servo recovers, perhaps in an hour."""

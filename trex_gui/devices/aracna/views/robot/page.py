@@ -47,7 +47,7 @@ class RobotPage(QWidget):
         self._report = ui.named(Note(2, self), "aracnaReport")
         self.controls = Controls(robot, table, self)
         self._right = ui.column(table, self.controls, self._report, 1, spacing=10)
-        self._sides = ui.row(
+        ui.row(
             (self._sketch, 2),
             (self._right, 7, Qt.AlignmentFlag.AlignTop),
             into=self._content,
