@@ -158,7 +158,7 @@ class DeviceController(QObject, Generic[SettingsT]):
     def show_searches_in(self, traffic: TrafficModel) -> None:
         """Add every byte of searches for devices to this traffic."""
         self._traffic = traffic
-        self._scanner.log_to(traffic.search_log)
+        self._scanner.logs.append(traffic.search_log)
         self._scanner.changed.connect(self._on_scan_changed)
 
     @Slot()

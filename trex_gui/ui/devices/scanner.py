@@ -122,7 +122,7 @@ class DeviceScanner(QObject):
         self._plugins = tuple(plugins)
         self._timeouts = timeouts or Timeouts()
         self._simulators: dict[str, Simulator] = {}
-        self._logs: list[TrafficLog] = []
+        self.logs: list[TrafficLog] = []  # get every byte of the searches
         self.line = ("", "")  # kind and packed settings of the next connection
         self._worker: ScanWorker | None = None
         self._ports: tuple[Port, ...] = ()
@@ -143,10 +143,6 @@ class DeviceScanner(QObject):
         self._simulators[device] = simulator
         simulator.ready.connect(self.simulators_changed)
         simulator.ended.connect(self.simulators_changed)
-
-    def log_to(self, log: TrafficLog) -> None:
-        """Note every byte of the searches from now on."""
-        self._logs.append(log)
 
     def can_search(self, port: Port) -> bool:
         """Whether a port can be scanned: a simulated device has to run."""
@@ -191,7 +187,7 @@ class DeviceScanner(QObject):
         self.was_cancelled = False
         self.text = tr("Opening {0} …").format(_name(self._ports[0]))
         jobs = [self._job(port) for port in self._ports]
-        self._worker = ScanWorker(jobs, full=full, only_recall=only_recall, logs=self._logs)
+        self._worker = ScanWorker(jobs, full=full, only_recall=only_recall, logs=self.logs)
         self._worker.stepped.connect(self._on_stepped, Qt.ConnectionType.QueuedConnection)
         self._worker.searched.connect(self._on_searched, Qt.ConnectionType.QueuedConnection)
         self._worker.finished.connect(self._on_worker_finished, Qt.ConnectionType.QueuedConnection)

@@ -1,6 +1,6 @@
 """Starting and ending recordings, and the windows of open ones."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from functools import partial
@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QFileDialog, QSizePolicy, QWidget
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.recording.kept import kept_folder
+from trex_gui.core.recording.kinds import RecordingFormat
 from trex_gui.core.recording.store import SUFFIX, Recording, copy_recording
 from trex_gui.core.translation import tr
 from trex_gui.ui.files import in_background
@@ -104,7 +105,7 @@ class RecordingTexts:
 class RecordingManager(QObject, Generic[WindowT]):
     """Chooses files, starts recordings and owns the windows of open ones.
 
-    A subclass for each device opens its recordings and makes their windows.
+    A subclass for each device makes the windows of its recordings.
     """
 
     changed = Signal()  # `recorder.recording` or `recorder.can_record`
@@ -113,6 +114,7 @@ class RecordingManager(QObject, Generic[WindowT]):
     def __init__(
         self,
         recorder: RecordThread[Any],
+        fmt: RecordingFormat[Any],
         texts: RecordingTexts,
         notifier: Notifier,
         window: QWidget,
@@ -122,6 +124,7 @@ class RecordingManager(QObject, Generic[WindowT]):
     ) -> None:
         """The last folder is remembered under `store`; `prefix` starts object names."""
         super().__init__(window)
+        self._format = fmt
         self._texts = texts
         self._notifier = notifier
         self._window = window
@@ -147,14 +150,6 @@ class RecordingManager(QObject, Generic[WindowT]):
             return is_one and workspace.isVisible()
 
         FileDrop(frame, takes).dropped.connect(lambda paths: self.open_file(paths[0]))
-
-    def open_recording(self, path: Path) -> Recording[Any, Any]:
-        """Return an open recording; called in a thread of its own.
-
-        Raises:
-            RecordingError: the file cannot be opened.
-        """
-        raise NotImplementedError
 
     def make_window(self, recording: Recording[Any, Any]) -> WindowT:
         """Return a new window for a recording that is not loaded yet."""
@@ -206,7 +201,7 @@ class RecordingManager(QObject, Generic[WindowT]):
                 return
         if path not in self._opening:
             self._opening.add(path)
-            work = partial(self.open_recording, path)
+            work: Callable[[], Recording[Any, Any]] = partial(Recording, path, self._format)
             in_background(self, work, self._on_opened, partial(self._on_not_opened, path))
 
     def _on_opened(self, recording: Recording[Any, Any]) -> None:
@@ -218,7 +213,7 @@ class RecordingManager(QObject, Generic[WindowT]):
         self._notifier.log_also(window.notifier)
         if recording.path.parent == kept_folder():
             window.copy_wanted.connect(partial(self._save_copy, window))
-            window.offer_copy()
+            window.copy_button.show()
         else:
             remember_folder(recording.path, self._folder_key)
         self.used.emit(recording.path)

@@ -77,7 +77,7 @@ class RecordingWindow(QMainWindow):
             tip=tr("Save every sample in the plot as CSV or MCAP"),
             on_click=self._on_export_clicked,
         )
-        self._copy = builders.button(
+        self.copy_button = builders.button(
             self,
             "copyRecordingButton",
             tr("Save a cop&y…"),
@@ -85,7 +85,7 @@ class RecordingWindow(QMainWindow):
             tip=tr("Keep this recording: the oldest ones of faults and stops are removed"),
             on_click=self.copy_wanted.emit,
         )
-        self._copy.hide()
+        self.copy_button.hide()
         self._progress = builders.named(
             QProgressBar(self), "recordingProgress", accessible=tr("Progress")
         )
@@ -122,7 +122,12 @@ class RecordingWindow(QMainWindow):
         self, stop: QWidget, buttons: Sequence[QWidget], below_plot: QWidget, above_events: QWidget
     ) -> None:
         top = builders.row(
-            (self._heading, 1), self._copy, self._show_all, *buttons, self._export, self._picture
+            (self._heading, 1),
+            self.copy_button,
+            self._show_all,
+            *buttons,
+            self._export,
+            self._picture,
         )
         left, right = QWidget(self), QWidget(self)
         builders.column((self.plot, 1), below_plot, into=left, margins=(0, 0, 6, 0))
@@ -132,7 +137,7 @@ class RecordingWindow(QMainWindow):
             self, f"{self._name}Splitter", Qt.Orientation.Horizontal, (left, 1), (right, 0)
         )
         builders.tab_order(
-            self._copy,
+            self.copy_button,
             self._show_all,
             *buttons,
             self._export,
@@ -159,10 +164,6 @@ class RecordingWindow(QMainWindow):
         self.update_state()
         if self.player.is_loaded:
             self._on_loaded()
-
-    def offer_copy(self) -> None:
-        """Show what saves a copy of a recording that is removed after some time."""
-        self._copy.show()
 
     # --- For each device ----------------------------------------------------------------
 

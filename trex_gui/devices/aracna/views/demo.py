@@ -12,7 +12,6 @@ from trex_gui.devices.aracna.protocol.joints import HIGHEST, MOTORS, degrees
 from trex_gui.ui.devices.demo_panel import (
     CableTexts,
     Columns,
-    DemoDock,
     DemoPanelBody,
     Rows,
     cable_rows,
@@ -32,13 +31,6 @@ _SLIDER_WIDTH = 44  # pixels of a slider
 
 _HEIGHT, _MIN_WIDTH, _WIDTH = 14, 26, 70
 _RADIUS = 4.5
-
-
-class RobotPanel(DemoDock):
-    def __init__(self, controller: AracnaController, parent: QWidget | None = None) -> None:
-        super().__init__("aracnaDemoPanel", "aracna/demo_panel", controller, parent)
-        self.setWindowTitle(tr("Demo Aracna"))
-        self.hold(DemoRobotView(controller, self))
 
 
 class DemoRobotView(DemoPanelBody[RobotSnapshot]):

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Mapping
 from functools import partial
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Slot
@@ -17,13 +16,14 @@ from trex_gui.devices.aracna.model.recordings import AracnaRecorder, RobotPlayba
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.poses.ppr import SUFFIX
 from trex_gui.devices.aracna.recording import FORMAT, Record, RobotHeader
-from trex_gui.devices.aracna.views.demo import RobotPanel
+from trex_gui.devices.aracna.views.demo import DemoRobotView
 from trex_gui.devices.aracna.views.help import TOPICS, message_help
 from trex_gui.devices.aracna.views.log_page import RobotLogPage
 from trex_gui.devices.aracna.views.motion_bar import MotionBar
 from trex_gui.devices.aracna.views.poses.page import PosesPage
 from trex_gui.devices.aracna.views.robot.page import RobotPage
 from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.devices.demo_panel import DemoDock
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.start_panel import StartPanel, StartTexts, StartWay
 from trex_gui.ui.frame.wiring_sketch import Wires
@@ -55,6 +55,7 @@ class AracnaRecordings(RecordingManager["RobotPlaybackWindow"]):
         )
         super().__init__(
             AracnaRecorder(robot),
+            FORMAT,
             texts,
             robot.notifier,
             window,
@@ -62,9 +63,6 @@ class AracnaRecordings(RecordingManager["RobotPlaybackWindow"]):
             prefix="aracna_",
         )
         self._robot = robot
-
-    def open_recording(self, path: Path) -> Recording[RobotHeader, Record]:
-        return Recording(path, FORMAT)
 
     def make_window(self, recording: Recording[RobotHeader, Record]) -> "RobotPlaybackWindow":
         # The plotting library takes as long to load as all of Qt: not before it is needed.
@@ -106,7 +104,9 @@ class AracnaWorkspace(Workspace):
         frame.seen_changed.connect(traffic.set_window_seen)
         bar = MotionBar(robot, self)
         ui.column((tabs, 1), self.recordings.indicator, bar, into=self, margins=0)
-        self._demo = RobotPanel(controller, frame)
+        self._demo = DemoDock("aracnaDemoPanel", "aracna/demo_panel", controller, frame)
+        self._demo.setWindowTitle(tr("Demo Aracna"))
+        self._demo.hold(DemoRobotView(controller, self._demo))
         self.stop_text = tr("&Stop sequence")  # this robot has no stop
         self.docks = (self._demo,)
         pose_files = self._poses.files

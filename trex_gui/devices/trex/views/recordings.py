@@ -35,16 +35,13 @@ class Recordings(RecordingManager["PlaybackWindow"]):
             open_command=tr("File, Open recording"),
         )
         recorder = Recorder(device)
-        super().__init__(recorder, texts, device.notifier, window, store="recording")
+        super().__init__(recorder, FORMAT, texts, device.notifier, window, store="recording")
         self._device = device
         self.events = EventRecorder(device, recorder, self)
         self.starts_with_run = Preferences().flag(_WITH_RUN, default=False)
         self.events.ended.connect(self._on_event_kept)
         self.events.failed.connect(self._on_event_lost)
         device.motors.arming_changed.connect(self._on_arming_changed)
-
-    def open_recording(self, path: Path) -> Recording[Header, Record]:
-        return Recording(path, FORMAT)
 
     def make_window(self, recording: Recording[Header, Record]) -> "PlaybackWindow":
         # The plotting library takes as long to load as all of Qt: not before it is needed.
