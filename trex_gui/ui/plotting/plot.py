@@ -13,8 +13,8 @@ from PySide6.QtCore import QEvent, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QAccessible, QFontMetrics, QKeyEvent
 from PySide6.QtWidgets import QWidget
 
-from trex_gui.core.translation import tr, tr_noop
 from trex_gui.core.events import Event
+from trex_gui.core.translation import tr, tr_noop
 from trex_gui.ui.plotting.axes import Span, ValueAxis, ago_labels, clock_text, since_labels
 from trex_gui.ui.plotting.canvas import Curve, Line, PlotCanvas
 from trex_gui.ui.plotting.history import Floats, Points

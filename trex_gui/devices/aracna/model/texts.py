@@ -14,7 +14,6 @@ from trex_gui.devices.aracna.protocol.joints import (
     degrees_per_second,
 )
 from trex_gui.devices.aracna.session.messages import Moved, PlayEnded, Restarted, SpeedsHeld, Stuck
-from trex_gui.core.events import EventKind
 from trex_gui.ui.translations import error_text
 
 
