@@ -59,7 +59,7 @@ def test_note_is_typed_and_kept_wherever_the_value_goes(
 
     path = tmp_path / "board.txt"
     files = trex(window.program).workspace.files
-    files.save_file(path)
+    files.shown.save_file(path)
     window.wait(path.exists)
     assert read_settings(load(path))[0].notes == {KEY: NOTE}
     shown = draft.shown

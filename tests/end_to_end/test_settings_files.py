@@ -293,13 +293,13 @@ def test_settings_are_exported_as_code_and_printed(
     window.device.parameters.edit("serial_timeout", 5)
     for language in Language:
         path = tmp_path / f"board{language.suffix}"
-        files.files.export_file(path, language)
+        files.files.shown.export_file(path, language)
         window.wait_for_files()
         text = path.read_text(encoding="utf-8")
         assert "Serial Timeout" in text, language
         assert "0.5 s" in text, language
         assert f"{path} applies and checks" in window.text("bannerText")
-    files.files.export_file(tmp_path / "missing" / "board.py", Language.PYTHON)
+    files.files.shown.export_file(tmp_path / "missing" / "board.py", Language.PYTHON)
     window.wait_for_files()
     assert "was not written" in window.text("bannerText")
 

@@ -262,8 +262,8 @@ def test_window_saves_nothing_itself(
     calibration = window.find_only(CalibrationFiles)
     recorder = workspace.recordings.recorder
     saves: dict[str, Callable[[Path], object]] = {
-        "code.c": lambda path: workspace.files.export_file(path, Language.C),
-        "board.txt": workspace.files.save_file,
+        "code.c": lambda path: workspace.files.shown.export_file(path, Language.C),
+        "board.txt": workspace.files.shown.save_file,
         "calibrations.txt": calibration.save_file,
         "a.trexrec": recorder.start,
     }

@@ -17,8 +17,8 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.trex.bench.files import to_csv
 from trex_gui.devices.trex.bench.run import End
 from trex_gui.devices.trex.protocol.flags import CHANNELS
-from trex_gui.devices.trex.views.arm_dialog import ArmDialog
 from trex_gui.devices.trex.views.bench.dialog import BenchDialog
+from trex_gui.devices.trex.views.motor_controls import ArmDialog
 from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter
 from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor

@@ -126,7 +126,7 @@ class SettingsFiles:
 
     def save(self, path: Path) -> None:
         """Save the settings shown."""
-        self.files.save_file(path)
+        self.files.shown.save_file(path)
         self._window.wait_for_files()
 
     def load_dialogs(self) -> list[LoadDialog]:

@@ -11,8 +11,7 @@ from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.views.action_bar import RunButton
-from trex_gui.devices.trex.views.arm_dialog import ArmDialog
+from trex_gui.devices.trex.views.motor_controls import ArmDialog, RunButton
 from trex_gui.ui.theme.theme import theme
 
 

@@ -11,11 +11,11 @@ from trex_gui.devices.trex.model.boards import BoardList
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.settings.comparison import Comparison
-from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.devices.trex.views.boards import board_name
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.findings_list import FindingsList
 from trex_gui.devices.trex.views.limits_prompt import LimitsPrompt
+from trex_gui.devices.trex.views.motor_controls import StopButton
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.labels import Note

@@ -22,7 +22,7 @@ from trex_gui.devices.trex.model.settings.snapshots import (
     SnapshotTable,
 )
 from trex_gui.devices.trex.settings.history import KEPT, SettingsHistory, Snapshot
-from trex_gui.devices.trex.views.action_bar import StopButton
+from trex_gui.devices.trex.views.motor_controls import StopButton
 from trex_gui.devices.trex.views.snapshot_pane import SnapshotPane
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Answer, Notifier

@@ -12,7 +12,7 @@ from trex_gui.devices.trex.model.playback import Playback
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import CHANNELS
-from trex_gui.devices.trex.views.action_bar import StopButton
+from trex_gui.devices.trex.views.motor_controls import StopButton
 from trex_gui.ui.playback.transport import time_text
 from trex_gui.ui.playback.window import RecordingWindow
 from trex_gui.ui.plotting.figures import TraceColumn, TraceTable, TraceTableView

@@ -14,6 +14,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.recorder import EventRecorder, Recorder
 from trex_gui.devices.trex.recording import FORMAT, Header, Record
 from trex_gui.ui.files import in_background
+from trex_gui.ui.frame.workspace import Entries, Entry
 from trex_gui.ui.playback.manager import RecordingManager, RecordingTexts
 from trex_gui.ui.preferences import Preferences
 
@@ -52,16 +53,42 @@ class Recordings(RecordingManager["PlaybackWindow"]):
         window.settings_wanted.connect(self.settings_wanted)
         return window
 
-    def toggle_starts_with_run(self) -> None:
+    def entries(self) -> Entries:
+        """Return the entries of the File menu."""
+        return (
+            Entry("record", tr("&Record…"), self.toggle, "Ctrl+Shift+R", "record"),
+            Entry(
+                "open_recording",
+                tr("Open recor&ding…"),
+                self.choose_and_open,
+                "Ctrl+Shift+O",
+                "plot",
+            ),
+            Entry("open_kept", tr("Open fa&ult or stop…"), self._choose_and_open_kept),
+            Entry(
+                "record_with_run",
+                tr("Start recording &with Run motor"),
+                self._toggle_starts_with_run,
+                checkable=True,
+            ),
+            Entry(
+                "keep_events",
+                tr("&Keep 30 s around each fault and stop"),
+                self._toggle_keeps_events,
+                checkable=True,
+            ),
+        )
+
+    def _toggle_starts_with_run(self) -> None:
         self.starts_with_run = not self.starts_with_run
         Preferences().set(_WITH_RUN, self.starts_with_run)
         self.changed.emit()
 
-    def toggle_keeps_events(self) -> None:
+    def _toggle_keeps_events(self) -> None:
         self.events.set_on(not self.events.is_on)
         self.changed.emit()
 
-    def choose_and_open_kept(self) -> None:
+    def _choose_and_open_kept(self) -> None:
         """Let the user choose among the recordings of faults and stops."""
         in_background(
             self,

@@ -1,38 +1,28 @@
-"""Opening and saving settings files, from the window and in windows of their own."""
+"""Settings files: opened, loaded into the board, edited in windows of their own."""
 
-import contextlib
 from collections.abc import Callable, Iterator
-from dataclasses import replace
-from datetime import datetime
 from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Qt, Signal, Slot
 from PySide6.QtWidgets import (
-    QDialog,
     QDialogButtonBox,
-    QFileDialog,
     QInputDialog,
     QListView,
     QWidget,
 )
 
-from trex_gui.core.code import Language
-from trex_gui.core.errors import BadRequest, StudioError
-from trex_gui.core.files import SettingsError, load, reason_of, save
+from trex_gui.core.errors import StudioError
+from trex_gui.core.files import SettingsError, load, reason_of
 from trex_gui.core.resource_files import resource
 from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.settings.document import SettingsDocument, text_of
+from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.protocol.device_table import Model, device_table
-from trex_gui.devices.trex.settings.code_export import export_code, file_name
 from trex_gui.devices.trex.settings.document import Settings, factory_settings
-from trex_gui.devices.trex.settings.edit_in_place import amend
-from trex_gui.devices.trex.settings.reader import read_settings
-from trex_gui.devices.trex.settings.writer import write_settings
 from trex_gui.devices.trex.views.load_dialog import LoadDialog
-from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
+from trex_gui.devices.trex.views.shown_settings import ShownSettings
 from trex_gui.ui.files import in_background
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.builders import named, tab_order
@@ -64,7 +54,8 @@ class SettingsFiles(QObject):
         self._window = window
         self._loading: LoadDialog | None = None
         self.editors: list[SettingsEditor] = []  # the open windows, each with one file
-        self._saving: set[Path] = set()
+        self.shown = ShownSettings(device, window)
+        self.shown.saved.connect(self._note_used)
         self._discarded: dict[SettingsEditor, str] = {}  # texts that need not be saved
 
     def ask_and_open(self) -> None:
@@ -80,32 +71,6 @@ class SettingsFiles(QObject):
         path = file_questions.ask_to_open(self._window, title)
         if path is not None:
             use(path)
-
-    def ask_and_save(self, then: Callable[[], object] = lambda: None) -> None:
-        """Let the user choose where to save the settings shown; call `then` once they are."""
-        state = self._device.state
-        key = state.signature.model.key if state is not None else "trex"
-        proposal = file_questions.last_folder() / f"{key}_settings.txt"
-        title = tr("Save settings file")
-        path = file_questions.ask_to_save(self._window, title, proposal)
-        if path is not None:
-            self.save_file(path, then)
-
-    def ask_and_export(self) -> None:
-        """Let the user choose where to save the settings shown as a program, and its language."""
-        settings = self._device.draft.shown
-        if settings is None:
-            return
-        filters = {f"{language.title} (*{language.suffix})": language for language in Language}
-        proposal = file_name(settings, next(iter(filters.values())))
-        name = file_questions.last_folder() / proposal
-        chosen, kind = QFileDialog.getSaveFileName(
-            self._window, tr("Export as code"), str(name), ";;".join(filters)
-        )
-        if chosen:
-            path = Path(chosen)
-            typed = {language.suffix: language for language in Language}
-            self.export_file(path, typed.get(path.suffix.lower(), filters[kind]))
 
     def ask_and_begin(self) -> None:
         """Let the user choose what a new file begins with, and open a window for it."""
@@ -262,9 +227,8 @@ class SettingsFiles(QObject):
 
         Once those are saved that the user wants to save, `leave` is called.
         """
-        if self._saving and not file_questions.may_leave_unfinished(
-            self._window, ", ".join(path.name for path in self._saving)
-        ):
+        unfinished = ", ".join(path.name for path in self.shown.saving)
+        if unfinished and not file_questions.may_leave_unfinished(self._window, unfinished):
             return False
         agreed, self._discarded = self._discarded, {}
         to_save: list[SettingsEditor] = []
@@ -300,142 +264,10 @@ class SettingsFiles(QObject):
         for editor in list(self.editors):
             editor.close_at_once()
 
-    # --- Saving and printing what the board shows ---------------------------------------
-
-    def export_file(self, path: Path, language: Language) -> None:
-        """Write a program that applies the settings shown and drives the motors."""
-        settings, link = self._device.draft.shown, self._device.settings
-        if settings is None or link is None:
-            return
-        try:
-            code = export_code(settings, link, language)
-        except BadRequest as error:
-            self._on_not_exported(path, error)
-            return
-        in_background(
-            self,
-            partial(save, path, code),
-            lambda _: self._on_exported(path),
-            partial(self._on_not_exported, path),
-        )
-
-    def _on_not_exported(self, path: Path, error: StudioError) -> None:
-        self._notifier.error.emit(tr("{0} was not written: {1}").format(path.name, error))
-
-    def _on_exported(self, path: Path) -> None:
-        file_questions.remember_folder(path)
-        text = tr("{0} applies and checks the settings shown; read its first lines.")
-        self._notifier.info.emit(text.format(path))
-
-    def save_file(self, path: Path, then: Callable[[], object] = lambda: None) -> None:
-        """Save the settings shown, edits included; call `then` once they are saved.
-
-        In an existing file only the values change. The user's comments stay, and so do the
-        calibrations of the other input source, which the board does not show.
-        """
-        settings = self._device.draft.shown
-        if settings is None:
-            return
-        if path in self._saving:
-            text = tr("{0} was not saved again: it is still being saved.")
-            self._notifier.error.emit(text.format(path.name))
-            return
-        self._saving.add(path)
-        in_background(
-            self,
-            partial(_content_of, path),
-            partial(self._save_over, path, settings, then),
-            partial(self._on_not_saved, path),
-        )
-
-    def _save_over(
-        self,
-        path: Path,
-        settings: Settings,
-        then: Callable[[], object],
-        before: bytes | SettingsError | None,
-    ) -> None:
-        """Save into a file that holds this, or cannot be read; `None`: there is no file."""
-        try:
-            text, kept = self._text_for(path, settings, before)
-        except StudioError as error:
-            self._on_not_saved(path, error)
-            return
-        if text is None:
-            self._saving.discard(path)
-            return
-        in_background(
-            self,
-            partial(save, path, text),
-            lambda _: self._on_saved(path, kept, then),
-            partial(self._on_not_saved, path),
-        )
-
-    def _on_not_saved(self, path: Path, error: StudioError) -> None:
-        self._saving.discard(path)
-        self._notifier.error.emit(tr("{0} was not saved: {1}").format(path.name, error))
-
-    def _on_saved(self, path: Path, kept: str, then: Callable[[], object]) -> None:
-        self._saving.discard(path)
-        self._note_used(path)
-        saved = tr("The settings shown were saved in {0}.").format(path)
-        self._notifier.info.emit(f"{saved} {kept}".rstrip())
-        then()
-
-    def _text_for(
-        self, path: Path, settings: Settings, content: bytes | SettingsError | None
-    ) -> tuple[str | None, str]:
-        """Return what to write, and a note about what was kept; `None`: the user cancelled.
-
-        Raises:
-            SettingsError, BadRequest: it cannot be written.
-        """
-        now = datetime.now().astimezone().strftime("%Y-%m-%d %H:%M")
-        fresh = write_settings(settings, title_lines=[f"Saved by TReX Studio, {now}."])
-        if content is None:
-            return fresh, ""
-        reason = tr("is not a readable settings file.")
-        before, old = "", None
-        if isinstance(content, bytes):
-            with contextlib.suppress(SettingsError):
-                before, _ = text_of(content, path.name)
-                old, _ = read_settings(before, path.name)
-        if old is not None and old.product.key != settings.product.key:
-            reason, old = tr("holds settings of a {0}.").format(old.product.name), None
-        if old is None:
-            may_replace = file_questions.may_replace(self._window, path.name, reason)
-            return (fresh if may_replace else None), ""
-        shown = {key.source for key in settings.calibrations}
-        hidden = {key: c for key, c in old.calibrations.items() if key.source not in shown}
-        whole = replace(settings, calibrations={**settings.calibrations, **hidden})
-        try:
-            text = amend(before, whole, path.name)
-        except SettingsError as error:
-            trouble = error.findings[0].message
-            return (fresh if file_questions.may_write_fresh(self._window, trouble) else None), ""
-        names = ", ".join(sorted({key.source.word for key in hidden}))
-        kept = tr("Calibrations that the board does not show now were kept: {0}.")
-        return text, kept.format(names) if hidden else ""
-
-    def preview(self) -> QDialog | None:
-        settings, state = self._device.draft.shown, self._device.state
-        if settings is None or state is None:
-            return None
-        name = tr("{0}, settings shown").format(state.signature)
-        return PrintedSettings(settings, name).preview(self._window, self._notifier.error.emit)
-
 
 def _raise(editor: SettingsEditor) -> None:
     editor.show()
     editor.activateWindow()
-
-
-def _content_of(path: Path) -> bytes | SettingsError | None:
-    """Return what a file holds, or why it cannot be read; `None` if it is missing."""
-    try:
-        return load(path) if path.exists() else None
-    except SettingsError as error:
-        return error
 
 
 def _from_factory(model: Model, firmware: str) -> SettingsDocument:

@@ -7,7 +7,6 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 
 from trex_gui.core.texts import hex_text
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.replay import RecordedTraffic
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.widgets.file_questions import last_folder
@@ -34,6 +33,8 @@ def _report(notifier: Notifier, found: tuple[int, tuple[int, str, str, str] | No
 
 def _first_difference(path: Path) -> tuple[int, tuple[int, str, str, str] | None]:
     """Return the number of transactions, and line, meaning, and the simulator's reply in words."""
+    from trex_gui.devices.trex.replay import RecordedTraffic  # noqa: PLC0415 - the simulator
+
     recorded = RecordedTraffic.load(path)
     for row, received in recorded.replayed():
         shown = hex_text(received) or "–"

@@ -1,8 +1,6 @@
 """The workspace of a TReX: pages, dialogs and menus."""
 
 from collections.abc import Callable, Mapping, Sequence
-from contextlib import suppress
-from dataclasses import replace
 from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
@@ -11,38 +9,35 @@ from PySide6.QtGui import QAction, QDesktopServices, QKeySequence
 from PySide6.QtWidgets import QWidget
 from shiboken6 import Shiboken
 
-from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.model.boards import BoardList
 from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.linter import BoardLinter
-from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
-from trex_gui.devices.trex.protocol.parameters import ParameterKey
-from trex_gui.devices.trex.settings.board_records import utc_now
-from trex_gui.devices.trex.settings.comparison import ComparisonRow
-from trex_gui.devices.trex.views.action_bar import ActionBar
-from trex_gui.devices.trex.views.arm_dialog import arm
+from trex_gui.devices.trex.model.report import settings_parts, status_text
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.views.boards import BoardPanel
-from trex_gui.devices.trex.views.close_prompt import ClosePrompt
 from trex_gui.devices.trex.views.demo_panel import DemoPanel
 from trex_gui.devices.trex.views.help import GUIDE, TOPICS, message_help
 from trex_gui.devices.trex.views.learning.dialog import LearnDialog
 from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
+from trex_gui.devices.trex.views.motor_controls import ControlBar, arm
+from trex_gui.devices.trex.views.pages.calibration.page import CalibrationPage
 from trex_gui.devices.trex.views.pages.channels import ChannelsPage
 from trex_gui.devices.trex.views.pages.currents import CurrentsPage
+from trex_gui.devices.trex.views.pages.errors import ErrorsPage
+from trex_gui.devices.trex.views.pages.motors.page import MotorsPage
+from trex_gui.devices.trex.views.pages.parameters.page import ParametersPage
 from trex_gui.devices.trex.views.pages.status import StatusPage
+from trex_gui.devices.trex.views.prompts import ClosePrompt, RestorePrompt
 from trex_gui.devices.trex.views.recordings import Recordings
-from trex_gui.devices.trex.views.review.defaults_dialog import DefaultsDialog
-from trex_gui.devices.trex.views.review.power_cycle import PowerCycleDialog
-from trex_gui.devices.trex.views.review.review_dialog import ReviewDialog
+from trex_gui.devices.trex.views.settings_commands import SettingsCommands
 from trex_gui.devices.trex.views.settings_files import SettingsFiles
-from trex_gui.devices.trex.views.start_ways import start_ways
+from trex_gui.devices.trex.views.start_texts import start_texts
+from trex_gui.devices.trex.views.traffic_comparison import compare_traffic
 from trex_gui.ui.devices.undo import undo_titles
 from trex_gui.ui.frame.main_window import MainWindow
-from trex_gui.ui.frame.start_panel import StartPanel, StartTexts
-from trex_gui.ui.frame.wiring_sketch import Wires
+from trex_gui.ui.frame.start_panel import StartPanel
 from trex_gui.ui.frame.workspace import (
     SEPARATOR,
     Entry,
@@ -54,18 +49,12 @@ from trex_gui.ui.frame.workspace import (
     Workspace,
 )
 from trex_gui.ui.log import LogPage
-from trex_gui.ui.notifier import Answer, Remedy
-from trex_gui.ui.translations import error_sentence, local_time
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 
 if TYPE_CHECKING:
-    from trex_gui.devices.trex.views.apply_to_boards_dialog import ApplyToBoardsDialog
-    from trex_gui.devices.trex.views.bench.dialog import BenchDialog
-    from trex_gui.devices.trex.views.check_board import CheckBoardDialog
-    from trex_gui.devices.trex.views.history_dialog import HistoryDialog
     from trex_gui.devices.trex.views.pages.currents_panel import PlotWindow
-    from trex_gui.devices.trex.views.setup.dialog import SetupDialog
+    from trex_gui.devices.trex.views.tools import Tools
 
 
 class TrexWorkspace(Workspace):
@@ -81,12 +70,6 @@ class TrexWorkspace(Workspace):
         self._question = frame.question
         self._frame = frame
         self._linter = BoardLinter(device, self)
-        self._wiring = Wires(
-            tr("TReX"),
-            (("TX", "SI"), ("RX", "SO"), ("GND", "GND")),
-            tr("Wiring: TX of the adapter to SI, RX to SO, GND to GND of the board"),
-        )
-        self._offered_losses: set[ComparisonRow] = set()  # lost settings
         self.help_topics, self.message_help = TOPICS, message_help()
         self.log.follow(device.events)
 
@@ -105,14 +88,14 @@ class TrexWorkspace(Workspace):
                 PageInfo("motors", tr("&Motors"), self._make_motors_page),
                 PageInfo("currents", tr("C&urrents"), self._make_currents_page),
                 PageInfo("parameters", tr("&Parameters"), self._make_parameters_page),
-                PageInfo("errors", tr("&Errors"), self._make_errors_page),
+                PageInfo("errors", tr("&Errors"), partial(ErrorsPage, device, self)),
                 PageInfo("log", tr("Lo&g"), self._make_log_page),
                 PageInfo("transcript", tr("T&raffic"), self._make_traffic_page),
             )
         )
 
         self.recordings = Recordings(device, frame)
-        bar = ActionBar(device, self.recordings.indicator, self)
+        bar = ControlBar(device, self.recordings.indicator, self)
         beside = ui.row(panel, (tabs, 1), margins=0)
         ui.column((beside, 1), bar, into=self, margins=0)
         self._demo = DemoPanel(controller, frame)
@@ -120,12 +103,10 @@ class TrexWorkspace(Workspace):
         self.docks = (self._demo,)
         name, suffixes = tr("a settings file of a TReX"), {".txt", ".yaml", ".yml"}
         self.file_kinds = (FileKind(suffixes, name, files.open_file, files.edit_file),)
-        self._review = ReviewDialog(device, self._linter, frame)
-        self._close_prompt = ClosePrompt(device, files, self._review, frame)
-        self._defaults = DefaultsDialog(device, boards, frame)
-        self._power = PowerCycleDialog(device, frame)
+        self._settings = settings = SettingsCommands(device, self._linter, boards, frame)
+        self._close_prompt = ClosePrompt(device, files, settings.review, frame)
+        RestorePrompt(device, files, frame.question)
         learning = Learning(device, self)
-        self._learning = learning
         self._learn = LearnDialog(learning, frame)
         self._plot: PlotWindow | None = None
         learning.begun.connect(controller.demo_board.centre_sticks)
@@ -137,16 +118,11 @@ class TrexWorkspace(Workspace):
         files.used.connect(partial(frame.files.recent.note, self.key, "settings"))
         self.recordings.used.connect(partial(frame.files.recent.note, self.key, "recording"))
         self.recordings.settings_wanted.connect(self.files.open_editor)
-        self._defaults.staged.connect(self._review.review_staged)
+        settings.parameter_wanted.connect(self._show_parameter)
         for reviewed in (bar.apply_requested, learning.edited):
-            reviewed.connect(self._review.review)
-        learning.stored.connect(self._review.close_if_verified)  # the test of the sticks follows
-        self._defaults.reset_requested.connect(device.writer.reset_to_factory)
+            reviewed.connect(settings.review.review)
+        learning.stored.connect(settings.review.close_if_verified)  # the test of the sticks follows
         controller.demo_board.rejected.connect(self.notifier.error)
-        device.applied.connect(self._on_applied)
-        device.applied.connect(self._question.reconsider)
-        device.edit_backup.offered.connect(self._on_edits_offered)
-        device.kept.changed.connect(self._on_memory_changed)
         for changed in (
             self.recordings.changed,
             controller.changed,
@@ -161,56 +137,27 @@ class TrexWorkspace(Workspace):
         device.errors_changed.connect(self._on_errors_changed)
         self._undo_watch = device.draft.undo.indexChanged.connect(self._on_actions_changed)
 
-    # --- Pages --------------------------------------------------------------------------
-
     def _make_status_page(self) -> QWidget:
-        texts = StartTexts(
-            title=tr("Connect my TReX"),
-            ways=start_ways(self._wiring, self),
-            none=tr("No board at hand?"),
-            demo=tr("&Try the demo"),
-            files=(
-                ("open", tr("Open &settings file…"), "open"),
-                ("open_recording", tr("&Open recording…"), "plot"),
-            ),
-            welcome=tr(
-                "Set up, calibrate, drive and understand a Pololu TReX or TReX Jr. You need the "
-                "board with its supply, and a serial adapter with three wires. No motor moves "
-                "before you click Run motor, and Esc stops the motors in every window."
-            ),
-        )
-        start = StartPanel(texts, self._frame, self)
+        start = StartPanel(start_texts(self), self._frame, self)
         page = StatusPage(self._device, start, self)
         page.setup_requested.connect(self._set_up)
         return page
 
-    # The first window is shown without these pages, and without what they import.
-
     def _make_calibration_page(self) -> QWidget:
-        from trex_gui.devices.trex.views.pages.calibration.page import (  # noqa: PLC0415
-            CalibrationPage,
-        )
-
         page = CalibrationPage(self._device, self._linter, self)
-        page.power_cycle_requested.connect(self._power.guide)
+        page.power_cycle_requested.connect(self._settings.power.guide)
         page.learn_requested.connect(self._learn.learn)
         return page
 
     def _make_motors_page(self) -> QWidget:
-        from trex_gui.devices.trex.views.pages.motors.page import MotorsPage  # noqa: PLC0415
-
         page = MotorsPage(self._device, self)
         page.parameter_wanted.connect(self._show_parameter)
         return page
 
     def _make_parameters_page(self) -> QWidget:
-        from trex_gui.devices.trex.views.pages.parameters.page import (  # noqa: PLC0415
-            ParametersPage,
-        )
-
         page = ParametersPage(self._device, self._linter, self)
-        page.reload_requested.connect(self._on_reload_requested)
-        page.power_cycle_requested.connect(self._power.guide)
+        page.reload_requested.connect(self._settings.reload)
+        page.power_cycle_requested.connect(self._settings.power.guide)
         self._parameter_shown.connect(page.table.show_parameter)
         return page
 
@@ -229,11 +176,6 @@ class TrexWorkspace(Workspace):
         self._plot.show()
         self._plot.activateWindow()
 
-    def _make_errors_page(self) -> QWidget:
-        from trex_gui.devices.trex.views.pages.errors import ErrorsPage  # noqa: PLC0415
-
-        return ErrorsPage(self._device, self)
-
     def _make_log_page(self) -> QWidget:
         page = LogPage(self.log, self.key, self.notifier, self.message_help, self)
         page.help_wanted.connect(self._frame.show_help)
@@ -249,122 +191,55 @@ class TrexWorkspace(Workspace):
         self._frame.seen_changed.connect(page.set_window_seen)
         return page
 
-    def _compare_traffic(self) -> None:
-        from trex_gui.devices.trex.views.traffic_comparison import (  # noqa: PLC0415 - rarely
-            compare_traffic,
-        )
-
-        compare_traffic(self.notifier, self)
-
-    # --- Dialogs that are made, and imported, when they are first opened -------------------
-
     @cached_property
-    def _bench(self) -> "BenchDialog":
-        from trex_gui.devices.trex.model.bench import Bench  # noqa: PLC0415
-        from trex_gui.devices.trex.views.bench.dialog import BenchDialog  # noqa: PLC0415
+    def _tools(self) -> "Tools":
+        from trex_gui.devices.trex.views.tools import Tools  # noqa: PLC0415 - rarely needed
 
-        dialog = BenchDialog(self._device, Bench(self._device, self), self._frame)
-        dialog.apply_requested.connect(self._review.review)
-        return dialog
-
-    def _open_bench(self) -> None:
-        self._bench.show_in_front()
-
-    @cached_property
-    def _history(self) -> "HistoryDialog":
-        from trex_gui.devices.trex.views.history_dialog import HistoryDialog  # noqa: PLC0415
-
-        dialog = HistoryDialog(self._device, self._frame)
-        dialog.restore_requested.connect(self._review.review)
-        return dialog
-
-    def _open_history(self) -> None:
-        self._history.open_history()
-
-    @cached_property
-    def _setup(self) -> "SetupDialog":
-        from trex_gui.devices.trex.views.setup.dialog import SetupDialog  # noqa: PLC0415
-
-        dialog = SetupDialog(self._device, self._learning, self._frame)
-        dialog.learn_requested.connect(self._learn.learn)
-        dialog.apply_requested.connect(self._review.review)
-        return dialog
-
-    def _set_up(self) -> None:
-        self._setup.open_setup()
-
-    @cached_property
-    def _to_boards(self) -> "ApplyToBoardsDialog":
-        from trex_gui.devices.trex.views.apply_to_boards_dialog import (  # noqa: PLC0415
-            ApplyToBoardsDialog,
-        )
-
-        return ApplyToBoardsDialog(self._boards, self._device, self._frame)
+        review = self._settings.review
+        return Tools(self._device, self._boards, self._learn, review, self._frame)
 
     @Slot()
     def _apply_to_boards(self) -> None:
-        self.files.ask_for_document(self._to_boards.open_file)
+        self.files.ask_for_document(self._tools.apply_to_boards.open_file)
 
-    @cached_property
-    def _check(self) -> "CheckBoardDialog":
-        from trex_gui.devices.trex.views.check_board import CheckBoardDialog  # noqa: PLC0415
+    @Slot()
+    def _set_up(self) -> None:
+        self._tools.setup.open_setup()
 
-        dialog = CheckBoardDialog(self._device, self._wiring, self._frame)
-        dialog.find_requested.connect(lambda: self._frame.apply_remedy(Remedy.FIND))
-        dialog.connect_requested.connect(self._frame.apply_remedy)
-        return dialog
+    def _open_bench(self) -> None:
+        self._tools.bench.show_in_front()
+
+    def _open_history(self) -> None:
+        self._tools.history.open_history()
 
     def _check_board(self) -> None:
-        self._check.open_dialog()
+        self._tools.check_board.open_dialog()
 
     @Slot(object)
     def _show_parameter(self, key: object) -> None:
         self.show_page("parameters")
         self._parameter_shown.emit(key)
 
-    # --- What its menus do --------------------------------------------------------------
-
     def menus(self) -> Menus:
         device, files, keys = self._device, self.files, QKeySequence.StandardKey
-        factory = partial(self._defaults.preview, serial_only=False)
-        serial = partial(self._defaults.preview, serial_only=True)
+        shown = files.shown
+        settings, compare = self._settings, partial(compare_traffic, self.notifier, self)
+        reload, review, activate = settings.reload, settings.review.review, settings.power.guide
+        factory = partial(settings.defaults.preview, serial_only=False)
+        serial = partial(settings.defaults.preview, serial_only=True)
         return {
             Menu.FILE: (
                 Entry("new", tr("&New settings file…"), files.ask_and_begin, keys.New, "new"),
                 Entry("open", tr("&Open settings file…"), files.ask_and_open, "Ctrl+O", "open"),
-                Entry("save", tr("&Save settings file…"), files.ask_and_save, "Ctrl+S", "save"),
-                Entry("print", tr("Prin&t settings…"), files.preview, keys.Print, "print"),
-                Entry("export", tr("&Export as code…"), files.ask_and_export, "", "console"),
+                Entry("save", tr("&Save settings file…"), shown.ask_and_save, "Ctrl+S", "save"),
+                Entry("print", tr("Prin&t settings…"), shown.preview, keys.Print, "print"),
+                Entry("export", tr("&Export as code…"), shown.ask_and_export, "", "console"),
                 SEPARATOR,
                 Entry("history", tr("&History…"), self._open_history, "Ctrl+H", "history"),
                 SEPARATOR,
-                Entry("record", tr("&Record…"), self.recordings.toggle, "Ctrl+Shift+R", "record"),
-                Entry(
-                    "open_recording",
-                    tr("Open recor&ding…"),
-                    self.recordings.choose_and_open,
-                    "Ctrl+Shift+O",
-                    "plot",
-                ),
-                Entry(
-                    "open_kept",
-                    tr("Open fa&ult or stop…"),
-                    self.recordings.choose_and_open_kept,
-                ),
-                Entry(
-                    "record_with_run",
-                    tr("Start recording &with Run motor"),
-                    self.recordings.toggle_starts_with_run,
-                    checkable=True,
-                ),
-                Entry(
-                    "keep_events",
-                    tr("&Keep 30 s around each fault and stop"),
-                    self.recordings.toggle_keeps_events,
-                    checkable=True,
-                ),
+                *self.recordings.entries(),
                 SEPARATOR,
-                Entry("replay", tr("Compare traffic &log with simulator…"), self._compare_traffic),
+                Entry("replay", tr("Compare traffic &log with simulator…"), compare),
             ),
             Menu.EDIT: (
                 Entry("undo", tr("&Undo"), device.draft.undo.undo, keys.Undo, "undo"),
@@ -375,15 +250,9 @@ class TrexWorkspace(Workspace):
             Menu.DEVICE: (
                 Entry("run", tr("&Run motor"), partial(arm, device, self._frame), "Ctrl+R", "run"),
                 SEPARATOR,
-                Entry(
-                    "reload",
-                    tr("R&eload settings from device"),
-                    self._on_reload_requested,
-                    "Ctrl+L",
-                    "reload",
-                ),
-                Entry("apply", tr("&Apply settings…"), self._review.review, "Ctrl+Return", "apply"),
-                Entry("power", tr("Make stored settings acti&ve…"), self._power.guide, "", "power"),
+                Entry("reload", tr("R&eload settings from device"), reload, "Ctrl+L", "reload"),
+                Entry("apply", tr("&Apply settings…"), review, "Ctrl+Return", "apply"),
+                Entry("power", tr("Make stored settings acti&ve…"), activate, "", "power"),
                 SEPARATOR,
                 Entry("boards", tr("Find &other boards on this line"), self._boards.scan),
                 Entry("number", tr("Change device nu&mber…"), self._panel.change_number),
@@ -426,11 +295,6 @@ class TrexWorkspace(Workspace):
         self._on_actions_changed()
 
     def report_parts(self) -> dict[str, Callable[[], str]]:
-        from trex_gui.devices.trex.model.report import (  # noqa: PLC0415 - rarely needed
-            settings_parts,
-            status_text,
-        )
-
         device = self._device
         status = status_text(device)
         return {
@@ -452,11 +316,10 @@ class TrexWorkspace(Workspace):
         device, draft = self._device, self._device.draft
         recorder, writable = self.recordings.recorder, device.is_writable
         shown = draft.shown is not None and not device.writer.running
-        to_activate = bool(device.parameters.waiting_for_power) or device.draft.reset_pending
+        to_activate = bool(device.parameters.waiting_for_power) or draft.reset_pending
         return {
             **dict.fromkeys(
-                ("reload", "defaults", "serial_defaults", "learn", "test_sticks"),
-                device.is_writable,
+                ("reload", "defaults", "serial_defaults", "learn", "test_sticks"), writable
             ),
             **dict.fromkeys(("save", "print", "export"), shown),
             "open": not device.writer.running,
@@ -474,8 +337,6 @@ class TrexWorkspace(Workspace):
             "demo": self._controller.demo_in_use,
         }
 
-    # --- What has changed ---------------------------------------------------------------
-
     @Slot()
     def _on_actions_changed(self) -> None:
         if self._actions:
@@ -483,18 +344,12 @@ class TrexWorkspace(Workspace):
             undo_title, redo_title = undo_titles(undo.undoText(), undo.redoText())
             if self.recordings.recorder.recording:
                 record = tr("Stop &recording")
-            for key, text in (
-                ("record", record),
-                ("undo", undo_title),
-                ("redo", redo_title),
-            ):
+            texts = {"record": record, "undo": undo_title, "redo": redo_title}
+            for key, text in texts.items():
                 self._actions[key].setText(text)
-            for key, checked in (
-                ("demo", self._demo.wanted),
-                ("record_with_run", self.recordings.starts_with_run),
-                ("keep_events", self.recordings.events.is_on),
-            ):
-                self._actions[key].setChecked(checked)
+            self._actions["demo"].setChecked(self._demo.wanted)
+            self._actions["record_with_run"].setChecked(self.recordings.starts_with_run)
+            self._actions["keep_events"].setChecked(self.recordings.events.is_on)
         self.actions_changed.emit()
         self._question.reconsider()
 
@@ -503,91 +358,6 @@ class TrexWorkspace(Workspace):
         count = self._device.board.errors.uncleared
         title = tr("Errors ({0})").format(count) if count else tr("Errors")
         self.set_page_title("errors", title)
-
-    @Slot(object)
-    def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
-        failed = [result for result in results if result.error is not None]
-        if not failed:
-            self.notifier.cleared.emit()
-            if any(result.key == ParameterKey.FACTORY_RESET for result in results):
-                self._power.guide()
-            elif not self._review.isVisible():
-                self.notifier.info.emit(tr("%n setting(s) written and verified.", "", len(results)))
-            return
-        names = ", ".join(self._device.draft.name_of(result.key) for result in failed)
-        reasons = " ".join(dict.fromkeys(error_sentence(result.error) for result in failed))
-        self.notifier.error.emit(tr("Not verified: {0}. {1}").format(names, reasons))
-
-    @Slot()
-    def _on_reload_requested(self) -> None:
-        if not self._device.draft.pending:
-            self._device.reload()
-            return
-        self._question.ask(
-            tr("Read the settings from the board and discard the edits made here?"),
-            Answer("reloadYes", tr("Discard and reload"), self._forget_and_reload),
-            still=lambda: self._device.draft.pending > 0 and self._device.is_writable,
-        )
-
-    def _forget_and_reload(self) -> None:
-        self._device.draft.discard_edits()
-        self._device.reload()
-
-    @Slot()
-    def _on_edits_offered(self) -> None:
-        backup = self._device.edit_backup
-        offer = backup.offer
-        self._question.reconsider()
-        if offer is None:
-            self._on_memory_changed()
-            return
-        if self._question.text:
-            return  # what another question keeps from being asked is offered at the next connection
-        text = tr(
-            "Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore as pending "
-            "edits?",
-            "",
-            len(offer.rows),
-        )
-        saved = local_time(offer.saved.saved)
-        self._question.ask(
-            text.format(offer.saved.settings.product.name, saved),
-            Answer("restoreEdits", tr("Restore edits"), backup.restore),
-            Answer("discardEdits", tr("Discard edits"), backup.discard_offer),
-            still=lambda: backup.offer is offer,
-        )
-
-    @Slot()
-    def _on_memory_changed(self) -> None:
-        """Ask about each difference from what was applied last, once for each connection."""
-        memory = self._device.board.memory
-        differing, record = memory.differing, memory.expected
-        self._question.reconsider()
-        news = set(differing.rows) - self._offered_losses
-        if not differing.rows or record is None or record.applied is None:
-            self._offered_losses = set()
-        elif news and not self._question.text:
-            self._offered_losses = set(differing.rows)
-            text = tr(
-                "%n setting(s) of this {0} differ from what was applied last ({1}): lost, changed "
-                "by something else, or this is another board.",
-                "",
-                len(differing.rows),
-            )
-            keep = tr("Keep the values of the board")
-            self._question.ask(
-                text.format(record.settings.product.name, local_time(record.applied)),
-                Answer("showDiffering", tr("Show…"), self._show_differing),
-                Answer("keepDiffering", keep, lambda: memory.accept(utc_now())),
-                still=lambda: memory.differing == differing,
-            )
-
-    def _show_differing(self) -> None:
-        applied, record = self._device.board.memory.applied, self._device.board.memory.expected
-        if applied is not None and record is not None and record.applied is not None:
-            self.files.offer_settings(applied, local_time(record.applied))
-
-    # --- The end ------------------------------------------------------------------------
 
     def may_close(self, leave: Callable[[], object]) -> bool:
         return self._close_prompt.may_close(leave)
@@ -620,42 +390,13 @@ class TrexWorkspace(Workspace):
             LineSettings(115200): tr("Fas&t: {0}…"),
         }
         return [
-            LineChoice(text.format(other.text()), partial(self._review_line, other))
+            LineChoice(text.format(other.text()), partial(self._settings.propose_line, other))
             for other, text in texts.items()
             if other != line
         ]
 
-    def _review_line(self, line: LineSettings) -> None:
-        text = tr(
-            "{0} is now one of the pending changes. It takes effect after the board is switched "
-            "off and on; this window then follows. Other programs on this line have to use it, too."
-        )
-        self._propose_line(lambda _: line, text.format(line.text()))
-
     def set_up_crc(self) -> None:
-        self._propose_line(
-            lambda wire: replace(LineSettings.from_wire(wire), detection=Detection.CRC7),
-            tr(
-                "CRC-7 is now one of the pending changes. It takes effect after the board is "
-                "switched off and on; this window then follows. Other programs on this line "
-                "have to use CRC-7, too."
-            ),
-        )
-
-    def _propose_line(self, change: Callable[[int], LineSettings], text: str) -> None:
-        """Edit the line settings that the board stores, and let the user review that."""
-        key, parameters = ParameterKey.UART_SETTINGS, self._device.parameters
-        if parameters.stored_of(key) != parameters.active_of(key):
-            self._power.guide()
-            return
-        self._show_parameter(key)
-        wire = parameters.value_of(key)
-        if wire is None:
-            return
-        with suppress(BadRequest):  # a value that names no baud rate has to be edited first
-            parameters.edit(key, change(wire).to_wire())
-            self.notifier.info.emit(text)
-            self._review.review()
+        self._settings.propose_crc()
 
     def edit_line_settings(self) -> None:
         dialog = self._frame.findChild(LineSettingsDialog)

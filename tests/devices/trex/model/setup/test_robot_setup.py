@@ -153,7 +153,7 @@ def test_directions_wait_until_the_sticks_are_known(robot: Robot) -> None:
 
 def test_learned_directions_are_taken_over(quick_simulator: SimulatedDevice, qtbot: QtBot) -> None:
     with learning_dialog(quick_simulator, qtbot) as dialog:
-        setup = RobotSetup(dialog.device, dialog.dialog._learning)
+        setup = RobotSetup(dialog.device, dialog.dialog.learning)
         dialog.use({1: Stick(forward_is_down=True), 2: Stick()})
         dialog.go_to_review(1, 2)
         assert setup.rises == {}

@@ -13,9 +13,9 @@ from trex_gui.devices.trex.bench.figures import BAND
 from trex_gui.devices.trex.bench.run import End, Run
 from trex_gui.devices.trex.model.bench import Bench, Phase
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.views.action_bar import RunButton, StopButton
 from trex_gui.devices.trex.views.bench.forms import PlanForm, TuningForm
 from trex_gui.devices.trex.views.bench.results import BenchFiles, FiguresTable
+from trex_gui.devices.trex.views.motor_controls import RunButton, StopButton
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.theme import tint
 from trex_gui.ui.widgets import builders as ui

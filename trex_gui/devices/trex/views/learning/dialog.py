@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QCloseEvent, QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from trex_gui.core.translation import Number, tr
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.learning.learning import Learning, LearningStep
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.views.learning.live_pages import (
@@ -15,6 +15,12 @@ from trex_gui.devices.trex.views.learning.live_pages import (
     RestRow,
     TestPage,
     TravelRow,
+)
+from trex_gui.devices.trex.views.learning.texts import (
+    again_texts,
+    head_text,
+    is_alarming,
+    review_texts,
 )
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
@@ -38,7 +44,7 @@ class LearnDialog(ReusedDialog):
         super().__init__(parent)
         self.setObjectName("learnDialog")
         resize_with_font(self, 920, 600)
-        self._learning = learning
+        self.learning = learning
         self._shown: tuple[LearningStep, object] | None = None
         self._page: QWidget | None = None
         self._offers_test = False
@@ -83,29 +89,29 @@ class LearnDialog(ReusedDialog):
         """Learn these channels unless it is learning already; the motors are stopped first."""
         if not self._is_learning:
             self._offers_test = False
-            self._learning.begin(channels)
+            self.learning.begin(channels)
         self.show_in_front()
 
     def test(self, channels: Sequence[int] = CHANNELS) -> None:
         """Test the sticks with the stored values; the motors are stopped first."""
         if not self._is_learning:
             self._offers_test = False
-            self._learning.begin_test(channels)
+            self.learning.begin_test(channels)
         self.show_in_front()
 
     @property
     def _is_learning(self) -> bool:
         """Whether measurements would be lost; a test is quickly repeated."""
         ended = {LearningStep.ENDED, LearningStep.FAILED}
-        return not self._learning.is_test and self._learning.step not in ended
+        return not self.learning.is_test and self.learning.step not in ended
 
     def reject(self) -> None:
         """Leave everything unchanged on Esc and Cancel."""
-        self._learning.cancel()
+        self.learning.cancel()
         super().reject()
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        self._learning.cancel()
+        self.learning.cancel()
         super().closeEvent(event)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -125,8 +131,8 @@ class LearnDialog(ReusedDialog):
 
     @Slot()
     def _on_stored(self) -> None:
-        if not self._learning.motors_armed:
-            self.test(self._learning.numbers)
+        if not self.learning.motors_armed:
+            self.test(self.learning.numbers)
             return
         # The user is driving: the motors run on, and the keys stay with the window.
         self._offers_test = True
@@ -138,25 +144,25 @@ class LearnDialog(ReusedDialog):
 
     @Slot()
     def _on_learn_again(self) -> None:
-        tests = self._learning.tests
+        tests = self.learning.tests
         if tests is not None and tests.to_learn_again:
-            self._learning.begin(tests.to_learn_again)
+            self.learning.begin(tests.to_learn_again)
 
     @Slot()
     def _on_measured(self) -> None:
         live = {LearningStep.TEST, LearningStep.TRAVEL}
-        if self._learning.sampling or self._learning.step in live:
+        if self.learning.sampling or self.learning.step in live:
             self._describe()
 
     @Slot()
     def _on_changed(self) -> None:
-        step = self._learning.step
+        step = self.learning.step
         if step is LearningStep.ENDED:
             self._show_page(None)
             self.hide()
             return
         # New channels or tests need a new page, too.
-        subject = self._learning.tests if step is LearningStep.TEST else self._learning.channels
+        subject = self.learning.tests if step is LearningStep.TEST else self.learning.channels
         if self._shown != (step, subject):
             self._show_page(self._make_page(step))
             self._shown = (step, subject)
@@ -166,7 +172,7 @@ class LearnDialog(ReusedDialog):
     # --- The page -----------------------------------------------------------------------
 
     def _make_page(self, step: LearningStep) -> QWidget:
-        learning = self._learning
+        learning = self.learning
         page: QWidget
         match step:
             case LearningStep.NEUTRAL:
@@ -203,7 +209,7 @@ class LearnDialog(ReusedDialog):
     # --- Texts and buttons --------------------------------------------------------------
 
     def _describe(self) -> None:
-        learning, step = self._learning, self._learning.step
+        learning, step = self.learning, self.learning.step
         waits_for_primary = self.focusWidget() in {self, self._next, self._use}
         testing = learning.is_test or self._offers_test
         steps = [
@@ -218,7 +224,8 @@ class LearnDialog(ReusedDialog):
         if step is not LearningStep.FAILED:
             self._place = _PLACES.get(step, int(step is LearningStep.TEST))
         self._steps.show_steps(steps, min(self._place, len(steps) - 1))
-        self._head.show_note(self._head_text(), alarming=self._is_alarming())
+        text = head_text(learning, offers_test=self._offers_test)
+        self._head.show_note(text, alarming=is_alarming(learning))
         self._fit_head()
         self._describe_again()
         doubtful, reviewing = step is LearningStep.DOUBT, step is LearningStep.REVIEW
@@ -230,7 +237,7 @@ class LearnDialog(ReusedDialog):
         self._next.setText(tr("The motors are stopped: co&ntinue") if doubtful else tr("&Next"))
         self._use.setVisible(reviewing)
         self._use.setEnabled(learning.can_use_values)
-        self._use.setToolTip(ui.plain(self._review_texts()[1]))
+        self._use.setToolTip(ui.plain(review_texts(learning)[1]))
         self._use.setDefault(reviewing)
         self._test.setVisible(self._offers_test)
         ends = step in {LearningStep.TEST, LearningStep.FAILED, LearningStep.ENDED}
@@ -242,27 +249,8 @@ class LearnDialog(ReusedDialog):
             next(usable, self).setFocus()
 
     def _describe_again(self) -> None:
-        learning, step = self._learning, self._learning.step
-        texts = {
-            LearningStep.NEUTRAL: (
-                tr("Sample &again"),
-                tr("Measure the rest positions of all channels once more."),
-            ),
-            LearningStep.TRAVEL: (
-                tr("&Forget these ends"),
-                tr("Forget the ends reached so far. The rest positions are kept."),
-            ),
-            LearningStep.REVIEW: (
-                tr("&Start over"),
-                tr("Forget everything measured and go back to the rest positions."),
-            ),
-            LearningStep.TEST: (
-                tr("Test &again"),
-                tr("Forget what was tested so far and begin the test again."),
-            ),
-        }
-        retry = tr("Try &again"), tr("Stop the motors again and begin again.")
-        text, tip = texts.get(step, retry)
+        learning, step = self.learning, self.learning.step
+        text, tip = again_texts(step)
         self._again.setText(text)
         self._again.setToolTip(ui.plain(tip))
         never = step in {LearningStep.STOPPING, LearningStep.ENDED}
@@ -273,126 +261,3 @@ class LearnDialog(ReusedDialog):
         text = tr("&Learn channel(s) {0} again", "", len(numbers))
         self._learn_again.setText(text.format(", ".join(map(str, numbers))))
         self._learn_again.setVisible(step is LearningStep.TEST and bool(numbers))
-
-    def _is_alarming(self) -> bool:
-        learning = self._learning
-        if learning.inputs.stalled:
-            return True
-        match learning.step:
-            case LearningStep.NEUTRAL if learning.has_sampled:
-                return not all(channel.is_at_rest for channel in learning.channels)
-            case LearningStep.TEST if learning.tests is not None:
-                return learning.tests.channels_passed and not learning.tests.passed
-        return learning.step in {LearningStep.FAILED, LearningStep.DOUBT}
-
-    def _head_text(self) -> str:
-        learning = self._learning
-        if self._offers_test:
-            return tr(
-                "The new values are in the board. The test does not start by itself, because the "
-                "motors may be running: it has to stop them first."
-            )
-        if learning.inputs.stalled:
-            return tr("The board sends no measurements: the line is busy or disturbed. Waiting …")
-        match learning.step:
-            case LearningStep.STOPPING:
-                return tr(
-                    "Stopping the motors. The next step comes when the board has confirmed the "
-                    "stop and no current flows."
-                )
-            case LearningStep.NEUTRAL:
-                return self._rest_text()
-            case LearningStep.TRAVEL:
-                return self._travel_text()
-            case LearningStep.REVIEW:
-                return self._review_texts()[0]
-            case LearningStep.TEST:
-                return f"{learning.news} {self._test_text()}".strip()
-        return learning.trouble
-
-    def _rest_text(self) -> str:
-        learning = self._learning
-        if learning.sampling:
-            return tr("Hands off. Sampling … {0:.1f} s").format(Number(learning.seconds_left))
-        if not learning.has_sampled:
-            return tr(
-                "The motors are stopped. Release every stick and set every switch to off. Then "
-                "click Next to measure the rest positions."
-            )
-        bad = [str(channel.number) for channel in learning.channels if not channel.is_at_rest]
-        if len(bad) == len(learning.channels):
-            return tr(
-                "No channel is at rest. Correct the problems below, then click “Sample again”."
-            )
-        return tr(
-            "Not every channel is at rest. Correct the problems below and click “Sample again”, or "
-            "click Next to continue without channel {0}."
-        ).format(", ".join(bad))
-
-    def _travel_text(self) -> str:
-        text = tr(
-            "Push every stick forward or right first, all the way; then the other way. "
-            "Move switches to all positions."
-        )
-        slow = [c.travel for c in self._learning.channels if c.travel and c.travel.is_slow]
-        if not slow:
-            return f"{text} " + tr("Hold each end for a moment, then click Next.")
-        reason = tr(
-            "Hold each end until its check mark appears, for at least {0:.1f} s: this line "
-            "({1} baud) carries only {2:.1f} measurements per second. Then click Next."
-        )
-        hold = max(travel.hold_seconds for travel in slow)
-        rate = 1 / max(travel.interval for travel in slow)
-        return f"{text} {reason.format(Number(hold), self._learning.baud, Number(rate))}"
-
-    def _review_texts(self) -> tuple[str, str]:
-        """Return the text of the head and the tip of the button that uses the values."""
-        learning = self._learning
-        rejected = ", ".join(str(c.number) for c in learning.included if not c.can_be_used)
-        if not any(channel.choice is not None for channel in learning.channels):
-            return (
-                tr("Nothing was learned. The reason is below. Go back, or start over."),
-                tr("Nothing was learned, so there are no values to use."),
-            )
-        if not learning.included:
-            return (
-                tr("No channel is selected. Select each channel whose new values to use."),
-                tr("No channel is selected."),
-            )
-        if rejected:
-            return (
-                tr(
-                    "The board would reject the values of channel {0}: change them, or clear its "
-                    "check box."
-                ).format(rejected),
-                tr("The board would reject the values of channel {0}.").format(rejected),
-            )
-        return (
-            tr(
-                "Check the new values. You can change them; clear the check box of a channel to "
-                "keep its old values. "
-                "Nothing is written yet: you confirm all changes in the next window."
-            ),
-            learning.preconditions.blocker
-            or tr("Use the values of all selected channels. Nothing is written yet."),
-        )
-
-    def _test_text(self) -> str:
-        tests = self._learning.tests
-        if tests is not None and tests.heard:
-            if tests.passed:
-                return tr("Everything is as it should be.")
-            if tests.all_ignored:
-                return tr(
-                    "There is nothing to test: the board ignores this input, so it holds it at "
-                    "neutral. See the setting Ignored Channels."
-                )
-            if tests.channels_passed:
-                text = tr(
-                    "The tested channels are good. But in {0} mode the motors would not start. {1}"
-                )
-                return text.format(tests.mode, tests.safe_start_reasons)
-        return tr(
-            "Push every stick to all its ends, then release it. Move every switch to all its "
-            "positions. The motors stay off: in serial mode the sticks do not drive them."
-        )

@@ -11,7 +11,7 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.telemetry import board_traces
 from trex_gui.devices.trex.protocol.descriptions import CURRENT_ACCURACY
-from trex_gui.devices.trex.views.action_bar import StopButton
+from trex_gui.devices.trex.views.motor_controls import StopButton
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.plotting.panel import TracePanel
 from trex_gui.ui.plotting.traces import Traces

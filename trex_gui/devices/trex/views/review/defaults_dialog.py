@@ -10,8 +10,8 @@ from trex_gui.devices.trex.model.settings.draft import diff_against_draft
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, unconfirmed_defaults
 from trex_gui.devices.trex.settings.comparison import Comparison
 from trex_gui.devices.trex.settings.document import factory_settings, serial_defaults
-from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
+from trex_gui.devices.trex.views.motor_controls import StopButton
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.builders import button, column, label, named, row
 from trex_gui.ui.widgets.labels import Note

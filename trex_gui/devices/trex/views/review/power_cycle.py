@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QFrame, QWidget
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.power_cycle import PowerCycle, PowerCycleStage
-from trex_gui.devices.trex.views.action_bar import StopButton
+from trex_gui.devices.trex.views.motor_controls import StopButton
 from trex_gui.ui.theme.style import use_theme_style
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.builders import button, column, grid, label, named, row, set_bold

@@ -16,10 +16,10 @@ from trex_gui.devices.trex.model.power_cycle import PowerCycle, PowerCycleStage
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.comparison import Comparison, compare, settings_after
 from trex_gui.devices.trex.settings.rules import LintFinding
-from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.findings_list import FindingsList
 from trex_gui.devices.trex.views.limits_prompt import LimitsPrompt
+from trex_gui.devices.trex.views.motor_controls import StopButton
 from trex_gui.devices.trex.views.review.power_cycle import PowerCyclePanel
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.translations import error_sentence

@@ -15,8 +15,8 @@ from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.settings.document import Settings, factory_settings
 from trex_gui.devices.trex.settings.reader import read_settings
-from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.devices.trex.views.conversion_view import ConvertDialog
+from trex_gui.devices.trex.views.motor_controls import StopButton
 from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
 from trex_gui.devices.trex.views.settings_editor.calibration_page import CalibrationEditor
 from trex_gui.devices.trex.views.settings_editor.compare_dialog import CompareDialog

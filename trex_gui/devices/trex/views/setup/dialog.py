@@ -9,16 +9,16 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.parameters.text import value_text
 from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup, SetupStep
-from trex_gui.devices.trex.views.action_bar import StopButton
+from trex_gui.devices.trex.views.motor_controls import StopButton
 from trex_gui.devices.trex.views.setup.motors_page import WiringPage
 from trex_gui.devices.trex.views.setup.pages import (
     DriverPage,
     JumperPage,
     LimitsPage,
-    ReviewPage,
-    SticksPage,
+    SummaryPage,
     TimeoutPage,
 )
+from trex_gui.devices.trex.views.setup.sticks_page import SticksPage
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog, keep_room, only_when_visible
 from trex_gui.ui.widgets.labels import Note
@@ -26,7 +26,7 @@ from trex_gui.ui.widgets.placement import resize_with_font
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 from trex_gui.ui.widgets.step_strip import StepStrip
 
-_Page = DriverPage | JumperPage | SticksPage | WiringPage | LimitsPage | TimeoutPage | ReviewPage
+_Page = DriverPage | JumperPage | SticksPage | WiringPage | LimitsPage | TimeoutPage | SummaryPage
 
 _MOST_NAMED = 2  # changes that are listed; of more the number is given
 
@@ -123,7 +123,7 @@ class SetupDialog(ReusedDialog):
             case SetupStep.TIMEOUT:
                 page = TimeoutPage(device, setup, self)
             case SetupStep.REVIEW:
-                page = ReviewPage(device, setup, self._titles, self)
+                page = SummaryPage(device, setup, self._titles, self)
                 page.apply_requested.connect(self.apply_requested)
         page.setObjectName(page.objectName() or f"setup{step.name.title()}Page")
         area = ScrollBox(page, self)
@@ -149,7 +149,7 @@ class SetupDialog(ReusedDialog):
         had_focus = self.focusWidget() in {self._skip, self._next}
         self._back.setEnabled(step is not SetupStep.DRIVER)
         self._skip.setVisible(step is not SetupStep.DRIVER and not is_last)
-        if had_focus and isinstance(page, ReviewPage):  # Qt would move it to Close
+        if had_focus and isinstance(page, SummaryPage):  # Qt would move it to Close
             page.focus_apply()
         elif had_focus and setup.blocker:
             self._skip.setFocus()

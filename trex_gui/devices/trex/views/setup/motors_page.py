@@ -12,7 +12,7 @@ from trex_gui.devices.trex.model.drive_status import recent_fault_text
 from trex_gui.devices.trex.model.setup.pulses import STRONGER
 from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup
 from trex_gui.devices.trex.model.setup.wiring import Driver, Movement, Rewiring, Side, Wiring
-from trex_gui.devices.trex.views.action_bar import RunButton, TimeoutNotice
+from trex_gui.devices.trex.views.motor_controls import RunButton, TimeoutNotice
 from trex_gui.ui.theme.theme import tint
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import HoldButton, keep_room, only_when_visible

@@ -3,7 +3,6 @@
 from collections.abc import Mapping
 from enum import Enum
 from functools import partial
-from itertools import chain
 from typing import TypeVar
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
@@ -13,7 +12,6 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_texts import timeout_warning_on
-from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.parameters.text import value_text
 from trex_gui.devices.trex.model.setup.presets import LIMITS, Preset
 from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup, SetupStep
@@ -22,12 +20,10 @@ from trex_gui.devices.trex.protocol.descriptions import CURRENT_ACCURACY
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
-from trex_gui.devices.trex.views.bars import ChannelBar
 from trex_gui.devices.trex.views.jumper_sketch import JumperPlaces, JumperSketch
 from trex_gui.devices.trex.views.setup.motors_page import rewiring_text
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import only_when_visible
 from trex_gui.ui.widgets.labels import Muted, Note, Sign
 
 ChoiceT = TypeVar("ChoiceT", bound=Enum | None)
@@ -222,156 +218,6 @@ class JumperPage(QWidget):
         return False, take if seen else put
 
 
-class SticksPage(QWidget):
-    """Leads to learning; or, with learned channels, asks for the directions of the sticks."""
-
-    learn_requested = Signal()
-
-    def __init__(
-        self, device: Device, setup: RobotSetup, learning: Learning, parent: QWidget
-    ) -> None:
-        super().__init__(parent)
-        self._device = device
-        self._setup = setup
-        self._learning = learning
-        self._unclear: tuple[int, ...] = ()
-        learn_text = ui.label(
-            self,
-            text=tr(
-                "The board has to know the middle and the ends of each stick. Learning measures "
-                "them in about two minutes, in a separate window, and ends with a review. The "
-                "motors stay off meanwhile. Learn before you go on: the next step, which motor is "
-                "which, needs the directions of the sticks."
-            ),
-            wrap=True,
-        )
-        self._learn = ui.button(
-            self,
-            "setupLearnButton",
-            tr("&Learn channels…"),
-            icon="calibrate",
-            default=False,
-            on_click=self.learn_requested,
-        )
-        self._blocker = ui.named(Note(1, self), "setupLearnBlocker")
-        pushed_text = ui.label(
-            self,
-            text=tr(
-                "Already learned? Then show which way the sticks go: push, hold and click. In "
-                "serial mode they move no motor."
-            ),
-            wrap=True,
-        )
-        self._forward = ui.button(
-            self,
-            "setupForwardButton",
-            tr("The stick is fully &forward now"),
-            default=False,
-            on_click=lambda: self._note((2,) if self._is_one else (1, 2)),
-        )
-        self._right = ui.button(
-            self,
-            "setupRightButton",
-            tr("The stick is fully &right now"),
-            default=False,
-            on_click=lambda: self._note((1,)),
-        )
-        self._wiring = Muted(parent=self)
-        self._bars = {
-            channel: ui.named(
-                ChannelBar(self),
-                f"setupChannel{channel}Bar",
-                accessible=tr("Raw input of channel {0}").format(channel),
-            )
-            for channel in (1, 2)
-        }
-        self._known = {
-            channel: ui.named(Note(1, self), f"setupStick{channel}Note") for channel in self._bars
-        }
-        ui.column(
-            learn_text,
-            ui.row(self._learn, (self._blocker, 1), 1),
-            pushed_text,
-            ui.row(self._forward, self._right, 1),
-            self._wiring,
-            *chain.from_iterable(zip(self._known.values(), self._bars.values(), strict=True)),
-            1,
-            into=self,
-            margins=0,
-            spacing=10,
-        )
-        device.telemetry.frame_due.connect(self._show_inputs)
-
-    @property
-    def _is_one(self) -> bool:
-        return self._setup.driver is Driver.ONE_STICK
-
-    def _note(self, channels: tuple[int, ...]) -> None:
-        self._unclear = self._setup.note_pushed(channels)
-        self.refresh()
-
-    def refresh(self) -> None:
-        blocker = self._learning.preconditions.blocker
-        self._learn.setEnabled(not blocker)
-        self._blocker.show_note(blocker, alarming=True)
-        self._right.setVisible(self._is_one)
-        one, two = (
-            tr("The stick is fully &forward now"),
-            tr("Both sticks are fully &forward now"),
-        )
-        self._forward.setText(one if self._is_one else two)
-        can_push = self._device.is_connected and not self._device.writer.is_rejected
-        for button in (self._forward, self._right):
-            button.setEnabled(can_push)
-        self._wiring.setText(self._wiring_text())
-        device = self._device
-        for channel, bar in self._bars.items():
-            bar.set_connected(device.is_connected)
-            bar.set_source(device.calibrations.source)
-            bar.set_calibration(device.calibrations.stored(channel))
-            is_unclear = channel in self._unclear and channel not in self._setup.rises
-            self._known[channel].show_note(self._stick_text(channel), alarming=is_unclear)
-        self._show_inputs()
-
-    @Slot()
-    @only_when_visible
-    def _show_inputs(self) -> None:
-        telemetry = self._device.telemetry
-        if telemetry.raw is not None:
-            for channel, bar in self._bars.items():
-                bar.set_raw(telemetry.raw_of(channel))
-
-    def _wiring_text(self) -> str:
-        text = tr("Channel 1 is for motor 1, channel 2 for motor 2.")
-        if self._is_one:
-            text = tr(
-                "Channel 1 is for left and right of the stick, channel 2 for forward and back."
-            )
-        if self._device.calibrations.source is InputSource.RC:
-            text = f"{text} {tr('Each is connected to an output of your receiver.')}"
-        return text
-
-    def _stick_text(self, channel: int) -> str:
-        """Return what is known of the direction of a stick, or why it could not be seen."""
-        names = {1: tr("Channel 1 (motor 1)"), 2: tr("Channel 2 (motor 2)")}
-        if self._is_one:
-            names = {1: tr("Channel 1 (turns)"), 2: tr("Channel 2 (drives)")}
-        texts = {
-            None: tr("{0}: its direction is not known yet."),
-            True: tr("{0}: the value rises."),
-            False: tr("{0}: the value falls."),
-        }
-        if channel in self._unclear:
-            texts[None] = tr("{0}: the stick is still near its middle. Push it all the way.")
-            if self._device.telemetry.raw_of(channel) is None:
-                texts[None] = tr("{0}: no signal arrives.")
-        text = texts[self._setup.rises.get(channel)].format(names[channel])
-        is_rc = self._device.calibrations.source is InputSource.RC
-        if channel in self._unclear and channel not in self._setup.rises and is_rc:
-            text = f"{text} {tr('Is the transmitter on?')}"
-        return text
-
-
 class LimitsPage(QWidget):
     def __init__(self, device: Device, setup: RobotSetup, parent: QWidget) -> None:
         super().__init__(parent)
@@ -537,7 +383,7 @@ class TimeoutPage(QWidget):
         self._now.setText("" if wire is None else text.format(parameters.spec_of(key).text(wire)))
 
 
-class ReviewPage(QWidget):
+class SummaryPage(QWidget):
     """What is left to do: in other steps, by Apply, and by hand."""
 
     apply_requested = Signal()

@@ -17,7 +17,7 @@ from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.model.parameters.text import value_text
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
-from trex_gui.devices.trex.views.action_bar import RunButton
+from trex_gui.devices.trex.views.motor_controls import RunButton
 from trex_gui.devices.trex.views.pages.motors.drive_control import DriveControl
 from trex_gui.devices.trex.views.pages.motors.drive_pad import DrivePad
 from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel

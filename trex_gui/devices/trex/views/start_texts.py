@@ -1,18 +1,45 @@
-"""The ways to wire a TReX, for the panel that is shown while nothing is connected."""
+"""Texts and pictures of the panel that is shown while nothing is connected."""
 
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.views.jumper_sketch import JumperPlaces, JumperSketch
-from trex_gui.ui.frame.start_panel import StartWay
+from trex_gui.ui.frame.start_panel import StartTexts, StartWay
 from trex_gui.ui.frame.wiring_sketch import Wires
 
 
-def start_ways(ttl: Wires, parent: QWidget) -> tuple[StartWay, ...]:
+def ttl_wiring() -> Wires:
+    return Wires(
+        tr("TReX"),
+        (("TX", "SI"), ("RX", "SO"), ("GND", "GND")),
+        tr("Wiring: TX of the adapter to SI, RX to SO, GND to GND of the board"),
+    )
+
+
+def start_texts(parent: QWidget) -> StartTexts:
+    return StartTexts(
+        title=tr("Connect my TReX"),
+        ways=_start_ways(parent),
+        none=tr("No board at hand?"),
+        demo=tr("&Try the demo"),
+        files=(
+            ("open", tr("Open &settings file…"), "open"),
+            ("open_recording", tr("&Open recording…"), "plot"),
+        ),
+        welcome=tr(
+            "Set up, calibrate, drive and understand a Pololu TReX or TReX Jr. You need the "
+            "board with its supply, and a serial adapter with three wires. No motor moves "
+            "before you click Run motor, and Esc stops the motors in every window."
+        ),
+    )
+
+
+def _start_ways(parent: QWidget) -> tuple[StartWay, ...]:
     """Return the wiring of a TTL adapter, an RS-232 adapter and a receiver.
 
     Ref: the reference, 4 (levels) and 7 (BEC and mode jumpers).
     """
+    ttl = ttl_wiring()
     return (
         StartWay(
             tr(

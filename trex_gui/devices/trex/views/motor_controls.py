@@ -1,16 +1,15 @@
-"""The row below every page: stop, run, apply, serial timeout."""
+"""Stop, run and the serial timeout: the row below every page, and what asks before arming."""
 
 import math
 
 from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtGui import QCursor
-from PySide6.QtWidgets import QPushButton, QWidget
+from PySide6.QtWidgets import QDialog, QPushButton, QWidget
 
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import recent_fault_text
 from trex_gui.devices.trex.model.drive_texts import TimeoutWarning, timeout_warning
-from trex_gui.devices.trex.views.arm_dialog import arm
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import set_text_color, tint
@@ -18,6 +17,89 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import keep_room
 from trex_gui.ui.widgets.builders import RedButton
 from trex_gui.ui.widgets.labels import Note
+
+_ARM_DIALOG_WIDTH = 480  # pixels
+
+
+def arm(device: Device, window: QWidget) -> None:
+    """Arm the motors; on a real board without a serial timeout that should stop them, ask first."""
+    motors, warning = device.motors, timeout_warning(device)
+    is_real = device.settings is not None and not device.settings.name
+    lacks_stop = device.board.timeout_stop.may_be_mended
+    can_offer = is_real and lacks_stop and motors.can_arm and not device.writer.is_rejected
+    if can_offer and warning and warning.seconds and not motors.arms_without_timeout:
+        ArmDialog(device, warning.text, warning.seconds, window).open()
+    else:
+        motors.arm()
+
+
+class ArmDialog(QDialog):
+    """Arms the motors once a serial timeout is written, or without one, now and later."""
+
+    def __init__(self, device: Device, text: str, seconds: float, parent: QWidget) -> None:
+        """Propose a timeout in `seconds`; `text` says what is wrong with the present one."""
+        super().__init__(parent)
+        self.setObjectName("armDialog")
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setWindowTitle(tr("Arm the motors"))
+        self._device, self._seconds = device, seconds
+        remark = tr(
+            "“Arm without” is remembered for this board. Cut the power by hand then if the "
+            "cable falls out."
+        )
+        self._note = ui.named(Note(1, self), "armNote")
+        write = tr("&Write {0:g} s and arm").format(Number(seconds))
+        self._choices = (
+            ui.button(self, "writeAndArmButton", write, default=True, on_click=self._on_write),
+            ui.button(self, "armWithoutButton", tr("Arm with&out"), on_click=self._on_without),
+        )
+        cancel = ui.button(self, "cancelArmButton", tr("Cancel"), on_click=self.close)
+        ui.column(
+            ui.label(self, "armWarning", text, wrap=True),
+            ui.label(self, text=remark, wrap=True),
+            self._note,
+            ui.row(1, *self._choices, cancel),
+            into=self,
+        )
+        self._choices[0].setFocus()
+        if (layout := self.layout()) is not None:
+            self.resize(_ARM_DIALOG_WIDTH, layout.totalHeightForWidth(_ARM_DIALOG_WIDTH))
+
+        device.applied.connect(self._on_applied)
+        device.request_failed.connect(self._on_failed)
+        for lost in (device.connection.line_closed, device.connection.not_responding):
+            lost.connect(self.close)
+
+    @Slot()
+    def _on_write(self) -> None:
+        self._set_writing(True)
+        self._note.show_note(tr("Writing …"))
+        self._device.writer.set_serial_timeout(self._seconds)
+
+    @Slot()
+    def _on_without(self) -> None:
+        self._device.motors.remember_arming_without_timeout()
+        self._device.motors.arm()
+        self.close()
+
+    @Slot()
+    def _on_applied(self) -> None:
+        if not self.isVisible():
+            return
+        if not self._device.board.timeout_stop.may_be_mended:
+            self._device.motors.arm()
+            self.close()
+        else:
+            self._on_failed(tr("The board did not store the serial timeout."))
+
+    @Slot(str)
+    def _on_failed(self, reason: str) -> None:
+        self._set_writing(False)
+        self._note.show_note(reason, alarming=True)
+
+    def _set_writing(self, writing: bool) -> None:
+        for choice in self._choices:
+            choice.setEnabled(not writing)
 
 
 class TimeoutNotice(QWidget):
@@ -127,7 +209,7 @@ class RunButton(QPushButton):
         self.setEnabled(self._motors.can_arm)
 
 
-class ActionBar(QWidget):
+class ControlBar(QWidget):
     """Stop motors in red, Run motor in green, the state of the motors, Apply settings."""
 
     apply_requested = Signal()

@@ -1,4 +1,4 @@
-"""What becomes of edits that are not applied when the window closes."""
+"""Questions about edits that are not applied, and about settings that a board lost."""
 
 from collections.abc import Callable
 from functools import partial
@@ -7,11 +7,15 @@ from PySide6.QtCore import QObject, Slot
 
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.settings.board_records import utc_now
+from trex_gui.devices.trex.settings.comparison import ComparisonRow
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.views.review.review_dialog import ReviewDialog
 from trex_gui.devices.trex.views.settings_files import SettingsFiles
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.notifier import Answer
+from trex_gui.ui.translations import local_time
+from trex_gui.ui.widgets.messages import InlinePrompt
 
 
 class ClosePrompt(QObject):
@@ -49,7 +53,7 @@ class ClosePrompt(QObject):
             leave_with(draft.shown, keep_edits=False)
 
         def save_and_leave() -> None:
-            self._files.ask_and_save(partial(leave_with, draft.shown, keep_edits=False))
+            self._files.shown.ask_and_save(partial(leave_with, draft.shown, keep_edits=False))
 
         self._frame.activateWindow()
         if device.writer.running:
@@ -82,3 +86,70 @@ class ClosePrompt(QObject):
         """Leave without a question about the edits, unless others are shown by now."""
         self._agreed = agreed
         leave()
+
+
+class RestorePrompt(QObject):
+    """Offers edits of an earlier run, and shows settings that a board lost, at each connection."""
+
+    def __init__(self, device: Device, files: SettingsFiles, question: InlinePrompt) -> None:
+        super().__init__(files)
+        self._device = device
+        self._files = files
+        self._question = question
+        self._offered_losses: set[ComparisonRow] = set()  # lost settings
+        device.edit_backup.offered.connect(self._on_edits_offered)
+        device.kept.changed.connect(self._on_memory_changed)
+
+    @Slot()
+    def _on_edits_offered(self) -> None:
+        backup = self._device.edit_backup
+        offer = backup.offer
+        self._question.reconsider()
+        if offer is None:
+            self._on_memory_changed()
+            return
+        if self._question.text:
+            return  # what another question keeps from being asked is offered at the next connection
+        text = tr(
+            "Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore as pending "
+            "edits?",
+            "",
+            len(offer.rows),
+        )
+        saved = local_time(offer.saved.saved)
+        self._question.ask(
+            text.format(offer.saved.settings.product.name, saved),
+            Answer("restoreEdits", tr("Restore edits"), backup.restore),
+            Answer("discardEdits", tr("Discard edits"), backup.discard_offer),
+            still=lambda: backup.offer is offer,
+        )
+
+    @Slot()
+    def _on_memory_changed(self) -> None:
+        """Ask about each difference from what was applied last, once for each connection."""
+        memory = self._device.board.memory
+        differing, record = memory.differing, memory.expected
+        self._question.reconsider()
+        news = set(differing.rows) - self._offered_losses
+        if not differing.rows or record is None or record.applied is None:
+            self._offered_losses = set()
+        elif news and not self._question.text:
+            self._offered_losses = set(differing.rows)
+            text = tr(
+                "%n setting(s) of this {0} differ from what was applied last ({1}): lost, changed "
+                "by something else, or this is another board.",
+                "",
+                len(differing.rows),
+            )
+            keep = tr("Keep the values of the board")
+            self._question.ask(
+                text.format(record.settings.product.name, local_time(record.applied)),
+                Answer("showDiffering", tr("Show…"), self._show_differing),
+                Answer("keepDiffering", keep, lambda: memory.accept(utc_now())),
+                still=lambda: memory.differing == differing,
+            )
+
+    def _show_differing(self) -> None:
+        applied, record = self._device.board.memory.applied, self._device.board.memory.expected
+        if applied is not None and record is not None and record.applied is not None:
+            self._files.offer_settings(applied, local_time(record.applied))

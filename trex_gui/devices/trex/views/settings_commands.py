@@ -1,0 +1,108 @@
+"""Commands for the settings of a board: apply, reload, defaults, line settings."""
+
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import replace
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.core.translation import tr
+from trex_gui.devices.trex.board import WriteResult
+from trex_gui.devices.trex.model.boards import BoardList
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.linter import BoardLinter
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.views.review.defaults_dialog import DefaultsDialog
+from trex_gui.devices.trex.views.review.power_cycle import PowerCycleDialog
+from trex_gui.devices.trex.views.review.review_dialog import ReviewDialog
+from trex_gui.ui.frame.main_window import MainWindow
+from trex_gui.ui.notifier import Answer
+from trex_gui.ui.translations import error_sentence
+
+
+class SettingsCommands(QObject):
+    """Owns the dialogs of the commands, and reports what was written."""
+
+    parameter_wanted = Signal(str)  # the key of a parameter to show, whose edit is reviewed
+
+    def __init__(
+        self, device: Device, linter: BoardLinter, boards: BoardList, frame: MainWindow
+    ) -> None:
+        super().__init__(frame)
+        self._device = device
+        self._question = frame.question
+        self.review = ReviewDialog(device, linter, frame)
+        self.defaults = DefaultsDialog(device, boards, frame)
+        self.power = PowerCycleDialog(device, frame)
+
+        self.defaults.staged.connect(self.review.review_staged)
+        self.defaults.reset_requested.connect(device.writer.reset_to_factory)
+        device.applied.connect(self._on_applied)
+        device.applied.connect(frame.question.reconsider)
+
+    @Slot(object)
+    def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
+        notifier = self._device.notifier
+        failed = [result for result in results if result.error is not None]
+        if failed:
+            names = ", ".join(self._device.draft.name_of(result.key) for result in failed)
+            reasons = " ".join(dict.fromkeys(error_sentence(result.error) for result in failed))
+            notifier.error.emit(tr("Not verified: {0}. {1}").format(names, reasons))
+            return
+        notifier.cleared.emit()
+        if any(result.key == ParameterKey.FACTORY_RESET for result in results):
+            self.power.guide()
+        elif not self.review.isVisible():
+            notifier.info.emit(tr("%n setting(s) written and verified.", "", len(results)))
+
+    @Slot()
+    def reload(self) -> None:
+        """Read the settings from the board, after a question if there are edits."""
+        device = self._device
+
+        def discard_and_reload() -> None:
+            device.draft.discard_edits()
+            device.reload()
+
+        if not device.draft.pending:
+            device.reload()
+            return
+        self._question.ask(
+            tr("Read the settings from the board and discard the edits made here?"),
+            Answer("reloadYes", tr("Discard and reload"), discard_and_reload),
+            still=lambda: device.draft.pending > 0 and device.is_writable,
+        )
+
+    def propose_line(self, line: LineSettings) -> None:
+        text = tr(
+            "{0} is now one of the pending changes. It takes effect after the board is switched "
+            "off and on; this window then follows. Other programs on this line have to use it, too."
+        )
+        self._propose(lambda _: line, text.format(line.text()))
+
+    def propose_crc(self) -> None:
+        self._propose(
+            lambda wire: replace(LineSettings.from_wire(wire), detection=Detection.CRC7),
+            tr(
+                "CRC-7 is now one of the pending changes. It takes effect after the board is "
+                "switched off and on; this window then follows. Other programs on this line "
+                "have to use CRC-7, too."
+            ),
+        )
+
+    def _propose(self, change: Callable[[int], LineSettings], text: str) -> None:
+        """Edit the line settings that the board stores, and let the user review that."""
+        key, parameters = ParameterKey.UART_SETTINGS, self._device.parameters
+        if parameters.stored_of(key) != parameters.active_of(key):
+            self.power.guide()
+            return
+        self.parameter_wanted.emit(key)
+        wire = parameters.value_of(key)
+        if wire is None:
+            return
+        with suppress(BadRequest):  # a value that names no baud rate has to be edited first
+            parameters.edit(key, change(wire).to_wire())
+            self._device.notifier.info.emit(text)
+            self.review.review()

@@ -1,0 +1,68 @@
+"""Windows beside the pages. This module is imported when the first of them is opened."""
+
+from functools import cached_property
+
+from PySide6.QtCore import QObject
+
+from trex_gui.devices.trex.model.bench import Bench
+from trex_gui.devices.trex.model.boards import BoardList
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.views.apply_to_boards_dialog import ApplyToBoardsDialog
+from trex_gui.devices.trex.views.bench.dialog import BenchDialog
+from trex_gui.devices.trex.views.check_board import CheckBoardDialog
+from trex_gui.devices.trex.views.history_dialog import HistoryDialog
+from trex_gui.devices.trex.views.learning.dialog import LearnDialog
+from trex_gui.devices.trex.views.review.review_dialog import ReviewDialog
+from trex_gui.devices.trex.views.setup.dialog import SetupDialog
+from trex_gui.devices.trex.views.start_texts import ttl_wiring
+from trex_gui.ui.frame.main_window import MainWindow
+from trex_gui.ui.notifier import Remedy
+
+
+class Tools(QObject):
+    """The windows; each is created when it is first opened, and then reused."""
+
+    def __init__(
+        self,
+        device: Device,
+        boards: BoardList,
+        learn: LearnDialog,
+        review: ReviewDialog,
+        frame: MainWindow,
+    ) -> None:
+        super().__init__(frame)
+        self._device = device
+        self._boards = boards
+        self._learn = learn
+        self._review = review
+        self._frame = frame
+
+    @cached_property
+    def bench(self) -> BenchDialog:
+        dialog = BenchDialog(self._device, Bench(self._device, self), self._frame)
+        dialog.apply_requested.connect(self._review.review)
+        return dialog
+
+    @cached_property
+    def history(self) -> HistoryDialog:
+        dialog = HistoryDialog(self._device, self._frame)
+        dialog.restore_requested.connect(self._review.review)
+        return dialog
+
+    @cached_property
+    def setup(self) -> SetupDialog:
+        dialog = SetupDialog(self._device, self._learn.learning, self._frame)
+        dialog.learn_requested.connect(self._learn.learn)
+        dialog.apply_requested.connect(self._review.review)
+        return dialog
+
+    @cached_property
+    def apply_to_boards(self) -> ApplyToBoardsDialog:
+        return ApplyToBoardsDialog(self._boards, self._device, self._frame)
+
+    @cached_property
+    def check_board(self) -> CheckBoardDialog:
+        dialog = CheckBoardDialog(self._device, ttl_wiring(), self._frame)
+        dialog.find_requested.connect(lambda: self._frame.apply_remedy(Remedy.FIND))
+        dialog.connect_requested.connect(self._frame.apply_remedy)
+        return dialog
