@@ -12,8 +12,7 @@ from tests.support.window import WidgetDriver
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import CHANNELS
-from trex_gui.devices.trex.views.input_strip import STRIP_SECONDS, InputStrip
-from trex_gui.devices.trex.views.pages.channels import ChannelsPage
+from trex_gui.devices.trex.views.pages.channels import STRIP_SECONDS, ChannelsPage, InputStrip
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.theme import theme
 

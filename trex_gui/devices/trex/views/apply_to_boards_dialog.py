@@ -30,8 +30,7 @@ _CHECKED, _CLEARED = Qt.CheckState.Checked, Qt.CheckState.Unchecked
 class ApplyToBoardsDialog(ReusedDialog):
     """Shows what a file changes of each board, then writes it to those that are checked.
 
-    Not modal; closing it ends the work after the board that is being written, and the outcome is
-    said in the window.
+    Not modal. Closing it ends the work after the present board, and the window reports the outcome.
     """
 
     def __init__(self, boards: BoardList, device: Device, parent: QWidget | None = None) -> None:
@@ -44,28 +43,8 @@ class ApplyToBoardsDialog(ReusedDialog):
         self._name = ""
         self._cleared: set[int] = set()  # boards whose check box the user has cleared
         self._is_filling = False
-        self._create_widgets()
-        ui.column(
-            self._intro,
-            (self._table, 2),
-            self._heading,
-            (self._changes, 3),
-            (self._findings_area, 1),
-            self._note,
-            MessageRoom(self, self._question),
-            ui.row(self._stop, 1, self._write, self._end, self._close),
-            into=self,
-        )
-        self._table.itemChanged.connect(self._on_item_changed)
-        self._table.currentCellChanged.connect(self._on_current_changed)
-        self.work.changed.connect(self._update)
-        self.work.finished.connect(self._on_finished)
-        self.rejected.connect(self.work.cancel)
-        device.link_changed.connect(self._update)
-        device.motors.arming_changed.connect(self._update)
 
-    def _create_widgets(self) -> None:
-        self._intro = ui.label(
+        intro = ui.label(
             self,
             "applyToBoardsIntro",
             tr(
@@ -90,7 +69,7 @@ class ApplyToBoardsDialog(ReusedDialog):
         self._findings_area = ScrollBox(self._findings, self)
         self._note = ui.named(Note(2, self), "applyToBoardsNote")
         self._question = ui.named(LimitsPrompt(self), "boardsQuestion")
-        self._stop = StopButton(self._device, "boardsStopButton", self)
+        stop = StopButton(device, "boardsStopButton", self)
         self._write = ui.button(
             self, "writeBoardsButton", icon="apply", default=True, on_click=self._on_write_clicked
         )
@@ -100,9 +79,29 @@ class ApplyToBoardsDialog(ReusedDialog):
             tr("&End after this board"),
             on_click=self.work.cancel,
         )
-        self._close = ui.button(
+        close = ui.button(
             self, "closeBoardsButton", tr("Close"), default=False, on_click=self.close
         )
+
+        ui.column(
+            intro,
+            (self._table, 2),
+            self._heading,
+            (self._changes, 3),
+            (self._findings_area, 1),
+            self._note,
+            MessageRoom(self, self._question),
+            ui.row(stop, 1, self._write, self._end, close),
+            into=self,
+        )
+
+        self._table.itemChanged.connect(self._on_item_changed)
+        self._table.currentCellChanged.connect(self._show_changes)
+        self.work.changed.connect(self._update)
+        self.work.finished.connect(self._on_finished)
+        self.rejected.connect(self.work.cancel)
+        for changed in (device.link_changed, device.motors.arming_changed):
+            changed.connect(self._update)
 
     def open_file(self, document: SettingsDocument) -> None:
         """Read every board on the line, and show what a file would change of each."""
@@ -123,16 +122,10 @@ class ApplyToBoardsDialog(ReusedDialog):
         self._update()
         self.show_in_front()
 
-    # --- Boards -------------------------------------------------------------------------
-
     def _chosen(self) -> list[int]:
-        return [
-            plan.number
-            for plan in self.work.plans
-            if plan.step is BoardStep.REVIEWED
-            and plan.to_write
-            and plan.number not in self._cleared
-        ]
+        plans = (plan for plan in self.work.plans if plan.step is BoardStep.REVIEWED)
+        writable = (plan.number for plan in plans if plan.to_write)
+        return [number for number in writable if number not in self._cleared]
 
     @Slot()
     def _update(self) -> None:
@@ -201,9 +194,6 @@ class ApplyToBoardsDialog(ReusedDialog):
         self._update_buttons()
 
     @Slot()
-    def _on_current_changed(self) -> None:
-        self._show_changes()
-
     def _show_changes(self) -> None:
         """Show what changes of the board in the current row."""
         plans, row = self.work.plans, self._table.currentRow()
@@ -225,8 +215,6 @@ class ApplyToBoardsDialog(ReusedDialog):
         rows = tuple(one for one in plan.changes.rows if one.after is not None)
         given = Comparison(rows, plan.changes.left_out)
         self._changes.show_comparison(given, tr("Stored"), tr("File"), with_ticks=False)
-
-    # --- Writing ------------------------------------------------------------------------
 
     @Slot()
     def _on_write_clicked(self) -> None:
@@ -255,15 +243,13 @@ class ApplyToBoardsDialog(ReusedDialog):
         if written:
             texts.append(tr("Written to %n board(s).", "", written))
         if not self.isVisible() and self.work.is_writing:
-            texts += [self._outcome(plan) for plan in left_out]
+            for plan in left_out:
+                text = tr("Board {0}: {1}").format(plan.number, self._texts(plan)[1])
+                texts.append(text if text.endswith(".") else f"{text}.")
             notifier = self._device.notifier
             say = notifier.error if BoardStep.FAILED in steps else notifier.info
             say.emit(" ".join(texts))
         elif left_out:
-            count = len(left_out)
-            texts.append(tr("%n board(s) left out; the reason is beside each.", "", count))
+            text = tr("%n board(s) left out; the reason is beside each.", "", len(left_out))
+            texts.append(text)
         self._note.show_note(" ".join(texts), alarming=bool(left_out))
-
-    def _outcome(self, plan: BoardPlan) -> str:
-        text = tr("Board {0}: {1}").format(plan.number, self._texts(plan)[1])
-        return text if text.endswith(".") else f"{text}."

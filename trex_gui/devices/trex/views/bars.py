@@ -25,12 +25,10 @@ from trex_gui.ui.widgets.bar import (
 USUAL_AXIS = {InputSource.RC: (2000, 5500), InputSource.ANALOG: (0, 1023)}
 _WIDEST = {InputSource.RC: (1250, 6250), InputSource.ANALOG: (0, 1023)}
 _GROWS_BY = 250  # 100 us
-_STEPS = {
+_STEPS = {  # between two labels of an axis, in µs and V
     InputSource.RC: (100.0, 200.0, 500.0, 1000.0, 2000.0),
     InputSource.ANALOG: (0.5, 1.0, 2.5, 5.0, 10.0),
 }
-"""Between two labels of an axis, in µs and V."""
-
 _MARK_OVERSHOOT = 3
 _ZERO_OVERSHOOT = 2
 _POINTER_HEAD = 6
@@ -92,11 +90,9 @@ class ChannelBar(Bar):
         """Draw these marks, or none; an end that is not known yet can be left out."""
         marks: dict[str, int] = {}
         if calibration is not None:
-            if minimum:
-                marks[tr("min")] = calibration.minimum
-            marks[tr("neutral")] = calibration.neutral
-            if maximum:
-                marks[tr("max")] = calibration.maximum
+            lowest = {tr("min"): calibration.minimum} if minimum else {}
+            highest = {tr("max"): calibration.maximum} if maximum else {}
+            marks = lowest | {tr("neutral"): calibration.neutral} | highest
         if (calibration, marks) != (self._calibration, self.marks):
             self._calibration, self.marks = calibration, marks
             self.axis = USUAL_AXIS[self._source]
@@ -227,8 +223,7 @@ class ChannelBar(Bar):
             band = QRectF(left, track.top(), right - left, track.height())
             painter.fillRect(band, theme().color("deadband"))
             for x in (left, right - 1):
-                edge = QRectF(x, track.top(), 1, track.height())
-                painter.fillRect(edge, self._marks.neutral)
+                painter.fillRect(QRectF(x, track.top(), 1, track.height()), self._marks.neutral)
 
     def _paint_marks(self, painter: QPainter, track: QRect) -> None:
         top, height = track.top() - _MARK_OVERSHOOT, track.height() + _MARK_OVERSHOOT

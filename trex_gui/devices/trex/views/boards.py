@@ -26,10 +26,7 @@ _WIDEST = "00 · TReX Jr 1.2  "
 
 
 class BoardPanel(QWidget):
-    """Lists the boards on the line with number, model and state; hidden while it is one.
-
-    Choosing one switches every page to it.
-    """
+    """The boards on the line, of which one is shown on every page; hidden while it is one."""
 
     file_requested = Signal()
 
@@ -39,37 +36,16 @@ class BoardPanel(QWidget):
         self._boards = boards
         self._device = device
         self._number: NumberDialog | None = None
-        self._create_widgets()
-        ui.column(
-            ui.label(self, "boardsTitle", tr("Boards on this line"), bold=True, wrap=True),
-            (self._list, 1),
-            self._scanned,
-            self._progress,
-            self._scan,
-            self._cancel,
-            self._change,
-            self._file,
-            into=self,
-            margins=(8, 8, 0, 8),
-        )
-        follow_theme(self, "width", self._take_width)
-        boards.changed.connect(self._update)
-        device.link_changed.connect(self._update)
-        device.motors.arming_changed.connect(self._update)
-        self._update()
 
-    def _create_widgets(self) -> None:
         self._list = ui.named(QListWidget(self), "boardList", accessible=tr("Boards on this line"))
         self._list.setWordWrap(True)
         self._list.setSpacing(3)
         self._list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self._list.setToolTip(
-            tr("Click a board, or press Enter, to show it on every page. Motors stop first.")
-        )
+        tip = tr("Click a board, or press Enter, to show it on every page. Motors stop first.")
+        self._list.setToolTip(tip)
         self._list.itemClicked.connect(self._on_chosen)
         self._list.itemActivated.connect(self._on_chosen)
-        self._scanned = Muted("", self)
-        self._scanned.setObjectName("boardsScanned")
+        self._scanned = ui.named(Muted("", self), "boardsScanned")
         self._progress = ui.progress_bar(self, "boardsProgress", tr("Progress of the search"))
         self._progress.setRange(0, NUMBERS)
         self._scan = ui.button(
@@ -78,14 +54,14 @@ class BoardPanel(QWidget):
             tr("Find boards"),
             icon="find",
             tip=tr("Ask for each device number which board has it; nothing is changed"),
-            on_click=self._boards.scan,
+            on_click=boards.scan,
         )
         self._cancel = ui.button(
             self,
             "cancelScanButton",
             tr("Cancel"),
             tip=tr("Ask for no more numbers"),
-            on_click=self._boards.cancel_scan,
+            on_click=boards.cancel_scan,
         )
         self._change = ui.button(
             self,
@@ -104,6 +80,24 @@ class BoardPanel(QWidget):
             on_click=self.file_requested,
         )
 
+        ui.column(
+            ui.label(self, "boardsTitle", tr("Boards on this line"), bold=True, wrap=True),
+            (self._list, 1),
+            self._scanned,
+            self._progress,
+            self._scan,
+            self._cancel,
+            self._change,
+            self._file,
+            into=self,
+            margins=(8, 8, 0, 8),
+        )
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
+        follow_theme(self, "width", self._take_width)
+        for changed in (boards.changed, device.link_changed, device.motors.arming_changed):
+            changed.connect(self._update)
+        self._update()
+
     @Slot()
     def change_number(self) -> None:
         """Let the user give the selected board another device number."""
@@ -115,7 +109,6 @@ class BoardPanel(QWidget):
         texts = (_WIDEST, *(button.text() for button in (self._scan, self._change, self._file)))
         width = max(map(self.fontMetrics().horizontalAdvance, texts))
         self.setFixedWidth(width + 5 * self.fontMetrics().height())
-        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
 
     @Slot(QListWidgetItem)
     def _on_chosen(self, item: QListWidgetItem) -> None:
@@ -129,8 +122,7 @@ class BoardPanel(QWidget):
         is_scanning = boards.scanned is not None
         self.setVisible(is_open and (boards.has_several or is_scanning))
         self._show_boards()
-        text = tr("Number {0} of {1} …").format(boards.scanned, NUMBERS - 1)
-        self._scanned.setText(text)
+        self._scanned.setText(tr("Number {0} of {1} …").format(boards.scanned, NUMBERS - 1))
         self._progress.setValue(boards.scanned or 0)
         for widget in (self._scanned, self._progress, self._cancel):
             widget.setVisible(is_scanning)
@@ -144,10 +136,17 @@ class BoardPanel(QWidget):
     def _show_boards(self) -> None:
         """Show each board in its place; the list keeps focus and scroll position."""
         shown = self._boards.boards
+        tips = {
+            Presence.SILENT: tr("It replied before. Check its power and its wires."),
+            Presence.UNREADABLE: tr(
+                "Several boards seem to have this number. Switch off all but one, and give it "
+                "a number of its own."
+            ),
+        }
         while self._list.count() > len(shown):
             self._list.takeItem(self._list.count() - 1)
         while self._list.count() < len(shown):
-            self._list.addItem(QListWidgetItem())
+            QListWidgetItem(self._list)
         for row, board in enumerate(shown):
             item = self._list.item(row)
             item.setData(_NUMBER, board.number)
@@ -156,7 +155,7 @@ class BoardPanel(QWidget):
             font = self._list.font()
             font.setBold(is_selected)
             item.setFont(font)
-            item.setToolTip(ui.plain(self._tip(board)))
+            item.setToolTip(ui.plain(tips.get(board.presence, "")))
             if is_selected and not self._boards.is_selecting:
                 self._list.setCurrentItem(item)
 
@@ -181,17 +180,6 @@ class BoardPanel(QWidget):
                 return tr("reply unreadable")
             case Presence.UNKNOWN:
                 return tr("not asked yet")
-
-    def _tip(self, board: LineBoard) -> str:
-        match board.presence:
-            case Presence.UNREADABLE:
-                return tr(
-                    "Several boards seem to have this number. Switch off all but one, and give it "
-                    "a number of its own."
-                )
-            case Presence.SILENT:
-                return tr("It replied before. Check its power and its wires.")
-        return ""
 
 
 def board_name(board: LineBoard) -> str:
@@ -221,23 +209,20 @@ class NumberDialog(ReusedDialog):
         self._now = ui.label(self, "numberNow")
         self._number = ui.spin_box(self, "newNumberField", tr("New device number"), 0, NUMBERS - 1)
         self._number.valueChanged.connect(self._update)
-        self._known = Muted("", self)
-        self._known.setObjectName("numberKnown")
-        self._buttons = QDialogButtonBox(
-            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel, self
-        )
-        self._write = self._buttons.button(QDialogButtonBox.StandardButton.Ok)
+        self._known = ui.named(Muted("", self), "numberKnown")
+        standard = QDialogButtonBox.StandardButton
+        buttons = QDialogButtonBox(standard.Ok | standard.Cancel, self)
+        self._write = buttons.button(standard.Ok)
         self._write.setText(tr("&Write number"))
-        self._buttons.accepted.connect(self._on_accepted)
-        self._buttons.rejected.connect(self.reject)
+        buttons.accepted.connect(self._on_accepted)
+        buttons.rejected.connect(self.reject)
         form = QFormLayout()
         form.addRow(tr("Board:"), self._now)
         form.addRow(tr("&New number:"), self._number)
-        ui.column(intro, form, self._known, 1, self._buttons, into=self)
+        ui.column(intro, form, self._known, 1, buttons, into=self)
         resize_with_font(self, 460, 260)
-        boards.changed.connect(self._update)
-        device.link_changed.connect(self._update)
-        device.motors.arming_changed.connect(self._update)
+        for changed in (boards.changed, device.link_changed, device.motors.arming_changed):
+            changed.connect(self._update)
 
     def ask(self) -> None:
         """Propose the first number above the present one that no known board has."""
@@ -256,11 +241,9 @@ class NumberDialog(ReusedDialog):
         self._now.setText(device.board_name)
         new = self._number.value()
         taken = next((one for one in boards.boards if one.number == new), None)
-        text = ""
+        text = "" if taken is None else tr("Taken: {0}.").format(board_name(taken))
         if new == boards.selected:
             text = tr("The board has this number already.")
-        elif taken is not None:
-            text = tr("Taken: {0}.").format(board_name(taken))
         self._known.setText(text)
         self._write.setEnabled(boards.can_change_number and not text)
 

@@ -22,8 +22,6 @@ from trex_gui.ui.widgets.placement import resize_with_font
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 from trex_gui.ui.widgets.step_strip import StepStrip
 
-# --- What the LEDs mean -----------------------------------------------------------------
-
 
 @dataclass(frozen=True, slots=True)
 class _Sight:
@@ -114,9 +112,6 @@ class SightsPage(QWidget):
         caption.setMaximumWidth(jumpers.width())
         right = ui.column(WiringSketch(wiring, "checkWiring", self), jumpers, caption, 1)
         ui.row((rows, 1), right, into=self, margins=12, spacing=20)
-
-
-# --- The hand-shake for lost serial settings --------------------------------------------
 
 
 @dataclass(frozen=True, slots=True)
@@ -215,23 +210,13 @@ class HandShakePage(QWidget):
         )
         self._strip = StepStrip(self)
         self._step = _StepView(self)
-        self._back = ui.button(
-            self, "handShakeBack", tr("&Back"), default=False, on_click=partial(self._go, -1)
-        )
-        self._next = ui.button(
-            self, "handShakeNext", tr("&Next"), default=False, on_click=partial(self._go, 1)
-        )
+        button = partial(ui.button, self, default=False)
+        self._back = button("handShakeBack", tr("&Back"), on_click=partial(self._go, -1))
+        self._next = button("handShakeNext", tr("&Next"), on_click=partial(self._go, 1))
         for each in (self._back, self._next):
             keep_room(each)
-        ui.column(
-            intro,
-            self._strip,
-            (ScrollBox(self._step, self), 1),
-            ui.row(1, self._back, self._next),
-            into=self,
-            margins=12,
-            spacing=10,
-        )
+        step, buttons = ScrollBox(self._step, self), ui.row(1, self._back, self._next)
+        ui.column(intro, self._strip, (step, 1), buttons, into=self, margins=12, spacing=10)
         self.begin()
 
     def begin(self) -> None:
@@ -279,9 +264,6 @@ class _StepView(QWidget):
         self._received.setText(tr(step.received))
 
 
-# --- The dialog -------------------------------------------------------------------------
-
-
 class CheckBoardDialog(ReusedDialog):
     """Not modal: it is read beside the board, and Stop stays in reach."""
 
@@ -294,15 +276,13 @@ class CheckBoardDialog(ReusedDialog):
         self.setWindowTitle(tr("Board does not respond"))
         resize_with_font(self, 860, 560)
         self._device = device
-        self._tabs = QTabWidget(self)
-        use_theme_style(self._tabs.tabBar())
-        self._tabs.setDocumentMode(True)  # else its background is brighter than muted text bears
-        self._tabs.setObjectName("checkTabs")
-        self._tabs.setAccessibleName(tr("Ways to a board that responds"))
-        self._steps = HandShakePage(self._tabs)
-        sights = ScrollBox(SightsPage(wiring, self._tabs), self._tabs)
-        self._tabs.addTab(sights, tr("&What the board shows"))
-        self._tabs.addTab(self._steps, tr("&Lost serial settings"))
+        title = tr("Ways to a board that responds")
+        tabs = ui.named(QTabWidget(self), "checkTabs", accessible=title)
+        use_theme_style(tabs.tabBar())
+        tabs.setDocumentMode(True)  # else its background is brighter than muted text bears
+        self._steps = HandShakePage(tabs)
+        tabs.addTab(ScrollBox(SightsPage(wiring, tabs), tabs), tr("&What the board shows"))
+        tabs.addTab(self._steps, tr("&Lost serial settings"))
         self._result = ui.named(Note(2, self), "checkResult")
         self._find = ui.button(
             self,
@@ -322,12 +302,8 @@ class CheckBoardDialog(ReusedDialog):
             on_click=lambda: self.connect_requested.emit(ConnectWith(ConnectionSettings(""))),
         )
         close = ui.button(self, "checkCloseButton", tr("Close"), default=False, on_click=self.close)
-        ui.column(
-            (self._tabs, 1),
-            self._result,
-            ui.row(self._find, self._connect, 1, close),
-            into=self,
-        )
+        buttons = ui.row(self._find, self._connect, 1, close)
+        ui.column((tabs, 1), self._result, buttons, into=self)
         device.link_changed.connect(self._on_link_changed)
         device.request_failed.connect(self._on_failed)
 
@@ -340,10 +316,9 @@ class CheckBoardDialog(ReusedDialog):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        link = self._device.link
-        is_free = link is ConnectionState.DISCONNECTED
-        self._find.setEnabled(is_free)
-        self._connect.setEnabled(is_free)
+        is_free = self._device.link is ConnectionState.DISCONNECTED
+        for button in (self._find, self._connect):
+            button.setEnabled(is_free)
         if not is_free:
             self._result.show_note(self._device.status)
 

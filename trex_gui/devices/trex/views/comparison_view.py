@@ -23,8 +23,6 @@ _ROW_MARGIN = 8
 
 
 class _Delegate(QStyledItemDelegate):
-    """Leaves room between the rows."""
-
     def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
         size = super().sizeHint(option, index)
         return QSize(size.width(), size.height() + _ROW_MARGIN)
@@ -64,12 +62,8 @@ class ComparisonView(QWidget):
         self._has_comparison = False
 
         self._summary = label(self, "comparisonSummary", wrap=True)
-        self._equal = check_box(
-            self,
-            "showEqualBox",
-            tr("Show &matching settings, too"),
-            on_toggle=self._on_equal_toggled,
-        )
+        text = tr("Show &matching settings, too")
+        self._equal = check_box(self, "showEqualBox", text, on_toggle=self._on_equal_toggled)
         # Not default: Enter means something else in a dialog.
         self._all = button(self, "tickAllButton", tr("Select &all"), default=False)
         self._none = button(self, "tickNoneButton", tr("Select &none"), default=False)
@@ -170,8 +164,11 @@ class ComparisonView(QWidget):
         self._fitting = True
         bar = self._view.verticalScrollBar()
         room = self._view.viewport().width() - (0 if bar.isVisible() else bar.sizeHint().width())
-        wanted = [self._wanted_width(section) for section in range(self.table.columnCount())]
-        narrowest_first = sorted(range(len(wanted)), key=wanted.__getitem__)
+        margin = 2 * self.fontMetrics().averageCharWidth()
+        titles, cells = self._view.horizontalHeader().sectionSizeHint, self._view.sizeHintForColumn
+        sections = range(self.table.columnCount())
+        wanted = [max(cells(section), titles(section)) + margin for section in sections]
+        narrowest_first = sorted(sections, key=wanted.__getitem__)
         for number, section in enumerate(narrowest_first):
             share = max(room, 0) // (len(wanted) - number)
             width = max(min(wanted[section], share), self._least_width(section))
@@ -179,11 +176,6 @@ class ComparisonView(QWidget):
             room -= width
         self._fitting = False
         self._view.resizeRowsToContents()
-
-    def _wanted_width(self, column: int) -> int:
-        header = self._view.horizontalHeader()
-        wanted = max(self._view.sizeHintForColumn(column), header.sectionSizeHint(column))
-        return wanted + 2 * self.fontMetrics().averageCharWidth()
 
     def _least_width(self, column: int) -> int:
         """Return the width of the longest word, which cannot be wrapped, and its box or sign."""

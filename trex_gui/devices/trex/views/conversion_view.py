@@ -3,8 +3,7 @@
 from pathlib import Path
 
 from PySide6.QtCore import Signal, Slot
-from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QHeaderView, QTableWidget, QTableWidgetItem, QWidget
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.translation import tr
@@ -15,11 +14,11 @@ from trex_gui.devices.trex.settings.conversion import Conversion, Fate, convert
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_in_place import amend
 from trex_gui.devices.trex.settings.writer import write_settings
-from trex_gui.ui.runtime import new_timer
+from trex_gui.devices.trex.views.text_table import TextTable
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.behaviour import ReusedDialog
-from trex_gui.ui.widgets.builders import button, column, combo_box, flat_table, label, plain, row
+from trex_gui.ui.widgets.builders import button, column, combo_box, label, row
 from trex_gui.ui.widgets.placement import resize_with_font
 
 _SIGNS = {
@@ -37,21 +36,10 @@ class ConversionView(QWidget):
         self.setObjectName("conversionView")
         self._conversion: Conversion | None = None
         self._summary = label(self, "conversionSummary", wrap=True)
-        self._table = flat_table(
-            QTableWidget(0, 4, self), "conversionTable", tr("Converted settings")
-        )
-        header = self._table.horizontalHeader()
-        header.setStretchLastSection(True)
-        header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
-        self._fitting = new_timer(self, 0, self._table.resizeRowsToContents, single_shot=True)
+        title = tr("Converted settings")
+        self._table = TextTable("conversionTable", title, (34, 26, 26), self)
         column(self._summary, (self._table, 1), into=self, margins=0)
-
-        header.sectionResized.connect(self._fitting.start)
         theme().changed.connect(self._fill)
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._fitting.start()
 
     def show_conversion(self, conversion: Conversion) -> None:
         if conversion != self._conversion:
@@ -73,22 +61,14 @@ class ConversionView(QWidget):
         }
         board = tr("For a {0}").format(conversion.board)
         titles = (tr("Setting"), tr("In the file"), board, tr("Result"))
-        self._table.setRowCount(len(conversion.rows))
         self._table.setHorizontalHeaderLabels(titles)
-        for number, each in enumerate(conversion.rows):
+        rows = []
+        for each in conversion.rows:
             result = f"{results[each.fate]} {each.reason}".rstrip()
-            for section, cell in enumerate((each.name, each.before, each.after or "–", result)):
-                item = QTableWidgetItem(cell)
-                item.setToolTip(plain(cell))
-                if section == 0:
-                    item.setIcon(icon(*_SIGNS[each.fate]))
-                self._table.setItem(number, section, item)
-        character = self.fontMetrics().averageCharWidth()
-        for section, widest in enumerate((34, 26, 26)):  # the result wraps in the rest
-            self._table.resizeColumnToContents(section)
-            width = min(self._table.columnWidth(section) + 2 * character, widest * character)
-            self._table.setColumnWidth(section, width)
-        self._fitting.start()
+            rows.append(
+                (icon(*_SIGNS[each.fate]), (each.name, each.before, each.after or "–", result))
+            )
+        self._table.show_rows(rows)
 
 
 class ConvertDialog(ReusedDialog):
@@ -106,15 +86,12 @@ class ConvertDialog(ReusedDialog):
         self.setWindowTitle(tr("Convert {0}").format(document.name))
         resize_with_font(self, 860, 520)
         boards = [(m, firmware) for m in device_table().models for firmware in m.firmware[::-1]]
+        text, title = tr("{0}, firmware {1}"), tr("Board to convert for")
+        items = [
+            (text.format(model.name, firmware), (model, firmware)) for model, firmware in boards
+        ]
         self._board = combo_box(
-            self,
-            "convertBoard",
-            tr("Board to convert for"),
-            items=[
-                (tr("{0}, firmware {1}").format(model.name, firmware), (model, firmware))
-                for model, firmware in boards
-            ],
-            on_activate=self._on_changed,
+            self, "convertBoard", title, items=items, on_activate=self._on_changed
         )
         self._board.setCurrentIndex(boards.index(self._first_choice(state)))
         self._view = ConversionView(self)
@@ -132,13 +109,8 @@ class ConvertDialog(ReusedDialog):
         )
         cancel = button(self, "cancelConvertButton", tr("Cancel"), on_click=self.close)
         above = label(self, text=tr("Convert &for:"), buddy=self._board)
-        column(
-            row(above, self._board, 1),
-            (self._view, 1),
-            note,
-            row(1, self._convert, cancel),
-            into=self,
-        )
+        choice, buttons = row(above, self._board, 1), row(1, self._convert, cancel)
+        column(choice, (self._view, 1), note, buttons, into=self)
         document.changed.connect(self._on_changed)
         self._on_changed()
 

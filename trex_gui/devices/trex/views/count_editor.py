@@ -3,6 +3,7 @@
 import math
 import re
 from contextlib import suppress
+from functools import partial
 
 from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtGui import QAction, QKeyEvent, QPainter, QPaintEvent, QPen, QValidator
@@ -27,10 +28,8 @@ BARE = re.compile(rf"\s*{DECIMAL}\s*")  # a number without a unit
 class UnitSpinBox(QSpinBox):
     """Base of spin boxes whose input `parse` converts.
 
-    A number without a unit is in the unit that the spin box shows. A change of units first takes
-    what was typed, in the unit that was shown till then.
-
-    Input that was reported as no value is marked by a red frame and an icon until it is one.
+    A number without a unit is in the unit that is shown; a change of units first takes what was
+    typed. Input that was reported as no value is marked by a red frame and an icon.
     """
 
     rejected = Signal(str)  # why the input is not a value, for the user
@@ -48,7 +47,7 @@ class UnitSpinBox(QSpinBox):
         self._problem.setVisible(False)  # only now: Qt shows what was hidden when it was added
         self._typed = ""
         self.lineEdit().textChanged.connect(self._on_text_changed)
-        self.lineEdit().textEdited.connect(self._on_typed)
+        self.lineEdit().textEdited.connect(partial(setattr, self, "_typed"))
         units().changed.connect(self._on_units_changed)
 
     @property
@@ -65,10 +64,6 @@ class UnitSpinBox(QSpinBox):
     def _on_text_changed(self) -> None:
         if self.problem and self.hasAcceptableInput():
             self._mark("")
-
-    @Slot(str)
-    def _on_typed(self, text: str) -> None:
-        self._typed = text
 
     @property
     def rounding(self) -> str:
@@ -157,8 +152,7 @@ class CountEditor(UnitSpinBox):
     def __init__(self, source: InputSource, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._source = source
-        # Whether the value is being changed by a key, the wheel or a button, not typed
-        self.stepping = False
+        self.stepping = False  # a key, the wheel or a button changes the value; it is not typed
         self.setRange(0, HIGHEST_CODED)
         self.setToolTip(plain(self._expected()))
 

@@ -31,17 +31,13 @@ BoardRows = Rows[DemoSnapshot]
 
 _MAX_LOAD = 30.0  # A, before the stall current is known
 _LOWEST, _HIGHEST = 4.0, 16.0  # V; below about 6 a TReX resets
-
 _STEPS = {InputSource.RC: 1, InputSource.ANALOG: 100}  # slider positions per µs, and per V
-
 _SINGLE_STEP = {InputSource.RC: 10, InputSource.ANALOG: 5}
-
-_FLASHES = {
+_FLASHES = {  # while the board learns or is in the boot loader
     "blink": tr_noop("blink {0}/s"),
     "alternate": tr_noop("alternate {0}/s"),
     "short flash": tr_noop("short flash {0}/s"),
 }
-"""Patterns with a rate, while the board learns or is in the boot loader."""
 
 
 def led_patterns(snapshot: DemoSnapshot) -> tuple[str, str]:
@@ -70,13 +66,12 @@ def led_meaning(snapshot: DemoSnapshot, pattern: str) -> str:
         return tr("off: the power is off")
     if snapshot.boot_mode is not None:
         return f"{led_words(pattern)}. {state_text(snapshot)}"
-    on = tr("on: the channels control the motors")
-    if snapshot.serial_controls:
-        on = tr("on: serial commands control the motors")
+    by_serial = tr("on: serial commands control the motors")
+    by_channels = tr("on: the channels control the motors")
     return {
         PACKETS: tr("lit while a packet arrives"),
         "fast flash": tr("fast flash: safe-start, the motors wait"),
-        "on": on,
+        "on": by_serial if snapshot.serial_controls else by_channels,
     }.get(pattern) or led_words(pattern)
 
 
@@ -103,15 +98,11 @@ def state_text(snapshot: DemoSnapshot) -> str:
 
 
 def _safe_start_text(snapshot: DemoSnapshot) -> str:
-    missing = [
-        str(channel)
-        for channel in channels_in(snapshot.required if snapshot.mode is Mode.RC else 0)
-        if snapshot.channels[channel - 1].raw is None
-    ]
+    required = channels_in(snapshot.required if snapshot.mode is Mode.RC else 0)
+    missing = [str(number) for number in required if snapshot.channels[number - 1].raw is None]
     if missing:
-        return tr("Safe-start: the motors wait for a signal on input {0}.").format(
-            ", ".join(missing)
-        )
+        text = tr("Safe-start: the motors wait for a signal on input {0}.")
+        return text.format(", ".join(missing))
     if snapshot.override:
         return tr("Safe-start: the motors wait until channel 5 no longer requests override.")
     return tr("Safe-start: the motors wait until the sticks are centred.")
@@ -146,13 +137,6 @@ def jumper_hint(snapshot: DemoSnapshot) -> str:
     if jumpers.so_ground:
         return tr("SO–G holds the serial output to ground: no reply gets out.")
     return ""
-
-
-def _input_roles(snapshot: DemoSnapshot) -> tuple[str, ...]:
-    first = tr("motor 1"), tr("motor 2")
-    if snapshot.jumpers.mix:
-        first = tr("turn"), tr("forward")
-    return *first, tr("auxiliary"), tr("flip"), tr("override")
 
 
 def motor_text(motor: DemoMotor) -> str:
@@ -337,7 +321,10 @@ def _add_input_row(channel: int, board: DemoBoard, rows: BoardRows) -> None:
 
     def update(snapshot: DemoSnapshot) -> None:
         seen = snapshot.channels[channel - 1]
-        name.setText(f"<b>{channel}</b>\u2002{_input_roles(snapshot)[channel - 1]}")
+        mixed, separate = (tr("turn"), tr("forward")), (tr("motor 1"), tr("motor 2"))
+        first = mixed if snapshot.jumpers.mix else separate
+        roles = (*first, tr("auxiliary"), tr("flip"), tr("override"))
+        name.setText(f"<b>{channel}</b>\u2002{roles[channel - 1]}")
         slider.setEnabled(seen.has_signal)
         if seen.stick(source) is None:
             value.setText(tr("invalid"))

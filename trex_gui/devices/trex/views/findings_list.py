@@ -31,8 +31,6 @@ class FindingsList(QWidget):
         self._where = where
         self.setObjectName(f"{where}Findings")
         self.setAccessibleName(tr("Findings about the settings"))
-        self._linter: SettingsLinter | None = None
-        self._concerns: Callable[[LintFinding], bool] = bool
         self._findings: tuple[LintFinding, ...] = ()
         self._can_accept = True
         self._lines: list[QWidget] = []
@@ -42,7 +40,7 @@ class FindingsList(QWidget):
     def follow(
         self, linter: SettingsLinter, concerns: Callable[[LintFinding], bool] = bool
     ) -> None:
-        """Show what a linter finds, of that only what `concerns` the user here."""
+        """Show the findings that concern the user here."""
         self._linter, self._concerns = linter, concerns
         linter.changed.connect(self._on_linter_changed)
         self.accepted.connect(linter.accept)
@@ -50,8 +48,7 @@ class FindingsList(QWidget):
 
     @Slot()
     def _on_linter_changed(self) -> None:
-        if self._linter is not None:
-            self.show_findings(filter(self._concerns, self._linter.findings))
+        self.show_findings(filter(self._concerns, self._linter.findings))
 
     @property
     def count(self) -> int:

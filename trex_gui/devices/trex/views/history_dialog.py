@@ -5,22 +5,13 @@ from pathlib import Path
 
 from PySide6.QtCore import QEvent, QItemSelectionModel, QModelIndex, Qt, QUrl, Signal, Slot
 from PySide6.QtGui import QDesktopServices, QKeySequence, QShortcut
-from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QStackedWidget,
-    QTableView,
-    QWidget,
-)
+from PySide6.QtWidgets import QAbstractItemView, QStackedWidget, QTableView, QWidget
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import load, save
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.settings.snapshots import (
-    Listing,
-    SnapshotColumn,
-    SnapshotTable,
-)
+from trex_gui.devices.trex.model.settings.snapshots import Listing, SnapshotColumn, SnapshotTable
 from trex_gui.devices.trex.settings.history import KEPT, SettingsHistory, Snapshot
 from trex_gui.devices.trex.views.motor_controls import StopButton
 from trex_gui.devices.trex.views.snapshot_pane import SnapshotPane
@@ -38,11 +29,7 @@ _WIDEST = 34  # the initial width of a column, in characters
 
 
 class HistoryDialog(ReusedDialog):
-    """The settings of boards before each change, compared with the present or with each other.
-
-    It is not modal, has its own stop button, and writes nothing: restored values become pending
-    edits.
-    """
+    """Snapshots compared with the board or each other; restored values become pending edits."""
 
     restore_requested = Signal()  # settings of a snapshot are edits now; they are to be reviewed
 
@@ -60,10 +47,8 @@ class HistoryDialog(ReusedDialog):
 
         notifier = Notifier(self)
         device.notifier.log_also(notifier)
-        self._banner = Banner(self, notifier)
-        self._banner.setObjectName("historyBanner")
-        self._question = InlinePrompt(self)
-        self._question.setObjectName("historyQuestion")
+        self._banner = ui.named(Banner(self, notifier), "historyBanner")
+        self._question = ui.named(InlinePrompt(self), "historyQuestion")
         self._list = _SnapshotList(self._table, self)
         button = partial(ui.button, self, default=False)  # Enter means something else
         self._save = button(
@@ -73,17 +58,13 @@ class HistoryDialog(ReusedDialog):
             tip=tr("Save a copy as a settings file"),
             on_click=self._on_save_clicked,
         )
-        delete_text = tr("&Delete…")
-        self._delete = button(
-            "deleteSnapshotButton", delete_text, icon="clear", on_click=self._on_delete_clicked
-        )
+        text, delete = tr("&Delete…"), self._on_delete_clicked
+        self._delete = button("deleteSnapshotButton", text, icon="clear", on_click=delete)
         self._pane = SnapshotPane(device, self._table, notifier, self)
         stop = StopButton(device, "historyStopButton", self)
         self._bound = _BoundField(self._history, self._question, notifier, self)
-        folder_text = tr("&Open folder")
-        self._folder = button(
-            "openFolderButton", folder_text, icon="folder", on_click=self._on_folder_clicked
-        )
+        text, show_folder = tr("&Open folder"), self._on_folder_clicked
+        self._folder = button("openFolderButton", text, icon="folder", on_click=show_folder)
         close = button("closeHistoryButton", tr("&Close"), on_click=self.close)
         empty = ui.label(
             self,
@@ -98,10 +79,8 @@ class HistoryDialog(ReusedDialog):
         empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         empty.setMaximumWidth(72 * self.fontMetrics().averageCharWidth())
 
-        left = QWidget(self)
-        ui.column(
-            (self._list, 1), ui.row(self._save, self._delete, 1), into=left, margins=(0, 0, 6, 0)
-        )
+        left, below = QWidget(self), ui.row(self._save, self._delete, 1)
+        ui.column((self._list, 1), below, into=left, margins=(0, 0, 6, 0))
         halves = ui.splitter(self, "", Qt.Orientation.Horizontal, (left, 2), (self._pane, 3))
         nothing = QWidget(self)
         ui.row(empty, into=nothing)
@@ -122,12 +101,16 @@ class HistoryDialog(ReusedDialog):
         self._pane.choice.chosen.connect(self._on_present_chosen)
         self._pane.restore_requested.connect(self.restore_requested)
         self._bound.changed.connect(self.refresh)
-        device.draft.pending_changed.connect(self._on_board_changed)
-        device.draft.loaded.connect(self._on_board_changed)
-        device.state_changed.connect(self._on_board_changed)
-        device.link_changed.connect(self._on_board_changed)
-        device.applied.connect(self._on_written)
-        device.request_failed.connect(self._on_written)
+        draft = device.draft
+        for changed in (
+            draft.pending_changed,
+            draft.loaded,
+            device.state_changed,
+            device.link_changed,
+        ):
+            changed.connect(self._on_board_changed)
+        for ended in (device.applied, device.request_failed):
+            ended.connect(self._on_written)
 
     def open_history(self) -> None:
         self.show_in_front()
@@ -220,11 +203,11 @@ class HistoryDialog(ReusedDialog):
             for snapshot in snapshots:
                 self._history.remove(snapshot)
 
-        in_background(self, remove_all, lambda _: self.refresh(), self._on_not_removed)
+        def on_failed(error: StudioError) -> None:
+            self._banner.show_problem(str(error))
+            self.refresh()
 
-    def _on_not_removed(self, error: StudioError) -> None:
-        self._banner.show_problem(str(error))
-        self.refresh()
+        in_background(self, remove_all, lambda _: self.refresh(), on_failed)
 
     @Slot()
     def _on_folder_clicked(self) -> None:
@@ -232,8 +215,7 @@ class HistoryDialog(ReusedDialog):
         if not QDesktopServices.openUrl(QUrl.fromLocalFile(str(folder))):
             self._banner.show_news(tr("The snapshots are in {0}.").format(folder))
 
-    def reject(self) -> None:
-        """Hide the window: Esc, the Close button and the window's cross call this."""
+    def reject(self) -> None:  # Esc, the Close button and the window's cross call this
         self._later.stop()
         self._reading.stop()
         save_geometry(self, "history")
@@ -265,9 +247,7 @@ class _SnapshotList(QWidget):
         header.setStretchLastSection(True)
         header.setResizeContentsPrecision(50)  # rows that are measured for a width
         self._none = ui.label(self, "snapshotNoMatch", tr("No snapshot matches the search."))
-
         self._fit_columns()  # to their titles, as long as nothing is listed
-
         ui.column(self._search, (self._view, 1), self._none, into=self, margins=0)
 
         self.delete_key = QShortcut(QKeySequence.StandardKey.Delete, self._view)
@@ -284,8 +264,7 @@ class _SnapshotList(QWidget):
         return tuple(self._table.snapshots[row] for row in rows)
 
     def choose(self, path: Path) -> None:
-        row = self._table.row_of(path)
-        if row is not None:
+        if (row := self._table.row_of(path)) is not None:
             self._choose_row(row)
 
     @Slot()
@@ -295,8 +274,7 @@ class _SnapshotList(QWidget):
 
     @Slot(QModelIndex, int, int)
     def _on_rows_inserted(self, _parent: QModelIndex, first: int, last: int) -> None:
-        is_first = self._table.rowCount() == last - first + 1
-        if is_first and self._sought is None:
+        if self._sought is None and self._table.rowCount() == last - first + 1:
             self._choose_row(0)
 
     @Slot(QModelIndex, int, int)
@@ -356,13 +334,8 @@ class _BoundField(QWidget):
         self._stored: int | None = KEPT
         self._total: int | None = None  # snapshots that there are, once they were counted
 
-        self._which = ui.combo_box(
-            self,
-            "keptCombo",
-            tr("Which snapshots are kept"),
-            items=[tr("the newest"), tr("all")],
-            on_change=self._on_edited,
-        )
+        title, items = tr("Which snapshots are kept"), [tr("the newest"), tr("all")]
+        self._which = ui.combo_box(self, "keptCombo", title, items=items, on_change=self._on_edited)
         self._count = ui.spin_box(
             self, "keptField", tr("How many snapshots are kept"), 1, _MOST_KEPT, value=KEPT
         )
@@ -408,28 +381,22 @@ class _BoundField(QWidget):
         if not removed:
             self._keep(wanted)
             return
-        self._question.ask(
-            tr("Permanently remove the oldest %n of {0} snapshots?", "", removed).format(
-                self._total
-            ),
-            Answer(
-                "historyQuestionYes",
-                tr("Remove {0}").format(removed),
-                lambda: self._keep(wanted),
-            ),
-            otherwise=self._on_cancelled,
-        )
+
+        def on_cancelled() -> None:
+            self._show(self._stored)
+            self._on_edited()
+
+        text = tr("Permanently remove the oldest %n of {0} snapshots?", "", removed)
+        remove = tr("Remove {0}").format(removed)
+        answer = Answer("historyQuestionYes", remove, lambda: self._keep(wanted))
+        self._question.ask(text.format(self._total), answer, otherwise=on_cancelled)
         self._show(wanted)
         self._set.setEnabled(False)
 
-    def _on_cancelled(self) -> None:
-        self._show(self._stored)
-        self._on_edited()
-
     def _keep(self, kept: int | None) -> None:
-        keep = partial(self._history.keep, kept)
-        in_background(self, keep, lambda _: self.changed.emit(), self._on_not_kept)
+        def on_failed(error: StudioError) -> None:
+            self._notifier.error.emit(str(error))
+            self._on_edited()
 
-    def _on_not_kept(self, error: StudioError) -> None:
-        self._notifier.error.emit(str(error))
-        self._on_edited()
+        keep = partial(self._history.keep, kept)
+        in_background(self, keep, lambda _: self.changed.emit(), on_failed)

@@ -9,7 +9,6 @@ from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.ui.theme.theme import follow_theme, theme
-from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.painted import Painted, Painter
 
 _PIN = 2.5  # radius of a pin, in pixels
@@ -34,35 +33,26 @@ class JumperSketch(Painted):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._boards: Sequence[JumperPlaces] = ()
-        ui.named(self, "jumperSketch")
+        self.setObjectName("jumperSketch")
         follow_theme(self, "room", self._take_room)
 
     def show_boards(self, *boards: JumperPlaces) -> None:
         if boards != self._boards:
             self._boards = boards
-            self.setAccessibleName(" ".join(map(self._describe, boards)))
+            self.setAccessibleName(" ".join(map(_spoken, boards)))
             self._take_room()
 
     def _take_room(self) -> None:
         self.setFixedSize(self.sizeHint())
         self.update()
 
-    def _describe(self, board: JumperPlaces) -> str:
-        mode = tr("mode jumper at {0}").format(board.mode)
-        texts = [mode if board.mode else tr("no mode jumper")]
-        if board.mix is not None:
-            texts.append(tr("mix jumper on") if board.mix else tr("no mix jumper"))
-        texts.append(tr("SO–G jumper on") if board.so_ground else tr("no SO–G jumper"))
-        return f"{board.title}: {', '.join(texts)}."
-
     def sizeHint(self) -> QSize:
         metrics, boards = self.fontMetrics(), max(len(self._boards), 1)
         line, advance = metrics.height(), metrics.horizontalAdvance
         titles = max((advance(board.title) for board in self._boards), default=0)
-        words = [
-            position or word for _, _, position in self._rows() for word in self._words().values()
-        ]
-        row = self._pins_at() + (1.3 + 0.9 + 0.8) * line + max(map(advance, words))
+        positions = [position for _, _, position in self._rows()]
+        widest = max(map(advance, [*positions, *self._words().values()]))
+        row = self._pins_at() + (1.3 + 0.9 + 0.8) * line + widest
         width = max(metrics.averageCharWidth() * _BOARD_WIDTH, titles, round(row))
         return QSize(boards * width + (boards - 1) * line, round(10.8 * line))
 
@@ -103,9 +93,8 @@ class JumperSketch(Painted):
         title = QRectF(place.left(), 0, place.width(), 1.6 * line)
         painter.drawText(title, Qt.AlignmentFlag.AlignCenter, board.title)
         states = (board.mode == "RC", board.mode == "Analog", board.mix, board.so_ground)
-        for number, ((key, name, position), is_on) in enumerate(
-            zip(self._rows(), states, strict=True)
-        ):
+        rows = zip(self._rows(), states, strict=True)
+        for number, ((key, name, position), is_on) in enumerate(rows):
             y = place.top() + (0.9 + _ROW * number + 0.5 * (number > 1)) * line
             row = QRectF(place.left(), y, place.width(), line)
             is_next = bool(key) and key == board.next_one
@@ -128,9 +117,17 @@ class JumperSketch(Painted):
         if is_on:
             painter.setBrush(theme().color("motor1"))
             reach = 0.55 * line
-            painter.drawRoundedRect(
-                QRectF(first, second).adjusted(-reach, -reach, reach, reach), 4, 4
-            )
+            box = QRectF(first, second).adjusted(-reach, -reach, reach, reach)
+            painter.drawRoundedRect(box, 4, 4)
         painter.setBrush(theme().color("window"))
         for pin in (first, second):
             painter.drawEllipse(pin, _PIN, _PIN)
+
+
+def _spoken(board: JumperPlaces) -> str:
+    mode = tr("mode jumper at {0}").format(board.mode)
+    texts = [mode if board.mode else tr("no mode jumper")]
+    if board.mix is not None:
+        texts.append(tr("mix jumper on") if board.mix else tr("no mix jumper"))
+    texts.append(tr("SO–G jumper on") if board.so_ground else tr("no SO–G jumper"))
+    return f"{board.title}: {', '.join(texts)}."

@@ -40,11 +40,8 @@ class LineSettingsDialog(ReusedDialog):
         self._polynomial = ui.spin_box(self, "polynomialField", "", 0x80, 0xFF)
         self._polynomial.setDisplayIntegerBase(16)
         self._polynomial.setPrefix("0x")
-        self._addressed = ui.check_box(
-            self,
-            "addressedBox",
-            tr("&Address one board of several by its number (Pololu protocol)"),
-        )
+        text = tr("&Address one board of several by its number (Pololu protocol)")
+        self._addressed = ui.check_box(self, "addressedBox", text)
         self._number = ui.spin_box(self, "deviceNumberField", "", 0, 127)
         self._reserved = ui.named(
             QLineEdit(self),
@@ -56,12 +53,8 @@ class LineSettingsDialog(ReusedDialog):
             ),
         )
         self._reserved.setValidator(QRegularExpressionValidator(_NUMBERS, self))
-        buttons = QDialogButtonBox(
-            QDialogButtonBox.StandardButton.Ok
-            | QDialogButtonBox.StandardButton.Cancel
-            | QDialogButtonBox.StandardButton.RestoreDefaults,
-            self,
-        )
+        standard = QDialogButtonBox.StandardButton
+        buttons = QDialogButtonBox(standard.Ok | standard.Cancel | standard.RestoreDefaults, self)
 
         form = QFormLayout()
         form.addRow(tr("&Line:"), self._line)
@@ -72,13 +65,16 @@ class LineSettingsDialog(ReusedDialog):
         self._clash = ui.named(Note(2, self), "lineClash")
         ui.column(intro, form, self._clash, 1, buttons, into=self)
 
-        self._line.valueChanged.connect(self._on_changed)
-        self._addressed.toggled.connect(self._on_changed)
-        self._reserved.textChanged.connect(self._on_changed)
+        for changed in (
+            self._line.valueChanged,
+            self._addressed.toggled,
+            self._reserved.textChanged,
+        ):
+            changed.connect(self._on_changed)
         buttons.accepted.connect(self._on_accepted)
         buttons.rejected.connect(self.reject)
-        buttons.button(QDialogButtonBox.StandardButton.Ok).setDefault(True)
-        restore = buttons.button(QDialogButtonBox.StandardButton.RestoreDefaults)
+        buttons.button(standard.Ok).setDefault(True)
+        restore = buttons.button(standard.RestoreDefaults)
         restore.setText(tr("&Restore defaults"))
         restore.clicked.connect(self._on_restore_clicked)
         self.show_settings(settings)

@@ -22,7 +22,6 @@ from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.placement import resize_with_font
 
 _NAMED = 3  # how many settings or findings are listed before the rest is only counted
-
 _NO_LIMIT = (1 << 24) - 1
 
 
@@ -54,12 +53,8 @@ class LoadDialog(ReusedDialog):
         self._conversion = ConversionView(self)
         self._view = ComparisonView(self)
         self._foot = label(self, "loadFoot", wrap=True)
-        self._edit = button(
-            self,
-            "editFileButton",
-            tr("&Edit the file instead"),
-            on_click=self._on_edit_clicked,
-        )
+        text = tr("&Edit the file instead")
+        self._edit = button(self, "editFileButton", text, on_click=self._on_edit_clicked)
         self._take = button(
             self, "takeChangesButton", icon="edited", default=True, on_click=self._on_take_clicked
         )
@@ -128,24 +123,20 @@ class LoadDialog(ReusedDialog):
             if settings.product == board.model and not conversion.alters:
                 conversion = None
             # Settings that only the board's firmware has are not missed.
-            given = replace(settings, firmware=None)
+            given = replace(settings, firmware=None) if conversion is None else conversion.settings
             try:
-                comparison = diff_against_draft(
-                    self._device.draft, given if conversion is None else conversion.settings
-                )
+                comparison = diff_against_draft(self._device.draft, given)
             except BadRequest as error:
                 trouble = error_sentence(error)
         if conversion is not None:
             self._conversion.show_conversion(conversion)
         if comparison is not None:
-            heading = self._heading
-            if conversion is not None:
-                heading = tr("{0}, converted").format(heading)
-            self._show_rows(comparison, heading)
+            converted = tr("{0}, converted").format(self._heading)
+            self._show_rows(comparison, self._heading if conversion is None else converted)
         self._show_findings(is_short=comparison is not None)
         self._conversion.setVisible(conversion is not None)
-        self._view.setVisible(comparison is not None)
-        self._foot.setVisible(comparison is not None)
+        for widget in (self._view, self._foot):
+            widget.setVisible(comparison is not None)
         self._trouble.show_note(trouble, alarming=True)
         self._head.setText(self._head_text())
         self._update_take()
@@ -182,12 +173,11 @@ class LoadDialog(ReusedDialog):
             return text.format(self._name, product.name, state.signature)
         if firmware is None:
             return tr("{0}: settings for a {1}.").format(self._name, product.name)
-        text = tr("{0}: settings for a {1} with firmware {2}.")
-        board = None if state is None else state.signature
-        if board is not None and board.model == product and board.firmware != firmware:
-            text = tr("{0}: settings for a {1} with firmware {2}; the board has {3}.")
-            return text.format(self._name, product.name, firmware, board.firmware)
-        return text.format(self._name, product.name, firmware)
+        if state is None or state.signature.firmware == firmware:
+            text = tr("{0}: settings for a {1} with firmware {2}.")
+            return text.format(self._name, product.name, firmware)
+        text = tr("{0}: settings for a {1} with firmware {2}; the board has {3}.")
+        return text.format(self._name, product.name, firmware, state.signature.firmware)
 
     @Slot()
     def _update_take(self) -> None:

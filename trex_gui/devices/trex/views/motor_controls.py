@@ -66,14 +66,13 @@ class ArmDialog(QDialog):
             self.resize(_ARM_DIALOG_WIDTH, layout.totalHeightForWidth(_ARM_DIALOG_WIDTH))
 
         device.applied.connect(self._on_applied)
-        device.request_failed.connect(self._on_failed)
+        device.request_failed.connect(self._show_state)
         for lost in (device.connection.line_closed, device.connection.not_responding):
             lost.connect(self.close)
 
     @Slot()
     def _on_write(self) -> None:
-        self._set_writing(True)
-        self._note.show_note(tr("Writing …"))
+        self._show_state(tr("Writing …"), is_writing=True)
         self._device.writer.set_serial_timeout(self._seconds)
 
     @Slot()
@@ -86,20 +85,18 @@ class ArmDialog(QDialog):
     def _on_applied(self) -> None:
         if not self.isVisible():
             return
-        if not self._device.board.timeout_stop.may_be_mended:
+        if self._device.board.timeout_stop.may_be_mended:
+            self._show_state(tr("The board did not store the serial timeout."))
+        else:
             self._device.motors.arm()
             self.close()
-        else:
-            self._on_failed(tr("The board did not store the serial timeout."))
 
     @Slot(str)
-    def _on_failed(self, reason: str) -> None:
-        self._set_writing(False)
-        self._note.show_note(reason, alarming=True)
-
-    def _set_writing(self, writing: bool) -> None:
+    def _show_state(self, text: str, *, is_writing: bool = False) -> None:
+        """Show the progress, or why the timeout was not written."""
+        self._note.show_note(text, alarming=not is_writing)
         for choice in self._choices:
-            choice.setEnabled(not writing)
+            choice.setEnabled(not is_writing)
 
 
 class TimeoutNotice(QWidget):
@@ -128,9 +125,9 @@ class TimeoutNotice(QWidget):
         set_text_color(self._button, "link")
         ui.row((self._text, 1), self._button, into=self, margins=0)
 
-        device.link_changed.connect(self._on_changed)
-        device.state_changed.connect(self._on_changed)
-        device.connection.guardian_changed.connect(self._on_changed)
+        guardian_changed = device.connection.guardian_changed
+        for changed in (device.link_changed, device.state_changed, guardian_changed):
+            changed.connect(self._on_changed)
         self._on_changed()
 
     @Slot()
@@ -166,10 +163,8 @@ class StopButton(RedButton):
 
     def __init__(self, device: Device, name: str, parent: QWidget | None = None) -> None:
         super().__init__(name, device.press_stop, parent)
-        self.describe(
-            tr("Stop motors"),
-            tr("Stop both motors and the auxiliary now (Esc, anywhere)"),
-        )
+        tip = tr("Stop both motors and the auxiliary now (Esc, anywhere)")
+        self.describe(tr("Stop motors"), tip)
         self._device = device
         device.link_changed.connect(self._on_link_changed)
         self._on_link_changed()
@@ -177,8 +172,7 @@ class StopButton(RedButton):
     @Slot()
     def _on_link_changed(self) -> None:
         inactive = {ConnectionState.DISCONNECTED, ConnectionState.DISCONNECTING}
-        device = self._device
-        self.setEnabled(device.link not in inactive or device.may_stop_matter)
+        self.setEnabled(self._device.link not in inactive or self._device.may_stop_matter)
 
 
 class RunButton(QPushButton):
@@ -241,18 +235,18 @@ class ControlBar(QWidget):
         buttons = ui.row(stop, run, (self._state, 1), self._unapplied, self._apply)
         ui.column(ui.row((notice, 1), recording), buttons, into=self, margins=0)
 
-        device.link_changed.connect(self._on_changed)
         motors = device.motors
         for signal in (
+            device.link_changed,
+            device.draft.pending_changed,
+            device.errors_changed,
+            device.telemetry.text_due,  # a fault is over some time later
             motors.arming_changed,
             motors.availability_changed,
             motors.setpoints_changed,
             motors.lockout_changed,
         ):
             signal.connect(self._on_changed)
-        device.draft.pending_changed.connect(self._on_changed)
-        device.errors_changed.connect(self._on_changed)
-        device.telemetry.text_due.connect(self._on_changed)  # a fault is over some time later
         self._on_changed()
 
     @Slot()
@@ -285,20 +279,16 @@ class ControlBar(QWidget):
     def _state_text(self) -> str:
         motors, link = self._device.motors, self._device.link
         if motors.armed:
-            if not motors.text:
-                return tr("Armed. Drive them on the Motors page.")
-            return tr("Armed. Sent: {0}").format(motors.text)
+            sent = tr("Armed. Sent: {0}").format(motors.text)
+            return sent if motors.text else tr("Armed. Drive them on the Motors page.")
         if self._device.may_move:
-            if self._is_out_of_reach:
-                return self._device.loss_text
-            return tr("Stopping …")
+            return self._device.loss_text if self._is_out_of_reach else tr("Stopping …")
         if self._device.driving.lost_board:
             return tr("The board driven before may still turn its motors. Cut their power.")
         if self._is_beyond_reach:
             return tr("Channels control the motors: Stop does not affect them.")
         if motors.locked_for:
-            left = math.ceil(motors.locked_for)
-            return tr("Stopped. Motors are locked for {0} s.").format(left)
+            return tr("Stopped. Motors are locked for {0} s.").format(math.ceil(motors.locked_for))
         if link is not ConnectionState.CONNECTED:
             return tr("No board is connected.")
         if motors.stop_reason:

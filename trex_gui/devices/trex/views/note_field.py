@@ -21,8 +21,7 @@ class NoteField(QPlainTextEdit):
         super().__init__(parent)
         self._notes = notes
         self._lines = lines
-        self._key = ""
-        self._name = ""
+        self._key = self._name = ""
         self._run = object()
         named(self, name, accessible=tr("Note"))
         self.setTabChangesFocus(True)

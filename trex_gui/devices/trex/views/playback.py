@@ -21,15 +21,11 @@ from trex_gui.ui.widgets.bar import NO_VALUE
 
 
 class PlaybackWindow(RecordingWindow):
-    """One recording of a board."""
-
-    # A `SettingsDocument` of the settings at the position, to be opened
-    settings_wanted = Signal(object)
+    settings_wanted = Signal(object)  # a `SettingsDocument`, of the position, to be opened
 
     def __init__(self, playback: Playback, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(playback, "playback", parent=parent)
         self.playback = playback
-
         self._settings = builders.button(
             self,
             "settingsAtPositionButton",
@@ -98,8 +94,8 @@ class ValuesPanel(QWidget):
             name = tr("Channel {0}").format(channel)
             self._add_row(6 + channel, name, f"channel{channel}", "physical", "raw", "remapped")
 
-        playback.moved.connect(self.refresh)
-        playback.loaded.connect(self.refresh)
+        for changed in (playback.moved, playback.loaded):
+            changed.connect(self.refresh)
         self.refresh()
 
     def _add_headings(self, row: int, *texts: str) -> None:
@@ -129,10 +125,8 @@ class ValuesPanel(QWidget):
         currents, raws, remapped = state.get(Currents), state.get(Raw), state.get(Remapped)
         self._control.setText(self._control_text(state))
         for motor in (1, 2):
-            text = NO_VALUE
-            if currents is not None:
-                text = f"{Number(currents.counts[motor - 1] * unit):.2f} A"
-            self._set(f"motor{motor}Current", text)
+            amps = None if currents is None else Number(currents.counts[motor - 1] * unit)
+            self._set(f"motor{motor}Current", NO_VALUE if amps is None else f"{amps:.2f} A")
             self._set(f"motor{motor}Setpoint", self._drive_text(state.setpoints.get(motor)))
         auxiliary = state.auxiliary
         self._set("auxiliarySetpoint", NO_VALUE if auxiliary is None else str(auxiliary))
@@ -146,16 +140,13 @@ class ValuesPanel(QWidget):
 
     def _control_text(self, state: BoardSnapshot) -> str:
         board_mode, control = state[ModeSample].mode, state.get(Control)
-        inputs = board_mode.source.word
-        if board_mode.is_serial:
-            mode = tr("Serial mode with {0} inputs").format(inputs)
-        else:
-            mode = tr("{0} mode").format(inputs)
+        name = tr("Serial mode with {0} inputs") if board_mode.is_serial else tr("{0} mode")
+        text = tr("{0}; the channels control the motors.")
         if control is None:
-            return tr("{0}.").format(mode)
-        if control.by_serial:
-            return tr("{0}; serial commands reach the motors.").format(mode)
-        return tr("{0}; the channels control the motors.").format(mode)
+            text = tr("{0}.")
+        elif control.by_serial:
+            text = tr("{0}; serial commands reach the motors.")
+        return text.format(name.format(board_mode.source.word))
 
     def _drive_text(self, drive: Drive | None) -> str:
         if drive is None:

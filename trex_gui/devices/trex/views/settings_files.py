@@ -111,8 +111,6 @@ class SettingsFiles(QObject):
                 make = partial(SettingsDocument, path.read_text(encoding="utf-8"), path.name)
                 yield tr("Sample: {0}").format(tr(SAMPLES[path.stem])), make
 
-    # --- Opening ------------------------------------------------------------------------
-
     def open_file(self, path: Path) -> None:
         """Show what a file would change of the board; with no board, the file itself."""
         if self._device.state is None:

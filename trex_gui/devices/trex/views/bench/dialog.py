@@ -31,10 +31,7 @@ _PREVIOUS, _NOTHING = -1, -2  # choices of what to compare with, beside the runs
 
 
 class BenchDialog(ReusedDialog):
-    """Not modal; Esc stops the motors here as everywhere.
-
-    Closing it while a test runs stops and disarms all motors.
-    """
+    """Not modal; closing it while a test runs stops and disarms all motors."""
 
     stays_on_stop = True  # the result is read there
 
@@ -60,11 +57,9 @@ class BenchDialog(ReusedDialog):
             tip=tr("Runs the test while it is held, with the mouse or the space bar"),
         )
         self._hold.setMinimumHeight(3 * self.fontMetrics().height())
+        title = tr("Test to compare with")
         self._compare = ui.combo_box(
-            self,
-            "benchCompare",
-            tr("Test to compare with"),
-            on_change=self._on_compare_changed,
+            self, "benchCompare", title, on_change=self._on_compare_changed
         )
         self._band = ui.spin_box(
             self,
@@ -129,8 +124,7 @@ class BenchDialog(ReusedDialog):
         self._fill_compare()
         self._on_changed()
 
-    def reject(self) -> None:
-        """Close the window: Esc, the Close button and the window's cross call this."""
+    def reject(self) -> None:  # Esc, the Close button and the window's cross call this
         self.bench.abort(tr("The window of the bench test was closed."))
         super().reject()
 
@@ -142,7 +136,7 @@ class BenchDialog(ReusedDialog):
         self._on_changed()
 
     def _add_plot(self) -> None:
-        """Make the plot once the window is seen without: both take 200 ms, which is too long."""
+        """Create the plot after the window is shown: both take 200 ms, which is too long."""
         from trex_gui.devices.trex.views.bench.plot import BenchPlot  # noqa: PLC0415 - pyqtgraph
 
         self._plot = BenchPlot(self)
@@ -159,8 +153,6 @@ class BenchDialog(ReusedDialog):
         heading = tr("Bench test of motor {0}: {1}, {2:%Y-%m-%d %H:%M}")
         picture = self._plot.grab().toImage()
         return with_heading(picture, heading.format(run.motor, run.title, run.started))
-
-    # --- State --------------------------------------------------------------------------
 
     @Slot()
     def _on_changed(self) -> None:
@@ -194,13 +186,12 @@ class BenchDialog(ReusedDialog):
         return f"{last} {next_step}".lstrip()
 
     def _end_text(self, run: Run) -> str:
-        match run.end:
-            case End.ABORTED:
-                return tr("Aborted after {0:.2f} s: {1}").format(Number(run.ended), run.reason)
-            case End.RELEASED:
-                return tr("Released after {0:.2f} s.").format(Number(run.ended))
-            case End.COMPLETE:
-                return tr("The test is complete.")
+        text = {
+            End.ABORTED: tr("Aborted after {0:.2f} s: {1}"),
+            End.RELEASED: tr("Released after {0:.2f} s."),
+            End.COMPLETE: tr("The test is complete."),
+        }[run.end]
+        return text.format(Number(run.ended), run.reason)
 
     @Slot(str)
     def _on_reported(self, text: str) -> None:
@@ -219,26 +210,18 @@ class BenchDialog(ReusedDialog):
         self._on_changed()
         self._show_figures()
 
-    # --- Comparing ----------------------------------------------------------------------
-
     def _fill_compare(self) -> None:
         """Offer every test but the last; keep the choice."""
         chosen = self._compare.currentData()
         text = tr("{0:%H:%M:%S}, motor {1}: {2}")
-        choices: list[tuple[str, object]] = [
-            (tr("the previous test"), _PREVIOUS),
-            (tr("nothing"), _NOTHING),
-            *(
-                (text.format(run.started, run.motor, run.title), run)
-                for run in reversed(self.bench.runs[:-1])
-            ),
-        ]
+        choices: list[object] = [_PREVIOUS, _NOTHING, *reversed(self.bench.runs[:-1])]
         with QSignalBlocker(self._compare):
             self._compare.clear()
-            for choice in choices:
-                self._compare.addItem(*choice)
-            kept = next((i for i, (_, data) in enumerate(choices) if data == chosen), 0)
-            self._compare.setCurrentIndex(kept)
+            self._compare.addItem(tr("the previous test"), _PREVIOUS)
+            self._compare.addItem(tr("nothing"), _NOTHING)
+            for run in reversed(self.bench.runs[:-1]):
+                self._compare.addItem(text.format(run.started, run.motor, run.title), run)
+            self._compare.setCurrentIndex(choices.index(chosen) if chosen in choices else 0)
 
     @property
     def _before(self) -> Run | None:

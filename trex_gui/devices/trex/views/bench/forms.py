@@ -33,19 +33,15 @@ class PlanForm(ui.GroupBox):
     """Edits the plan of a bench; disabled while a test runs."""
 
     def __init__(self, device: Device, bench: Bench, parent: QWidget) -> None:
-        super().__init__("", parent)
-        self.setTitle(tr("Test"))
+        super().__init__(tr("Test"), parent)
         self._bench = bench
         self._motors = device.motors
         combo = partial(ui.combo_box, self, on_change=self._on_edited)
         number = partial(ui.double_spin_box, self, decimals=2, step=0.5, on_change=self._on_edited)
         seconds = partial(number, lowest=SHORTEST, highest=LONGEST, suffix=tr(" s"))
 
-        self._motor = combo(
-            "benchMotor",
-            tr("Motor to test"),
-            items=[(tr("Motor {0}").format(motor), motor) for motor in (1, 2)],
-        )
+        motors = [(tr("Motor {0}").format(motor), motor) for motor in (1, 2)]
+        self._motor = combo("benchMotor", tr("Motor to test"), items=motors)
         self._shape = combo(
             "benchShape",
             tr("Speed profile"),
@@ -56,11 +52,8 @@ class PlanForm(ui.GroupBox):
                 (tr("Sine"), Shape.SINE),
             ],
         )
-        self._direction = combo(
-            "benchDirection",
-            tr("First direction"),
-            items=[(tr("Forward"), 1), (tr("Reverse"), -1)],
-        )
+        directions = [(tr("Forward"), 1), (tr("Reverse"), -1)]
+        self._direction = combo("benchDirection", tr("First direction"), items=directions)
         self._speed = ui.spin_box(
             self,
             "benchSpeed",
@@ -120,22 +113,20 @@ class PlanForm(ui.GroupBox):
 
     @Slot()
     def _on_edited(self) -> None:
-        profile = Profile(
-            shape=self._shape.currentData(),
-            speed=self._speed.value() * int(self._direction.currentData()),
-            duration=round(self._duration.value(), 2),
-            period=round(self._period.value(), 2),
+        plan = replace(
+            self._bench.plan,
+            motor=int(self._motor.currentData()),
+            profile=Profile(
+                shape=self._shape.currentData(),
+                speed=self._speed.value() * int(self._direction.currentData()),
+                duration=round(self._duration.value(), 2),
+                period=round(self._period.value(), 2),
+            ),
+            accelerate=bool(self._sent.currentData()),
+            abort_current=round(self._abort.value(), 2),
+            abort_at_limit=self._at_limit.isChecked(),
         )
-        self._bench.set_plan(
-            replace(
-                self._bench.plan,
-                motor=int(self._motor.currentData()),
-                profile=profile,
-                accelerate=bool(self._sent.currentData()),
-                abort_current=round(self._abort.value(), 2),
-                abort_at_limit=self._at_limit.isChecked(),
-            )
-        )
+        self._bench.set_plan(plan)
 
     @Slot()
     def _on_bench_changed(self) -> None:
@@ -183,10 +174,7 @@ class PlanForm(ui.GroupBox):
 
 
 class TuningForm(ui.GroupBox):
-    """Edits one motor's acceleration, brake duration, current limit and P.
-
-    The edits are those of the Parameters page, and are reviewed before they are written.
-    """
+    """Edits one motor's acceleration, brake duration, current limit and P, as its page does."""
 
     def __init__(self, device: Device, bench: Bench, parent: QWidget) -> None:
         super().__init__("", parent)
@@ -195,8 +183,8 @@ class TuningForm(ui.GroupBox):
         self._shown: tuple[str, tuple[str, ...]] | None = None
         self._fields: dict[str, tuple[QLabel, Editor]] = {}
 
-        self._empty = ui.label(self, text=tr("Connect to a board to see its settings."))
-        self._empty.setWordWrap(True)
+        text = tr("Connect to a board to see its settings.")
+        self._empty = ui.label(self, text=text, wrap=True)
         self._editors = QWidget(self)  # before the button, in the order of Tab
         self._edited = ui.label(self, "benchEdited", wrap=True)
         set_text_color(self._edited, "dirty")
@@ -211,10 +199,9 @@ class TuningForm(ui.GroupBox):
         self._form = _form(self._editors)
         ui.column(self._empty, self._editors, self._edited, 1, self.apply, into=self, spacing=4)
 
-        bench.changed.connect(self._on_changed)
-        device.state_changed.connect(self._on_changed)
-        device.draft.pending_changed.connect(self._on_changed)
-        device.link_changed.connect(self._on_changed)
+        pending_changed = device.draft.pending_changed
+        for changed in (bench.changed, device.state_changed, pending_changed, device.link_changed):
+            changed.connect(self._on_changed)
         self._on_changed()
 
     @Slot()
@@ -270,9 +257,7 @@ class TuningForm(ui.GroupBox):
                 with QSignalBlocker(editor):
                     editor.setValue(wire)
             if parameters.is_modified(key) and stored is not None:
-                text = tr("{0} (stored: {1})")
-                edited.append(
-                    text.format(label.text(), value_text(parameters.spec_of(key), stored))
-                )
+                before = value_text(parameters.spec_of(key), stored)
+                edited.append(tr("{0} (stored: {1})").format(label.text(), before))
         self._edited.setText(tr("Not applied: {0}").format(", ".join(edited)))
         self._edited.setVisible(bool(edited))

@@ -22,9 +22,7 @@ from trex_gui.ui.widgets.painted import Painted
 
 _SPEED_REACH = 134.0
 _AFTER = 0.6  # seconds shown after the end of a test
-
 _MIN_CURRENT = 2.0  # A; the current axis reaches at least that far
-
 _MAX_SECONDS_LABELS = 8
 _MAX_CURRENT_LABELS = 4
 
@@ -179,5 +177,4 @@ def _steps(run: Run | None) -> tuple[Floats, Floats]:
     times, speeds = _arrays(run.setpoints)
     ends = np.append(times[1:], max(run.ended, times[-1]))
     x = np.column_stack([times, ends]).ravel()
-    y = np.repeat(speeds, 2)
-    return np.append(x, x[-1]), np.append(y, 0.0)
+    return np.append(x, x[-1]), np.append(np.repeat(speeds, 2), 0.0)

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 from PySide6.QtCore import QObject, QSize, Qt, Signal
 from PySide6.QtGui import QImage
@@ -124,18 +125,15 @@ class BenchFiles(QObject):
 
     def ask_and_save(self, run: Run) -> None:
         name = f"bench_motor{run.motor}_{run.profile.shape.value}_{run.started:%Y%m%d_%H%M%S}.csv"
+        title, kinds = tr("Save bench test"), tr("Bench tests (*.csv);;Pictures (*.png)")
         path = str(last_folder() / name)
-        kinds = tr("Bench tests (*.csv);;Pictures (*.png)")
-        title = tr("Save bench test")
         chosen, _ = QFileDialog.getSaveFileName(self._window, title, path, kinds)
         if chosen:
             self.save(run, Path(chosen))
 
     def ask_and_open(self) -> None:
-        path = str(last_folder())
-        kinds = tr("Bench tests (*.csv);;All files (*)")
-        title = tr("Open bench test")
-        chosen, _ = QFileDialog.getOpenFileName(self._window, title, path, kinds)
+        title, kinds = tr("Open bench test"), tr("Bench tests (*.csv);;All files (*)")
+        chosen, _ = QFileDialog.getOpenFileName(self._window, title, str(last_folder()), kinds)
         if chosen:
             self.open(Path(chosen))
 
@@ -145,28 +143,32 @@ class BenchFiles(QObject):
             work = partial(save_picture, path, self._picture())
         else:
             work = partial(save, path, to_csv(run))
-        in_background(self, work, lambda _: self._on_saved(path), partial(self._on_not_saved, path))
-
-    def _on_saved(self, path: Path) -> None:
-        remember_folder(path)
-        self.reported.emit(tr("Saved as {0}.").format(path.name))
-
-    def _on_not_saved(self, path: Path, error: StudioError) -> None:
-        text = tr("{0} was not saved: {1}.")
-        self.reported.emit(text.format(path.name, reason_of(error)))
+        self._do(
+            work,
+            path,
+            lambda _: tr("Saved as {0}.").format(path.name),
+            tr("{0} was not saved: {1}."),
+        )
 
     def open(self, path: Path) -> None:
         """Read a test and add it to those that were run."""
-        work = partial(load_run, path)
-        in_background(
-            self, work, partial(self._on_opened, path), partial(self._on_not_opened, path)
-        )
 
-    def _on_opened(self, path: Path, run: Run) -> None:
-        remember_folder(path)
-        self._bench.add_run(run)
-        self.reported.emit(tr("{0}: {1}.").format(path.name, run.title))
+        def add(run: Run) -> str:
+            self._bench.add_run(run)
+            return tr("{0}: {1}.").format(path.name, run.title)
 
-    def _on_not_opened(self, path: Path, error: StudioError) -> None:
-        text = tr("{0} was not opened: {1}.")
-        self.reported.emit(text.format(path.name, reason_of(error)))
+        self._do(partial(load_run, path), path, add, tr("{0} was not opened: {1}."))
+
+    def _do(
+        self, work: Callable[[], Any], path: Path, report: Callable[[Any], str], failure: str
+    ) -> None:
+        """Work in the background, and report the result or the failure."""
+
+        def on_done(result: object) -> None:
+            remember_folder(path)
+            self.reported.emit(report(result))
+
+        def on_failed(error: StudioError) -> None:
+            self.reported.emit(failure.format(path.name, reason_of(error)))
+
+        in_background(self, work, on_done, on_failed)

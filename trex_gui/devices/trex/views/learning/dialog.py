@@ -1,13 +1,13 @@
 """The wizard that learns channels: beside the window, never in its way."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QCloseEvent, QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.model.learning.learning import Learning, LearningStep
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.views.learning.live_pages import (
@@ -16,12 +16,6 @@ from trex_gui.devices.trex.views.learning.live_pages import (
     TestPage,
     TravelRow,
 )
-from trex_gui.devices.trex.views.learning.texts import (
-    again_texts,
-    head_text,
-    is_alarming,
-    review_texts,
-)
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.labels import Note
@@ -29,14 +23,13 @@ from trex_gui.ui.widgets.placement import resize_with_font
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 from trex_gui.ui.widgets.step_strip import StepStrip
 
+# Where a step is in the row of steps; others are in place 0, the test in 1.
 _PLACES = {LearningStep.NEUTRAL: 1, LearningStep.TRAVEL: 2, LearningStep.REVIEW: 3}
-"""Where a step is in the row of steps; others are in place 0, the test in 1."""
 
 
 class LearnDialog(ReusedDialog):
-    """Shows one step at a time; the red button of the window can always be pressed.
+    """Shows one step at a time. Nothing is changed before Use these values.
 
-    Esc stops the motors, as everywhere, and ends it. Nothing is changed before Use these values.
     Opening it again while it is learning only brings it forward, so that no measurement is lost.
     """
 
@@ -62,24 +55,18 @@ class LearnDialog(ReusedDialog):
         )
         self._back = button("learnBackButton", tr("&Back"), on_click=learning.back)
         self._next = button("learnNextButton", on_click=learning.next)
-        self._use = button(
-            "learnUseButton",
-            tr("&Use these values…"),
-            icon="apply",
-            on_click=learning.use_values,
-        )
+        use_text, test_text = tr("&Use these values…"), tr("Stop the motors and &test")
+        use = learning.use_values
+        self._use = button("learnUseButton", use_text, icon="apply", on_click=use)
         self._test = button(
-            "learnTestButton",
-            tr("Stop the motors and &test"),
-            on_click=lambda: self.test(learning.numbers),
+            "learnTestButton", test_text, on_click=lambda: self.test(learning.numbers)
         )
         self._cancel = button("learnCancelButton", on_click=self.close)
 
         left = self._again, self._learn_again
         right = self._back, self._next, self._use, self._test, self._cancel
-        self._body = QVBoxLayout()
-        column = self._steps, self._head, (self._body, 1), ui.row(*left, 1, *right)
-        ui.column(*column, into=self, spacing=10)
+        self._body, buttons = QVBoxLayout(), ui.row(*left, 1, *right)
+        ui.column(self._steps, self._head, (self._body, 1), buttons, into=self, spacing=10)
 
         learning.changed.connect(self._on_changed)
         learning.measured.connect(self._on_measured)
@@ -87,16 +74,16 @@ class LearnDialog(ReusedDialog):
 
     def learn(self, channels: Sequence[int] = CHANNELS) -> None:
         """Learn these channels unless it is learning already; the motors are stopped first."""
-        if not self._is_learning:
-            self._offers_test = False
-            self.learning.begin(channels)
-        self.show_in_front()
+        self._open(partial(self.learning.begin, channels))
 
     def test(self, channels: Sequence[int] = CHANNELS) -> None:
         """Test the sticks with the stored values; the motors are stopped first."""
+        self._open(partial(self.learning.begin_test, channels))
+
+    def _open(self, begin: Callable[[], object]) -> None:
         if not self._is_learning:
             self._offers_test = False
-            self.learning.begin_test(channels)
+            begin()
         self.show_in_front()
 
     @property
@@ -106,7 +93,6 @@ class LearnDialog(ReusedDialog):
         return not self.learning.is_test and self.learning.step not in ended
 
     def reject(self) -> None:
-        """Leave everything unchanged on Esc and Cancel."""
         self.learning.cancel()
         super().reject()
 
@@ -126,8 +112,6 @@ class LearnDialog(ReusedDialog):
             width -= margins.left() + margins.right()
         least = 2 * self._head.fontMetrics().lineSpacing()
         self._head.setMinimumHeight(max(least, self._head.heightForWidth(width)))
-
-    # --- Slots --------------------------------------------------------------------------
 
     @Slot()
     def _on_stored(self) -> None:
@@ -169,8 +153,6 @@ class LearnDialog(ReusedDialog):
             self.setFocus()
         self._describe()
 
-    # --- The page -----------------------------------------------------------------------
-
     def _make_page(self, step: LearningStep) -> QWidget:
         learning = self.learning
         page: QWidget
@@ -206,26 +188,19 @@ class LearnDialog(ReusedDialog):
             self._body.addWidget(page)
             ui.tab_order(self._again, page, self._again)
 
-    # --- Texts and buttons --------------------------------------------------------------
-
     def _describe(self) -> None:
         learning, step = self.learning, self.learning.step
         waits_for_primary = self.focusWidget() in {self, self._next, self._use}
         testing = learning.is_test or self._offers_test
-        steps = [
-            tr("Stop the motors"),
-            tr("Hands off the sticks"),
-            tr("All sticks to all ends"),
-            tr("Review"),
-        ]
-        if testing:
-            steps[1:] = [tr("Test every stick")]
+        learn = [tr("Hands off the sticks"), tr("All sticks to all ends"), tr("Review")]
+        test = [tr("Test every stick")]
+        steps = [tr("Stop the motors"), *(test if testing else learn)]
         self.setWindowTitle(tr("Test the sticks") if testing else tr("Learn channels"))
         if step is not LearningStep.FAILED:
             self._place = _PLACES.get(step, int(step is LearningStep.TEST))
         self._steps.show_steps(steps, min(self._place, len(steps) - 1))
-        text = head_text(learning, offers_test=self._offers_test)
-        self._head.show_note(text, alarming=is_alarming(learning))
+        text = _head_text(learning, offers_test=self._offers_test)
+        self._head.show_note(text, alarming=_is_alarming(learning))
         self._fit_head()
         self._describe_again()
         doubtful, reviewing = step is LearningStep.DOUBT, step is LearningStep.REVIEW
@@ -237,7 +212,7 @@ class LearnDialog(ReusedDialog):
         self._next.setText(tr("The motors are stopped: co&ntinue") if doubtful else tr("&Next"))
         self._use.setVisible(reviewing)
         self._use.setEnabled(learning.can_use_values)
-        self._use.setToolTip(ui.plain(review_texts(learning)[1]))
+        self._use.setToolTip(ui.plain(_review_texts(learning)[1]))
         self._use.setDefault(reviewing)
         self._test.setVisible(self._offers_test)
         ends = step in {LearningStep.TEST, LearningStep.FAILED, LearningStep.ENDED}
@@ -250,7 +225,7 @@ class LearnDialog(ReusedDialog):
 
     def _describe_again(self) -> None:
         learning, step = self.learning, self.learning.step
-        text, tip = again_texts(step)
+        text, tip = _again_texts(step)
         self._again.setText(text)
         self._again.setToolTip(ui.plain(tip))
         never = step in {LearningStep.STOPPING, LearningStep.ENDED}
@@ -261,3 +236,152 @@ class LearnDialog(ReusedDialog):
         text = tr("&Learn channel(s) {0} again", "", len(numbers))
         self._learn_again.setText(text.format(", ".join(map(str, numbers))))
         self._learn_again.setVisible(step is LearningStep.TEST and bool(numbers))
+
+
+def _again_texts(step: LearningStep) -> tuple[str, str]:
+    """Return the text and the tip of the button that repeats a step."""
+    match step:
+        case LearningStep.NEUTRAL:
+            return (
+                tr("Sample &again"),
+                tr("Measure the rest positions of all channels once more."),
+            )
+        case LearningStep.TRAVEL:
+            return (
+                tr("&Forget these ends"),
+                tr("Forget the ends reached so far. The rest positions are kept."),
+            )
+        case LearningStep.REVIEW:
+            return (
+                tr("&Start over"),
+                tr("Forget everything measured and go back to the rest positions."),
+            )
+        case LearningStep.TEST:
+            return (
+                tr("Test &again"),
+                tr("Forget what was tested so far and begin the test again."),
+            )
+    return tr("Try &again"), tr("Stop the motors again and begin again.")
+
+
+def _is_alarming(learning: Learning) -> bool:
+    if learning.inputs.stalled:
+        return True
+    match learning.step:
+        case LearningStep.NEUTRAL if learning.has_sampled:
+            return not all(channel.is_at_rest for channel in learning.channels)
+        case LearningStep.TEST if learning.tests is not None:
+            return learning.tests.channels_passed and not learning.tests.passed
+    return learning.step in {LearningStep.FAILED, LearningStep.DOUBT}
+
+
+def _head_text(learning: Learning, *, offers_test: bool) -> str:
+    if offers_test:
+        return tr(
+            "The new values are in the board. The test does not start by itself, because the "
+            "motors may be running: it has to stop them first."
+        )
+    if learning.inputs.stalled:
+        return tr("The board sends no measurements: the line is busy or disturbed. Waiting …")
+    match learning.step:
+        case LearningStep.STOPPING:
+            return tr(
+                "Stopping the motors. The next step comes when the board has confirmed the "
+                "stop and no current flows."
+            )
+        case LearningStep.NEUTRAL:
+            return _rest_text(learning)
+        case LearningStep.TRAVEL:
+            return _travel_text(learning)
+        case LearningStep.REVIEW:
+            return _review_texts(learning)[0]
+        case LearningStep.TEST:
+            return f"{learning.news} {_test_text(learning)}".strip()
+    return learning.trouble
+
+
+def _rest_text(learning: Learning) -> str:
+    if learning.sampling:
+        return tr("Hands off. Sampling … {0:.1f} s").format(Number(learning.seconds_left))
+    if not learning.has_sampled:
+        return tr(
+            "The motors are stopped. Release every stick and set every switch to off. Then "
+            "click Next to measure the rest positions."
+        )
+    bad = [str(channel.number) for channel in learning.channels if not channel.is_at_rest]
+    if len(bad) == len(learning.channels):
+        return tr("No channel is at rest. Correct the problems below, then click “Sample again”.")
+    return tr(
+        "Not every channel is at rest. Correct the problems below and click “Sample again”, or "
+        "click Next to continue without channel {0}."
+    ).format(", ".join(bad))
+
+
+def _travel_text(learning: Learning) -> str:
+    text = tr(
+        "Push every stick forward or right first, all the way; then the other way. "
+        "Move switches to all positions."
+    )
+    slow = [c.travel for c in learning.channels if c.travel and c.travel.is_slow]
+    if not slow:
+        return f"{text} " + tr("Hold each end for a moment, then click Next.")
+    reason = tr(
+        "Hold each end until its check mark appears, for at least {0:.1f} s: this line "
+        "({1} baud) carries only {2:.1f} measurements per second. Then click Next."
+    )
+    hold = max(travel.hold_seconds for travel in slow)
+    rate = 1 / max(travel.interval for travel in slow)
+    return f"{text} {reason.format(Number(hold), learning.baud, Number(rate))}"
+
+
+def _review_texts(learning: Learning) -> tuple[str, str]:
+    """Return the text of the head and the tip of the button that uses the values."""
+    rejected = ", ".join(str(c.number) for c in learning.included if not c.can_be_used)
+    if not any(channel.choice is not None for channel in learning.channels):
+        return (
+            tr("Nothing was learned. The reason is below. Go back, or start over."),
+            tr("Nothing was learned, so there are no values to use."),
+        )
+    if not learning.included:
+        return (
+            tr("No channel is selected. Select each channel whose new values to use."),
+            tr("No channel is selected."),
+        )
+    if rejected:
+        return (
+            tr(
+                "The board would reject the values of channel {0}: change them, or clear its "
+                "check box."
+            ).format(rejected),
+            tr("The board would reject the values of channel {0}.").format(rejected),
+        )
+    return (
+        tr(
+            "Check the new values. You can change them; clear the check box of a channel to "
+            "keep its old values. "
+            "Nothing is written yet: you confirm all changes in the next window."
+        ),
+        learning.preconditions.blocker
+        or tr("Use the values of all selected channels. Nothing is written yet."),
+    )
+
+
+def _test_text(learning: Learning) -> str:
+    tests = learning.tests
+    if tests is not None and tests.heard:
+        if tests.passed:
+            return tr("Everything is as it should be.")
+        if tests.all_ignored:
+            return tr(
+                "There is nothing to test: the board ignores this input, so it holds it at "
+                "neutral. See the setting Ignored Channels."
+            )
+        if tests.channels_passed:
+            text = tr(
+                "The tested channels are good. But in {0} mode the motors would not start. {1}"
+            )
+            return text.format(tests.mode, tests.safe_start_reasons)
+    return tr(
+        "Push every stick to all its ends, then release it. Move every switch to all its "
+        "positions. The motors stay off: in serial mode the sticks do not drive them."
+    )

@@ -23,10 +23,7 @@ from trex_gui.ui.widgets.labels import Muted, Note, Sign
 
 _GAP = 12
 _MARGINS = QMargins(0, 0, 8, 0)
-
-_BAR_GROWS = 0.5
-"""Share of its least width by which a bar is longer before text gets a place beside it."""
-
+_BAR_GROWS = 0.5  # of its least width, before text gets a place beside a bar
 _TEXT_WIDTH = 26
 _TEST_TEXT_WIDTH = 20  # characters of the text beside a bar before it wraps
 
@@ -115,8 +112,8 @@ class ChannelRows(QWidget):
         self._grid = ui.grid(spacing=(_GAP, 2))
         ui.column(self._grid, 1, into=self).setContentsMargins(_MARGINS)
 
-        learning.changed.connect(self._on_changed)
-        learning.measured.connect(self._on_changed)
+        for changed in (learning.changed, learning.measured):
+            changed.connect(self._on_changed)
         self._arrange()
         self._on_changed()
 
@@ -182,7 +179,7 @@ class RestRow(ChannelRow):
 
 
 class EndState(Enum):
-    """The state of an end; the values are its icon and the colour of that."""
+    """State of an end: its icon and the colour."""
 
     OPEN = "todo", "muted"
     HOLD = "run", "icon"
@@ -224,10 +221,10 @@ class TravelRow(ChannelRow):
     text_name = "learnTravel"
 
     def make_signs(self, parent: QWidget) -> Sequence[QWidget]:
-        names = {Way.DOWN: tr("low"), Way.UP: tr("high")}
+        number = self.channel.number
         self._ends = {
-            way: EndSign(name, f"learnEnd{way.name.capitalize()}{self.channel.number}", parent)
-            for way, name in names.items()
+            Way.DOWN: EndSign(tr("low"), f"learnEndDown{number}", parent),
+            Way.UP: EndSign(tr("high"), f"learnEndUp{number}", parent),
         }
         return list(self._ends.values())
 
@@ -265,13 +262,11 @@ class TravelRow(ChannelRow):
         if travel.to_hold is not None:
             return tr("Hold it there …")
         low, high = (travel.source.text(travel.end(way)) for way in Way)
-        passed = {
-            Way.DOWN: tr(
-                "The low end was not held. Push it there again and hold it for {0:.1f} s."
-            ),
-            Way.UP: tr("The high end was not held. Push it there again and hold it for {0:.1f} s."),
-        }
-        for way, text in passed.items():
+        passed_low = tr("The low end was not held. Push it there again and hold it for {0:.1f} s.")
+        passed_high = tr(
+            "The high end was not held. Push it there again and hold it for {0:.1f} s."
+        )
+        for way, text in ((Way.DOWN, passed_low), (Way.UP, passed_high)):
             if travel.reached(way) and not travel.held(way):
                 return text.format(Number(travel.hold_seconds))
         match travel.held(Way.DOWN), travel.held(Way.UP):
@@ -323,8 +318,8 @@ class TestPage(QWidget):
         safe_start = ui.row((self._safe_sign, 0, Qt.AlignmentFlag.AlignTop), (self._safe_start, 1))
         ui.column(grid, 1, safe_start, explanation, into=self).setContentsMargins(_MARGINS)
 
-        learning.changed.connect(self._on_changed)
-        learning.measured.connect(self._on_changed)
+        for changed in (learning.changed, learning.measured):
+            changed.connect(self._on_changed)
         self._on_changed()
 
     @property
@@ -341,10 +336,8 @@ class TestPage(QWidget):
             sign.show_sign(*_sign_of(test))
         held = bool(self._tests.safe_start_reasons)
         self._safe_start.show_note(self._tests.safe_start_text, alarming=held)
-        if held:
-            self._safe_sign.show_sign("warning", "warning")
-        else:
-            self._safe_sign.show_sign("ok" if self._tests.heard else "", "good")
+        good = "ok" if self._tests.heard else ""
+        self._safe_sign.show_sign(*(("warning", "warning") if held else (good, "good")))
 
 
 def _sign_of(test: StickTest) -> tuple[str, str]:

@@ -29,11 +29,9 @@ from trex_gui.ui.units import units
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import LegendKey, Muted, Note
 
-_GAP = 16
-_MARGIN = 8
+_GAP, _MARGIN = 16, 8
 _FORM_CHARACTERS = 17
-_CURVE_CHARACTERS = 40
-_CURVE_LINES = 13
+_CURVE_CHARACTERS, _CURVE_LINES = 40, 13
 
 
 class ChannelForm(QWidget):
@@ -61,9 +59,8 @@ class ChannelForm(QWidget):
         )
         ui.set_bold(self._include)
         self._values = QWidget(self)
-        was_reversed = Muted(
-            tr("was reversed") if channel.reversed_now else tr("was not reversed"), self
-        )
+        text = tr("was reversed") if channel.reversed_now else tr("was not reversed")
+        was_reversed = Muted(text, self)
         self._turned = ui.named(Note(1, self), f"learnReversal{number}")
         self._problem = ui.named(Note(1, self), f"learnProblem{number}")
         self._reasons = ui.named(Muted("", self), f"learnReasons{number}")
@@ -130,8 +127,7 @@ class ChannelForm(QWidget):
         self._show_values(choice.calibration)
         rest = channel.new_rest
         self._rest.setVisible(rest is not None)
-        text = tr("Use {0} &as neutral")
-        self._rest.setText(text.format(channel.source.text(rest or 0)))
+        self._rest.setText(tr("Use {0} &as neutral").format(channel.source.text(rest or 0)))
         reasons = list(channel.remarks)
         if channel.proposal is not None:
             self._turned.show_note(channel.proposal.reversed_reason, alarming=True)
@@ -149,8 +145,7 @@ class ChannelForm(QWidget):
                     editor.setValue(value)
             old = tr("unknown")
             if before is not None:
-                count = getattr(before.calibration, field)
-                old = input_text(self.channel.source, count)
+                old = input_text(self.channel.source, getattr(before.calibration, field))
             self._were[field].setText(tr("{0}\nwas {1}").format(editor.other_text, old))
 
 
@@ -165,9 +160,8 @@ class CurvePane(QWidget):
         self.plot = ui.named(CurvePlot(self), "learnCurve")
         self.plot.setMinimumHeight(_CURVE_LINES * self.fontMetrics().lineSpacing())
         self._after = LegendKey("", "motor1", self)
-        self._before = ui.named(
-            LegendKey(tr("as it was"), "muted", self, Qt.PenStyle.DashLine), "learnCurveBefore"
-        )
+        before = LegendKey(tr("as it was"), "muted", self, Qt.PenStyle.DashLine)
+        self._before = ui.named(before, "learnCurveBefore")
         self._live = ui.named(Muted("", self), "learnCurveLive")
         key = ui.row(self._after, self._before, 1)
         ui.column(key, (self.plot, 1), self._live, into=self, margins=0)
@@ -181,8 +175,8 @@ class CurvePane(QWidget):
     def show_channel(self, channel: LearnedChannel) -> None:
         self._channel = channel
         before, after = channel.curve_before, channel.curve_after
-        editable = channel.is_included
-        self.plot.show_channel(channel.number, channel.source, before, after, editable=editable)
+        number, source, editable = channel.number, channel.source, channel.is_included
+        self.plot.show_channel(number, source, before, after, editable=editable)
         same = before == after
         self._after.setVisible(after is not None)
         self._after.setText(tr("proposed, as it was") if same else tr("proposed"))
@@ -199,14 +193,12 @@ class CurvePane(QWidget):
         if channel.raw is None:
             self._live.setText(tr("No signal now: the output is 0."))
             return
-        curves = {
-            tr("proposed {0}"): channel.curve_after,
-            tr("as it was {0}"): channel.curve_before,
-        }
+        curves = (
+            (tr("proposed {0}"), channel.curve_after),
+            (tr("as it was {0}"), channel.curve_before),
+        )
         outputs = [
-            text.format(signed_text(curve.output(channel.raw)))
-            for text, curve in curves.items()
-            if curve is not None
+            text.format(signed_text(curve.output(channel.raw))) for text, curve in curves if curve
         ]
         text = tr("Input now {0}; output {1}.")
         self._live.setText(text.format(channel.source.text(channel.raw), ", ".join(outputs)))
@@ -231,15 +223,13 @@ class ReviewPage(QWidget):
             self._tabs.addTab(tr("Channel {0}").format(channel.number))
         self._curve = CurvePane(learning)
         source = learning.preconditions.source
-        floor = source.text(deadband_floor(source))
-        why = tr(WHY_THESE_VALUES).format(floor)
+        why = tr(WHY_THESE_VALUES).format(source.text(deadband_floor(source)))
         self._common = ui.named(Muted(why, self), "learnCommonReasons")
         self._earlier = ui.named(Note(0, self), "learnEarlierEdits")
 
         self._body = ui.row((ui.column(*self._forms), 2), (self._curve, 3), spacing=_GAP)
-        margins = (0, 0, _MARGIN, 0)
         items = self._tabs, (self._body, 1), self._common, self._earlier
-        ui.column(*items, into=self, margins=margins)
+        ui.column(*items, into=self, margins=(0, 0, _MARGIN, 0))
 
         self._tabs.currentChanged.connect(self._on_changed)
         self._tabs.setVisible(len(self._forms) > 1)

@@ -87,10 +87,7 @@ class CurrentsPanel(TracePanel):
 
 
 class PlotWindow(QMainWindow):
-    """The plot beside another page; what it shows is chosen apart from the page's.
-
-    The window may cover the main window while motors turn, so it has a stop button.
-    """
+    """The plot beside another page; what it shows is chosen apart from the page's."""
 
     _KEY = "plot_window"
 

@@ -2,6 +2,7 @@
 
 from datetime import timedelta
 from enum import IntEnum
+from functools import partial
 
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QShowEvent
@@ -64,8 +65,8 @@ class ErrorsPage(QWidget):
         ui.column((self._table, 1), buttons, line, into=self)
 
         device.errors_changed.connect(self._show_errors)
-        device.link_changed.connect(self._on_device_changed)
-        device.state_changed.connect(self._on_device_changed)
+        for changed in (device.link_changed, device.state_changed):
+            changed.connect(self._on_device_changed)
         device.telemetry.text_due.connect(self._on_text_due)
         self._on_device_changed()
 
@@ -86,9 +87,8 @@ class ErrorsPage(QWidget):
             self._show_entry(items, entry)  # before the sizes follow every change of a text
             for column, item in items.items():
                 table.setItem(row, column, item)
-            items[_Column.COUNT].setTextAlignment(
-                Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-            )
+            right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+            items[_Column.COUNT].setTextAlignment(right)
             self._items.append(items)
         table.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header = table.horizontalHeader()
@@ -105,10 +105,7 @@ class ErrorsPage(QWidget):
                 "quality": (tr("Quality:"), ""),
                 "requests": (tr("Requests:"), tr("Since the connection was opened")),
             },
-            {
-                "rate": (tr("Reads per second:"), ""),
-                "connected": (tr("Connected for:"), ""),
-            },
+            {"rate": (tr("Reads per second:"), ""), "connected": (tr("Connected for:"), "")},
             {
                 "restarts": (
                     tr("Restarts in another mode:"),
@@ -130,18 +127,15 @@ class ErrorsPage(QWidget):
         for part in parts:
             form = QFormLayout()
             form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+            value_label = partial(ui.label, box, wrap=not forms, expand=True, selectable=True)
             for key, (title, tip) in part.items():
-                value = ui.label(
-                    box, f"{key}Value", tip=tip, wrap=not forms, expand=True, selectable=True
-                )
+                value = value_label(f"{key}Value", tip=tip)
                 form.addRow(ui.label(box, "", title, tip=tip), value)
                 self._values[key] = value
             forms.append(form)
         wide, *narrow = forms
         ui.row((wide, 3), *((form, 1) for form in narrow), into=box, spacing=16)
         return box
-
-    # --- What has changed ---------------------------------------------------------------
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -168,12 +162,13 @@ class ErrorsPage(QWidget):
         if not device.is_connected or opened is None:
             return
         board, counters, quality = device.board, device.board.counters, device.board.quality
-        requests = tr(
-            "{0}; timeouts: {1}, corrupted replies: {2}, slowest reply: {3:.0f}\u00a0ms"
-        ).format(counters.requests, counters.missing, counters.corrupted, 1000 * counters.slowest)
+        text = tr("{0}; timeouts: {1}, corrupted replies: {2}, slowest reply: {3:.0f}\u00a0ms")
+        slowest = 1000 * counters.slowest
         texts = {
             "quality": quality_text(quality),
-            "requests": requests,
+            "requests": text.format(
+                counters.requests, counters.missing, counters.corrupted, slowest
+            ),
             "rate": f"{quality.rate:.0f}" if quality.rate else "–",
             "connected": str(timedelta(seconds=int(now() - opened))),
             "restarts": str(board.restarts),

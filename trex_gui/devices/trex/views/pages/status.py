@@ -4,11 +4,7 @@ from html import escape
 
 from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import (
-    QFormLayout,
-    QLabel,
-    QWidget,
-)
+from PySide6.QtWidgets import QFormLayout, QLabel, QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.board.drive_status import DriveStatus, drive_statuses
@@ -45,19 +41,16 @@ class MotorsBox(ui.GroupBox):
     """Every reason why the motors do what they do, and what the LEDs of the board show then."""
 
     def __init__(self, parent: QWidget) -> None:
-        super().__init__("", parent)
-        self.setTitle(tr("Motors"))
+        super().__init__(tr("Motors"), parent)
         self.setObjectName("statusMotors")
         self._rows: list[tuple[Sign, QLabel]] = []
         self._reasons = ui.grid(spacing=(8, 4), stretch=[(1, 1)])
         self._leds_line = QWidget(self)
-        self._leds = ui.named(
-            Leds(self._leds_line), "statusLeds", accessible=tr("LEDs that the board shows")
-        )
+        accessible = tr("LEDs that the board shows")
+        self._leds = ui.named(Leds(self._leds_line), "statusLeds", accessible=accessible)
         title = ui.label(self._leds_line, "", tr("LEDs on the board:"))
         ui.row(title, (self._leds, 1), into=self._leds_line, margins=0, spacing=10)
-        note = tr(SAFE_START_NOTE)
-        self._steady = ui.named(Muted(note, self), "statusLedsNote")
+        self._steady = ui.named(Muted(tr(SAFE_START_NOTE), self), "statusLedsNote")
         ui.column(self._reasons, self._leds_line, self._steady, into=self)
 
     def show_statuses(self, statuses: tuple[DriveStatus, ...], board: BoardInputs | None) -> None:
@@ -68,10 +61,9 @@ class MotorsBox(ui.GroupBox):
             self._reasons.addWidget(text, row, 1)
             self._rows.append((sign, text))
         for row, (sign, text) in enumerate(self._rows):
-            is_used = row < len(statuses)
-            sign.setVisible(is_used)
-            text.setVisible(is_used)
-            if is_used:
+            for widget in (sign, text):
+                widget.setVisible(row < len(statuses))
+            if row < len(statuses):
                 status = statuses[row]
                 shown = f"<b>{escape(status.text)}</b> {escape(status.remedy)}".rstrip()
                 if text.text() != shown:
@@ -106,29 +98,22 @@ class StatusPage(QWidget):
         self._values: dict[str, QLabel] = {}
         board = self._form(
             tr("Board"),
-            {
-                "model": tr("Model:"),
-                "firmware": tr("Firmware:"),
-                "mode": tr("Mode:"),
-                "control": tr("In control:"),
-                "motors": tr("Motors:"),
-            },
+            model=tr("Model:"),
+            firmware=tr("Firmware:"),
+            mode=tr("Mode:"),
+            control=tr("In control:"),
+            motors=tr("Motors:"),
         )
         line = self._form(
             tr("Line"),
-            {
-                "port": tr("Port:"),
-                "settings": tr("Settings:"),
-                "side": tr("Connector:"),
-                "quality": tr("Quality:"),
-            },
+            port=tr("Port:"),
+            settings=tr("Settings:"),
+            side=tr("Connector:"),
+            quality=tr("Quality:"),
         )
+        text, set_up = tr("Set up my r&obot…"), self.setup_requested
         self._set_up = ui.button(
-            self._report,
-            "setUpButton",
-            tr("Set up my r&obot…"),
-            icon="settings",
-            on_click=self.setup_requested,
+            self._report, "setUpButton", text, icon="settings", on_click=set_up
         )
         text = tr("Who drives, jumpers, sticks, motors and limits, step by step.")
         lead = ui.row(self._set_up, (Muted(text, self._report), 1), spacing=10)
@@ -137,14 +122,14 @@ class StatusPage(QWidget):
         ui.column(lead, self._motors, forms, 1, into=self._report, margins=0)
         ui.column(self._lost, start, (self._report, 1), into=self)
 
-        device.link_changed.connect(self._on_device_changed)
-        device.state_changed.connect(self._on_device_changed)
+        for changed in (device.link_changed, device.state_changed):
+            changed.connect(self._on_device_changed)
         device.telemetry.text_due.connect(self._on_text_due)
         for changed in (device.motors.arming_changed, device.motors.lockout_changed):
             changed.connect(self._show_motors)
         self._on_device_changed()
 
-    def _form(self, title: str, rows: dict[str, str]) -> ui.GroupBox:
+    def _form(self, title: str, **rows: str) -> ui.GroupBox:
         box = ui.GroupBox(title, self)
         form = QFormLayout(box)
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
@@ -174,18 +159,16 @@ class StatusPage(QWidget):
         addressing = tr("compact packets")
         if number is not None:
             addressing = tr("device number {0}").format(number)
+        joint, separate = tr("joint: one motor"), tr("two independent motors")
+        rs_232, ttl = tr("RS-232 (everything sent comes back)"), tr("TTL (SI and SO)")
         texts = {
             "model": f"{model.name} ({model.part})",
             "firmware": state.signature.firmware,
             "mode": tr(MODE_TEXT[state.mode]),
-            "motors": tr("joint: one motor")
-            if self._device.board.is_joint
-            else tr("two independent motors"),
+            "motors": joint if self._device.board.is_joint else separate,
             "port": settings.label,
             "settings": f"{settings.line.text()}, {addressing}",
-            "side": tr("RS-232 (everything sent comes back)")
-            if self._device.connection.echo
-            else tr("TTL (SI and SO)"),
+            "side": rs_232 if self._device.connection.echo else ttl,
         }
         if self._runs_at_half_rate(state, settings):
             half = tr("This firmware runs at half of this baud rate.")

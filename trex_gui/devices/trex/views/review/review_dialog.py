@@ -149,8 +149,6 @@ class ReviewDialog(ReusedDialog):
         """Whether it was told to write, and nothing is written yet."""
         return self._phase is _Phase.WRITING and self._device.writer.is_saving_snapshot
 
-    # --- User actions -------------------------------------------------------------------
-
     @Slot()
     def _on_write_clicked(self) -> None:
         wanted = frozenset(row.key for row in self._rows.table.ticked)
@@ -193,8 +191,6 @@ class ReviewDialog(ReusedDialog):
         if self._phase is _Phase.REVIEW and self._staged == self._undo.index():
             self._undo.setIndex(self._unstaged)
         self._unstaged = self._staged = -1
-
-    # --- Reports of the device ----------------------------------------------------------
 
     @Slot()
     def _on_draft_changed(self) -> None:
@@ -260,8 +256,6 @@ class ReviewDialog(ReusedDialog):
         if self._phase is _Phase.WRITING and not self._device.writer.running:
             self._problem = reason
             self._enter(_Phase.DONE)
-
-    # --- Texts and buttons --------------------------------------------------------------
 
     def _enter(self, phase: _Phase) -> None:
         self._phase = phase

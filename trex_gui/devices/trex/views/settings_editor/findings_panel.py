@@ -3,21 +3,19 @@
 import re
 from collections.abc import Iterable, Iterator
 
-from PySide6.QtCore import Qt, Signal, Slot
-from PySide6.QtWidgets import QHeaderView, QTableWidget, QTableWidgetItem, QWidget
+from PySide6.QtCore import Signal, Slot
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.files import Finding, Severity
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.settings.rules import LintFinding
 from trex_gui.devices.trex.settings.yaml_subset import LINE_END
-from trex_gui.ui.runtime import new_timer
+from trex_gui.devices.trex.views.text_table import TextTable
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.builders import button, column, flat_table, label, plain, row
+from trex_gui.ui.widgets.builders import button, column, label, row
 
-_LINE = Qt.ItemDataRole.UserRole
 _COLOURS = {"error": "danger", "warning": "warning", "info": "info"}
-_WIDEST = {0: 20, 1: 7, 2: 34}  # characters, by column
 
 
 def line_of_key(text: str, key: str) -> int | None:
@@ -40,30 +38,20 @@ class FindingsPanel(QWidget):
         self._findings: tuple[Finding, ...] = ()
         self._lint_findings: tuple[LintFinding, ...] = ()
         self._text = ""
+        self._lines: list[int | None] = []  # of the rows
 
         self._summary = label(self, "findingsSummary", wrap=True)
-        self._table = flat_table(QTableWidget(0, 4, self), "findingsTable", tr("Findings"))
-        self._accept = button(
-            self,
-            "acceptFindingButton",
-            tr("Acce&pt the proposal"),
-            on_click=self._on_accept_clicked,
-        )
+        self._table = TextTable("findingsTable", tr("Findings"), (20, 7, 34), self)
+        text = tr("Acce&pt the proposal")
+        self._accept = button(self, "acceptFindingButton", text, on_click=self._on_accept_clicked)
         self._table.setHorizontalHeaderLabels(
             [tr("Kind"), tr("Line", "of a text"), tr("Setting"), tr("Message")]
         )
-        header = self._table.horizontalHeader()
-        header.setStretchLastSection(True)
-        header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
-        self._fitting = new_timer(self, 0, self._table.resizeRowsToContents, single_shot=True)
-
         column(self._summary, (self._table, 1), row(1, self._accept), into=self, margins=0)
 
-        self._table.itemActivated.connect(self._on_activated)
-        self._table.itemDoubleClicked.connect(self._on_activated)
+        self._table.cellActivated.connect(self._on_activated)
+        self._table.cellDoubleClicked.connect(self._on_activated)
         self._table.currentCellChanged.connect(self._update_accept)
-        # Later: row heights are only known when all columns have their widths.
-        header.sectionResized.connect(self._fitting.start)
         theme().changed.connect(self._fill)
         self._fill()
 
@@ -94,8 +82,7 @@ class FindingsPanel(QWidget):
         if not self.count:
             return tr("No errors, warnings or suggestions.")
         errors = sum(found.severity is Severity.ERROR for found in self._findings)
-        warnings = len(self._findings) - errors
-        suggestions = len(self._lint_findings)
+        warnings, suggestions = len(self._findings) - errors, len(self._lint_findings)
         counts = {
             tr("%n error(s)", "", errors): errors,
             tr("%n warning(s)", "", warnings): warnings,
@@ -111,28 +98,16 @@ class FindingsPanel(QWidget):
     @Slot()
     def _fill(self) -> None:
         current = self._table.currentRow()
-        self._table.clearContents()
-        self._table.setRowCount(self.count)
-        for number, (sign, kind, line, key, message) in enumerate(self._rows()):
-            sentence = f"{message[:1].upper()}{message[1:]}"
-            for section, text in enumerate((kind, str(line or ""), key, sentence)):
-                item = QTableWidgetItem(text)
-                item.setData(_LINE, line)
-                item.setToolTip(plain(text))
-                if section == 0:
-                    item.setIcon(icon(sign, _COLOURS[sign]))
-                self._table.setItem(number, section, item)
+        self._lines, rows = [], []
+        for sign, kind, line, key, message in self._rows():
+            texts = (kind, str(line or ""), key, f"{message[:1].upper()}{message[1:]}")
+            rows.append((icon(sign, _COLOURS[sign]), texts))
+            self._lines.append(line)
+        self._table.show_rows(rows)
         proposals = [n for n, found in enumerate(self._lint_findings) if found.change]
         if current < 0 and proposals:
             current = len(self._findings) + proposals[0]
         self._table.setCurrentCell(min(current, self.count - 1), 0)
-        character = self.fontMetrics().averageCharWidth()
-        for section, widest in _WIDEST.items():  # the message wraps in the rest
-            self._table.resizeColumnToContents(section)
-            width = min(self._table.columnWidth(section) + 2 * character, widest * character)
-            title = self._table.horizontalHeader().sectionSizeHint(section)
-            self._table.setColumnWidth(section, max(width, title))
-        self._fitting.start()
         self._update_accept()
 
     def _rows(self) -> Iterator[tuple[str, str, int | None, str, str]]:
@@ -161,12 +136,10 @@ class FindingsPanel(QWidget):
 
     @Slot()
     def _on_accept_clicked(self) -> None:
-        finding = self._current_finding()
-        if finding is not None:
+        if (finding := self._current_finding()) is not None:
             self.accepted.emit(finding)
 
-    @Slot(QTableWidgetItem)
-    def _on_activated(self, item: QTableWidgetItem) -> None:
-        line = item.data(_LINE)
-        if isinstance(line, int):
+    @Slot(int)
+    def _on_activated(self, row: int) -> None:
+        if (line := self._lines[row]) is not None:
             self.line_chosen.emit(line)

@@ -154,8 +154,6 @@ class SettingsEditor(QMainWindow):
             bar.addAction(action)
         self.addToolBar(bar)
 
-    # --- Saving and printing --------------------------------------------------------------
-
     def save(self) -> bool:
         """Begin to save the file; return whether that has begun."""
         path = self.document.path
@@ -217,8 +215,6 @@ class SettingsEditor(QMainWindow):
         path = self.document.path
         return path.parent if path is not None else file_questions.last_folder()
 
-    # --- Comparing ----------------------------------------------------------------------
-
     def _ask_and_compare(self) -> None:
         path = file_questions.ask_to_open(self, tr("Compare with"))
         if path is not None:
@@ -260,8 +256,6 @@ class SettingsEditor(QMainWindow):
         dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         dialog.converted.connect(self.converted)
         dialog.show()
-
-    # --- Updates ------------------------------------------------------------------------
 
     def _undo(self) -> None:
         (self.document.draft.undo if self.document.readable else self._text.editor).undo()
@@ -327,8 +321,6 @@ class SettingsEditor(QMainWindow):
     def _on_line_chosen(self, line: int) -> None:
         self.tabs.setCurrentIndex(self._text_index)
         self._text.show_line(line)
-
-    # --- Closing ------------------------------------------------------------------------
 
     def answer(self) -> SaveAnswer:
         """Ask what to do with unsaved changes, before the window is closed."""

@@ -51,11 +51,10 @@ class ChangeMenu(QMenu):
         ends = self.addMenu(tr("&Equal travel to both ends"))
         ends.setToolTipsVisible(True)
         shorter, longer = tr("As on the &shorter side"), tr("As on the &longer side")
-        smaller = partial(self._make_symmetric, False)
-        larger = partial(self._make_symmetric, True)
+        equalize = self._make_symmetric
         self._equals = {
-            False: self._add(ends, "symmetricSmallerAction", shorter, smaller),
-            True: self._add(ends, "symmetricLargerAction", longer, larger),
+            False: self._add(ends, "symmetricSmallerAction", shorter, partial(equalize, False)),
+            True: self._add(ends, "symmetricLargerAction", longer, partial(equalize, True)),
         }
         text = tr("&Reset to factory defaults")
         reset = self._add(self, "resetCalibrationAction", text, self._reset, icon="default")
@@ -63,10 +62,8 @@ class ChangeMenu(QMenu):
         self.addSeparator()
         text = tr("&Load calibrations from a file…")
         self._add(self, "loadCalibrationsAction", text, self.files.ask_and_load, icon="open")
-        text = tr("&Save calibrations to a file…")
-        self._save = self._add(
-            self, "saveCalibrationsAction", text, self.files.ask_and_save, icon="save"
-        )
+        text, save = tr("&Save calibrations to a file…"), self.files.ask_and_save
+        self._save = self._add(self, "saveCalibrationsAction", text, save, icon="save")
 
     @staticmethod
     def _add(menu: QMenu, name: str, text: str, handler: Trigger, icon: str = "") -> QAction:
@@ -97,16 +94,14 @@ class ChangeMenu(QMenu):
             return
         text = tr("Copy of the calibration of channel {0}").format(self._channel)
         with self._device.draft.one_edit(text):
-            for channel in channels:
-                if channel != self._channel:
-                    calibrations.edit(channel, wanted)
+            for channel in set(channels) - {self._channel}:
+                calibrations.edit(channel, wanted)
 
     def _make_symmetric(self, larger: bool) -> None:
         calibrations = self._device.calibrations
         shown = calibrations.shown(self._channel)
         if shown is not None and not shown.problem() and self._equals[larger].isEnabled():
-            wanted = symmetric(shown, calibrations.source, larger=larger)
-            calibrations.edit(self._channel, wanted)
+            calibrations.edit(self._channel, symmetric(shown, calibrations.source, larger=larger))
 
     @Slot()
     def _reset(self) -> None:
@@ -143,48 +138,38 @@ class CalibrationFiles(QObject):
 
     def load_file(self, path: Path) -> None:
         """Make the calibrations of a file edits."""
-        in_background(
-            self,
-            lambda: read_settings(load(path), path.name)[0],
-            partial(self._on_read, path),
-            partial(self._on_not_loaded, path),
-        )
 
-    def _on_not_loaded(self, path: Path, error: StudioError) -> None:
-        text = tr("{0} could not be loaded: {1}")
-        self._notifier.error.emit(text.format(path.name, error_sentence(error)))
+        def on_failed(error: StudioError) -> None:
+            text = tr("{0} could not be loaded: {1}")
+            self._notifier.error.emit(text.format(path.name, error_sentence(error)))
 
-    def _on_read(self, path: Path, settings: Settings) -> None:
-        try:
-            count, left_out = take_calibrations(
-                self._device.draft, settings, tr("Calibrations of {0}").format(path.name)
-            )
-        except BadRequest as error:
-            self._on_not_loaded(path, error)
-            return
-        file_questions.remember_folder(path)
-        text = tr("{0} has the same calibrations.")
-        if count:
-            text = tr("Calibrations loaded from {0} as edits: {1}.")
-        self._notifier.info.emit(" ".join([text.format(path.name, count), *left_out]))
+        def on_read(settings: Settings) -> None:
+            title = tr("Calibrations of {0}").format(path.name)
+            try:
+                count, left_out = take_calibrations(self._device.draft, settings, title)
+            except BadRequest as error:
+                on_failed(error)
+                return
+            file_questions.remember_folder(path)
+            loaded = tr("Calibrations loaded from {0} as edits: {1}.")
+            text = loaded if count else tr("{0} has the same calibrations.")
+            self._notifier.info.emit(" ".join([text.format(path.name, count), *left_out]))
+
+        in_background(self, lambda: read_settings(load(path), path.name)[0], on_read, on_failed)
 
     def save_file(self, path: Path) -> None:
         shown = self._device.draft.shown
         if shown is None:
             return
+
+        def on_failed(error: StudioError) -> None:
+            text = tr("{0} could not be saved: {1}")
+            self._notifier.error.emit(text.format(path.name, error_sentence(error)))
+
+        def on_saved(_: object) -> None:
+            file_questions.remember_folder(path)
+            self._notifier.info.emit(tr("The calibrations shown were saved in {0}.").format(path))
+
         now = datetime.now().astimezone().strftime("%Y-%m-%d %H:%M")
         title = f"Calibrations, saved by TReX Studio, {now}."
-        in_background(
-            self,
-            partial(put_calibrations, shown, path, title),
-            lambda _: self._on_saved(path),
-            partial(self._on_not_saved, path),
-        )
-
-    def _on_not_saved(self, path: Path, error: StudioError) -> None:
-        text = tr("{0} could not be saved: {1}")
-        self._notifier.error.emit(text.format(path.name, error_sentence(error)))
-
-    def _on_saved(self, path: Path) -> None:
-        file_questions.remember_folder(path)
-        self._notifier.info.emit(tr("The calibrations shown were saved in {0}.").format(path))
+        in_background(self, partial(put_calibrations, shown, path, title), on_saved, on_failed)

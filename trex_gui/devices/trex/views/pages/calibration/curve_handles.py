@@ -18,9 +18,7 @@ from trex_gui.ui.plotting.axes import spread
 from trex_gui.ui.theme.theme import theme
 
 GRIP = 6.0  # half the width of a grip in pixels
-
 _REACH = 9.0  # pixels beside a handle at which the mouse still grabs it
-
 _MAIN = (Handle.MINIMUM, Handle.NEUTRAL, Handle.MAXIMUM)
 _EDGES = (Handle.DEADBAND_LOW, Handle.DEADBAND_HIGH)
 
@@ -58,8 +56,7 @@ class HandleLayer(QGraphicsObject):
         self._active: Handle | None = None
         self._grabbed_at = 0.0  # pixels from the handle
         self.held: Handle | None = None  # the handle that the mouse drags
-        # Why the handle `message_at` cannot move further, or its value was rejected
-        self.message = ""
+        self.message = ""  # why the handle `message_at` cannot move further, or was rejected
         self.message_at: Handle | None = None
         self.setZValue(50)
         self.setAcceptHoverEvents(True)
@@ -72,7 +69,7 @@ class HandleLayer(QGraphicsObject):
         self._width = self._metrics.horizontalAdvance
 
     def room_above(self) -> int:
-        """Return the pixels above the plot for names and grips."""
+        """Return the height of names and grips above the plot, in pixels."""
         return round(self._metrics.height() + GRIP + 5)
 
     def arrange(
@@ -92,8 +89,6 @@ class HandleLayer(QGraphicsObject):
     def set_message(self, handle: Handle | None, message: str) -> None:
         self.message_at, self.message = handle if message else None, message
         self.update()
-
-    # --- The mouse ----------------------------------------------------------------------
 
     def _handle_at(self, where: QPointF) -> Handle | None:
         """Return the nearest handle under the mouse; in the lower half one of the deadband."""
@@ -142,8 +137,6 @@ class HandleLayer(QGraphicsObject):
             self._set_active(None)
             self.set_message(None, "")
             self.released.emit()
-
-    # --- Painting -----------------------------------------------------------------------
 
     def boundingRect(self) -> QRectF:
         return self._frame.adjusted(-80, -self.room_above() - 2, 80, 2)
@@ -200,8 +193,7 @@ class HandleLayer(QGraphicsObject):
             color = theme().color("pointer" if handle is self._active else "plot_text")
             box = QRectF(centre - width / 2, top, width + 1, height)
             self._paint_text(painter, box, self._names[handle], QPen(color))
-        muted = QPen(theme().color("muted"))
-        name = tr("deadband")
+        muted, name = QPen(theme().color("muted")), tr("deadband")
         left = max(self._places[handle] for handle in _EDGES) + GRIP + 3
         box = QRectF(left, frame.bottom() - height - 2, self._width(name) + 4, height)
         self._paint_text(painter, box, name, muted, filled=True)

@@ -26,16 +26,12 @@ from trex_gui.ui.widgets.builders import column
 from trex_gui.ui.widgets.painted import Painted
 
 TRACE_SECONDS = 10.0
-
 _OUTPUT_REACH = FULL_SCALE + 14.0
 _DOT = 5.0
 _WIDEST_X_LABEL = "5000 µs"
 _MIN_CURVE_LINES = 6
-_MIN_TRACE_LINES = 5
-"""Minimum heights of the plots in lines of text: less shows neither noise nor drift."""
-
-_ROOM = {InputSource.RC: 125, InputSource.ANALOG: 0}
-"""Counts beyond a handle that the axis shows, to drag it on."""
+_MIN_TRACE_LINES = 5  # of text: less height shows neither noise nor drift
+_ROOM = {InputSource.RC: 125, InputSource.ANALOG: 0}  # counts beyond a handle, to drag it on
 
 
 class CurvePlot(Painted):
@@ -60,9 +56,8 @@ class CurvePlot(Painted):
         self._preview: ChannelCurve | None = None
         self._raw: int | None = None
         self.setAccessibleName(tr("Curve of the channel"))
-        self.setAccessibleDescription(
-            tr("Its handles can be dragged; the fields below set the same values.")
-        )
+        use = tr("Its handles can be dragged; the fields below set the same values.")
+        self.setAccessibleDescription(use)
 
         self._canvas = PlotCanvas(self.accessibleName(), self)
         self._canvas.viewport.setObjectName("curveViewport")
@@ -74,8 +69,7 @@ class CurvePlot(Painted):
         self._dot.setFlag(QGraphicsItem.GraphicsItemFlag.ItemIgnoresTransformations)
         self._dot.setZValue(60)
         self._canvas.add_item(self._dot)
-        # The handles over the curve, and a message beside one of them
-        self.handles = HandleLayer(self._canvas.small_font())
+        self.handles = HandleLayer(self._canvas.small_font())  # over the curve
         self._canvas.add_overlay(self.handles)
         self.trace = InputTrace(self)  # the input of the last seconds
         column((self._canvas, 2), (self.trace, 1), into=self, margins=0, spacing=0)
@@ -87,8 +81,6 @@ class CurvePlot(Painted):
         self._on_theme_changed()
         self._show_axis()
         self._show_dot()
-
-    # --- What is shown ------------------------------------------------------------------
 
     def show_channel(
         self,
@@ -131,10 +123,8 @@ class CurvePlot(Painted):
 
     @property
     def dot(self) -> tuple[int, int] | None:
-        curve = self.curve
-        if self._raw is None or curve is None:
-            return None
-        return self._raw, curve.output(self._raw)
+        curve, raw = self.curve, self._raw
+        return None if raw is None or curve is None else (raw, curve.output(raw))
 
     def show_message(self, handle: Handle | None, message: str) -> None:
         """Show a message beside a handle, or none; a held handle keeps its own."""
@@ -142,13 +132,11 @@ class CurvePlot(Painted):
             self.handles.set_message(handle, message)
 
     def x_of(self, count: float) -> float:
-        """Return the pixel from the left of a raw count."""
+        """Return the place of a raw count, in pixels from the left."""
         return self._canvas.x_of(count)
 
     def sizeHint(self) -> QSize:
         return QSize(self.fontMetrics().averageCharWidth() * 60, self.fontMetrics().height() * 18)
-
-    # --- Drawing ------------------------------------------------------------------------
 
     def _fit_axis(self) -> None:
         counts = [] if self._raw is None else [self._raw]
@@ -202,9 +190,8 @@ class CurvePlot(Painted):
         if dot is not None:
             raw, output = dot
             self._dot.setPos(raw, output)
-            self._dot_line.set_points(
-                np.array([raw, raw], dtype=float), np.array([-_OUTPUT_REACH, output])
-            )
+            x, y = np.array([raw, raw], dtype=float), np.array([-_OUTPUT_REACH, output])
+            self._dot_line.set_points(x, y)
 
     @Slot()
     def _on_theme_changed(self) -> None:
@@ -222,8 +209,6 @@ class CurvePlot(Painted):
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self._show_axis()
-
-    # --- Dragging -----------------------------------------------------------------------
 
     @Slot(float)
     def _on_dragged(self, x: float) -> None:

@@ -23,11 +23,9 @@ from trex_gui.ui.widgets.labels import Muted
 class CalibrationFields(QWidget):
     """Four fields in µs or V, each with its counts, or the reverse; arrow keys step by a count."""
 
-    # A valid calibration, and the run of steps that it belongs to: an object, or `None` for a typed
-    # value. Undo reverts a run at once.
+    # A valid calibration, and its run of steps, which is one undo step; `None`: it was typed
     edited = Signal(object, object)
-    # Why the typed text is invalid, for the user; and the field whose value conflicts with another,
-    # empty when the text is no value
+    # Why the text is invalid, for the user; and the field that conflicts with another, or none
     rejected = Signal(str, str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -45,9 +43,8 @@ class CalibrationFields(QWidget):
         }
         layout = grid(self, margins=0, spacing=(12, 2), stretch=[(each, 1) for each in range(4)])
         for number, (field, title) in enumerate(titles.items()):
-            editor = named(
-                CountEditor(self._source, self), f"{field}Edit", accessible=title.replace("&", "")
-            )
+            accessible = title.replace("&", "")
+            editor = named(CountEditor(self._source, self), f"{field}Edit", accessible=accessible)
             other = named(Muted("", self), f"{field}Counts")
             other.setWordWrap(False)
             layout.addWidget(label(self, text=title, buddy=editor), 0, number)
@@ -100,14 +97,12 @@ class CalibrationFields(QWidget):
         self._run = object()
 
 
-CHANNEL_OPTIONS = frozenset[str](
-    {
-        ParameterKey.REVERSED_CHANNELS,
-        ParameterKey.PARABOLIC_CHANNELS,
-        ParameterKey.IGNORED_CHANNELS,
-        ParameterKey.REQUIRED_CHANNELS,
-    }
-)
+CHANNEL_OPTIONS: set[str] = {
+    ParameterKey.REVERSED_CHANNELS,
+    ParameterKey.PARABOLIC_CHANNELS,
+    ParameterKey.IGNORED_CHANNELS,
+    ParameterKey.REQUIRED_CHANNELS,
+}
 
 
 class ChannelOptions(QWidget):
@@ -144,7 +139,7 @@ class ChannelOptions(QWidget):
                 key.removesuffix("_channels") + "Box",
                 title,
                 accessible=title.replace("&", ""),
-                on_toggle=partial(self._on_toggled, key),
+                on_toggle=lambda checked, key=key: self._set(key, self._channel, checked),
             )
             for key, (title, _) in options.items()
         }
@@ -156,10 +151,7 @@ class ChannelOptions(QWidget):
     def show_channel(
         self, channel: int, source: InputSource, *, editable: bool, blocker: str = ""
     ) -> None:
-        """Show the bits of a channel that matter for an input source.
-
-        `blocker` explains why they cannot be edited, when the reason is not a missing board.
-        """
+        """Show the bits that matter for an input source; `blocker`: why they cannot be edited."""
         self._channel, self._editable = channel, editable and not blocker
         self._blocker = blocker
         self._boxes[ParameterKey.REQUIRED_CHANNELS].setVisible(source is InputSource.RC)
@@ -184,9 +176,10 @@ class ChannelOptions(QWidget):
         return bool((read(key) or 0) >> (channel - 1) & 1)
 
     def is_edited(self, channel: int) -> bool:
-        return any(
-            self._bit(key, channel) != self._bit(key, channel, stored=True) for key in self._boxes
-        )
+        return any(self._is_edited(key, channel) for key in self._boxes)
+
+    def _is_edited(self, key: str, channel: int) -> bool:
+        return self._bit(key, channel) != self._bit(key, channel, stored=True)
 
     def restore(self, channel: int) -> None:
         for key in self._boxes:
@@ -196,15 +189,11 @@ class ChannelOptions(QWidget):
     def _refresh(self) -> None:
         """Show the bits as they would be after Apply, the edited ones in bold."""
         for key, box in self._boxes.items():
-            now = self._bit(key, self._channel)
             with QSignalBlocker(box):
-                box.setChecked(now)
+                box.setChecked(self._bit(key, self._channel))
             box.setEnabled(self._editable and self._parameters.can_edit(key))
             box.setToolTip(plain(self._blocker or self._tips[key]))
-            set_bold(box, now != self._bit(key, self._channel, stored=True))
-
-    def _on_toggled(self, key: str, checked: bool) -> None:
-        self._set(key, self._channel, checked)
+            set_bold(box, self._is_edited(key, self._channel))
 
     def _set(self, key: str, channel: int, wanted: bool) -> None:
         if self._parameters.can_edit(key):

@@ -48,11 +48,8 @@ class ChannelList(QListWidget):
 
     def _take_room(self) -> None:
         metrics = self.fontMetrics()
-        names = [
-            self._name(channel, mark)
-            for channel in CHANNELS
-            for mark in (tr(", problem"), tr(", edited"))
-        ]
+        marks = (tr(", problem"), tr(", edited"))
+        names = (self._name(channel, mark) for channel in CHANNELS for mark in marks)
         self.setFixedWidth(max(map(metrics.horizontalAdvance, names)) + _AROUND_TEXT)
         for index in range(self.count()):
             self.item(index).setSizeHint(QSize(0, 2 * metrics.lineSpacing() + 14))
@@ -125,10 +122,7 @@ class ChannelHeading(QWidget):
         edited: bool,
         mixed: bool | None,
     ) -> None:
-        """Describe a channel; `curve` is that after Apply.
-
-        `edited`: Apply would change its calibration. `mixed`: whether the mix jumper is on.
-        """
+        """Describe a channel; `curve` after Apply. `edited`: Apply changes its calibration."""
         state, active = self._device.state, self._device.calibrations.source
         name = tr(channel_text.CHANNEL_NAMES[channel])
         self._title.setText(tr("Channel {0}: {1}").format(channel, name))
@@ -140,24 +134,19 @@ class ChannelHeading(QWidget):
             self._function.show_note("")
             return
         learned = channel in channels_in(state.calibrated)
-        if learned:
-            self._learned.show_text(tr("learned: has its own calibration"))
-        elif edited:
-            self._learned.show_text(tr("not learned yet: will be after Apply"))
-        else:
-            self._learned.show_text(tr("not learned: defaults"))
+        text = tr("not learned yet: will be after Apply") if edited else tr("not learned: defaults")
+        self._learned.show_text(tr("learned: has its own calibration") if learned else text)
         self._learned.setToolTip(plain(channel_text.learned_text(learned)))
         switches_at = "" if curve is None else channel_text.switching_text(channel, curve, source)
-        self._function.show_note(
-            channel_text.function_text(
-                channel,
-                state.mode,
-                joint=self._device.board.is_joint,
-                ignored=curve is not None and curve.ignored,
-                switches_at=switches_at,
-                mixed=mixed,
-            )
+        text = channel_text.function_text(
+            channel,
+            state.mode,
+            joint=self._device.board.is_joint,
+            ignored=curve is not None and curve.ignored,
+            switches_at=switches_at,
+            mixed=mixed,
         )
+        self._function.show_note(text)
 
     def _show_sources(self, shown: InputSource, active: InputSource) -> None:
         names = (tr("RC pulses"), tr("Analog voltages"))
@@ -254,9 +243,5 @@ class CurveLegend(Painted):
         self._live.set_color("motor2" if live else "muted")
         self._curve.setVisible(known)
         self._stored.setVisible(known and live and differs)
-        if not live:
-            self._curve.setText(tr("as last seen"))
-        elif differs:
-            self._curve.setText(tr("after Apply"))
-        else:
-            self._curve.setText(tr("stored in the board"))
+        present = tr("after Apply") if differs else tr("stored in the board")
+        self._curve.setText(present if live else tr("as last seen"))

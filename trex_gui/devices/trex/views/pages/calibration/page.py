@@ -69,11 +69,8 @@ class CalibrationPage(PlotPage):
         self._rejection = ""
         self._plot: CurvePlot | None = None
 
-        self._empty = label(
-            self,
-            "calibrationEmpty",
-            tr("Connect to a board to see and change its calibrations."),
-        )
+        text = tr("Connect to a board to see and change its calibrations.")
+        self._empty = label(self, "calibrationEmpty", text)
         self._body = body = QWidget(self)
         self._channels = ChannelList(body)
         self._heading = ChannelHeading(device, body)
@@ -118,8 +115,7 @@ class CalibrationPage(PlotPage):
         notes = row((self._note, 2), why, (self._why, 1))
         self._right = column(above, self._fields, self._both, notes, self._options, buttons)
         row(self._channels, (self._right, 1), into=body, margins=0)
-        layout = column(self._empty, (body, 1), into=self)
-        layout.addStretch(0)
+        layout = column(self._empty, (body, 1), 0, into=self)
         margins = layout.contentsMargins()
         layout.setContentsMargins(margins.left(), margins.top(), margins.right(), 2)
 
@@ -131,8 +127,8 @@ class CalibrationPage(PlotPage):
         self._fields.rejected.connect(self._on_rejected)
         self._other.power_cycle_requested.connect(self.power_cycle_requested)
         device.mix_jumper.changed.connect(self._show_heading)
-        device.link_changed.connect(self._on_device_changed)
-        device.state_changed.connect(self._on_device_changed)
+        for changed in (device.link_changed, device.state_changed):
+            changed.connect(self._on_device_changed)
         device.applied.connect(self._on_applied)
         device.telemetry.frame_due.connect(self._on_frame_due)
         device.telemetry.text_due.connect(self._on_text_due)
@@ -140,8 +136,6 @@ class CalibrationPage(PlotPage):
         device.kept.changed.connect(self._show_channel)
         device.parameters.pending_changed.connect(self._refresh)
         self._on_device_changed()
-
-    # --- What is shown ------------------------------------------------------------------
 
     @property
     def channel(self) -> int:
@@ -210,18 +204,15 @@ class CalibrationPage(PlotPage):
         """Return the calibration for the input source that is not shown, on one line."""
         source = InputSource.ANALOG if self.source is InputSource.RC else InputSource.RC
         name, calibrations = tr(channel_text.SOURCE_NAMES[source]), self._device.calibrations
-        since = ""
-        if source is calibrations.source:
-            calibration = calibrations.shown(self.channel)
-        else:
+        calibration, known = calibrations.shown(self.channel), None
+        if source is not calibrations.source:
             calibration, known = self._device.board.memory.hidden_calibration(self.channel, source)
-            since = "" if known is None else channel_text.known_text(known)
         if calibration is None:
             return tr("For {0}: not read yet").format(name)
         values = calibration_text(source, calibration)
-        if not since:
+        if known is None:
             return tr("For {0}: {1}").format(name, values)
-        return tr("For {0}, {1}: {2}").format(name, since, values)
+        return tr("For {0}, {1}: {2}").format(name, channel_text.known_text(known), values)
 
     @Slot()
     def _show_heading(self) -> None:
@@ -299,8 +290,6 @@ class CalibrationPage(PlotPage):
             "click Apply."
         ).format(values, counts)
 
-    # --- Live inputs --------------------------------------------------------------------
-
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         self._show_channel()
@@ -354,8 +343,6 @@ class CalibrationPage(PlotPage):
             *units().ordered(self.source.text(raw), counts), f"{output}".replace("-", MINUS)
         )
 
-    # --- Edits --------------------------------------------------------------------------
-
     @Slot(object)
     def _on_source_chosen(self, source: InputSource) -> None:
         self.source = source
@@ -407,7 +394,6 @@ class CalibrationPage(PlotPage):
                 continue
             self._failures.pop(channel, None)
             if result.error is not None:
-                failed = self._device.calibrations.shown(channel)
                 why = channel_text.write_failure(result.error)
-                self._failures[channel] = (failed, why)
+                self._failures[channel] = self._device.calibrations.shown(channel), why
         self._show_channel()

@@ -11,23 +11,18 @@ from trex_gui.devices.trex.protocol.descriptions import CURRENT_ACCURACY
 from trex_gui.devices.trex.views.bars import CurrentBar, OutputBar
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.behaviour import keep_room
 from trex_gui.ui.widgets.labels import ElidedLabel
 from trex_gui.ui.widgets.sliders import PressSlider
 
 _MARKS = (-127, -64, 0, 64, 127)
-
 _MOVING_KEYS = {
     *(Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Up, Qt.Key.Key_Down),
     *(Qt.Key.Key_PageUp, Qt.Key.Key_PageDown),
 }
-
-_DISCARDS = {
-    QEvent.Type.FocusOut,
-    QEvent.Type.Hide,
-    QEvent.Type.WindowDeactivate,
-    QEvent.Type.Close,
+_DISCARDS = {  # events that discard a half-typed number
+    *(QEvent.Type.FocusOut, QEvent.Type.Hide, QEvent.Type.WindowDeactivate, QEvent.Type.Close),
 }
-"""Events that discard a half-typed number."""
 
 
 class SpeedSlider(PressSlider):
@@ -48,8 +43,6 @@ class SpeedSlider(PressSlider):
 
     def limited(self, speed: int) -> int:
         return max(-self._ceiling, min(speed, self._ceiling))
-
-    # --- Hands --------------------------------------------------------------------------
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """End the hold if the release of the button was not reported."""
@@ -78,8 +71,6 @@ class SpeedSlider(PressSlider):
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         event.ignore()
-
-    # --- Looks --------------------------------------------------------------------------
 
     def sizeHint(self) -> QSize:
         hint = super().sizeHint()
@@ -132,8 +123,7 @@ class SpeedEntry(QSpinBox):
     """Reports a speed on Enter and on steps.
 
     Qt's own box also accepts a half-typed number when it loses the focus or is hidden: a motor
-    would start because the user opened another page. Here the number is discarded, and the
-    setpoint comes back.
+    would start because the user opened another page. Here the setpoint comes back.
     """
 
     chosen = Signal(int)  # the speed that the user entered or stepped to
@@ -230,18 +220,16 @@ class DriveControl(QWidget):
         self._bar = ui.named(OutputBar(self, bipolar=two_way), f"{name}Channel")
         self._bar.hide()
         self._setpoint_label = ui.label(self, f"{name}Setpoint")
-        self.reported = ui.named(
-            ElidedLabel(tr("Board: serial in control…"), self), f"{name}Reported"
-        )
+        reported = ElidedLabel(tr("Board: serial in control…"), self)
+        self.reported = ui.named(reported, f"{name}Reported")
         self.reported.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         for button in (self._zero, self.brake):
             button.setMinimumWidth(button.fontMetrics().horizontalAdvance(button.text()) + 20)
         self.current = ui.named(CurrentBar(self), f"{name}Current")
         tip = tr("Current of this motor; the red line is its limit, ⚠ means 80 % of it or more.")
         self.current.setToolTip(ui.plain(f"{tip} {tr(CURRENT_ACCURACY)}"))
-        policy = self.brake.sizePolicy()
-        policy.setRetainSizeWhenHidden(not two_way)  # so that all sliders have the same length
-        self.brake.setSizePolicy(policy)
+        if not two_way:  # so that all sliders have the same length
+            keep_room(self.brake)
         for widget in (self.brake, self.current):
             widget.setVisible(two_way)
 
@@ -249,9 +237,8 @@ class DriveControl(QWidget):
         numbers = ui.row(self._entry, self._zero, self.brake, 1, spacing=8)
         beside = ui.column(numbers, self.current, 1, spacing=1)
         speed = ui.column(self.slider, self._bar, 1, spacing=0)
-        ui.column(
-            words, ui.row((speed, 3), (beside, 1), spacing=8), into=self, margins=0, spacing=2
-        )
+        halves = ui.row((speed, 3), (beside, 1), spacing=8)
+        ui.column(words, halves, into=self, margins=0, spacing=2)
 
         self.slider.valueChanged.connect(self._on_slider_changed)
         self._entry.chosen.connect(self._on_entry_chosen)
@@ -269,12 +256,11 @@ class DriveControl(QWidget):
     def set_ceiling(self, ceiling: int) -> None:
         """Offer no speed beyond this one, 1-127, either way."""
         self.slider.set_ceiling(ceiling)
+        one_way = tr("From 0 to 127, full speed")
+        two_way = tr("From −127, full speed back, to 127, full speed forward")
+        tip = two_way if self._two_way else one_way
         if ceiling < FULL_SCALE:
             tip = tr("Up to {0}, the speed ceiling above").format(ceiling)
-        elif self._two_way:
-            tip = tr("From −127, full speed back, to 127, full speed forward")
-        else:
-            tip = tr("From 0 to 127, full speed")
         for widget in (self.slider, self._entry):
             widget.setToolTip(ui.plain(tip))
         self._entry.set_limits(-ceiling if self._two_way else 0, ceiling)
@@ -305,8 +291,7 @@ class DriveControl(QWidget):
     def _on_slider_changed(self, position: int) -> None:
         speed = self.slider.limited(position)
         self._entry.put(speed)
-        self._move_slider(speed)
-        self.speed_wanted.emit(speed)
+        self._on_entry_chosen(speed)
 
     @Slot(int)
     def _on_entry_chosen(self, speed: int) -> None:

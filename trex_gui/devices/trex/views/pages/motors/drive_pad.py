@@ -22,7 +22,6 @@ from trex_gui.ui.widgets.behaviour import PressMonitor
 from trex_gui.ui.widgets.painted import Painted, Painter
 
 _STRAIGHT = 0.06  # share of the travel within which a direction counts as zero
-
 _KNOB = 13
 _MARGIN = 2  # pixels between the frame and a word
 _USUAL_SIDE = 210  # pixels
@@ -30,11 +29,7 @@ _LARGEST_SHARE = 0.4  # share of its parent's width that it takes at most
 
 
 class DrivePad(Painted):
-    """Steers while a mouse button or a finger is down in it.
-
-    The hold ends when the button or finger goes up, anywhere, and when `PressMonitor` reports a
-    loss. Keys belong to `KeyDriver`. `held` is whether a button or finger is down in it.
-    """
+    """Steers while it is `held` with a mouse button or a finger; keys belong to `KeyDriver`."""
 
     spoken_role = QAccessible.Role.Canvas
 
@@ -85,8 +80,6 @@ class DrivePad(Painted):
             self._put(0.0, 0.0)
             self.released.emit()
 
-    # --- Hands --------------------------------------------------------------------------
-
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if event.button() is Qt.MouseButton.LeftButton:
             self._grab(event.position())
@@ -135,15 +128,13 @@ class DrivePad(Painted):
             self._put(*self._setpoint_at(place))
             self.steered.emit(self._forward, self._turn)
 
-    # --- Geometry and looks -------------------------------------------------------------
-
     def _field(self) -> QRectF:
         side = min(self.width(), self.height()) - 2 * self._border() - 2
         middle = QRectF(self.rect()).center()
         return QRectF(middle.x() - side / 2, middle.y() - side / 2, side, side)
 
     def _border(self) -> int:
-        """Room around the field for the knob, and for a word that it does not cover."""
+        """Return the space around the field for the knob and a word, in pixels."""
         return _KNOB + _MARGIN + QFontMetrics(self._small_font()).height()
 
     def _small_font(self) -> QFont:
@@ -161,9 +152,8 @@ class DrivePad(Painted):
         self.update()
 
     def spoken_state(self) -> str:
-        use = tr("Hold an arrow key to drive while the pad has the focus.")
-        if not self._can_turn:
-            use = tr("Hold Up or Down to drive; the motors cannot turn separately.")
+        turning = tr("Hold an arrow key to drive while the pad has the focus.")
+        straight = tr("Hold Up or Down to drive; the motors cannot turn separately.")
         position = tr("At rest.")
         if self._forward or self._turn:
             ahead = tr("forward") if self._forward >= 0 else tr("back")
@@ -171,7 +161,7 @@ class DrivePad(Painted):
             position = tr("{0} {1:.0%}, {2} {3:.0%}.").format(
                 ahead, Number(abs(self._forward)), side, Number(abs(self._turn))
             )
-        parts = [position, use]
+        parts = [position, turning if self._can_turn else straight]
         if self._ceiling < FULL_SCALE:
             share = 100 * self._ceiling / FULL_SCALE
             parts.append(tr("Full deflection is {0:.0f} % of full speed.").format(share))
@@ -192,10 +182,8 @@ class DrivePad(Painted):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
-        field = self._field()
-        border = self._border()
+        field, border, color = self._field(), self._border(), theme().color
         frame = field.adjusted(-border, -border, border, border)
-        color = theme().color
         active = self.isEnabled()
         with Painter(self) as painter:
             focus = self.hasFocus() and active
@@ -235,9 +223,7 @@ class DrivePad(Painted):
             painter.drawText(box, side | Qt.AlignmentFlag.AlignRight, tr("right"))
 
     def _paint_knob(self, painter: QPainter, field: QRectF) -> None:
-        color = theme().color
-        middle = field.center()
-        half = field.width() / 2
+        color, middle, half = theme().color, field.center(), field.width() / 2
         place = QPointF(middle.x() + self._turn * half, middle.y() - self._forward * half)
         moved = bool(self._forward or self._turn)
         if moved:

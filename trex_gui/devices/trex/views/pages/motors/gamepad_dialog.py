@@ -106,17 +106,12 @@ class PartRow(QWidget):
         self._combo = ui.combo_box(self, f"gamepad{name}Combo", "", on_activate=self.chosen)
         self.label = ui.label(parent, buddy=self._combo)  # the use of the axis or button
         self._combo.setSizeAdjustPolicy(self._combo.SizeAdjustPolicy.AdjustToContents)
+        toggled = self.detect_toggled
         self._detect = ui.button(
-            self,
-            f"gamepad{name}Detect",
-            detect,
-            checkable=True,
-            default=False,
-            on_toggle=self.detect_toggled,
+            self, f"gamepad{name}Detect", detect, checkable=True, default=False, on_toggle=toggled
         )
-        self._invert = ui.check_box(
-            self, f"gamepad{name}Invert", tr("Invert"), on_toggle=self.chosen
-        )
+        name = f"gamepad{name}Invert"
+        self._invert = ui.check_box(self, name, tr("Invert"), on_toggle=self.chosen)
         self._invert.setVisible(inverts)
         self.setFocusProxy(self._combo)
         ui.row((self._combo, 1), self._detect, self._invert, into=self, margins=0)
@@ -161,10 +156,7 @@ class PartRow(QWidget):
 
 
 class GamepadDialog(ReusedDialog):
-    """Applies choices at once and stores them for this kind of gamepad.
-
-    Not modal. Its owner has to keep the gamepad from driving while it is open.
-    """
+    """Applies choices at once; its owner keeps the gamepad from driving while it is open."""
 
     def __init__(self, gamepad: Gamepad, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -200,34 +192,24 @@ class GamepadDialog(ReusedDialog):
         self._rows["second"].set_use(tr("&Turn"))
         self._rows["hold"].set_use(tr("&Hold to drive"))
         self._rows["stop"].set_use(tr("&Stop everything"))
-        self._dead_zone = ui.spin_box(
-            uses,
+        percent = partial(ui.spin_box, uses, lowest=0, suffix=" %", on_change=self._on_edited)
+        self._dead_zone = percent(
             "gamepadDeadZoneSpin",
             tr("Dead zone in percent of the travel"),
-            0,
-            round(100 * WIDEST_DEAD_ZONE),
-            suffix=" %",
+            highest=round(100 * WIDEST_DEAD_ZONE),
             tip=tr("Travel around the centre that has no effect"),
-            on_change=self._on_edited,
         )
-        self._expo = ui.spin_box(
-            uses,
+        self._expo = percent(
             "gamepadExpoSpin",
             tr("Expo in percent"),
-            0,
-            100,
-            suffix=" %",
+            highest=100,
             tip=tr("0 %: linear. 100 %: cubic, finest around the centre"),
-            on_change=self._on_edited,
         )
-        self._motors = [
-            ui.named(
-                PartBar(uses),
-                f"gamepadMotor{number}Bar",
-                accessible=tr("Setpoint of motor {0}").format(number),
-            )
-            for number in (1, 2)
-        ]
+        self._motors = []
+        for number in (1, 2):
+            accessible = tr("Setpoint of motor {0}").format(number)
+            bar = ui.named(PartBar(uses), f"gamepadMotor{number}Bar", accessible=accessible)
+            self._motors.append(bar)
         self._note = ui.named(Note(2, self), "gamepadSetUpNote")
         standard = QDialogButtonBox.StandardButton
         buttons = QDialogButtonBox(standard.RestoreDefaults | standard.Close, self)
@@ -243,7 +225,7 @@ class GamepadDialog(ReusedDialog):
 
         for key, row in self._rows.items():
             row.chosen.connect(self._on_edited)
-            row.detect_toggled.connect(partial(self._on_detect_toggled, key))
+            row.detect_toggled.connect(lambda on, key=key: self._detect(key if on else ""))
         self._defaults.clicked.connect(self._on_defaults_clicked)
         buttons.rejected.connect(self.reject)
         gamepad.changed.connect(self._on_gamepad_changed)
@@ -253,14 +235,14 @@ class GamepadDialog(ReusedDialog):
 
     def _lay_out_assignment(self, uses: ui.GroupBox) -> None:
         form = QFormLayout(uses)
+        first, second, *buttons = self._rows.values()
         form.addRow(tr("St&icks:"), self._style)
-        for key in ("first", "second"):
-            form.addRow(self._rows[key].label, self._rows[key])
+        for row in (first, second):
+            form.addRow(row.label, row)
         form.addRow(tr("&Dead zone:"), self._dead_zone)
         form.addRow(tr("&Expo:"), self._expo)
-        for key in ("hold", "stop"):
-            form.addRow(self._rows[key].label, self._rows[key])
-        first, second, *buttons = self._rows.values()
+        for row in buttons:
+            form.addRow(row.label, row)
         ui.tab_order(self._style, first, second, self._dead_zone, self._expo, *buttons)
         form.addRow(tr("Motor 1:"), self._motors[0])
         form.addRow(tr("Motor 2:"), self._motors[1])
@@ -269,25 +251,22 @@ class GamepadDialog(ReusedDialog):
         super().hideEvent(event)
         self._detect("")
 
-    # --- User actions -------------------------------------------------------------------
-
     @Slot()
     def _on_edited(self) -> None:
         hold, stop = self._rows["hold"].number, self._rows["stop"].number
         if hold is not None and hold == stop:  # one button has one use: the newly chosen one
             hold, stop = (None, stop) if stop != self._gamepad.profile.stop else (hold, None)
         self._detect("")
-        self._gamepad.set_profile(
-            GamepadProfile(
-                style=Style(self._style.currentData()),
-                first=self._rows["first"].axis,
-                second=self._rows["second"].axis,
-                dead_zone=self._dead_zone.value() / 100,
-                expo=self._expo.value() / 100,
-                hold=hold,
-                stop=stop,
-            )
+        profile = GamepadProfile(
+            style=Style(self._style.currentData()),
+            first=self._rows["first"].axis,
+            second=self._rows["second"].axis,
+            dead_zone=self._dead_zone.value() / 100,
+            expo=self._expo.value() / 100,
+            hold=hold,
+            stop=stop,
         )
+        self._gamepad.set_profile(profile)
         self._on_gamepad_changed()
 
     @Slot()
@@ -295,9 +274,6 @@ class GamepadDialog(ReusedDialog):
         self._detect("")
         if self._gamepad.pad is not None:
             self._gamepad.set_profile(default_profile(self._gamepad.pad))
-
-    def _on_detect_toggled(self, key: str, detecting: bool) -> None:
-        self._detect(key if detecting else "")
 
     def _detect(self, key: str) -> None:
         """Assign the next axis or button that is used to this row; empty: detect none."""
@@ -317,8 +293,6 @@ class GamepadDialog(ReusedDialog):
         elif (button := detector.button(state)) is not None:
             row.show_part(button)
             self._on_edited()
-
-    # --- What is shown ------------------------------------------------------------------
 
     @Slot()
     def _on_gamepad_changed(self) -> None:
@@ -342,20 +316,16 @@ class GamepadDialog(ReusedDialog):
 
     def _show_profile(self, pad: Pad, profile: GamepadProfile) -> None:
         is_tank = profile.style is Style.TANK
-        for key, use, axis in (
-            ("first", tr("&Left motor") if is_tank else tr("&Forward"), profile.first),
-            ("second", tr("Right &motor") if is_tank else tr("&Turn"), profile.second),
-        ):
-            row = self._rows[key]
-            row.set_use(use)
+        first, second, hold, stop = self._rows.values()
+        first.set_use(tr("&Left motor") if is_tank else tr("&Forward"))
+        second.set_use(tr("Right &motor") if is_tank else tr("&Turn"))
+        for row, axis in ((first, profile.first), (second, profile.second)):
             row.set_parts(_axis_names(pad))
             row.show_part(axis.number, inverted=axis.inverted)
-        for key, none, number in (
-            ("hold", tr("none: a moved stick drives"), profile.hold),
-            ("stop", tr("none"), profile.stop),
-        ):
-            self._rows[key].set_parts(_button_names(pad), none)
-            self._rows[key].show_part(number)
+        hold.set_parts(_button_names(pad), tr("none: a moved stick drives"))
+        hold.show_part(profile.hold)
+        stop.set_parts(_button_names(pad), tr("none"))
+        stop.show_part(profile.stop)
         self._style.setCurrentIndex(self._style.findData(profile.style))
         for spin, part in ((self._dead_zone, profile.dead_zone), (self._expo, profile.expo)):
             with QSignalBlocker(spin):
@@ -379,19 +349,18 @@ class GamepadDialog(ReusedDialog):
 
     def _prompt(self) -> str:
         is_tank = self._gamepad.profile.style is Style.TANK
-        match self._detecting:
-            case "first" if is_tank:
-                return tr("Push the stick for the left motor fully forward.")
-            case "second" if is_tank:
-                return tr("Push the stick for the right motor fully forward.")
-            case "first":
-                return tr("Push the stick that drives fully forward.")
-            case "second":
-                return tr("Push the stick that turns fully to the right.")
-            case "hold":
-                return tr("Press the button to hold while driving.")
-            case "stop":
-                return tr("Press the button that stops everything.")
+        left = tr("Push the stick for the left motor fully forward.")
+        right = tr("Push the stick for the right motor fully forward.")
+        drive = tr("Push the stick that drives fully forward.")
+        turn = tr("Push the stick that turns fully to the right.")
+        prompts = {
+            "first": left if is_tank else drive,
+            "second": right if is_tank else turn,
+            "hold": tr("Press the button to hold while driving."),
+            "stop": tr("Press the button that stops everything."),
+        }
+        if self._detecting:
+            return prompts[self._detecting]
         if self._gamepad.profile.hold is None:
             return tr(
                 "Without a button to hold, a bumped stick drives the motors. The gamepad cannot "

@@ -20,9 +20,8 @@ class GamepadPanel(ui.GroupBox):
     def __init__(
         self, device: Device, parent: QWidget | None = None, *, source: PadSource | None = None
     ) -> None:
-        super().__init__("", parent)
+        super().__init__(tr("Gamepad"), parent)
         self.setObjectName("gamepadPanel")
-        self.setTitle(tr("Gamepad"))
         self.gamepad = Gamepad(device, source or SdlPads(), self)
         self._dialog: GamepadDialog | None = None
 
@@ -31,18 +30,14 @@ class GamepadPanel(ui.GroupBox):
             "gamepadBox",
             tr("Drive with a &gamepad"),
             accessible=tr("Drive with a gamepad"),
-            on_toggle=self._on_toggled,
+            on_toggle=lambda on: self.gamepad.switch_on() if on else self.gamepad.switch_off(),
         )
+        title = tr("Gamepad")
         self._pads = ui.combo_box(
-            self,
-            "gamepadCombo",
-            tr("Gamepad"),
-            tip=tr("Gamepad"),
-            on_activate=self._on_pad_activated,
+            self, "gamepadCombo", title, tip=title, on_activate=self._on_pad_activated
         )
-        self._pads.setSizeAdjustPolicy(
-            ComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
-        )
+        adjust = ComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        self._pads.setSizeAdjustPolicy(adjust)
         self._pads.setMinimumContentsLength(12)
         self._set_up = ui.button(
             self,
@@ -52,22 +47,21 @@ class GamepadPanel(ui.GroupBox):
             on_click=self._on_set_up_clicked,
         )
         self._state = ui.named(Note(0, self), "gamepadState")
+        flags = Qt.TextInteractionFlag
         self._state.setTextInteractionFlags(
-            Qt.TextInteractionFlag.TextSelectableByMouse
-            | Qt.TextInteractionFlag.TextSelectableByKeyboard
+            flags.TextSelectableByMouse | flags.TextSelectableByKeyboard
         )
         forward, turn = tr("Forward"), tr("Turn")
         self._forward = ui.named(PartBar(self), "gamepadForward", accessible=forward)
         self._turn = ui.named(PartBar(self), "gamepadTurn", accessible=turn)
         self._bars = QWidget(self)
-        ui.row(
+        bars = (
             ui.label(self, "", forward),
             (self._forward, 1),
             ui.label(self, "", turn),
             (self._turn, 1),
-            into=self._bars,
-            margins=0,
         )
+        ui.row(*bars, into=self._bars, margins=0)
         self._unfocused = ui.check_box(
             self,
             "gamepadUnfocusedBox",
@@ -87,13 +81,6 @@ class GamepadPanel(ui.GroupBox):
             app.focusWindowChanged.connect(self._attend)
             app.applicationStateChanged.connect(self._attend)
         self._on_gamepad_changed()
-
-    @Slot(bool)
-    def _on_toggled(self, on: bool) -> None:
-        if on:
-            self.gamepad.switch_on()
-        else:
-            self.gamepad.switch_off()
 
     @Slot(int)
     def _on_pad_activated(self, index: int) -> None:

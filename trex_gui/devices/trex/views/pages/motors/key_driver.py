@@ -27,33 +27,24 @@ _HEADINGS: dict[int, Heading] = {
     Qt.Key.Key_Right: Heading.RIGHT,
     Qt.Key.Key_D: Heading.RIGHT,
 }
-_NEEDS_KEYS = (
+_NEEDS_KEYS = (  # widgets that keep arrows and letters for themselves
     *(QLineEdit, QAbstractSpinBox, QTextEdit, QPlainTextEdit),
     *(QAbstractItemView, QComboBox),
 )
-"""Widgets that keep arrows and letters for themselves: text, numbers, tables and lists."""
-
-_OTHER_KEYS = (
-    Qt.KeyboardModifier.ControlModifier
-    | Qt.KeyboardModifier.AltModifier
-    | Qt.KeyboardModifier.MetaModifier
-)
-"""With one of these held it is a shortcut."""
-
-_CHANGING_KEYS: set[int] = {
+_MODIFIERS = Qt.KeyboardModifier
+_OTHER_KEYS = _MODIFIERS.ControlModifier | _MODIFIERS.AltModifier | _MODIFIERS.MetaModifier
+_CHANGING_KEYS: set[int] = {  # they change the names under which others are released
     *(Qt.Key.Key_Shift, Qt.Key.Key_Control, Qt.Key.Key_Alt, Qt.Key.Key_Meta, Qt.Key.Key_AltGr),
     *(Qt.Key.Key_CapsLock, Qt.Key.Key_NumLock, Qt.Key.Key_ScrollLock, Qt.Key.Key_Mode_switch),
     *(Qt.Key.Key_Super_L, Qt.Key.Key_Super_R, Qt.Key.Key_Hyper_L, Qt.Key.Key_Hyper_R),
 }
-"""Keys that change the names under which others are released."""
 
 
 class KeyDriver(QObject):
     """Receives the keys of the page's window before any widget does.
 
-    While `enabled`, keys drive wherever the focus is, and sliders, buttons and tabs get no arrow
-    keys: a robot must not depend on which of them was clicked last. Fields for text and numbers,
-    tables and lists keep theirs. In the pad, arrow keys always drive.
+    While `enabled`, keys drive wherever the focus is, except in fields, tables and lists: a robot
+    must not depend on which slider or tab was clicked last. In the pad, arrow keys always drive.
 
     A key is identified by its place on the keyboard: it may be released under another name than
     it was pressed, after a switch of the layout or with Num Lock. All keys count as released when

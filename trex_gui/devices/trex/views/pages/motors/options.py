@@ -35,8 +35,7 @@ class _Slider(QSlider):
 class Level(QObject):
     """A label, a slider and an entry of the same value, as `widgets`.
 
-    A typed number counts with Enter only, as a speed does: a half-typed ceiling would let a motor
-    run faster than intended.
+    As with a speed, a typed number counts with Enter only.
     """
 
     def __init__(
@@ -58,11 +57,9 @@ class Level(QObject):
         self._slider.setPageStep(16)
         self._slider.setMinimumWidth(90)
         self._slider.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        accessible = tr("{0}, as a number").format(plain)
         self.entry = ui.named(
-            _StrengthEntry(parent),
-            f"{name}Entry",
-            accessible=tr("{0}, as a number").format(plain),
-            tip=tip,
+            _StrengthEntry(parent), f"{name}Entry", accessible=accessible, tip=tip
         )
         for widget in (self._slider, self.entry):
             widget.setRange(lowest, FULL_SCALE)
@@ -127,8 +124,7 @@ class Options(ui.GroupBox):
     keys_toggled = Signal(bool)  # whether keys drive wherever the focus is
 
     def __init__(self, motors: Motors, parent: QWidget | None = None) -> None:
-        super().__init__("", parent)
-        self.setTitle(tr("Options"))
+        super().__init__(tr("Options"), parent)
         self.setObjectName("motorsOptions")
         self._motors = motors
         self._joint = False
@@ -176,12 +172,9 @@ class Options(ui.GroupBox):
         )
         motors.set_release_brake(self._store.integer("motors/brake", FULL_SCALE, 0, FULL_SCALE))
         self._brake.entry.setSpecialValueText(tr("coast (0 %)"))
-        self._lock = self._make_lock()
-        lock_label = ui.label(
-            self, "", tr("L&ock after Stop"), tip=self._lock.toolTip(), buddy=self._lock
-        )
-        # Off at first: Esc, the red button and the state of the motors are below every page, and
-        # whoever looks at Currents or changes a parameter may want the motors to go on.
+        self._lock = lock = self._make_lock()
+        lock_label = ui.label(self, "", tr("L&ock after Stop"), tip=lock.toolTip(), buddy=lock)
+        # Off by default: who looks at Currents or changes a parameter may want the motors to go on.
         self._leave = ui.check_box(
             self,
             "stopOnLeaving",
@@ -191,7 +184,7 @@ class Options(ui.GroupBox):
                 "minimised"
             ),
             checked=self._store.flag("motors/stop_on_leaving", default=False),
-            on_toggle=lambda wanted: self._store.set("motors/stop_on_leaving", wanted),
+            on_toggle=partial(self._store.set, "motors/stop_on_leaving"),
         )
         self._return = ui.check_box(
             self,
@@ -199,7 +192,7 @@ class Options(ui.GroupBox):
             tr("Return slider to &zero when it is released"),
             tip=tr("A slider drives only while you hold it; letting go brakes its motor"),
             checked=self._store.flag("motors/return_to_zero", default=False),
-            on_toggle=lambda wanted: self._store.set("motors/return_to_zero", wanted),
+            on_toggle=partial(self._store.set, "motors/return_to_zero"),
         )
 
         # Without a spacing of its own a column would take that of its row.
@@ -226,12 +219,8 @@ class Options(ui.GroupBox):
             "How long Run motor stays locked after Stop or Esc, so that a slider or key still held "
             "cannot restart a motor (0 to {0:g} s)"
         ).format(Number(LONGEST))
-        lock = ui.named(
-            SpeedEntry(self),
-            "lockoutEntry",
-            accessible=tr("Seconds that Run motor is locked after Stop"),
-            tip=tip,
-        )
+        accessible = tr("Seconds that Run motor is locked after Stop")
+        lock = ui.named(SpeedEntry(self), "lockoutEntry", accessible=accessible, tip=tip)
         lock.setRange(0, round(LONGEST))
         lock.setSuffix(tr(" s"))
         lock.setSpecialValueText(tr("none (0 s)"))
@@ -257,10 +246,9 @@ class Options(ui.GroupBox):
         can_link = motors.linked or motors.can_link
         self._link.setChecked(motors.linked)
         self._link.setEnabled(can_link and not self._joint)
-        tip = tr("Either slider sets both motors; the robot does not turn")
-        if not can_link:
-            tip = tr("The motors run differently: stop both, or give both the same speed")
-        self._link.setToolTip(tip)
+        linked = tr("Either slider sets both motors; the robot does not turn")
+        blocked = tr("The motors run differently: stop both, or give both the same speed")
+        self._link.setToolTip(linked if can_link else blocked)
 
     def _on_brake_chosen(self, duty: int) -> None:
         self._motors.set_release_brake(duty)

@@ -31,18 +31,12 @@ from trex_gui.ui.widgets.behaviour import only_when_visible
 from trex_gui.ui.widgets.labels import LinkLabel, Note, Sign
 
 _AUXILIARY = 3  # number of the auxiliary motor among the controls: that of its channel
-
 _UNLIMITED = 16_777_215  # the height of widgets without a limit, QWIDGETSIZE_MAX in C++
-
-_USUAL_COUNTS = 100
-"""Current in counts that the bars show without a limit: 15 A, on a Jr 4 A, as bench tests allow."""
+_USUAL_COUNTS = 100  # of current, without a limit: 15 A, on a Jr 4 A, as bench tests allow
 
 
 class MotorsPage(QWidget):
-    """Nothing moves before the motors are armed; leaving the page releases every control.
-
-    It can stop the motors, too.
-    """
+    """Nothing moves before the motors are armed; leaving the page releases every control."""
 
     parameter_wanted = Signal(str)  # the key of a parameter that the user wants to see or change
 
@@ -53,7 +47,6 @@ class MotorsPage(QWidget):
         self._motors = device.motors
         self._pad_drive = MomentaryDrive(device.motors, "drive pad")
         self._key_drive = MomentaryDrive(device.motors, "keyboard")
-
         self._holder = ""
         self._dragged: int | None = None
         self._is_held_still = False
@@ -68,12 +61,11 @@ class MotorsPage(QWidget):
         self._drive_box = drive_box = ui.GroupBox(tr("Drive"), self)
         ceiling = SpeedCeiling(device.motors, drive_box)
         self._pad = DrivePad(drive_box)
+        auxiliary_title = tr("Auxiliary (one way)")
         self._controls = {
             1: DriveControl(tr("Motor 1"), "motor1", parent=drive_box),
             2: DriveControl(tr("Motor 2"), "motor2", parent=drive_box),
-            _AUXILIARY: DriveControl(
-                tr("Auxiliary (one way)"), "aux", two_way=False, parent=drive_box
-            ),
+            _AUXILIARY: DriveControl(auxiliary_title, "aux", two_way=False, parent=drive_box),
         }
         self._options = Options(device.motors, self)
         self._stored = LinkLabel("motorsStored", self)
@@ -100,25 +92,23 @@ class MotorsPage(QWidget):
         self._stored.linkActivated.connect(self.parameter_wanted)
         motors = self._motors
         motors.holder_changed.connect(self._on_holder_changed)
-        motors.setpoints_changed.connect(self._show_setpoints)
-        motors.arming_changed.connect(self._show_setpoints)
+        for signal in (motors.setpoints_changed, motors.arming_changed):
+            signal.connect(self._show_setpoints)
         for signal in (
             motors.arming_changed,
             motors.availability_changed,
             motors.options_changed,
             motors.lockout_changed,
+            device.link_changed,
         ):
             signal.connect(self._show_options)
         motors.stop_requested.connect(self._on_stop_requested)
-        device.link_changed.connect(self._show_options)
         device.link_changed.connect(self._show_stored)
         device.state_changed.connect(self._on_state_changed)
         theme().changed.connect(self._on_state_changed)
         device.telemetry.frame_due.connect(self._on_frame_due)
         device.telemetry.text_due.connect(self._on_text_due)
         self._on_state_changed()
-
-    # --- User actions -------------------------------------------------------------------
 
     def _on_speed_wanted(self, number: int, speed: int) -> None:
         holder = _name(number) if self._motors.holder == _name(number) else ""
@@ -146,8 +136,6 @@ class MotorsPage(QWidget):
         if not self._pad_drive.steer(forward, turn):
             self._pad.release()
 
-    # --- What has changed ---------------------------------------------------------------
-
     @Slot()
     def _on_stop_requested(self) -> None:
         for control in self._controls.values():
@@ -161,12 +149,10 @@ class MotorsPage(QWidget):
             drive.joint = joint
         self._controls[1].set_title(tr("Motor (joint)") if joint else tr("Motor 1"))
         self._options.set_joint(joint)
-        state = self._device.state
-        if state is not None:
+        if (state := self._device.state) is not None:
             usual = _USUAL_COUNTS * state.signature.model.current_unit
             for number in (1, 2):
-                limit = self._device.current_limit(number)
-                self._controls[number].current.set_scale(usual, limit)
+                self._controls[number].current.set_scale(usual, self._device.current_limit(number))
         self._show_stored()
         self._show_setpoints()
         self._show_options()
@@ -182,7 +168,15 @@ class MotorsPage(QWidget):
 
     @Slot()
     def _on_holder_changed(self) -> None:
-        self._note_holder()
+        """Remember a held control until the event that ends the hold is over.
+
+        A page that is hidden first takes the focus from its controls, which releases them.
+        """
+        own = {self._pad_drive.name, self._key_drive.name, *map(_name, self._controls)}
+        if self._motors.holder in own:
+            self._holder = self._motors.holder
+        elif self._holder:
+            self._forget_holder.start()
         if self._pad.held and not self._pad_drive.held:
             self._pad.release()
 
@@ -249,11 +243,9 @@ class MotorsPage(QWidget):
         armed = self._motors.armed
         if armed != self._is_held_still:
             self._is_held_still = armed
-            least = most = self._drive_box.height()
-            if not armed:
-                least, most = 0, _UNLIMITED
-            self._drive_box.setMinimumHeight(least)
-            self._drive_box.setMaximumHeight(most)
+            height = self._drive_box.height()
+            self._drive_box.setMinimumHeight(height if armed else 0)
+            self._drive_box.setMaximumHeight(height if armed else _UNLIMITED)
 
     def _show_status(self) -> None:
         """Show what matters most in bold, and every other reason behind it."""
@@ -297,17 +289,6 @@ class MotorsPage(QWidget):
         elif self._options.stops_on_leaving and self._motors.armed:
             self._motors.stop(tr("The Motors page was left."))
         super().hideEvent(event)
-
-    def _note_holder(self) -> None:
-        """Remember a held control until the event that ends the hold is over.
-
-        A page that is hidden first takes the focus from its controls, which releases them.
-        """
-        own = {self._pad_drive.name, self._key_drive.name, *map(_name, self._controls)}
-        if self._motors.holder in own:
-            self._holder = self._motors.holder
-        elif self._holder:
-            self._forget_holder.start()
 
     def changeEvent(self, event: QEvent) -> None:
         if event.type() == QEvent.Type.ActivationChange and self.isActiveWindow():

@@ -27,17 +27,12 @@ from trex_gui.devices.trex.views.count_editor import BARE, UnitSpinBox
 from trex_gui.ui.widgets.builders import ComboBox, check_box, combo_box, plain, row
 
 _TOLERANCE = 1.01
-_BOTH_WAYS = (
-    QAbstractSpinBox.StepEnabledFlag.StepUpEnabled
-    | QAbstractSpinBox.StepEnabledFlag.StepDownEnabled
-)
+_STEPS = QAbstractSpinBox.StepEnabledFlag
+_BOTH_WAYS = _STEPS.StepUpEnabled | _STEPS.StepDownEnabled
 
 
 class NumberEditor(UnitSpinBox):
-    """Steps through wire values; takes them in any unit of the parameter.
-
-    Shows the physical or the wire value: a number without a unit is the one that is shown.
-    """
+    """Steps through wire values; shows and takes them in any unit of the parameter."""
 
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -55,8 +50,9 @@ class NumberEditor(UnitSpinBox):
         try:
             wire = int(number)
         except ValueError:
+            text = tr("{0} is {1}, not {2}")
             raise BadRequest(
-                tr("{0} is {1}, not {2}").format(self._spec.name, self._spec.range_text(), number)
+                text.format(self._spec.name, self._spec.range_text(), number)
             ) from None
         return self._spec.check(wire)
 
@@ -69,20 +65,14 @@ class AccelerationEditor(NumberEditor):
 
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(spec, parent)
-        self.setToolTip(
-            tr("{0}. The board stores the nearest time. Or speed steps, such as {1}.").format(
-                acceleration_range(spec), f"25 {spec.unit}"
-            )
-        )
+        tip = tr("{0}. The board stores the nearest time. Or speed steps, such as {1}.")
+        self.setToolTip(tip.format(acceleration_range(spec), f"25 {spec.unit}"))
 
     def _physical_wire(self, text: str) -> int:
         return super()._physical_wire(f"{text} s" if BARE.fullmatch(text) else text)
 
     def stepBy(self, steps: int) -> None:
-        """Step through the times: up is a longer one, and no ramp is the shortest.
-
-        Where wire values are shown, step through them.
-        """
+        """Step through the times, unless wire values are shown; no ramp is the shortest time."""
         if self.own_first:
             super().stepBy(steps)
             return
@@ -198,39 +188,27 @@ class LineSettingsEditor(QWidget):
         super().__init__(parent)
         self.setAutoFillBackground(True)
         self._unknown: int | None = None
-        self._baud = combo_box(
-            self,
-            "baudField",
-            tr("Baud rate"),
-            tip=tr("Baud rate"),
-            items=[(tr("{0} baud").format(baud), baud) for baud in baud_rates()],
-        )
-        self._detection = combo_box(
-            self,
+
+        def field(name: str, title: str, *items: tuple[str, object]) -> ComboBox:
+            return combo_box(self, name, title, tip=title, items=items)
+
+        rates = [(tr("{0} baud").format(baud), baud) for baud in baud_rates()]
+        self._baud = field("baudField", tr("Baud rate"), *rates)
+        self._detection = field(
             "detectionField",
             tr("Error detection"),
-            tip=tr("Error detection"),
-            items=[
-                (tr("no error detection"), Detection.NONE),
-                (tr("CRC-7"), Detection.CRC7),
-                (tr("even parity"), Detection.EVEN),
-                (tr("odd parity"), Detection.ODD),
-            ],
+            (tr("no error detection"), Detection.NONE),
+            (tr("CRC-7"), Detection.CRC7),
+            (tr("even parity"), Detection.EVEN),
+            (tr("odd parity"), Detection.ODD),
         )
-        self._stop_bits = combo_box(
-            self,
-            "stopBitsField",
-            tr("Stop bits"),
-            tip=tr("Stop bits"),
-            items=[(tr("1 stop bit"), 1), (tr("2 stop bits"), 2)],
-        )
+        stop_bits = (tr("1 stop bit"), 1), (tr("2 stop bits"), 2)
+        self._stop_bits = field("stopBitsField", tr("Stop bits"), *stop_bits)
         self._fields = (self._baud, self._detection, self._stop_bits)
-
         row(*self._fields, into=self, margins=0, spacing=4)
         self.setFocusProxy(self._baud)
-
-        for field in self._fields:
-            field.activated.connect(self._on_activated)
+        for each in self._fields:
+            each.activated.connect(self._on_activated)
 
     @Slot()
     def _on_activated(self) -> None:

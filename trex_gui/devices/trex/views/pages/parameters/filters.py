@@ -29,8 +29,7 @@ class ParameterFilter(QSortFilterProxyModel):
         self.parameters = parameters
         self._words: tuple[str, ...] = ()
         self._task = ""
-        self._modified_only = False
-        self._not_default_only = False
+        self._modified_only = self._not_default_only = False
         self.setSourceModel(parameters)
 
     @property
@@ -106,16 +105,10 @@ class ParameterFilters(QWidget):
 
         hint = tr("Search names and descriptions (Ctrl+F)")
         self._words = search_field(self, "parameterSearch", tr("Search parameters"), hint)
-        self._group = combo_box(
-            self,
-            "parameterGroup",
-            tr("Group of parameters"),
-            tip=tr("Group of parameters"),
-            on_change=self._on_changed,
-        )
-        self._group.setSizeAdjustPolicy(
-            QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
-        )
+        title, changed = tr("Group of parameters"), self._on_changed
+        self._group = combo_box(self, "parameterGroup", title, tip=title, on_change=changed)
+        adjust = QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        self._group.setSizeAdjustPolicy(adjust)
         self._group.setMinimumContentsLength(12)  # leaves room for the words
         self._modified = check_box(
             self,
@@ -140,15 +133,8 @@ class ParameterFilters(QWidget):
         )
         self._count = label(self, "parameterCount")
 
-        layout = row(
-            (self._words, 1),
-            self._count,
-            self._group,
-            self._modified,
-            self._not_default,
-            into=self,
-            margins=0,
-        )
+        first = (self._words, 1), self._count, self._group, self._modified, self._not_default
+        layout = row(*first, into=self, margins=0)
         layout.addSpacing(layout.spacing())
         layout.addWidget(both)
 

@@ -37,13 +37,8 @@ class ParametersPage(QWidget):
             tip=tr("Show the steps for switching the board off and on"),
             on_click=self.power_cycle_requested,
         )
-        self._discard = button(
-            self,
-            "discardButton",
-            tr("Discard edi&ts"),
-            icon="undo",
-            on_click=device.draft.discard_edits,
-        )
+        text, discard = tr("Discard edi&ts"), device.draft.discard_edits
+        self._discard = button(self, "discardButton", text, icon="undo", on_click=discard)
         self._reload = button(
             self,
             "reloadButton",
@@ -105,16 +100,13 @@ class ParametersPage(QWidget):
             text = tr("Factory defaults take effect after the next power cycle.")
             if failed:
                 text = tr("Rejected by the board: {0}").format(error_sentence(failed[0].error))
-            self._notice.setText(text)
-            return
-        if failed:
+        elif failed:
             self.table.show_parameter(failed[0].key)
             text = tr("{0} of {1} could not be verified; marked below.")
             text = text.format(len(failed), len(results))
         else:
             text = tr("%n setting(s) written and verified.", "", len(results))
             if waiting := self._model.waiting_for_power:
-                text += " " + tr("Switch the board off and on to make active: {0}.").format(
-                    ", ".join(waiting)
-                )
+                next_step = tr("Switch the board off and on to make active: {0}.")
+                text = f"{text} {next_step.format(', '.join(waiting))}"
         self._notice.setText(text)

@@ -1,6 +1,5 @@
 """The parameters of a draft: filters, table, findings and help; of a board or of a file."""
 
-from functools import partial
 from html import escape
 
 from PySide6.QtCore import QModelIndex, Qt, Slot
@@ -40,28 +39,21 @@ class ParameterTable(QWidget):
         self._filters = ParameterFilters(self._rows, self)
         self._view = ParameterView(self._rows, self)
         self._no_match = self._no_match_note()
-        beside = QWidget(self)
-        beside.setObjectName("aboutParameters")
-        reset, pin, other = (action_button(each, beside) for each in self._view.tools)
+        beside = named(QWidget(self), "aboutParameters")
+        reset, pin, other = (_action_button(each, beside) for each in self._view.tools)
         self._help = ParameterHelp(self._model, beside)
         self._note = NoteField(draft.notes, "noteEdit", beside)
         note = label(beside, text=tr("N&ote on the value:"), buddy=self._note)
         self._findings = FindingsList("parameter", self._note, beside)
-        column(
-            column(row(reset, pin, 1), row(other, 1), spacing=2),
-            self._help,
-            column(note, self._note, spacing=2),
-            self._findings,
-            1,
-            into=beside,
-            margins=0,
-        )
+        tools = column(row(reset, pin, 1), row(other, 1), spacing=2)
+        notes = column(note, self._note, spacing=2)
+        column(tools, self._help, notes, self._findings, 1, into=beside, margins=0)
         panel = ScrollBox(beside, self)
-        follow_theme(
-            panel,
-            "width",
-            lambda: panel.setMinimumWidth(_PANEL * self.fontMetrics().averageCharWidth()),
-        )
+
+        def fit_panel() -> None:
+            panel.setMinimumWidth(_PANEL * self.fontMetrics().averageCharWidth())
+
+        follow_theme(panel, "width", fit_panel)
         below = row((self._view, 5), (panel, 2))
         column(self._filters, (below, 1), into=self, margins=0)
 
@@ -71,24 +63,17 @@ class ParameterTable(QWidget):
         self._filters.entered.connect(self._view.setFocus)
         self._model.dataChanged.connect(self._show_help)
         units().changed.connect(self._show_help)
-        for changed in (
-            self._rows.modelReset,
-            self._rows.layoutChanged,
-            self._rows.rowsInserted,
-            self._rows.rowsRemoved,
-        ):
+        rows = self._rows
+        for changed in (rows.modelReset, rows.layoutChanged, rows.rowsInserted, rows.rowsRemoved):
             changed.connect(self._on_rows_changed)
         self._on_rows_changed()
 
     def _no_match_note(self) -> QWidget:
-        viewport = self._view.viewport()
-        note = QWidget(viewport)
-        note.setObjectName("noParameterMatches")
+        viewport, centre = self._view.viewport(), Qt.AlignmentFlag.AlignCenter
+        note = named(QWidget(viewport), "noParameterMatches")
         text = label(note, text=tr("No parameter matches."))
-        show_all = button(
-            note, "showAllParameters", tr("&Show all parameters"), on_click=self._filters.clear
-        )
-        centre = Qt.AlignmentFlag.AlignCenter
+        title, clear = tr("&Show all parameters"), self._filters.clear
+        show_all = button(note, "showAllParameters", title, on_click=clear)
         column((text, 0, centre), (show_all, 0, centre), into=note)
         QVBoxLayout(viewport).addWidget(note, 0, centre)
         return note
@@ -128,15 +113,11 @@ class ParameterTable(QWidget):
             if place.isValid():
                 self._view.setCurrentIndex(place)
             elif not self._view.currentIndex().isValid():
-                self._go_to_first()
+                wanted = self._place
+                self._view.setCurrentIndex(self._rows.best_match())
+                self._is_elsewhere = bool(wanted)
+                self._place = wanted or self._place
         self._show_help()
-
-    def _go_to_first(self) -> None:
-        """Select what was searched for, or the first value, but remember the user's."""
-        wanted = self._place
-        self._view.setCurrentIndex(self._rows.best_match())
-        self._is_elsewhere = bool(wanted)
-        self._place = wanted or self._place
 
     @Slot()
     def _show_help(self) -> None:
@@ -151,20 +132,19 @@ class ParameterHelp(LinkLabel):
     def __init__(self, model: ParameterModel, parent: QWidget | None = None) -> None:
         super().__init__("parameterHelp", parent)
         self._model = model
-        self.setTextInteractionFlags(
-            self.textInteractionFlags() | Qt.TextInteractionFlag.TextSelectableByMouse
-        )
+        by_mouse = Qt.TextInteractionFlag.TextSelectableByMouse
+        self.setTextInteractionFlags(self.textInteractionFlags() | by_mouse)
         self.setOpenExternalLinks(True)
         self.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Minimum)
 
     def show_help_of(self, key: str) -> None:
-        follow_theme(self, "link", partial(self._show, key))
-        self.setAccessibleName("" if key else tr("No parameter is selected"))
+        def show() -> None:
+            lines = self._lines(key) if key else []
+            self.setText("".join(f"<p>{line}</p>" for line in lines))
 
-    def _show(self, key: str) -> None:
-        lines = self._lines(key) if key else []
-        self.setText("".join(f"<p>{line}</p>" for line in lines))
+        follow_theme(self, "link", show)
+        self.setAccessibleName("" if key else tr("No parameter is selected"))
 
     def _lines(self, key: str) -> list[str]:
         text = self._model.text
@@ -181,7 +161,7 @@ class ParameterHelp(LinkLabel):
         ]
 
 
-def action_button(action: QAction, parent: QWidget) -> QToolButton:
+def _action_button(action: QAction, parent: QWidget) -> QToolButton:
     made = named(QToolButton(parent), f"{action.objectName()}Button")
     made.setDefaultAction(action)
     made.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)

@@ -3,16 +3,7 @@
 from collections.abc import Callable
 from typing import cast
 
-from PySide6.QtCore import (
-    QAbstractItemModel,
-    QEvent,
-    QModelIndex,
-    QObject,
-    QPoint,
-    QRect,
-    Qt,
-    Slot,
-)
+from PySide6.QtCore import QAbstractItemModel, QEvent, QModelIndex, QObject, QPoint, QRect, Qt, Slot
 from PySide6.QtGui import (
     QAction,
     QContextMenuEvent,
@@ -28,6 +19,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import (
     QAbstractItemView,
+    QDialog,
     QMenu,
     QStyle,
     QStyleOptionViewItem,
@@ -35,37 +27,34 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.parameters.parameters import Index, ParameterModel, Role
 from trex_gui.devices.trex.model.parameters.text import ParameterColumn
+from trex_gui.devices.trex.protocol.device_table import HIGHEST_WIRE
 from trex_gui.devices.trex.protocol.parameters import motor_name
 from trex_gui.devices.trex.views.count_editor import UnitDelegate, UnitSpinBox
-from trex_gui.devices.trex.views.pages.parameters.editors import (
-    Editor,
-    FrequencyEditor,
-    editor_for,
-)
+from trex_gui.devices.trex.views.pages.parameters.editors import Editor, FrequencyEditor, editor_for
 from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter
-from trex_gui.devices.trex.views.pages.parameters.wire_dialog import WireDialog
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import follow_theme, theme
+from trex_gui.ui.translations import error_sentence
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ENTER
-from trex_gui.ui.widgets.builders import action, flat_table
+from trex_gui.ui.widgets.labels import Note
 
 _PRESS = ENTER | {Qt.Key.Key_Space, Qt.Key.Key_Select}
 _CLICKS = {QEvent.Type.MouseButtonRelease, QEvent.Type.MouseButtonDblClick}
-_NAME, _VALUE = (22, 44), 30
-"""Widths in average characters: least and greatest of the names, and of the longest value."""
-
+_NAME, _VALUE = (22, 44), 30  # characters: least and most of the names, and the longest value
 _PINNED = "parameters/pinned"
-_WIDTHS = {
+_WIDTHS = {  # where widths that the user has chosen are saved; the last column stretches
     ParameterColumn.NAME: "parameters/name_width",
     ParameterColumn.MOTOR1: "parameters/value_width",
 }
-"""Columns whose width the user can choose, and where that is remembered; the last one stretches."""
 _WIDEST = 2000  # pixels
 _ICON = 16
+_WIRE_DIALOG_WIDTH = 480  # pixels
 _UNTOUCHED = "untouched"
 
 
@@ -79,8 +68,6 @@ class ParameterDelegate(UnitDelegate):
     def __init__(self, model: ParameterModel, parent: QWidget) -> None:
         super().__init__(parent)
         self._model = model
-
-    # --- Editing ------------------------------------------------------------------------
 
     def createEditor(self, parent: QWidget, option: QStyleOptionViewItem, index: Index) -> QWidget:
         del option
@@ -158,8 +145,6 @@ class ParameterDelegate(UnitDelegate):
             self._model.reset(str(index.data(Role.KEY)))
             return True
         return super().editorEvent(event, model, option, index)
-
-    # --- Painting -----------------------------------------------------------------------
 
     def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
         super().initStyleOption(option, index)
@@ -239,16 +224,14 @@ class ParameterView(QTableView):
         # Parameter and text of a lost editor, and whether it showed wire values
         self._unfinished: tuple[str, str, bool] | None = None
         self._fitted: dict[ParameterColumn, int] = {}  # widths that no user has changed since
-
         self._model.pin(filter(None, Preferences().text(_PINNED).split(",")))
-        flat_table(self, "parametersView", tr("Parameters"))
+        ui.flat_table(self, "parametersView", tr("Parameters"))
         self.setModel(rows)
         self.setItemDelegate(ParameterDelegate(self._model, self))
         behavior, triggers = QAbstractItemView.SelectionBehavior, QAbstractItemView.EditTrigger
         self.setSelectionBehavior(behavior.SelectItems)
-        self.setEditTriggers(
-            triggers.DoubleClicked | triggers.EditKeyPressed | triggers.AnyKeyPressed
-        )
+        typed = triggers.EditKeyPressed | triggers.AnyKeyPressed
+        self.setEditTriggers(triggers.DoubleClicked | typed)
         self.setWordWrap(False)
         self.horizontalHeader().setStretchLastSection(True)
         self._set_up_menu()
@@ -258,7 +241,6 @@ class ParameterView(QTableView):
                 self._fitted[column] = 0
         self.horizontalHeader().sectionResized.connect(self._on_column_resized)
         follow_theme(self, "columns", self._fit_columns)
-
         rows.modelAboutToBeReset.connect(self._keep_typed)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -294,8 +276,6 @@ class ParameterView(QTableView):
                 self.setSpan(row, values, 1, len(ParameterColumn) - values)
         self._resume_typing()
 
-    # --- A board that is read again while a value is typed ------------------------------
-
     @Slot()
     def _keep_typed(self) -> None:
         """Keep what is being typed while the rows are made again, which closes the editor."""
@@ -312,8 +292,6 @@ class ParameterView(QTableView):
         if isinstance(editor, UnitSpinBox) and editor.own_first == unfinished[2]:
             editor.lineEdit().selectAll()
             editor.lineEdit().insert(unfinished[1])
-
-    # --- Mouse and keys -----------------------------------------------------------------
 
     @property
     def current_key(self) -> str:
@@ -347,19 +325,14 @@ class ParameterView(QTableView):
         else:
             super().keyPressEvent(event)
 
-    # --- Context menu -------------------------------------------------------------------
-
     def _set_up_menu(self) -> None:
         model, copy = self._model, QKeySequence.StandardKey.Copy
         self._edit = self._action("editParameter", self._begin_edit, tr("Edit"))
         self._try = self._action("tryParameter", self._ask_for_wire, tr("Try another &wire value…"))
-        self._reset = self._action(
-            "resetParameter", model.reset, icon="default", shortcut="Ctrl+Backspace"
-        )
+        keys, leave_out = "Ctrl+Backspace", tr("Leave out of the file")
+        self._reset = self._action("resetParameter", model.reset, icon="default", shortcut=keys)
         self._restore = self._action("restoreParameter", model.restore)
-        self._leave_out = self._action(
-            "leaveOutParameter", model.leave_out, tr("Leave out of the file")
-        )
+        self._leave_out = self._action("leaveOutParameter", model.leave_out, leave_out)
         self._to_other_motor = self._action("copyToOtherMotor", model.copy_to_other_motor)
         self._pin = self._action("pinParameter", self._toggle_pin, tr("Pi&n to the top"))
         self._copy = self._action("copyParameter", self._copy_line, icon="copy", shortcut=copy)
@@ -397,7 +370,7 @@ class ParameterView(QTableView):
                 act(self.current_key)
 
         context = Qt.ShortcutContext.WidgetShortcut
-        return action(
+        return ui.action(
             self, name, text, icon=icon, shortcut=shortcut, context=context, on_trigger=on_trigger
         )
 
@@ -470,3 +443,49 @@ def _value_at(index: QModelIndex) -> QModelIndex:
     """Return the value that a name stands for; any other cell itself."""
     is_name = index.column() == ParameterColumn.NAME and index.data(Role.KEY) is not None
     return index.siblingAtColumn(ParameterColumn.MOTOR1) if is_name else index
+
+
+class WireDialog(QDialog):
+    """Makes any wire value of one parameter an edit, which the review asks about."""
+
+    def __init__(self, model: ParameterModel, key: str, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setObjectName("wireDialog")
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self._model, self._key = model, key
+        spec = model.spec_of(key)
+        self.setWindowTitle(spec.name)
+        text = tr(
+            "{0} is {1}{2}. No document confirms this limit. You can try any wire value from "
+            "0 to {3}. The board decides: it may reject the value, or store another "
+            "one, and the program shows which. A value that the board stores is remembered for "
+            "its firmware."
+        )
+        text = text.format(spec.name, spec.range_text(), spec.limits_mark, HIGHEST_WIRE)
+        note = ui.label(self, "wireNote", text, wrap=True)
+        self._value = ui.spin_box(self, "wireField", tr("Wire value"), 0, HIGHEST_WIRE)
+        self._value.setValue(model.value_of(key) or 0)
+        self._trouble = ui.named(Note(2, self), "wireTrouble")
+        self._accept = ui.button(
+            self, "tryWireButton", tr("&Try this value"), default=True, on_click=self._on_click
+        )
+        cancel = ui.button(self, "cancelWireButton", tr("Cancel"), on_click=self.close)
+        before = ui.label(self, text=tr("&Wire value:"), buddy=self._value)
+        value, buttons = ui.row(before, self._value, 1), ui.row(1, self._accept, cancel)
+        ui.column(note, value, self._trouble, buttons, into=self)
+        if (layout := self.layout()) is not None:
+            self.resize(_WIRE_DIALOG_WIDTH, layout.totalHeightForWidth(_WIRE_DIALOG_WIDTH))
+        model.modelReset.connect(self._on_board_changed)
+
+    @Slot()
+    def _on_board_changed(self) -> None:
+        self._accept.setEnabled(self._model.can_edit(self._key))
+
+    @Slot()
+    def _on_click(self) -> None:
+        try:
+            self._model.edit(self._key, self._value.value(), forced=True)
+        except BadRequest as error:
+            self._trouble.show_note(error_sentence(error), alarming=True)
+        else:
+            self.close()
