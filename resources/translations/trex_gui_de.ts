@@ -283,14 +283,6 @@
         <translation>Die Antwort ging verloren (oder kein Motor reagiert): Die Positionen sind nicht bekannt.</translation></message>
     <message><source>The robot does not respond at all. Check its power and the cable.</source>
         <translation>Der Roboter antwortet überhaupt nicht. Prüfen Sie seine Stromversorgung und das Kabel.</translation></message>
-    <message><source>Front left</source>
-        <translation>Vorn links</translation></message>
-    <message><source>Front right</source>
-        <translation>Vorn rechts</translation></message>
-    <message><source>Back right</source>
-        <translation>Hinten rechts</translation></message>
-    <message><source>Back left</source>
-        <translation>Hinten links</translation></message>
     <message><source>Motor {0}, {1} leg</source>
         <translation>Motor {0}, Bein {1}</translation></message>
     <message><source>stuck here</source>
@@ -301,22 +293,6 @@
         <translation>Der Roboter wartet auf Motor {0} und liest nichts, bis dieser reagiert. Prüfen Sie die Servoversorgung, die Versorgung des Boards, das Kabel dieses Servos und ob es blockiert ist. Ein Reset des Boards beendet das Warten; die Servos stoppt er nicht.</translation></message>
     <message><source>Cropped to the limits of the joints: {0}.</source>
         <translation>Auf die Gelenkgrenzen begrenzt: {0}.</translation></message>
-    <message><source>Played to the end.</source>
-        <translation>Bis zum Ende abgespielt.</translation></message>
-    <message><source>The sequence has ended after its step.</source>
-        <translation>Die Sequenz wurde nach ihrem Schritt beendet.</translation></message>
-    <message><source>The sequence was stopped.</source>
-        <translation>Die Sequenz wurde gestoppt.</translation></message>
-    <message><source>The sequence was aborted: the board has restarted.</source>
-        <translation>Die Sequenz wurde abgebrochen: Das Board wurde neu gestartet.</translation></message>
-    <message><source>The sequence was aborted: the robot waits for a motor.</source>
-        <translation>Die Sequenz wurde abgebrochen: Der Roboter wartet auf einen Motor.</translation></message>
-    <message><source>The sequence was aborted: a motor did not accept its speed.</source>
-        <translation>Die Sequenz wurde abgebrochen: Ein Motor hat seine Geschwindigkeit nicht angenommen.</translation></message>
-    <message><source>The sequence was aborted: a motor was far from its goal.</source>
-        <translation>Die Sequenz wurde abgebrochen: Ein Motor war weit von seinem Ziel entfernt.</translation></message>
-    <message><source>The sequence was aborted: the robot does not respond.</source>
-        <translation>Die Sequenz wurde abgebrochen: Der Roboter antwortet nicht.</translation></message>
     <message><source>The board has restarted. Its servos continue to their goals.</source>
         <translation>Das Board wurde neu gestartet. Seine Servos bewegen sich weiter zu ihren Zielen.</translation></message>
     <message><source>inner</source>
@@ -331,12 +307,12 @@
         <translation>Motor {0} auf {1} statt {2}</translation></message>
     <message><source>{0} missed</source>
         <translation>{0} verfehlt</translation></message>
+    <message><source>All motors together, 100 units about the centre.</source>
+        <translation>Alle Motoren gemeinsam, 100 Einheiten um die Mitte.</translation></message>
     <message><source>Lies down flat in 3 s and stands up in 3 s, from any position.</source>
         <translation>Legt sich in 3 s flach hin und steht in 3 s auf, aus jeder Stellung.</translation></message>
     <message><source>Lifts two opposite legs, swings the other two, changes over and swings them back.</source>
         <translation>Hebt zwei gegenüberliegende Beine, schwenkt die anderen beiden, wechselt und schwenkt sie zurück.</translation></message>
-    <message><source>All motors together, 100 units about the centre.</source>
-        <translation>Alle Motoren gemeinsam, 100 Einheiten um die Mitte.</translation></message>
     <message><source>To and fro between two poses; motors that stay more than 50 units off are suspect.</source>
         <translation>Zwischen zwei Posen hin und her; Motoren, die mehr als 50 Einheiten abweichen, sind verdächtig.</translation></message>
     <message><source>Down to half-stand and up again.</source>
@@ -427,6 +403,14 @@
         <translation>die Position von Motor {0} ist 0 bis {1}, nicht {2}</translation></message>
     <message><source>{0} motors need {0} values, not {1}</source>
         <translation>{0} Motoren brauchen {0} Werte, nicht {1}</translation></message>
+    <message><source>Front left</source>
+        <translation>Vorn links</translation></message>
+    <message><source>Front right</source>
+        <translation>Vorn rechts</translation></message>
+    <message><source>Back right</source>
+        <translation>Hinten rechts</translation></message>
+    <message><source>Back left</source>
+        <translation>Hinten links</translation></message>
     <message><source>limits are 0 to {0} in order, not {1} to {2}</source>
         <translation>Grenzen sind 0 bis {0} in aufsteigender Reihenfolge, nicht {1} bis {2}</translation></message>
     <message><source>No Aracna responds on {0}. It does not listen while it moves: if it is moving, wait until it stops. Check that the robot's board has power, that the adapter's TX goes to its RX and its RX to its TX (or that both radios are on the same channel), and that ground is connected.</source>
@@ -477,6 +461,22 @@
         <translation>Die Verbindung wurde geschlossen, bevor dies erledigt war.</translation></message>
     <message><source>Internal error in the connection: {0}</source>
         <translation>Interner Fehler in der Verbindung: {0}</translation></message>
+    <message><source>Played to the end.</source>
+        <translation>Bis zum Ende abgespielt.</translation></message>
+    <message><source>The sequence has ended after its step.</source>
+        <translation>Die Sequenz wurde nach ihrem Schritt beendet.</translation></message>
+    <message><source>The sequence was stopped.</source>
+        <translation>Die Sequenz wurde gestoppt.</translation></message>
+    <message><source>The sequence was aborted: the board has restarted.</source>
+        <translation>Die Sequenz wurde abgebrochen: Das Board wurde neu gestartet.</translation></message>
+    <message><source>The sequence was aborted: the robot waits for a motor.</source>
+        <translation>Die Sequenz wurde abgebrochen: Der Roboter wartet auf einen Motor.</translation></message>
+    <message><source>The sequence was aborted: a motor did not accept its speed.</source>
+        <translation>Die Sequenz wurde abgebrochen: Ein Motor hat seine Geschwindigkeit nicht angenommen.</translation></message>
+    <message><source>The sequence was aborted: a motor was far from its goal.</source>
+        <translation>Die Sequenz wurde abgebrochen: Ein Motor war weit von seinem Ziel entfernt.</translation></message>
+    <message><source>The sequence was aborted: the robot does not respond.</source>
+        <translation>Die Sequenz wurde abgebrochen: Der Roboter antwortet nicht.</translation></message>
     <message><source>There is no step to play.</source>
         <translation>Es gibt keinen Schritt zum Abspielen.</translation></message>
     <message><source>Cannot play endlessly: there is no step.</source>
@@ -539,48 +539,6 @@
         <translation>{0} Motoren</translation></message>
     <message><source>followed by {0}</source>
         <translation>gefolgt von {0}</translation></message>
-    <message><source>This link has no stop: a running motion ends only by itself, or by cutting the servo power.</source>
-        <translation>Diese Verbindung kennt keinen Stopp: Eine laufende Bewegung endet nur von selbst oder durch Trennen der Servoversorgung.</translation></message>
-    <message><source>Playing step {0} of {1}.</source>
-        <translation>Schritt {0} von {1} läuft.</translation></message>
-    <message><source>Stop sequence</source>
-        <translation>Sequenz stoppen</translation></message>
-    <message><source>End the sequence, send nothing more, stay where the robot is (Esc, anywhere)</source>
-        <translation>Die Sequenz beenden, nichts mehr senden, den Roboter dort lassen, wo er ist (Esc, überall)</translation></message>
-    <message><source>End afte&amp;r this step</source>
-        <translation>Nach diesem Schritt &amp;beenden</translation></message>
-    <message><source>The motion continues by itself for about {0:.0f} s.</source>
-        <translation>Die Bewegung geht noch etwa {0:.0f} s von selbst weiter.</translation></message>
-    <message><source>At rest: nothing is sent.</source>
-        <translation>In Ruhe: Es wird nichts gesendet.</translation></message>
-    <message><source>Unknown: the last motion may continue for about {0:.0f} s.</source>
-        <translation>Unbekannt: Die letzte Bewegung kann noch etwa {0:.0f} s weitergehen.</translation></message>
-    <message><source>The sequence begins.</source>
-        <translation>Die Sequenz beginnt.</translation></message>
-    <message><source>Playing step {0} of {1} “{2}”.</source>
-        <translation>Schritt {0} von {1} „{2}“ läuft.</translation></message>
-    <message><source>Playing step {0} of {1}, round {3} of {4}.</source>
-        <translation>Schritt {0} von {1} läuft, Durchlauf {3} von {4}.</translation></message>
-    <message><source>Let the step finish, then blend out</source>
-        <translation>Den Schritt zu Ende führen, dann ausblenden</translation></message>
-    <message><source>Unknown: an earlier motion may continue for about {0:.0f} s.</source>
-        <translation>Unbekannt: Eine frühere Bewegung kann noch etwa {0:.0f} s weitergehen.</translation></message>
-    <message><source>Stuck: the robot is waiting for motor {0} and reads nothing.</source>
-        <translation>Hängt: Der Roboter wartet auf Motor {0} und liest nichts.</translation></message>
-    <message><source>Waiting for motor {0} to arrive …</source>
-        <translation>Warten, bis Motor {0} ankommt …</translation></message>
-    <message><source>Playing blend-in.</source>
-        <translation>Einblendung läuft.</translation></message>
-    <message><source>Playing blend-out.</source>
-        <translation>Ausblendung läuft.</translation></message>
-    <message><source>Playing step {0} of {1} “{2}”, round {3} of {4}.</source>
-        <translation>Schritt {0} von {1} „{2}“ läuft, Durchlauf {3} von {4}.</translation></message>
-    <message><source>Unknown: the last motion may still be running.</source>
-        <translation>Unbekannt: Die letzte Bewegung läuft vielleicht noch.</translation></message>
-    <message><source>Nothing is sent. Whether it moves is unknown until its first move.</source>
-        <translation>Es wird nichts gesendet. Ob er sich bewegt, ist bis zu seiner ersten Bewegung unbekannt.</translation></message>
-    <message><source>The motion ends by itself in about {0:.1f} s.</source>
-        <translation>Die Bewegung endet in etwa {0:.1f} s von selbst.</translation></message>
     <message><source>The only way to stop a motion: the protocol has no stop command.</source>
         <translation>Die einzige Möglichkeit, eine Bewegung zu stoppen: Das Protokoll hat keinen Stoppbefehl.</translation></message>
     <message><source>The debug LED; it blinks while the firmware boots</source>
@@ -613,8 +571,6 @@
         <translation>Bewegt sich endlos: Wartet auf ein Servo, das blockiert oder tot ist.</translation></message>
     <message><source>no power</source>
         <translation>keine Versorgung</translation></message>
-    <message><source>Demo Aracna</source>
-        <translation>Demo-Aracna</translation></message>
     <message><source>Clear all faults</source>
         <translation>Alle Störungen beheben</translation></message>
     <message><source>Noise</source>
@@ -705,6 +661,48 @@
         <translation>{0} Antworten auf {1} Anfragen ({2:.2f} %)</translation></message>
     <message><source>Timeouts: {0}, corrupted: {1}, unrecognized lines: {2}, restarts: {3}; slowest reply: {4:.0f} ms (without motions)</source>
         <translation>Timeouts: {0}, verfälscht: {1}, nicht erkannte Zeilen: {2}, Neustarts: {3}; langsamste Antwort: {4:.0f} ms (ohne Bewegungen)</translation></message>
+    <message><source>This link has no stop: a running motion ends only by itself, or by cutting the servo power.</source>
+        <translation>Diese Verbindung kennt keinen Stopp: Eine laufende Bewegung endet nur von selbst oder durch Trennen der Servoversorgung.</translation></message>
+    <message><source>Playing step {0} of {1}.</source>
+        <translation>Schritt {0} von {1} läuft.</translation></message>
+    <message><source>Stop sequence</source>
+        <translation>Sequenz stoppen</translation></message>
+    <message><source>End the sequence, send nothing more, stay where the robot is (Esc, anywhere)</source>
+        <translation>Die Sequenz beenden, nichts mehr senden, den Roboter dort lassen, wo er ist (Esc, überall)</translation></message>
+    <message><source>End afte&amp;r this step</source>
+        <translation>Nach diesem Schritt &amp;beenden</translation></message>
+    <message><source>The motion continues by itself for about {0:.0f} s.</source>
+        <translation>Die Bewegung geht noch etwa {0:.0f} s von selbst weiter.</translation></message>
+    <message><source>Stuck: the robot is waiting for motor {0} and reads nothing.</source>
+        <translation>Hängt: Der Roboter wartet auf Motor {0} und liest nichts.</translation></message>
+    <message><source>At rest: nothing is sent.</source>
+        <translation>In Ruhe: Es wird nichts gesendet.</translation></message>
+    <message><source>Unknown: the last motion may continue for about {0:.0f} s.</source>
+        <translation>Unbekannt: Die letzte Bewegung kann noch etwa {0:.0f} s weitergehen.</translation></message>
+    <message><source>The sequence begins.</source>
+        <translation>Die Sequenz beginnt.</translation></message>
+    <message><source>Playing step {0} of {1} “{2}”.</source>
+        <translation>Schritt {0} von {1} „{2}“ läuft.</translation></message>
+    <message><source>Playing step {0} of {1}, round {3} of {4}.</source>
+        <translation>Schritt {0} von {1} läuft, Durchlauf {3} von {4}.</translation></message>
+    <message><source>Let the step finish, then blend out</source>
+        <translation>Den Schritt zu Ende führen, dann ausblenden</translation></message>
+    <message><source>Unknown: an earlier motion may continue for about {0:.0f} s.</source>
+        <translation>Unbekannt: Eine frühere Bewegung kann noch etwa {0:.0f} s weitergehen.</translation></message>
+    <message><source>Waiting for motor {0} to arrive …</source>
+        <translation>Warten, bis Motor {0} ankommt …</translation></message>
+    <message><source>Playing blend-in.</source>
+        <translation>Einblendung läuft.</translation></message>
+    <message><source>Playing blend-out.</source>
+        <translation>Ausblendung läuft.</translation></message>
+    <message><source>Playing step {0} of {1} “{2}”, round {3} of {4}.</source>
+        <translation>Schritt {0} von {1} „{2}“ läuft, Durchlauf {3} von {4}.</translation></message>
+    <message><source>Unknown: the last motion may still be running.</source>
+        <translation>Unbekannt: Die letzte Bewegung läuft vielleicht noch.</translation></message>
+    <message><source>Nothing is sent. Whether it moves is unknown until its first move.</source>
+        <translation>Es wird nichts gesendet. Ob er sich bewegt, ist bis zu seiner ersten Bewegung unbekannt.</translation></message>
+    <message><source>The motion ends by itself in about {0:.1f} s.</source>
+        <translation>Die Bewegung endet in etwa {0:.1f} s von selbst.</translation></message>
     <message><source>Plot of the motors' positions against time</source>
         <translation>Diagramm der Motorpositionen über der Zeit</translation></message>
     <message numerus="yes"><source>Aracna, firmware {0}, %n motor(s)</source>
@@ -1011,6 +1009,8 @@
         <translation>Seiten</translation></message>
     <message><source>a robot</source>
         <translation>ein Roboter</translation></message>
+    <message><source>Demo Aracna</source>
+        <translation>Demo-Aracna</translation></message>
     <message><source>a pose file of an Aracna</source>
         <translation>eine Posendatei eines Aracna</translation></message>
     <message><source>&amp;Aracna</source>
@@ -2761,46 +2761,6 @@
         <translation>diese Zahl ist nicht lesbar; {0}</translation></message>
     <message><source>merge keys (&lt;&lt;) are not allowed; {0}</source>
         <translation>Merge-Schlüssel (&lt;&lt;) sind nicht erlaubt; {0}</translation></message>
-    <message><source>Lets both motors and the auxiliary be driven; nothing moves yet</source>
-        <translation>Gibt beide Motoren und den Hilfsmotor zum Fahren frei; noch bewegt sich nichts</translation></message>
-    <message><source>Channels control the motors; Run motor needs serial control.</source>
-        <translation>Die Kanäle steuern die Motoren; „Motor freigeben“ braucht serielle Steuerung.</translation></message>
-    <message><source>Stop motors</source>
-        <translation>Motoren stoppen</translation></message>
-    <message><source>Stop both motors and the auxiliary now (Esc, anywhere)</source>
-        <translation>Beide Motoren und den Hilfsmotor sofort stoppen (Esc, überall)</translation></message>
-    <message><source>&amp;Run motor</source>
-        <translation>Motor fre&amp;igeben</translation></message>
-    <message><source>There are unapplied changes.</source>
-        <translation>Es gibt nicht angewendete Änderungen.</translation></message>
-    <message><source>&amp;Apply settings</source>
-        <translation>Einstellungen an&amp;wenden</translation></message>
-    <message><source>Stopping …</source>
-        <translation>Wird gestoppt …</translation></message>
-    <message><source>The board driven before may still turn its motors. Cut their power.</source>
-        <translation>Die Motoren des zuvor angesteuerten Boards können sich noch drehen. Trennen Sie dessen Motorversorgung.</translation></message>
-    <message><source>Channels control the motors: Stop does not affect them.</source>
-        <translation>Die Kanäle steuern die Motoren: „Motoren stoppen“ wirkt nicht auf die Motoren.</translation></message>
-    <message><source>Several boards on this line: select the one to drive.</source>
-        <translation>Mehrere Boards an dieser Leitung: Wählen Sie das Board zum Fahren.</translation></message>
-    <message><source>Not armed: no command is sent until you click Run motor.</source>
-        <translation>Nicht freigegeben: Es wird kein Befehl gesendet, bis Sie auf „Motor freigeben“ klicken.</translation></message>
-    <message><source>Write the serial timeout</source>
-        <translation>Serielles Timeout schreiben</translation></message>
-    <message><source>Write the changed parameters into the board (Ctrl+Enter)</source>
-        <translation>Die geänderten Parameter ins Board schreiben (Strg+Enter)</translation></message>
-    <message><source>Armed. Drive them on the Motors page.</source>
-        <translation>Freigegeben. Gefahren wird auf der Seite „Motoren“.</translation></message>
-    <message><source>Write &amp;{0} s</source>
-        <translation>&amp;{0} s schreiben</translation></message>
-    <message><source>Write a serial timeout of {0} s</source>
-        <translation>Serielles Timeout von {0} s schreiben</translation></message>
-    <message><source>Writes Serial Timeout and UART-Error Shutdown now: the board should stop its motors {0} s after the last byte. Other changes stay pending.</source>
-        <translation>Schreibt jetzt „Serielles Timeout“ und „Abschaltung bei UART-Fehlern“: Das Board sollte seine Motoren {0} s nach dem letzten Byte stoppen. Andere Änderungen bleiben ausstehend.</translation></message>
-    <message><source>Armed. Sent: {0}</source>
-        <translation>Freigegeben. Gesendet: {0}</translation></message>
-    <message><source>Stopped. Motors are locked for {0} s.</source>
-        <translation>Gestoppt. Die Motoren sind für {0} s gesperrt.</translation></message>
     <message><source>nothing to write</source>
         <translation>nichts zu schreiben</translation></message>
     <message numerus="yes"><source>&amp;Write to %n board(s)</source>
@@ -2845,26 +2805,12 @@
         <translation>„Motoren stoppen“ wurde gedrückt; das hat die Arbeit beendet.</translation></message>
     <message numerus="yes"><source>Written to %n board(s).</source>
         <translation><numerusform>Auf %n Board geschrieben.</numerusform><numerusform>Auf %n Boards geschrieben.</numerusform></translation></message>
-    <message><source>Board {0}: {1}</source>
-        <translation>Board {0}: {1}</translation></message>
-    <message><source>Apply {0} to several boards</source>
-        <translation>{0} auf mehrere Boards anwenden</translation></message>
     <message numerus="yes"><source>%n board(s) left out; the reason is beside each.</source>
         <translation><numerusform>%n Board ausgelassen; der Grund steht daneben.</numerusform><numerusform>%n Boards ausgelassen; der Grund steht jeweils daneben.</numerusform></translation></message>
-    <message><source>“Arm without” is remembered for this board. Cut the power by hand then if the cable falls out.</source>
-        <translation>„Ohne Timeout freigeben“ wird für dieses Board gemerkt. Trennen Sie dann die Motorversorgung von Hand, wenn das Kabel herausfällt.</translation></message>
-    <message><source>Arm the motors</source>
-        <translation>Motoren freigeben</translation></message>
-    <message><source>Cancel</source>
-        <translation>Abbrechen</translation></message>
-    <message><source>Writing …</source>
-        <translation>Schreiben läuft …</translation></message>
-    <message><source>&amp;Write {0:g} s and arm</source>
-        <translation>{0:g} s &amp;schreiben und freigeben</translation></message>
-    <message><source>Arm with&amp;out</source>
-        <translation>&amp;Ohne Timeout freigeben</translation></message>
-    <message><source>The board did not store the serial timeout.</source>
-        <translation>Das Board hat das serielle Timeout nicht gespeichert.</translation></message>
+    <message><source>Apply {0} to several boards</source>
+        <translation>{0} auf mehrere Boards anwenden</translation></message>
+    <message><source>Board {0}: {1}</source>
+        <translation>Board {0}: {1}</translation></message>
     <message><source>Channel input</source>
         <translation>Kanaleingang</translation></message>
     <message><source>{value}, {distance} above neutral</source>
@@ -2887,14 +2833,14 @@
         <translation>max</translation></message>
     <message><source>{value}, neutral</source>
         <translation>{value}, neutral</translation></message>
+    <message><source>Test to compare with</source>
+        <translation>Prüflauf zum Vergleichen</translation></message>
     <message><source>Bench test of motor {0}: {1}, {2:%Y-%m-%d %H:%M}</source>
         <translation>Prüflauf von Motor {0}: {1}, {2:%Y-%m-%d %H:%M}</translation></message>
     <message><source>{0:%H:%M:%S}, motor {1}: {2}</source>
         <translation>{0:%H:%M:%S}, Motor {1}: {2}</translation></message>
     <message><source>Bench test</source>
         <translation>Prüflauf</translation></message>
-    <message><source>Test to compare with</source>
-        <translation>Prüflauf zum Vergleichen</translation></message>
     <message><source>How far from the steady current counts as settled, in percent</source>
         <translation>Abweichung vom stationären Strom, die noch als eingeschwungen gilt, in Prozent</translation></message>
     <message><source>Sa&amp;ve…</source>
@@ -2917,6 +2863,10 @@
         <translation>Gespeicherten Prüflauf öffnen</translation></message>
     <message><source>Save this test to compare with later, or a picture of it</source>
         <translation>Diesen Prüflauf für spätere Vergleiche oder als Bild speichern</translation></message>
+    <message><source>Aborted after {0:.2f} s: {1}</source>
+        <translation>Abgebrochen nach {0:.2f} s: {1}</translation></message>
+    <message><source>Released after {0:.2f} s.</source>
+        <translation>Losgelassen nach {0:.2f} s.</translation></message>
     <message><source>The test is complete.</source>
         <translation>Der Prüflauf ist abgeschlossen.</translation></message>
     <message><source>the previous test</source>
@@ -2925,12 +2875,10 @@
         <translation>&amp;Vergleichen mit</translation></message>
     <message><source>Settled &amp;within</source>
         <translation>Eingesch&amp;wungen innerhalb</translation></message>
-    <message><source>Aborted after {0:.2f} s: {1}</source>
-        <translation>Abgebrochen nach {0:.2f} s: {1}</translation></message>
-    <message><source>Released after {0:.2f} s.</source>
-        <translation>Losgelassen nach {0:.2f} s.</translation></message>
     <message><source>1 to {0}, full speed</source>
         <translation>1 bis {0}, volle Geschwindigkeit</translation></message>
+    <message><source>Connect to a board to see its settings.</source>
+        <translation>Verbinden Sie ein Board, um seine Einstellungen zu sehen.</translation></message>
     <message><source>Test</source>
         <translation>Prüflauf</translation></message>
     <message><source>Motor to test</source>
@@ -2977,6 +2925,10 @@
         <translation>&amp;Anwenden…</translation></message>
     <message><source> s</source>
         <translation> s</translation></message>
+    <message><source>Forward</source>
+        <translation>Vorwärts</translation></message>
+    <message><source>Reverse</source>
+        <translation>Rückwärts</translation></message>
     <message><source>Accelerate uses the board's acceleration, brake duration and current limit; Set at once bypasses the first two and, for a moment, the limit, too.</source>
         <translation>„Beschleunigen“ nutzt Beschleunigung, Bremsdauer und Stromgrenze des Boards; „Sofort setzen“ umgeht die ersten beiden und kurzzeitig auch die Grenze.</translation></message>
     <message><source> A</source>
@@ -2989,14 +2941,10 @@
         <translation>Ans&amp;tieg in</translation></message>
     <message><source>&amp;Period</source>
         <translation>&amp;Periode</translation></message>
-    <message><source>Connect to a board to see its settings.</source>
-        <translation>Verbinden Sie ein Board, um seine Einstellungen zu sehen.</translation></message>
     <message><source>Review and write all pending edits, these included</source>
         <translation>Alle ausstehenden Änderungen prüfen und schreiben, auch diese</translation></message>
     <message><source>Limit P</source>
         <translation>P der Stromgrenze</translation></message>
-    <message><source>{0} (stored: {1})</source>
-        <translation>{0} (gespeichert: {1})</translation></message>
     <message><source>Settings of motor {0}</source>
         <translation>Einstellungen von Motor {0}</translation></message>
     <message><source>Not applied: {0}</source>
@@ -3009,14 +2957,12 @@
         <translation>Umkehr: vor und zurück</translation></message>
     <message><source>Sine</source>
         <translation>Sinus</translation></message>
-    <message><source>Forward</source>
-        <translation>Vorwärts</translation></message>
-    <message><source>Reverse</source>
-        <translation>Rückwärts</translation></message>
     <message><source>Accelerate</source>
         <translation>Beschleunigen</translation></message>
     <message><source>Set at once</source>
         <translation>Sofort setzen</translation></message>
+    <message><source>{0} (stored: {1})</source>
+        <translation>{0} (gespeichert: {1})</translation></message>
     <message><source>The table of figures has the results as numbers.</source>
         <translation>Die Tabelle der Kennwerte enthält die Ergebnisse als Zahlen.</translation></message>
     <message><source>Speed setpoint and current drawn, against time</source>
@@ -3041,18 +2987,6 @@
         <translation>{0:.2f} s</translation></message>
     <message><source>From the first setpoint until braking.</source>
         <translation>Vom ersten Sollwert bis zum Bremsen.</translation></message>
-    <message><source>Bench tests (*.csv);;Pictures (*.png)</source>
-        <translation>Prüfläufe (*.csv);;Bilder (*.png)</translation></message>
-    <message><source>Save bench test</source>
-        <translation>Prüflauf speichern</translation></message>
-    <message><source>Bench tests (*.csv);;All files (*)</source>
-        <translation>Prüfläufe (*.csv);;Alle Dateien (*)</translation></message>
-    <message><source>Open bench test</source>
-        <translation>Prüflauf öffnen</translation></message>
-    <message><source>{0} was not saved: {1}.</source>
-        <translation>{0} wurde nicht gespeichert: {1}.</translation></message>
-    <message><source>{0} was not opened: {1}.</source>
-        <translation>{0} wurde nicht geöffnet: {1}.</translation></message>
     <message><source>Peak current</source>
         <translation>Spitzenstrom</translation></message>
     <message><source>The highest reading.</source>
@@ -3073,6 +3007,18 @@
         <translation>Bis der Strom innerhalb dieses Anteils am stationären Strom blieb, oder innerhalb von zwei Counts um ihn.</translation></message>
     <message><source>Figures of the test</source>
         <translation>Kennwerte des Prüflaufs</translation></message>
+    <message><source>Save bench test</source>
+        <translation>Prüflauf speichern</translation></message>
+    <message><source>Bench tests (*.csv);;Pictures (*.png)</source>
+        <translation>Prüfläufe (*.csv);;Bilder (*.png)</translation></message>
+    <message><source>Open bench test</source>
+        <translation>Prüflauf öffnen</translation></message>
+    <message><source>Bench tests (*.csv);;All files (*)</source>
+        <translation>Prüfläufe (*.csv);;Alle Dateien (*)</translation></message>
+    <message><source>{0} was not saved: {1}.</source>
+        <translation>{0} wurde nicht gespeichert: {1}.</translation></message>
+    <message><source>{0} was not opened: {1}.</source>
+        <translation>{0} wurde nicht geöffnet: {1}.</translation></message>
     <message><source>This test</source>
         <translation>Dieser Prüflauf</translation></message>
     <message><source>Change</source>
@@ -3087,10 +3033,16 @@
         <translation>Fortschritt der Suche</translation></message>
     <message><source>Find boards</source>
         <translation>Boards suchen</translation></message>
+    <message><source>Cancel</source>
+        <translation>Abbrechen</translation></message>
     <message><source>Change number…</source>
         <translation>Nummer ändern…</translation></message>
     <message><source>Apply a file…</source>
         <translation>Datei anwenden…</translation></message>
+    <message><source>It replied before. Check its power and its wires.</source>
+        <translation>Es hat schon geantwortet. Prüfen Sie seine Stromversorgung und seine Leitungen.</translation></message>
+    <message><source>Several boards seem to have this number. Switch off all but one, and give it a number of its own.</source>
+        <translation>Mehrere Boards scheinen diese Nummer zu haben. Schalten Sie alle bis auf eines aus und geben Sie diesem eine eigene Nummer.</translation></message>
     <message><source>Change device number</source>
         <translation>Gerätenummer ändern</translation></message>
     <message><source>Before it is written, the line is asked for the new number: if another board has it, nothing is written. A board that is off, or has other serial settings, cannot be noticed. The new number takes effect at once, and a snapshot is saved first.</source>
@@ -3115,8 +3067,6 @@
         <translation>Dem ausgewählten Board eine andere Gerätenummer geben</translation></message>
     <message><source>Write a settings file to several boards; each keeps its number</source>
         <translation>Eine Einstellungsdatei auf mehrere Boards schreiben; jedes behält seine Nummer</translation></message>
-    <message><source>Number {0} of {1} …</source>
-        <translation>Nummer {0} von {1} …</translation></message>
     <message><source>being left …</source>
         <translation>wird verlassen …</translation></message>
     <message><source>selected, not responding</source>
@@ -3135,10 +3085,8 @@
         <translation>Antwort unlesbar</translation></message>
     <message><source>not asked yet</source>
         <translation>noch nicht abgefragt</translation></message>
-    <message><source>Several boards seem to have this number. Switch off all but one, and give it a number of its own.</source>
-        <translation>Mehrere Boards scheinen diese Nummer zu haben. Schalten Sie alle bis auf eines aus und geben Sie diesem eine eigene Nummer.</translation></message>
-    <message><source>It replied before. Check its power and its wires.</source>
-        <translation>Es hat schon geantwortet. Prüfen Sie seine Stromversorgung und seine Leitungen.</translation></message>
+    <message><source>Number {0} of {1} …</source>
+        <translation>Nummer {0} von {1} …</translation></message>
     <message><source>Taken: {0}.</source>
         <translation>Vergeben: {0}.</translation></message>
     <message><source>Both off</source>
@@ -3215,6 +3163,8 @@
         <translation>Fünfmal Blinken, dann bleibt Rot an.</translation></message>
     <message><source>The TReX responds at the factory settings.</source>
         <translation>Der TReX antwortet mit den Werkseinstellungen.</translation></message>
+    <message><source>Ways to a board that responds</source>
+        <translation>Wege zu einem antwortenden Board</translation></message>
     <message><source>Mode may also be on: the board responds in every mode.</source>
         <translation>Der Modus-Jumper darf auch stecken: Das Board antwortet in jedem Modus.</translation></message>
     <message><source>Search with Find first: it finds a board at any of its settings. If that fails, these steps from Pololu's support forum restore the serial settings of the factory (inferred). One user saw the LEDs alternate for three seconds only, and nothing was restored: then begin again. Compare the other settings with your last snapshot afterwards (Ctrl+H).</source>
@@ -3225,8 +3175,6 @@
         <translation>&amp;Weiter</translation></message>
     <message><source>Board does not respond</source>
         <translation>Board antwortet nicht</translation></message>
-    <message><source>Ways to a board that responds</source>
-        <translation>Wege zu einem antwortenden Board</translation></message>
     <message><source>&amp;What the board shows</source>
         <translation>Was das &amp;Board zeigt</translation></message>
     <message><source>&amp;Lost serial settings</source>
@@ -3243,18 +3191,6 @@
         <translation>Was dieser Computer empfängt</translation></message>
     <message><source>19200 baud, without parity and CRC, whatever the device number</source>
         <translation>19200 Baud, ohne Parität und CRC, bei jeder Gerätenummer</translation></message>
-    <message><source>Settings are still being written. Close anyway? Unwritten settings are offered when the board is connected again.</source>
-        <translation>Es werden noch Einstellungen geschrieben. Trotzdem schließen? Nicht geschriebene Einstellungen werden beim nächsten Verbinden des Boards angeboten.</translation></message>
-    <message><source>Review and apply…</source>
-        <translation>Prüfen und anwenden…</translation></message>
-    <message><source>Close anyway</source>
-        <translation>Trotzdem schließen</translation></message>
-    <message><source>Save as a settings file…</source>
-        <translation>Als Einstellungsdatei speichern…</translation></message>
-    <message><source>Keep and close</source>
-        <translation>Behalten und schließen</translation></message>
-    <message><source>Discard and close</source>
-        <translation>Verwerfen und schließen</translation></message>
     <message><source>Show &amp;matching settings, too</source>
         <translation>Auch übereinstimmende &amp;Einstellungen zeigen</translation></message>
     <message><source>Select &amp;all</source>
@@ -3267,10 +3203,10 @@
         <translation>Vorher</translation></message>
     <message><source>After</source><comment>value</comment>
         <translation>Nachher</translation></message>
-    <message><source>For a {0}: {1} carried over, {2} changed, {3} left out.</source>
-        <translation>Für einen {0}: {1} übernommen, {2} geändert, {3} ausgelassen.</translation></message>
     <message><source>Converted settings</source>
         <translation>Konvertierte Einstellungen</translation></message>
+    <message><source>For a {0}: {1} carried over, {2} changed, {3} left out.</source>
+        <translation>Für einen {0}: {1} übernommen, {2} geändert, {3} ausgelassen.</translation></message>
     <message><source>Changed.</source>
         <translation>Geändert.</translation></message>
     <message><source>Left out.</source>
@@ -3279,6 +3215,8 @@
         <translation>Übernommen.</translation></message>
     <message><source>In the file</source>
         <translation>In der Datei</translation></message>
+    <message><source>{0}, firmware {1}</source>
+        <translation>{0}, Firmware {1}</translation></message>
     <message><source>Board to convert for</source>
         <translation>Board, für das konvertiert wird</translation></message>
     <message><source>&amp;Convert</source>
@@ -3291,8 +3229,6 @@
         <translation>{0} konvertieren</translation></message>
     <message><source>Opens the converted settings as a new file, with the comments of this one. {0} stays as it is.</source>
         <translation>Öffnet die konvertierten Einstellungen als neue Datei, mit den Kommentaren dieser Datei. {0} bleibt, wie sie ist.</translation></message>
-    <message><source>{0}, firmware {1}</source>
-        <translation>{0}, Firmware {1}</translation></message>
     <message numerus="yes"><source>%n count(s)</source>
         <translation><numerusform>%n Count</numerusform><numerusform>%n Counts</numerusform></translation></message>
     <message><source>Enter 0 to {0}, such as 2.5 V, 2500 mV or 512 counts.</source>
@@ -3311,6 +3247,8 @@
         <translation>wechselt {0}/s</translation></message>
     <message><source>short flash {0}/s</source>
         <translation>blitzt {0}/s</translation></message>
+    <message><source>on: serial commands control the motors</source>
+        <translation>an: Serielle Befehle steuern die Motoren</translation></message>
     <message><source>on: the channels control the motors</source>
         <translation>an: Die Kanäle steuern die Motoren</translation></message>
     <message><source>Safe-start: the motors wait until the sticks are centred.</source>
@@ -3319,10 +3257,10 @@
         <translation>flackert</translation></message>
     <message><source>off: the power is off</source>
         <translation>aus: Die Stromversorgung ist aus</translation></message>
-    <message><source>on: serial commands control the motors</source>
-        <translation>an: Serielle Befehle steuern die Motoren</translation></message>
     <message><source>The power is off: the board does not reply.</source>
         <translation>Die Stromversorgung ist aus: Das Board antwortet nicht.</translation></message>
+    <message><source>Safe-start: the motors wait for a signal on input {0}.</source>
+        <translation>Safe-Start: Die Motoren warten auf ein Signal an Eingang {0}.</translation></message>
     <message><source>Safe-start: the motors wait until channel 5 no longer requests override.</source>
         <translation>Safe-Start: Die Motoren warten, bis Kanal 5 keinen Vorrang mehr anfordert.</translation></message>
     <message><source>Power cycle</source>
@@ -3331,16 +3269,6 @@
         <translation>Einschalten</translation></message>
     <message><source>SO–G holds the serial output to ground: no reply gets out.</source>
         <translation>SO–G hält den seriellen Ausgang auf Masse: Keine Antwort kommt heraus.</translation></message>
-    <message><source>motor 1</source>
-        <translation>Motor 1</translation></message>
-    <message><source>motor 2</source>
-        <translation>Motor 2</translation></message>
-    <message><source>auxiliary</source>
-        <translation>Hilfsmotor</translation></message>
-    <message><source>flip</source>
-        <translation>Umdrehen</translation></message>
-    <message><source>override</source>
-        <translation>Vorrang</translation></message>
     <message><source>Power and jumpers</source>
         <translation>Stromversorgung und Jumper</translation></message>
     <message><source>Power on</source><comment>state</comment>
@@ -3415,8 +3343,6 @@
         <translation>seriell</translation></message>
     <message><source>RC</source>
         <translation>RC</translation></message>
-    <message><source>turn</source>
-        <translation>lenken</translation></message>
     <message><source>Demo TReX</source>
         <translation>Demo-TReX</translation></message>
     <message><source>Factory state</source>
@@ -3425,6 +3351,12 @@
         <translation>5 Vorrang</translation></message>
     <message><source>A weak battery sags when the motors start, and the board resets</source>
         <translation>Eine schwache Batterie bricht ein, wenn die Motoren anlaufen, und das Board startet neu</translation></message>
+    <message><source>auxiliary</source>
+        <translation>Hilfsmotor</translation></message>
+    <message><source>flip</source>
+        <translation>Umdrehen</translation></message>
+    <message><source>override</source>
+        <translation>Vorrang</translation></message>
     <message><source>Unplugged, the port is gone: Serial Timeout and UART-Error Shutdown should stop motors</source>
         <translation>Abgezogen verschwindet der Port: Serielles Timeout und „Abschaltung bei UART-Fehlern“ sollten die Motoren stoppen</translation></message>
     <message><source>The wire from SO is broken: the board executes commands, no reply arrives</source>
@@ -3435,8 +3367,6 @@
         <translation>Kanal 5 übergibt die Steuerung an serielle Befehle.</translation></message>
     <message><source>The sticks control the motors.</source>
         <translation>Die Knüppel steuern die Motoren.</translation></message>
-    <message><source>Safe-start: the motors wait for a signal on input {0}.</source>
-        <translation>Safe-Start: Die Motoren warten auf ein Signal an Eingang {0}.</translation></message>
     <message><source>{0} to learn the inputs.</source>
         <translation>{0}, um die Eingänge einzulernen.</translation></message>
     <message><source>{0} to enter {1} mode.</source>
@@ -3457,6 +3387,12 @@
         <translation>Der Modus wird beim Einschalten gelesen; Mix wirkt sofort.</translation></message>
     <message><source>Input {0}</source>
         <translation>Eingang {0}</translation></message>
+    <message><source>turn</source>
+        <translation>lenken</translation></message>
+    <message><source>motor 1</source>
+        <translation>Motor 1</translation></message>
+    <message><source>motor 2</source>
+        <translation>Motor 2</translation></message>
     <message><source>invalid</source>
         <translation>ungültig</translation></message>
     <message><source>Stick of input {0}</source>
@@ -3499,16 +3435,18 @@
         <translation>Übernehmen</translation></message>
     <message><source>Add this change to the edits; nothing is written until you click Apply</source>
         <translation>Nimmt diesen Wert in die Änderungen auf; geschrieben wird erst, wenn Sie auf „Einstellungen anwenden“ klicken</translation></message>
-    <message><source>&amp;Delete…</source>
-        <translation>&amp;Löschen…</translation></message>
-    <message><source>&amp;Open folder</source>
-        <translation>&amp;Ordner öffnen</translation></message>
     <message numerus="yes"><source>Permanently delete %n snapshot(s), the newest of {0}?</source>
         <translation><numerusform>%n Sicherungskopie von {0} endgültig löschen?</numerusform><numerusform>%n Sicherungskopien endgültig löschen, die neueste von {0}?</numerusform></translation></message>
     <message><source>Search times, boards, adapters (Ctrl+F)</source>
         <translation>Zeiten, Boards, Adapter suchen (Strg+F)</translation></message>
+    <message numerus="yes"><source>Permanently remove the oldest %n of {0} snapshots?</source>
+        <translation><numerusform>Die älteste Sicherungskopie (%n von {0}) endgültig entfernen?</numerusform><numerusform>Die ältesten %n von {0} Sicherungskopien endgültig entfernen?</numerusform></translation></message>
     <message><source>History</source>
         <translation>Verlauf</translation></message>
+    <message><source>&amp;Delete…</source>
+        <translation>&amp;Löschen…</translation></message>
+    <message><source>&amp;Open folder</source>
+        <translation>&amp;Ordner öffnen</translation></message>
     <message><source>There are no snapshots yet.
 
 Before settings are applied or defaults restored, in this window or with trexcmd, everything that the board stores is saved here. You can compare a snapshot with the board and restore all or part of it.</source>
@@ -3531,26 +3469,22 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>&amp;Setzen</translation></message>
     <message><source>Save a copy as a settings file</source>
         <translation>Eine Kopie als Einstellungsdatei speichern</translation></message>
-    <message><source>&amp;Keep</source>
-        <translation>&amp;Behalten</translation></message>
-    <message><source>snapshots</source>
-        <translation>Sicherungskopien</translation></message>
-    <message><source>A copy was saved in {0}.</source>
-        <translation>Eine Kopie wurde in {0} gespeichert.</translation></message>
     <message><source>the newest</source>
         <translation>die neuesten</translation></message>
     <message><source>all</source>
         <translation>alle</translation></message>
-    <message numerus="yes"><source>Permanently remove the oldest %n of {0} snapshots?</source>
-        <translation><numerusform>Die älteste Sicherungskopie (%n von {0}) endgültig entfernen?</numerusform><numerusform>Die ältesten %n von {0} Sicherungskopien endgültig entfernen?</numerusform></translation></message>
-    <message><source>The snapshots are in {0}.</source>
-        <translation>Die Sicherungskopien sind in {0}.</translation></message>
+    <message><source>&amp;Keep</source>
+        <translation>&amp;Behalten</translation></message>
+    <message><source>snapshots</source>
+        <translation>Sicherungskopien</translation></message>
     <message><source>Remove {0}</source>
         <translation>{0} entfernen</translation></message>
+    <message><source>A copy was saved in {0}.</source>
+        <translation>Eine Kopie wurde in {0} gespeichert.</translation></message>
+    <message><source>The snapshots are in {0}.</source>
+        <translation>Die Sicherungskopien sind in {0}.</translation></message>
     <message><source>Nothing was saved. {0}</source>
         <translation>Es wurde nichts gespeichert. {0}</translation></message>
-    <message><source>{0:.0f} to {1:.0f} counts</source>
-        <translation>{0:.0f} bis {1:.0f} Counts</translation></message>
     <message><source>on</source><comment>jumper</comment>
         <translation>gesteckt</translation></message>
     <message><source>off</source><comment>jumper</comment>
@@ -3571,28 +3505,14 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Mix-Jumper gesteckt</translation></message>
     <message><source>no mix jumper</source>
         <translation>kein Mix-Jumper</translation></message>
-    <message numerus="yes"><source>&amp;Learn channel(s) {0} again</source>
-        <translation><numerusform>Kanal {0} neu ein&amp;lernen</numerusform><numerusform>Kanäle {0} neu ein&amp;lernen</numerusform></translation></message>
     <message><source>Push every stick forward or right first, all the way; then the other way. Move switches to all positions.</source>
         <translation>Drücken Sie jeden Knüppel zuerst ganz nach vorn oder rechts, dann ganz in die andere Richtung. Bewegen Sie Schalter in alle Stellungen.</translation></message>
     <message><source>Hold each end until its check mark appears, for at least {0:.1f} s: this line ({1} baud) carries only {2:.1f} measurements per second. Then click Next.</source>
         <translation>Halten Sie jede Endlage, bis ihr Häkchen erscheint, mindestens {0:.1f} s: Diese Leitung ({1} Baud) überträgt nur {2:.1f} Messungen pro Sekunde. Klicken Sie dann auf „Weiter“.</translation></message>
     <message><source>Push every stick to all its ends, then release it. Move every switch to all its positions. The motors stay off: in serial mode the sticks do not drive them.</source>
         <translation>Drücken Sie jeden Knüppel in alle seine Endlagen, dann lassen Sie ihn los. Bewegen Sie jeden Schalter in alle seine Stellungen. Die Motoren bleiben aus: Im seriellen Modus treiben die Knüppel sie nicht an.</translation></message>
-    <message><source>&amp;Use these values…</source>
-        <translation>Diese Werte &amp;verwenden…</translation></message>
-    <message><source>Stop the motors and &amp;test</source>
-        <translation>Motoren stoppen und &amp;testen</translation></message>
-    <message><source>Measurements</source>
-        <translation>Messungen</translation></message>
-    <message><source>Stop the motors</source>
-        <translation>Motoren stoppen</translation></message>
-    <message><source>Hands off the sticks</source>
-        <translation>Knüppel loslassen</translation></message>
-    <message><source>All sticks to all ends</source>
-        <translation>Alle Knüppel in alle Endlagen</translation></message>
-    <message><source>Review</source>
-        <translation>Prüfen</translation></message>
+    <message numerus="yes"><source>&amp;Learn channel(s) {0} again</source>
+        <translation><numerusform>Kanal {0} neu ein&amp;lernen</numerusform><numerusform>Kanäle {0} neu ein&amp;lernen</numerusform></translation></message>
     <message><source>Try &amp;again</source>
         <translation>&amp;Erneut versuchen</translation></message>
     <message><source>Stop the motors again and begin again.</source>
@@ -3607,30 +3527,22 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Kein Kanal ist in Ruhe. Beheben Sie die Probleme unten, dann klicken Sie auf „Erneut messen“.</translation></message>
     <message><source>Check the new values. You can change them; clear the check box of a channel to keep its old values. Nothing is written yet: you confirm all changes in the next window.</source>
         <translation>Prüfen Sie die neuen Werte. Sie können sie ändern; entfernen Sie das Häkchen eines Kanals, um seine alten Werte zu behalten. Noch wird nichts geschrieben: Sie bestätigen alle Änderungen im nächsten Fenster.</translation></message>
-    <message><source>If a channel does not get a good result, learn its values again.</source>
-        <translation>Wenn ein Kanal kein gutes Ergebnis erhält, lernen Sie seine Werte neu ein.</translation></message>
+    <message><source>&amp;Use these values…</source>
+        <translation>Diese Werte &amp;verwenden…</translation></message>
+    <message><source>Stop the motors and &amp;test</source>
+        <translation>Motoren stoppen und &amp;testen</translation></message>
+    <message><source>Measurements</source>
+        <translation>Messungen</translation></message>
+    <message><source>Hands off the sticks</source>
+        <translation>Knüppel loslassen</translation></message>
+    <message><source>All sticks to all ends</source>
+        <translation>Alle Knüppel in alle Endlagen</translation></message>
+    <message><source>Review</source>
+        <translation>Prüfen</translation></message>
     <message><source>Test every stick</source>
         <translation>Jeden Knüppel testen</translation></message>
-    <message><source>Test the sticks</source>
-        <translation>Knüppel testen</translation></message>
-    <message><source>The motors are stopped: co&amp;ntinue</source>
-        <translation>Die Motoren stehen still: &amp;fortfahren</translation></message>
-    <message><source>Sample &amp;again</source>
-        <translation>Erneut &amp;messen</translation></message>
-    <message><source>Measure the rest positions of all channels once more.</source>
-        <translation>Misst die Ruhelagen aller Kanäle noch einmal.</translation></message>
-    <message><source>&amp;Forget these ends</source>
-        <translation>Diese En&amp;dlagen vergessen</translation></message>
-    <message><source>Forget the ends reached so far. The rest positions are kept.</source>
-        <translation>Vergisst die bisher erreichten Endlagen. Die Ruhelagen bleiben erhalten.</translation></message>
-    <message><source>&amp;Start over</source>
-        <translation>Neu &amp;beginnen</translation></message>
-    <message><source>Forget everything measured and go back to the rest positions.</source>
-        <translation>Vergisst alles Gemessene und geht zurück zu den Ruhelagen.</translation></message>
-    <message><source>Test &amp;again</source>
-        <translation>Erneut &amp;testen</translation></message>
-    <message><source>Forget what was tested so far and begin the test again.</source>
-        <translation>Vergisst, was bisher getestet wurde, und beginnt den Test von vorn.</translation></message>
+    <message><source>Stop the motors</source>
+        <translation>Motoren stoppen</translation></message>
     <message><source>Stopping the motors. The next step comes when the board has confirmed the stop and no current flows.</source>
         <translation>Die Motoren werden gestoppt. Der nächste Schritt kommt, wenn das Board den Stopp bestätigt hat und kein Strom fließt.</translation></message>
     <message><source>Not every channel is at rest. Correct the problems below and click “Sample again”, or click Next to continue without channel {0}.</source>
@@ -3653,12 +3565,38 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Hier gibt es nichts zu testen: Das Board ignoriert diesen Eingang und hält ihn in Neutralstellung. Siehe die Einstellung „Ignorierte Kanäle“.</translation></message>
     <message><source>The tested channels are good. But in {0} mode the motors would not start. {1}</source>
         <translation>Die getesteten Kanäle sind gut. Aber im Modus {0} würden die Motoren nicht anlaufen. {1}</translation></message>
+    <message><source>If a channel does not get a good result, learn its values again.</source>
+        <translation>Wenn ein Kanal kein gutes Ergebnis erhält, lernen Sie seine Werte neu ein.</translation></message>
+    <message><source>Test the sticks</source>
+        <translation>Knüppel testen</translation></message>
+    <message><source>The motors are stopped: co&amp;ntinue</source>
+        <translation>Die Motoren stehen still: &amp;fortfahren</translation></message>
+    <message><source>Sample &amp;again</source>
+        <translation>Erneut &amp;messen</translation></message>
+    <message><source>Measure the rest positions of all channels once more.</source>
+        <translation>Misst die Ruhelagen aller Kanäle noch einmal.</translation></message>
+    <message><source>&amp;Forget these ends</source>
+        <translation>Diese En&amp;dlagen vergessen</translation></message>
+    <message><source>Forget the ends reached so far. The rest positions are kept.</source>
+        <translation>Vergisst die bisher erreichten Endlagen. Die Ruhelagen bleiben erhalten.</translation></message>
+    <message><source>&amp;Start over</source>
+        <translation>Neu &amp;beginnen</translation></message>
+    <message><source>Forget everything measured and go back to the rest positions.</source>
+        <translation>Vergisst alles Gemessene und geht zurück zu den Ruhelagen.</translation></message>
+    <message><source>Test &amp;again</source>
+        <translation>Erneut &amp;testen</translation></message>
+    <message><source>Forget what was tested so far and begin the test again.</source>
+        <translation>Vergisst, was bisher getestet wurde, und beginnt den Test von vorn.</translation></message>
     <message><source>Hands off. Sampling … {0:.1f} s</source>
         <translation>Knüppel loslassen. Messung läuft … {0:.1f} s</translation></message>
     <message><source>The board would reject the values of channel {0}: change them, or clear its check box.</source>
         <translation>Das Board würde die Werte von Kanal {0} ablehnen: Ändern Sie sie, oder entfernen Sie sein Häkchen.</translation></message>
     <message><source>The board would reject the values of channel {0}.</source>
         <translation>Das Board würde die Werte von Kanal {0} ablehnen.</translation></message>
+    <message><source>The low end was not held. Push it there again and hold it for {0:.1f} s.</source>
+        <translation>Die untere Endlage wurde nicht gehalten. Drücken Sie wieder dorthin und halten Sie {0:.1f} s.</translation></message>
+    <message><source>The high end was not held. Push it there again and hold it for {0:.1f} s.</source>
+        <translation>Die obere Endlage wurde nicht gehalten. Drücken Sie wieder dorthin und halten Sie {0:.1f} s.</translation></message>
     <message><source>No end reached yet.</source>
         <translation>Noch keine Endlage erreicht.</translation></message>
     <message><source>not sampled yet</source>
@@ -3671,20 +3609,16 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Endlage {0}: erreicht</translation></message>
     <message><source>{0} end: not needed</source>
         <translation>Endlage {0}: nicht nötig</translation></message>
-    <message><source>low</source>
-        <translation>unten</translation></message>
-    <message><source>high</source>
-        <translation>oben</translation></message>
     <message><source>Hold it there …</source>
         <translation>Dort halten …</translation></message>
-    <message><source>The low end was not held. Push it there again and hold it for {0:.1f} s.</source>
-        <translation>Die untere Endlage wurde nicht gehalten. Drücken Sie wieder dorthin und halten Sie {0:.1f} s.</translation></message>
-    <message><source>The high end was not held. Push it there again and hold it for {0:.1f} s.</source>
-        <translation>Die obere Endlage wurde nicht gehalten. Drücken Sie wieder dorthin und halten Sie {0:.1f} s.</translation></message>
     <message><source>Not moved yet. Move the switch to every position.</source>
         <translation>Noch nicht bewegt. Bewegen Sie den Schalter in jede Stellung.</translation></message>
     <message><source>Calculated from the values in the board, for each channel by itself. From the manual: full output at and beyond the ends, 0 in the deadband, and what safe-start waits for. Assumed: up to 8 of 127 counts as neutral; the switching points of switches.</source>
         <translation>Aus den Werten im Board berechnet, für jeden Kanal einzeln. Laut Handbuch: voller Ausgang an und jenseits der Endlagen, 0 im Totbereich, und worauf der Safe-Start wartet. Angenommen: bis zu 8 von 127 gelten als neutral; die Umschaltpunkte von Schaltern.</translation></message>
+    <message><source>low</source>
+        <translation>unten</translation></message>
+    <message><source>high</source>
+        <translation>oben</translation></message>
     <message><source>Left out: its rest position is not known.</source>
         <translation>Ausgelassen: Die Ruhelage ist nicht bekannt.</translation></message>
     <message><source>Raw input of channel {0}</source>
@@ -3701,8 +3635,6 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Obere Endlage erreicht: {0}. Jetzt die andere Richtung.</translation></message>
     <message><source>Output of channel {0}</source>
         <translation>Ausgang von Kanal {0}</translation></message>
-    <message><source>Use {0} &amp;as neutral</source>
-        <translation>{0} &amp;als Neutralstellung verwenden</translation></message>
     <message><source>Input now {0}; output {1}.</source>
         <translation>Eingang jetzt {0}; Ausgang {1}.</translation></message>
     <message numerus="yes"><source>%n earlier pending edit(s) will be written, too.</source>
@@ -3715,32 +3647,32 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Ma&amp;ximum</translation></message>
     <message><source>&amp;Deadband</source>
         <translation>&amp;Totbereich</translation></message>
-    <message><source>&amp;Reversed</source>
-        <translation>&amp;Umgekehrt</translation></message>
-    <message><source>unknown</source>
-        <translation>unbekannt</translation></message>
-    <message><source>proposed {0}</source>
-        <translation>vorgeschlagen {0}</translation></message>
-    <message><source>as it was {0}</source>
-        <translation>bisher {0}</translation></message>
-    <message><source>Its new values will be used.</source>
-        <translation>Seine neuen Werte werden verwendet.</translation></message>
     <message><source>was reversed</source>
         <translation>war umgekehrt</translation></message>
     <message><source>was not reversed</source>
         <translation>war nicht umgekehrt</translation></message>
+    <message><source>&amp;Reversed</source>
+        <translation>&amp;Umgekehrt</translation></message>
+    <message><source>unknown</source>
+        <translation>unbekannt</translation></message>
+    <message><source>as it was</source>
+        <translation>bisher</translation></message>
+    <message><source>Its new values will be used.</source>
+        <translation>Seine neuen Werte werden verwendet.</translation></message>
     <message><source>The channel was left out.</source>
         <translation>Der Kanal wurde ausgelassen.</translation></message>
     <message><source>This replaces a pending edit of the channel.</source>
         <translation>Dies ersetzt eine ausstehende Änderung des Kanals.</translation></message>
-    <message><source>as it was</source>
-        <translation>bisher</translation></message>
     <message><source>proposed, as it was</source>
         <translation>vorgeschlagen, wie bisher</translation></message>
     <message><source>proposed</source>
         <translation>vorgeschlagen</translation></message>
     <message><source>No signal now: the output is 0.</source>
         <translation>Jetzt kein Signal: Der Ausgang ist 0.</translation></message>
+    <message><source>proposed {0}</source>
+        <translation>vorgeschlagen {0}</translation></message>
+    <message><source>as it was {0}</source>
+        <translation>bisher {0}</translation></message>
     <message><source>Channels</source>
         <translation>Kanäle</translation></message>
     <message><source>Nothing was learned.</source>
@@ -3753,6 +3685,8 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>&amp;Kanal {0} verwenden: {1}</translation></message>
     <message><source>Nothing was learned. {0}</source>
         <translation>Es wurde nichts eingelernt. {0}</translation></message>
+    <message><source>Use {0} &amp;as neutral</source>
+        <translation>{0} &amp;als Neutralstellung verwenden</translation></message>
     <message><source>{0}
 was {1}</source>
         <translation>{0}
@@ -3763,12 +3697,12 @@ bisher {1}</translation></message>
         <translation>{0}: jenseits einer Grenze, die kein Dokument bestätigt (erschlossen). Das Board entscheidet: Es lehnt den Wert vielleicht ab oder speichert einen anderen.</translation></message>
     <message><source>Write an&amp;yway</source>
         <translation>&amp;Trotzdem schreiben</translation></message>
+    <message><source>&amp;Address one board of several by its number (Pololu protocol)</source>
+        <translation>Eines von mehreren Boards über seine &amp;Nummer ansprechen (Pololu-Protokoll)</translation></message>
     <message><source>Line settings</source>
         <translation>Leitungseinstellungen</translation></message>
     <message><source>These must be the settings that the board has now. A new board talks at 19200 baud, without error detection, with one stop bit. Changing them here changes nothing in the board.</source>
         <translation>Dies müssen die Einstellungen sein, die das Board jetzt hat. Ein neues Board kommuniziert mit 19200 Baud, ohne Fehlererkennung, mit einem Stoppbit. Änderungen hier ändern nichts im Board.</translation></message>
-    <message><source>&amp;Address one board of several by its number (Pololu protocol)</source>
-        <translation>Eines von mehreren Boards über seine &amp;Nummer ansprechen (Pololu-Protokoll)</translation></message>
     <message><source>&amp;Line:</source>
         <translation>&amp;Leitung:</translation></message>
     <message><source>CRC-7 &amp;polynomial:</source>
@@ -3781,34 +3715,86 @@ bisher {1}</translation></message>
         <translation>Standard&amp;werte wiederherstellen</translation></message>
     <message><source>Numbers of other devices on this line, such as 0,1 (older Pololu motor and servo controllers). With one, every packet is addressed, to none of these numbers, and no other baud rate is tried.</source>
         <translation>Nummern anderer Geräte an dieser Leitung, etwa 0,1 (ältere Motor- und Servocontroller von Pololu). Ist eine angegeben, wird jedes Paket adressiert, an keine dieser Nummern, und keine andere Baudrate wird versucht.</translation></message>
+    <message><source>&amp;Edit the file instead</source>
+        <translation>Stattdessen die Datei &amp;bearbeiten</translation></message>
     <message numerus="yes"><source>{0}: %n change(s) pending; Apply settings writes them.</source>
         <translation><numerusform>{0}: %n Änderung ausstehend; „Einstellungen anwenden“ schreibt sie.</numerusform><numerusform>{0}: %n Änderungen ausstehend; „Einstellungen anwenden“ schreibt sie.</numerusform></translation></message>
     <message><source>Checked changes become edits. Nothing is written to the board until you click Apply.</source>
         <translation>Werte mit Häkchen werden als Änderungen übernommen. Auf das Board wird erst geschrieben, wenn Sie auf „Einstellungen anwenden“ klicken.</translation></message>
     <message><source>Board, as shown</source>
         <translation>Board, wie angezeigt</translation></message>
-    <message><source>{0}: settings for a {1} with firmware {2}.</source>
-        <translation>{0}: Einstellungen für einen {1} mit Firmware {2}.</translation></message>
-    <message><source>&amp;Edit the file instead</source>
-        <translation>Stattdessen die Datei &amp;bearbeiten</translation></message>
-    <message><source>{0}: settings for a {1}; the board is a {2}.</source>
-        <translation>{0}: Einstellungen für einen {1}; das Board ist ein {2}.</translation></message>
     <message><source>{0}: settings for a {1} with firmware {2}; the board has {3}.</source>
         <translation>{0}: Einstellungen für einen {1} mit Firmware {2}; das Board hat {3}.</translation></message>
+    <message><source>{0}: settings for a {1}; the board is a {2}.</source>
+        <translation>{0}: Einstellungen für einen {1}; das Board ist ein {2}.</translation></message>
+    <message><source>{0}: settings for a {1} with firmware {2}.</source>
+        <translation>{0}: Einstellungen für einen {1} mit Firmware {2}.</translation></message>
     <message numerus="yes"><source>&amp;Load %n change(s)</source>
         <translation><numerusform>%n Änderung &amp;laden</numerusform><numerusform>%n Änderungen &amp;laden</numerusform></translation></message>
     <message><source>{0} was not loaded: the board is no longer connected.</source>
         <translation>{0} wurde nicht geladen: Das Board ist nicht mehr verbunden.</translation></message>
     <message><source>Load settings from {0}</source>
         <translation>Einstellungen laden: {0}</translation></message>
+    <message><source>{0}, converted</source>
+        <translation>{0}, konvertiert</translation></message>
     <message><source>{0}: settings for a {1}.</source>
         <translation>{0}: Einstellungen für einen {1}.</translation></message>
     <message><source>Load {0}</source>
         <translation>{0} laden</translation></message>
-    <message><source>{0}, converted</source>
-        <translation>{0}, konvertiert</translation></message>
     <message><source>Not in the file, so they stay as they are: {0}.</source>
         <translation>Nicht in der Datei und daher unverändert: {0}.</translation></message>
+    <message><source>“Arm without” is remembered for this board. Cut the power by hand then if the cable falls out.</source>
+        <translation>„Ohne Timeout freigeben“ wird für dieses Board gemerkt. Trennen Sie dann die Motorversorgung von Hand, wenn das Kabel herausfällt.</translation></message>
+    <message><source>Stop both motors and the auxiliary now (Esc, anywhere)</source>
+        <translation>Beide Motoren und den Hilfsmotor sofort stoppen (Esc, überall)</translation></message>
+    <message><source>Lets both motors and the auxiliary be driven; nothing moves yet</source>
+        <translation>Gibt beide Motoren und den Hilfsmotor zum Fahren frei; noch bewegt sich nichts</translation></message>
+    <message><source>Channels control the motors; Run motor needs serial control.</source>
+        <translation>Die Kanäle steuern die Motoren; „Motor freigeben“ braucht serielle Steuerung.</translation></message>
+    <message><source>Arm the motors</source>
+        <translation>Motoren freigeben</translation></message>
+    <message><source>Writing …</source>
+        <translation>Schreiben läuft …</translation></message>
+    <message><source>Stop motors</source>
+        <translation>Motoren stoppen</translation></message>
+    <message><source>&amp;Run motor</source>
+        <translation>Motor fre&amp;igeben</translation></message>
+    <message><source>There are unapplied changes.</source>
+        <translation>Es gibt nicht angewendete Änderungen.</translation></message>
+    <message><source>&amp;Apply settings</source>
+        <translation>Einstellungen an&amp;wenden</translation></message>
+    <message><source>The board driven before may still turn its motors. Cut their power.</source>
+        <translation>Die Motoren des zuvor angesteuerten Boards können sich noch drehen. Trennen Sie dessen Motorversorgung.</translation></message>
+    <message><source>Channels control the motors: Stop does not affect them.</source>
+        <translation>Die Kanäle steuern die Motoren: „Motoren stoppen“ wirkt nicht auf die Motoren.</translation></message>
+    <message><source>Several boards on this line: select the one to drive.</source>
+        <translation>Mehrere Boards an dieser Leitung: Wählen Sie das Board zum Fahren.</translation></message>
+    <message><source>Not armed: no command is sent until you click Run motor.</source>
+        <translation>Nicht freigegeben: Es wird kein Befehl gesendet, bis Sie auf „Motor freigeben“ klicken.</translation></message>
+    <message><source>&amp;Write {0:g} s and arm</source>
+        <translation>{0:g} s &amp;schreiben und freigeben</translation></message>
+    <message><source>Arm with&amp;out</source>
+        <translation>&amp;Ohne Timeout freigeben</translation></message>
+    <message><source>The board did not store the serial timeout.</source>
+        <translation>Das Board hat das serielle Timeout nicht gespeichert.</translation></message>
+    <message><source>Write the serial timeout</source>
+        <translation>Serielles Timeout schreiben</translation></message>
+    <message><source>Write the changed parameters into the board (Ctrl+Enter)</source>
+        <translation>Die geänderten Parameter ins Board schreiben (Strg+Enter)</translation></message>
+    <message><source>Armed. Drive them on the Motors page.</source>
+        <translation>Freigegeben. Gefahren wird auf der Seite „Motoren“.</translation></message>
+    <message><source>Stopping …</source>
+        <translation>Wird gestoppt …</translation></message>
+    <message><source>Write &amp;{0} s</source>
+        <translation>&amp;{0} s schreiben</translation></message>
+    <message><source>Write a serial timeout of {0} s</source>
+        <translation>Serielles Timeout von {0} s schreiben</translation></message>
+    <message><source>Writes Serial Timeout and UART-Error Shutdown now: the board should stop its motors {0} s after the last byte. Other changes stay pending.</source>
+        <translation>Schreibt jetzt „Serielles Timeout“ und „Abschaltung bei UART-Fehlern“: Das Board sollte seine Motoren {0} s nach dem letzten Byte stoppen. Andere Änderungen bleiben ausstehend.</translation></message>
+    <message><source>Armed. Sent: {0}</source>
+        <translation>Freigegeben. Gesendet: {0}</translation></message>
+    <message><source>Stopped. Motors are locked for {0} s.</source>
+        <translation>Gestoppt. Die Motoren sind für {0} s gesperrt.</translation></message>
     <message><source>Why this value? Kept on this computer and in files.</source>
         <translation>Warum dieser Wert? Wird auf diesem Computer und in Dateien aufbewahrt.</translation></message>
     <message><source>Note</source>
@@ -3819,14 +3805,6 @@ bisher {1}</translation></message>
         <translation>Auf &amp;Werkseinstellungen zurücksetzen</translation></message>
     <message><source>&amp;Load calibrations from a file…</source>
         <translation>Kalibrierungen aus Datei &amp;laden…</translation></message>
-    <message><source>&amp;Save calibrations to a file…</source>
-        <translation>Kalibrierungen in Datei &amp;speichern…</translation></message>
-    <message><source>{0} could not be loaded: {1}</source>
-        <translation>{0} konnte nicht geladen werden: {1}</translation></message>
-    <message><source>{0} has the same calibrations.</source>
-        <translation>{0} enthält dieselben Kalibrierungen.</translation></message>
-    <message><source>{0} could not be saved: {1}</source>
-        <translation>{0} konnte nicht gespeichert werden: {1}</translation></message>
     <message><source>&amp;Copy to</source>
         <translation>&amp;Kopieren auf</translation></message>
     <message><source>&amp;Equal travel to both ends</source>
@@ -3837,30 +3815,38 @@ bisher {1}</translation></message>
         <translation>Wie auf der &amp;längeren Seite</translation></message>
     <message><source>Assumed values: Pololu publishes no factory defaults</source>
         <translation>Angenommene Werte: Pololu veröffentlicht keine Werkseinstellungen</translation></message>
+    <message><source>&amp;Save calibrations to a file…</source>
+        <translation>Kalibrierungen in Datei &amp;speichern…</translation></message>
     <message><source>Load calibrations</source>
         <translation>Kalibrierungen laden</translation></message>
     <message><source>Save calibrations</source>
         <translation>Kalibrierungen speichern</translation></message>
+    <message><source>{0} could not be loaded: {1}</source>
+        <translation>{0} konnte nicht geladen werden: {1}</translation></message>
     <message><source>Calibrations loaded from {0} as edits: {1}.</source>
         <translation>Kalibrierungen aus {0} als Änderungen geladen: {1}.</translation></message>
+    <message><source>{0} could not be saved: {1}</source>
+        <translation>{0} konnte nicht gespeichert werden: {1}</translation></message>
     <message><source>Copy of the calibration of channel {0}</source>
         <translation>Kopie der Kalibrierung von Kanal {0}</translation></message>
+    <message><source>{0} has the same calibrations.</source>
+        <translation>{0} enthält dieselben Kalibrierungen.</translation></message>
     <message><source>Channel {0} ({1})</source>
         <translation>Kanal {0} ({1})</translation></message>
-    <message><source>The calibrations shown were saved in {0}.</source>
-        <translation>Die gezeigten Kalibrierungen wurden in {0} gespeichert.</translation></message>
     <message><source>Calibrations of {0}</source>
         <translation>Kalibrierungen aus {0}</translation></message>
+    <message><source>The calibrations shown were saved in {0}.</source>
+        <translation>Die gezeigten Kalibrierungen wurden in {0} gespeichert.</translation></message>
     <message><source>Minimum</source>
         <translation>Minimum</translation></message>
     <message><source>Neutral</source>
         <translation>Neutralstellung</translation></message>
     <message><source>Maximum</source>
         <translation>Maximum</translation></message>
-    <message><source>Curve of the channel</source>
-        <translation>Kurve des Kanals</translation></message>
     <message><source>Its handles can be dragged; the fields below set the same values.</source>
         <translation>Ihre Griffe lassen sich ziehen; die Felder darunter setzen dieselben Werte.</translation></message>
+    <message><source>Curve of the channel</source>
+        <translation>Kurve des Kanals</translation></message>
     <message><source>Now</source>
         <translation>Jetzt</translation></message>
     <message><source>Input of the last 10 seconds</source>
@@ -3895,14 +3881,22 @@ bisher {1}</translation></message>
         <translation>Seine Werte wurden noch nicht gelesen.</translation></message>
     <message><source>, problem</source>
         <translation>, Problem</translation></message>
+    <message><source>, edited</source>
+        <translation>, geändert</translation></message>
+    <message><source>not learned yet: will be after Apply</source>
+        <translation>noch nicht eingelernt: erst nach dem Anwenden</translation></message>
+    <message><source>not learned: defaults</source>
+        <translation>nicht eingelernt: Standardwerte</translation></message>
     <message><source>Analog voltages</source>
         <translation>Analogspannungen</translation></message>
     <message><source>Ma&amp;ke active…</source>
         <translation>Akti&amp;vieren…</translation></message>
     <message><source>stored now</source>
         <translation>jetzt gespeichert</translation></message>
-    <message><source>, edited</source>
-        <translation>, geändert</translation></message>
+    <message><source>after Apply</source>
+        <translation>nach dem Anwenden</translation></message>
+    <message><source>stored in the board</source>
+        <translation>im Board gespeichert</translation></message>
     <message><source>not learned</source>
         <translation>nicht eingelernt</translation></message>
     <message><source>Input source</source>
@@ -3917,20 +3911,12 @@ bisher {1}</translation></message>
         <translation>Aktueller Wert</translation></message>
     <message><source>as last seen</source>
         <translation>wie zuletzt gesehen</translation></message>
-    <message><source>not learned yet: will be after Apply</source>
-        <translation>noch nicht eingelernt: erst nach dem Anwenden</translation></message>
-    <message><source>not learned: defaults</source>
-        <translation>nicht eingelernt: Standardwerte</translation></message>
     <message><source>Stored: the board reads {0} after the next power cycle.</source>
         <translation>Gespeichert: Nach dem nächsten Aus- und Einschalten liest das Board {0}.</translation></message>
     <message><source>The values below were {0}.</source>
         <translation>Stand der Werte unten: {0}.</translation></message>
     <message><source>Read {0} after the next power cycle</source>
         <translation>Nach dem nächsten Aus- und Einschalten {0} lesen</translation></message>
-    <message><source>after Apply</source>
-        <translation>nach dem Anwenden</translation></message>
-    <message><source>stored in the board</source>
-        <translation>im Board gespeichert</translation></message>
     <message><source>Edited: apply it, then power-cycle the board to read {0}.</source>
         <translation>Geändert: Wenden Sie es an, dann schalten Sie das Board aus und ein, damit es {0} liest.</translation></message>
     <message><source>{0} (active)</source>
@@ -3981,6 +3967,8 @@ bisher {1}</translation></message>
         <translation>Ein Count entspricht 0,4 µs.</translation></message>
     <message><source>A count is 4.89 mV.</source>
         <translation>Ein Count entspricht 4,89 mV.</translation></message>
+    <message><source>{0:.0f} to {1:.0f} counts</source>
+        <translation>{0:.0f} bis {1:.0f} Counts</translation></message>
     <message><source>Input and count</source>
         <translation>Eingang und Counts</translation></message>
     <message><source>Raw, with its calibration</source>
@@ -3995,16 +3983,16 @@ bisher {1}</translation></message>
         <translation>Umgerechnet (−127 bis 127)</translation></message>
     <message><source>What the board makes of the input. Those of channels 1 and 2 are the speeds for motors 1 and 2, after mixing and flip. The vendor's document gives channel 3 six bits, 0 to 63; the program reads seven (inferred).</source>
         <translation>Was das Board aus dem Eingang macht. Bei den Kanälen 1 und 2 sind es die Geschwindigkeiten für die Motoren 1 und 2, nach Mischer und Umdrehen. Das Dokument des Herstellers gibt Kanal 3 sechs Bits, 0 bis 63; das Programm liest sieben (erschlossen).</translation></message>
-    <message><source>Moving channel 1 or 2 shows whether the mix jumper is on.</source>
-        <translation>Bewegen von Kanal 1 oder 2 zeigt, ob der Mix-Jumper gesteckt ist.</translation></message>
-    <message><source>The mix jumper is on.</source>
-        <translation>Der Mix-Jumper ist gesteckt.</translation></message>
-    <message><source>The mix jumper is off.</source>
-        <translation>Der Mix-Jumper ist abgezogen.</translation></message>
     <message><source>Input of channel {0} in the last 10 seconds</source>
         <translation>Eingang von Kanal {0} in den letzten 10 Sekunden</translation></message>
     <message><source>Remapped channel {0}</source>
         <translation>Kanal {0}, umgerechnet</translation></message>
+    <message><source>The mix jumper is on.</source>
+        <translation>Der Mix-Jumper ist gesteckt.</translation></message>
+    <message><source>The mix jumper is off.</source>
+        <translation>Der Mix-Jumper ist abgezogen.</translation></message>
+    <message><source>Moving channel 1 or 2 shows whether the mix jumper is on.</source>
+        <translation>Bewegen von Kanal 1 oder 2 zeigt, ob der Mix-Jumper gesteckt ist.</translation></message>
     <message><source>Connect to a board to see its motor currents.</source>
         <translation>Verbinden Sie ein Board, um seine Motorströme zu sehen.</translation></message>
     <message><source>Motor currents</source>
@@ -4021,6 +4009,8 @@ bisher {1}</translation></message>
         <translation>Ein Count entspricht bei diesem Board {0:.0f} mA.</translation></message>
     <message><source>Reading an error clears it in the board; this program counts each one. Errors in bold were reported since you cleared them.</source>
         <translation>Beim Lesen wird ein Fehler im Board gelöscht; dieses Programm zählt jeden. Fett gedruckte Fehler wurden seit dem letzten Quittieren gemeldet.</translation></message>
+    <message><source>{0}; timeouts: {1}, corrupted replies: {2}, slowest reply: {3:.0f} ms</source>
+        <translation>{0}; Timeouts: {1}, verfälschte Antworten: {2}, langsamste Antwort: {3:.0f} ms</translation></message>
     <message><source>C&amp;lear errors</source>
         <translation>Fehler &amp;quittieren</translation></message>
     <message><source>Reset co&amp;unts</source>
@@ -4055,8 +4045,6 @@ bisher {1}</translation></message>
         <translation>Fett gedruckte Fehler als bekannt übernehmen; die Zähler bleiben, und ein noch aktiver Fehler erscheint sofort wieder</translation></message>
     <message><source>Set every count to zero, and forget when errors were seen</source>
         <translation>Alle Zähler auf null setzen und vergessen, wann Fehler auftraten</translation></message>
-    <message><source>{0}; timeouts: {1}, corrupted replies: {2}, slowest reply: {3:.0f} ms</source>
-        <translation>{0}; Timeouts: {1}, verfälschte Antworten: {2}, langsamste Antwort: {3:.0f} ms</translation></message>
     <message><source>No</source>
         <translation>Nein</translation></message>
     <message><source>Quality:</source>
@@ -4081,18 +4069,18 @@ bisher {1}</translation></message>
 (zweifelhaft)</translation></message>
     <message><source>Current of this motor; the red line is its limit, ⚠ means 80 % of it or more.</source>
         <translation>Strom dieses Motors; die rote Linie ist seine Grenze, ⚠ bedeutet 80 % davon oder mehr.</translation></message>
+    <message><source>From 0 to 127, full speed</source>
+        <translation>Von 0 bis 127, volle Geschwindigkeit</translation></message>
+    <message><source>From −127, full speed back, to 127, full speed forward</source>
+        <translation>Von −127, voll rückwärts, bis 127, voll vorwärts</translation></message>
     <message><source>Zero</source>
         <translation>Null</translation></message>
     <message><source>Brake</source>
         <translation>Bremsen</translation></message>
-    <message><source>Speed 0: the motor is not driven and coasts</source>
-        <translation>Geschwindigkeit 0: Der Motor wird nicht angetrieben und läuft aus</translation></message>
     <message><source>Board: serial in control…</source>
         <translation>Board: seriell gesteuert…</translation></message>
-    <message><source>From −127, full speed back, to 127, full speed forward</source>
-        <translation>Von −127, voll rückwärts, bis 127, voll vorwärts</translation></message>
-    <message><source>From 0 to 127, full speed</source>
-        <translation>Von 0 bis 127, volle Geschwindigkeit</translation></message>
+    <message><source>Speed 0: the motor is not driven and coasts</source>
+        <translation>Geschwindigkeit 0: Der Motor wird nicht angetrieben und läuft aus</translation></message>
     <message><source>{0}, speed</source>
         <translation>{0}, Geschwindigkeit</translation></message>
     <message><source>{0}, speed as a number</source>
@@ -4109,10 +4097,10 @@ bisher {1}</translation></message>
         <translation>Bis {0}, der Höchstgeschwindigkeit oben</translation></message>
     <message><source>Hold an arrow key to drive while the pad has the focus.</source>
         <translation>Halten Sie eine Pfeiltaste, um zu fahren, solange das Fahrfeld den Fokus hat.</translation></message>
-    <message><source>Drive pad</source>
-        <translation>Fahrfeld</translation></message>
     <message><source>Hold Up or Down to drive; the motors cannot turn separately.</source>
         <translation>Halten Sie „Pfeil auf“ oder „Pfeil ab“, um zu fahren; die Motoren können nicht getrennt drehen.</translation></message>
+    <message><source>Drive pad</source>
+        <translation>Fahrfeld</translation></message>
     <message><source>back</source>
         <translation>zurück</translation></message>
     <message><source>right</source>
@@ -4125,6 +4113,14 @@ bisher {1}</translation></message>
         <translation>vorwärts, höchstens {0:.0f} %</translation></message>
     <message><source>Full deflection is {0:.0f} % of full speed.</source>
         <translation>Voller Ausschlag entspricht {0:.0f} % der vollen Geschwindigkeit.</translation></message>
+    <message><source>Push the stick for the left motor fully forward.</source>
+        <translation>Drücken Sie den Knüppel für den linken Motor ganz nach vorn.</translation></message>
+    <message><source>Push the stick for the right motor fully forward.</source>
+        <translation>Drücken Sie den Knüppel für den rechten Motor ganz nach vorn.</translation></message>
+    <message><source>Push the stick that drives fully forward.</source>
+        <translation>Drücken Sie den Knüppel zum Fahren ganz nach vorn.</translation></message>
+    <message><source>Push the stick that turns fully to the right.</source>
+        <translation>Drücken Sie den Knüppel zum Lenken ganz nach rechts.</translation></message>
     <message><source>The gamepad cannot drive while this window is open, but its stop button works.</source>
         <translation>Mit dem Gamepad kann nicht gefahren werden, solange dieses Fenster offen ist, aber seine Stopptaste wirkt.</translation></message>
     <message><source>Invert</source>
@@ -4161,6 +4157,12 @@ bisher {1}</translation></message>
         <translation>Motor 1:</translation></message>
     <message><source>Motor 2:</source>
         <translation>Motor 2:</translation></message>
+    <message><source>none: a moved stick drives</source>
+        <translation>keine: Ein bewegter Knüppel fährt</translation></message>
+    <message><source>Press the button to hold while driving.</source>
+        <translation>Drücken Sie die Taste, die beim Fahren gehalten wird.</translation></message>
+    <message><source>Press the button that stops everything.</source>
+        <translation>Drücken Sie die Taste, die alles stoppt.</translation></message>
     <message><source>Without a button to hold, a bumped stick drives the motors. The gamepad cannot drive while this window is open.</source>
         <translation>Ohne eine Taste zum Halten treibt ein angestoßener Knüppel die Motoren an. Mit dem Gamepad kann nicht gefahren werden, solange dieses Fenster offen ist.</translation></message>
     <message><source>Live state</source>
@@ -4169,36 +4171,22 @@ bisher {1}</translation></message>
         <translation>Weg um die Mitte, der nichts bewirkt</translation></message>
     <message><source>0 %: linear. 100 %: cubic, finest around the centre</source>
         <translation>0 %: linear. 100 %: kubisch, am feinsten um die Mitte</translation></message>
-    <message><source>none: a moved stick drives</source>
-        <translation>keine: Ein bewegter Knüppel fährt</translation></message>
-    <message><source>Push the stick for the left motor fully forward.</source>
-        <translation>Drücken Sie den Knüppel für den linken Motor ganz nach vorn.</translation></message>
-    <message><source>Push the stick for the right motor fully forward.</source>
-        <translation>Drücken Sie den Knüppel für den rechten Motor ganz nach vorn.</translation></message>
-    <message><source>Push the stick that drives fully forward.</source>
-        <translation>Drücken Sie den Knüppel zum Fahren ganz nach vorn.</translation></message>
-    <message><source>Push the stick that turns fully to the right.</source>
-        <translation>Drücken Sie den Knüppel zum Lenken ganz nach rechts.</translation></message>
-    <message><source>Press the button to hold while driving.</source>
-        <translation>Drücken Sie die Taste, die beim Fahren gehalten wird.</translation></message>
-    <message><source>Press the button that stops everything.</source>
-        <translation>Drücken Sie die Taste, die alles stoppt.</translation></message>
+    <message><source>&amp;Left motor</source>
+        <translation>&amp;Linker Motor</translation></message>
+    <message><source>Right &amp;motor</source>
+        <translation>&amp;Rechter Motor</translation></message>
     <message><source>pressed</source>
         <translation>gedrückt</translation></message>
     <message><source>{0}: detect</source>
         <translation>{0}: erkennen</translation></message>
     <message><source>{0}: inverted</source>
         <translation>{0}: umgekehrt</translation></message>
-    <message><source>&amp;Left motor</source>
-        <translation>&amp;Linker Motor</translation></message>
-    <message><source>Right &amp;motor</source>
-        <translation>&amp;Rechter Motor</translation></message>
+    <message><source>Setpoint of motor {0}</source>
+        <translation>Sollwert von Motor {0}</translation></message>
     <message><source>One axis drives, one turns</source>
         <translation>Eine Achse fährt, eine lenkt</translation></message>
     <message><source>An axis for each motor</source>
         <translation>Eine Achse für jeden Motor</translation></message>
-    <message><source>Setpoint of motor {0}</source>
-        <translation>Sollwert von Motor {0}</translation></message>
     <message><source>Gamepad</source>
         <translation>Gamepad</translation></message>
     <message><source>Drive with a &amp;gamepad</source>
@@ -4221,8 +4209,12 @@ bisher {1}</translation></message>
         <translation>Stoppen, was das Gamepad fährt, wenn das Fenster den Fokus verliert</translation></message>
     <message><source>Remembered for this board.</source>
         <translation>Wird für dieses Board gemerkt.</translation></message>
+    <message><source>Seconds that Run motor is locked after Stop</source>
+        <translation>Sekunden, für die „Motor freigeben“ nach einem Stopp gesperrt ist</translation></message>
     <message><source>Either slider sets both motors; the robot does not turn</source>
         <translation>Jeder Schieberegler setzt beide Motoren; der Roboter lenkt nicht</translation></message>
+    <message><source>The motors run differently: stop both, or give both the same speed</source>
+        <translation>Die Motoren laufen verschieden: Stoppen Sie beide, oder geben Sie beiden dieselbe Geschwindigkeit</translation></message>
     <message><source>&amp;Speed ceiling</source>
         <translation>Höchstgeschwi&amp;ndigkeit</translation></message>
     <message><source>New board: raise this once its motors turn the right way.</source>
@@ -4249,8 +4241,8 @@ bisher {1}</translation></message>
         <translation>Schieberegler beim &amp;Loslassen auf null setzen</translation></message>
     <message><source>none (0 s)</source>
         <translation>keine (0 s)</translation></message>
-    <message><source>The motors run differently: stop both, or give both the same speed</source>
-        <translation>Die Motoren laufen verschieden: Stoppen Sie beide, oder geben Sie beiden dieselbe Geschwindigkeit</translation></message>
+    <message><source>{0}, as a number</source>
+        <translation>{0}, als Zahl</translation></message>
     <message><source>Highest speed that this program sends to this board; full deflection of pad, keys and gamepad gives this speed. Raising it does not speed up a running motor.</source>
         <translation>Höchste Geschwindigkeit, die dieses Programm an dieses Board sendet; voller Ausschlag von Fahrfeld, Tasten und Gamepad ergibt diese Geschwindigkeit. Höher setzen macht einen laufenden Motor nicht schneller.</translation></message>
     <message><source>The board ramps speeds at the Acceleration setting and pauses for the brake duration before reversing</source>
@@ -4267,10 +4259,8 @@ bisher {1}</translation></message>
         <translation>Ein Schieberegler fährt nur, solange Sie ihn halten; Loslassen bremst seinen Motor</translation></message>
     <message><source>How long Run motor stays locked after Stop or Esc, so that a slider or key still held cannot restart a motor (0 to {0:g} s)</source>
         <translation>Wie lange „Motor freigeben“ nach einem Stopp oder Esc gesperrt bleibt, damit ein noch gehaltener Schieberegler oder eine gehaltene Taste keinen Motor wieder startet (0 bis {0:g} s)</translation></message>
-    <message><source>Seconds that Run motor is locked after Stop</source>
-        <translation>Sekunden, für die „Motor freigeben“ nach einem Stopp gesperrt ist</translation></message>
-    <message><source>{0}, as a number</source>
-        <translation>{0}, als Zahl</translation></message>
+    <message><source>Auxiliary (one way)</source>
+        <translation>Hilfsmotor (eine Richtung)</translation></message>
     <message><source>acceleration</source>
         <translation>Beschleunigung</translation></message>
     <message><source>brake duration</source>
@@ -4285,8 +4275,6 @@ bisher {1}</translation></message>
         <translation>Beide Motoren</translation></message>
     <message><source>Motor (joint)</source>
         <translation>Motor (Parallelbetrieb)</translation></message>
-    <message><source>Auxiliary (one way)</source>
-        <translation>Hilfsmotor (eine Richtung)</translation></message>
     <message><source>Stored motor settings: not known</source>
         <translation>Gespeicherte Motoreinstellungen: nicht bekannt</translation></message>
     <message><source>Brake with {0:.0f} % (see Brake strength below)</source>
@@ -4297,6 +4285,8 @@ bisher {1}</translation></message>
         <translation>Die Seite „Motoren“ wurde verlassen, während ein Bedienelement gehalten wurde.</translation></message>
     <message><source>The Motors page was left.</source>
         <translation>Die Seite „Motoren“ wurde verlassen.</translation></message>
+    <message><source>{0}. The board stores the nearest time. Or speed steps, such as {1}.</source>
+        <translation>{0}. Das Board speichert die nächstliegende Zeit. Oder Geschwindigkeitsstufen, etwa {1}.</translation></message>
     <message><source>The PWM frequency is {0}, not {1}.</source>
         <translation>Die PWM-Frequenz ist {0}, nicht {1}.</translation></message>
     <message><source>Baud rate</source>
@@ -4305,12 +4295,10 @@ bisher {1}</translation></message>
         <translation>Fehlererkennung</translation></message>
     <message><source>Stop bits</source>
         <translation>Stoppbits</translation></message>
-    <message><source>{0}. The board stores the nearest time. Or speed steps, such as {1}.</source>
-        <translation>{0}. Das Board speichert die nächstliegende Zeit. Oder Geschwindigkeitsstufen, etwa {1}.</translation></message>
-    <message><source>unknown ({0})</source>
-        <translation>unbekannt ({0})</translation></message>
     <message><source>CRC-7</source>
         <translation>CRC-7</translation></message>
+    <message><source>unknown ({0})</source>
+        <translation>unbekannt ({0})</translation></message>
     <message><source>{0}: channel {1}</source>
         <translation>{0}: Kanal {1}</translation></message>
     <message><source>Search names and descriptions (Ctrl+F)</source>
@@ -4353,18 +4341,18 @@ bisher {1}</translation></message>
         <translation><numerusform>%n ausstehende Änderung: Klicken Sie auf „Einstellungen anwenden“, um sie zu schreiben.</numerusform><numerusform>%n ausstehende Änderungen: Klicken Sie auf „Einstellungen anwenden“, um sie zu schreiben.</numerusform></translation></message>
     <message><source>Stored, but not active until the board is switched off and on: {0}.</source>
         <translation>Gespeichert, aber erst nach dem Aus- und Einschalten des Boards aktiv: {0}.</translation></message>
-    <message><source>{0} of {1} could not be verified; marked below.</source>
-        <translation>Konnte nicht bestätigt werden: {0} von {1}; unten markiert.</translation></message>
-    <message numerus="yes"><source>%n setting(s) written and verified.</source>
-        <translation><numerusform>%n Einstellung geschrieben und geprüft.</numerusform><numerusform>%n Einstellungen geschrieben und geprüft.</numerusform></translation></message>
     <message><source>Show the steps for switching the board off and on</source>
         <translation>Die Schritte zum Aus- und Einschalten des Boards zeigen</translation></message>
     <message><source>Read every parameter from the board again</source>
         <translation>Alle Parameter erneut vom Board lesen</translation></message>
-    <message><source>Rejected by the board: {0}</source>
-        <translation>Vom Board abgelehnt: {0}</translation></message>
+    <message><source>{0} of {1} could not be verified; marked below.</source>
+        <translation>Konnte nicht bestätigt werden: {0} von {1}; unten markiert.</translation></message>
+    <message numerus="yes"><source>%n setting(s) written and verified.</source>
+        <translation><numerusform>%n Einstellung geschrieben und geprüft.</numerusform><numerusform>%n Einstellungen geschrieben und geprüft.</numerusform></translation></message>
     <message><source>Switch the board off and on to make active: {0}.</source>
         <translation>Schalten Sie das Board aus und ein, um zu aktivieren: {0}.</translation></message>
+    <message><source>Rejected by the board: {0}</source>
+        <translation>Vom Board abgelehnt: {0}</translation></message>
     <message><source>&amp;Show all parameters</source>
         <translation>&amp;Alle Parameter anzeigen</translation></message>
     <message><source>N&amp;ote on the value:</source>
@@ -4375,6 +4363,8 @@ bisher {1}</translation></message>
         <translation>Kein Parameter ist ausgewählt</translation></message>
     <message><source>Restore stored value</source>
         <translation>Gespeicherten Wert wiederherstellen</translation></message>
+    <message><source>{0} is {1}{2}. No document confirms this limit. You can try any wire value from 0 to {3}. The board decides: it may reject the value, or store another one, and the program shows which. A value that the board stores is remembered for its firmware.</source>
+        <translation>{0}: {1}{2}. Kein Dokument bestätigt diese Grenze. Sie können jeden Bytewert von 0 bis {3} versuchen. Das Board entscheidet: Es kann den Wert ablehnen oder einen anderen speichern; das Programm zeigt, was geschehen ist. Ein Wert, den das Board speichert, wird für seine Firmware gemerkt.</translation></message>
     <message><source>Parameters</source>
         <translation>Parameter</translation></message>
     <message><source>Edit</source>
@@ -4391,20 +4381,20 @@ bisher {1}</translation></message>
         <translation>Anh&amp;eften</translation></message>
     <message><source>Defa&amp;ult</source>
         <translation>&amp;Standardwert</translation></message>
-    <message><source>U&amp;npin</source>
-        <translation>&amp;Lösen</translation></message>
-    <message><source>Copy as “{0}”</source>
-        <translation>Kopieren als „{0}“</translation></message>
-    <message><source>Copy to {0}</source>
-        <translation>Nach {0} kopieren</translation></message>
-    <message><source>{0} is {1}{2}. No document confirms this limit. You can try any wire value from 0 to {3}. The board decides: it may reject the value, or store another one, and the program shows which. A value that the board stores is remembered for its firmware.</source>
-        <translation>{0}: {1}{2}. Kein Dokument bestätigt diese Grenze. Sie können jeden Bytewert von 0 bis {3} versuchen. Das Board entscheidet: Es kann den Wert ablehnen oder einen anderen speichern; das Programm zeigt, was geschehen ist. Ein Wert, den das Board speichert, wird für seine Firmware gemerkt.</translation></message>
     <message><source>Wire value</source>
         <translation>Bytewert</translation></message>
     <message><source>&amp;Try this value</source>
         <translation>Diesen Wert &amp;versuchen</translation></message>
+    <message><source>U&amp;npin</source>
+        <translation>&amp;Lösen</translation></message>
     <message><source>&amp;Wire value:</source>
         <translation>&amp;Bytewert:</translation></message>
+    <message><source>Copy as “{0}”</source>
+        <translation>Kopieren als „{0}“</translation></message>
+    <message><source>Copy to {0}</source>
+        <translation>Nach {0} kopieren</translation></message>
+    <message><source>LEDs that the board shows</source>
+        <translation>LEDs, die das Board zeigt</translation></message>
     <message><source>Who drives, jumpers, sticks, motors and limits, step by step.</source>
         <translation>Wer steuert, Jumper, Knüppel, Motoren und Grenzen, Schritt für Schritt.</translation></message>
     <message><source>compact packets</source>
@@ -4413,10 +4403,16 @@ bisher {1}</translation></message>
         <translation>LEDs auf dem Board:</translation></message>
     <message><source>Set up my r&amp;obot…</source>
         <translation>&amp;Meinen Roboter einrichten…</translation></message>
+    <message><source>joint: one motor</source>
+        <translation>Parallelbetrieb: ein Motor</translation></message>
+    <message><source>two independent motors</source>
+        <translation>zwei unabhängige Motoren</translation></message>
+    <message><source>RS-232 (everything sent comes back)</source>
+        <translation>RS-232 (alles Gesendete kommt zurück)</translation></message>
+    <message><source>TTL (SI and SO)</source>
+        <translation>TTL (SI und SO)</translation></message>
     <message><source>This firmware runs at half of this baud rate.</source>
         <translation>Diese Firmware arbeitet mit der Hälfte dieser Baudrate.</translation></message>
-    <message><source>LEDs that the board shows</source>
-        <translation>LEDs, die das Board zeigt</translation></message>
     <message><source>Model:</source>
         <translation>Modell:</translation></message>
     <message><source>Firmware:</source>
@@ -4433,16 +4429,10 @@ bisher {1}</translation></message>
         <translation>Einstellungen:</translation></message>
     <message><source>Connector:</source>
         <translation>Anschluss:</translation></message>
-    <message><source>joint: one motor</source>
-        <translation>Parallelbetrieb: ein Motor</translation></message>
-    <message><source>two independent motors</source>
-        <translation>zwei unabhängige Motoren</translation></message>
-    <message><source>RS-232 (everything sent comes back)</source>
-        <translation>RS-232 (alles Gesendete kommt zurück)</translation></message>
-    <message><source>TTL (SI and SO)</source>
-        <translation>TTL (SI und SO)</translation></message>
     <message><source>device number {0}</source>
         <translation>Gerätenummer {0}</translation></message>
+    <message><source>{0}; the channels control the motors.</source>
+        <translation>{0}; die Kanäle steuern die Motoren.</translation></message>
     <message><source>&amp;Settings at this time…</source>
         <translation>&amp;Einstellungen zu dieser Zeit…</translation></message>
     <message><source>Signal</source>
@@ -4451,20 +4441,38 @@ bisher {1}</translation></message>
         <translation>Counts</translation></message>
     <message><source>Remapped</source>
         <translation>Umgerechnet</translation></message>
-    <message><source>Open the settings that the board stored at this time</source>
-        <translation>Die Einstellungen öffnen, die das Board zu dieser Zeit gespeichert hatte</translation></message>
-    <message><source>{0}; the channels control the motors.</source>
-        <translation>{0}; die Kanäle steuern die Motoren.</translation></message>
     <message><source>Serial mode with {0} inputs</source>
         <translation>Serieller Modus, Eingänge: {0}</translation></message>
     <message><source>{0} mode</source>
         <translation>Modus {0}</translation></message>
     <message><source>{0}.</source>
         <translation>{0}.</translation></message>
+    <message><source>Open the settings that the board stored at this time</source>
+        <translation>Die Einstellungen öffnen, die das Board zu dieser Zeit gespeichert hatte</translation></message>
     <message><source>{0}; serial commands reach the motors.</source>
         <translation>{0}; serielle Befehle erreichen die Motoren.</translation></message>
     <message><source>brake {0}</source>
         <translation>Bremse {0}</translation></message>
+    <message numerus="yes"><source>Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore as pending edits?</source>
+        <translation><numerusform>Zuvor geändert, aber nicht angewendet: %n Einstellung dieses {0} ({1}). Als ausstehende Änderung wiederherstellen?</numerusform><numerusform>Zuvor geändert, aber nicht angewendet: %n Einstellungen dieses {0} ({1}). Als ausstehende Änderungen wiederherstellen?</numerusform></translation></message>
+    <message><source>Settings are still being written. Close anyway? Unwritten settings are offered when the board is connected again.</source>
+        <translation>Es werden noch Einstellungen geschrieben. Trotzdem schließen? Nicht geschriebene Einstellungen werden beim nächsten Verbinden des Boards angeboten.</translation></message>
+    <message><source>Review and apply…</source>
+        <translation>Prüfen und anwenden…</translation></message>
+    <message numerus="yes"><source>%n setting(s) of this {0} differ from what was applied last ({1}): lost, changed by something else, or this is another board.</source>
+        <translation><numerusform>%n Einstellung dieses {0} weicht von der zuletzt angewendeten ab ({1}): verloren, von etwas anderem geändert, oder dies ist ein anderes Board.</numerusform><numerusform>%n Einstellungen dieses {0} weichen von den zuletzt angewendeten ab ({1}): verloren, von etwas anderem geändert, oder dies ist ein anderes Board.</numerusform></translation></message>
+    <message><source>Keep the values of the board</source>
+        <translation>Werte des Boards behalten</translation></message>
+    <message><source>Close anyway</source>
+        <translation>Trotzdem schließen</translation></message>
+    <message><source>Save as a settings file…</source>
+        <translation>Als Einstellungsdatei speichern…</translation></message>
+    <message><source>Keep and close</source>
+        <translation>Behalten und schließen</translation></message>
+    <message><source>Discard and close</source>
+        <translation>Verwerfen und schließen</translation></message>
+    <message><source>Show…</source>
+        <translation>Anzeigen…</translation></message>
     <message><source>The seconds around “{0}” were kept. File, Open fault or stop: {1}</source>
         <translation>Die Sekunden um „{0}“ wurden behalten. Datei, Störung oder Stopp öffnen: {1}</translation></message>
     <message><source>The seconds around “{0}” could not be kept. {1}</source>
@@ -4473,6 +4481,14 @@ bisher {1}</translation></message>
         <translation>Es kann nichts aufgezeichnet werden: Kein Board ist verbunden.</translation></message>
     <message><source>File, Open recording</source>
         <translation>Datei, Aufzeichnung öffnen</translation></message>
+    <message><source>Open recor&amp;ding…</source>
+        <translation>Auf&amp;zeichnung öffnen…</translation></message>
+    <message><source>Open fa&amp;ult or stop…</source>
+        <translation>Störung oder Sto&amp;pp öffnen…</translation></message>
+    <message><source>Start recording &amp;with Run motor</source>
+        <translation>Aufzeichnung &amp;mit „Motor freigeben“ starten</translation></message>
+    <message><source>&amp;Keep 30 s around each fault and stop</source>
+        <translation>30 s um &amp;jede Störung und jeden Stopp behalten</translation></message>
     <message><source>Open fault or stop</source>
         <translation>Störung oder Stopp öffnen</translation></message>
     <message><source>It gets device number {0}, which another board on this line has: both would reply at once, and neither could be read. Give that board another number first.</source>
@@ -4583,6 +4599,14 @@ bisher {1}</translation></message>
         <translation>{0} von {1}: {2}</translation></message>
     <message><source>not attempted</source>
         <translation>nicht versucht</translation></message>
+    <message><source>{0} is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use it, too.</source>
+        <translation>{0} gehört jetzt zu den ausstehenden Änderungen. Die Einstellung gilt, nachdem das Board aus- und eingeschaltet wurde; dieses Fenster folgt dann. Andere Programme an dieser Leitung müssen sie auch verwenden.</translation></message>
+    <message><source>Read the settings from the board and discard the edits made here?</source>
+        <translation>Die Einstellungen vom Board lesen und die hier gemachten Änderungen verwerfen?</translation></message>
+    <message><source>CRC-7 is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use CRC-7, too.</source>
+        <translation>CRC-7 gehört jetzt zu den ausstehenden Änderungen. Die Einstellung gilt, nachdem das Board aus- und eingeschaltet wurde; dieses Fenster folgt dann. Andere Programme an dieser Leitung müssen CRC-7 auch verwenden.</translation></message>
+    <message><source>Discard and reload</source>
+        <translation>Verwerfen und neu laden</translation></message>
     <message><source>Channel</source>
         <translation>Kanal</translation></message>
     <message><source>Deadband</source>
@@ -4617,10 +4641,10 @@ bisher {1}</translation></message>
         <translation><numerusform>%n Wert aus {0} kopiert.</numerusform><numerusform>%n Werte aus {0} kopiert.</numerusform></translation></message>
     <message><source>Copy values from {0}</source>
         <translation>Werte aus {0} kopieren</translation></message>
-    <message><source>Findings</source>
-        <translation>Befunde</translation></message>
     <message><source>Acce&amp;pt the proposal</source>
         <translation>Vor&amp;schlag übernehmen</translation></message>
+    <message><source>Findings</source>
+        <translation>Befunde</translation></message>
     <message><source>No errors, warnings or suggestions.</source>
         <translation>Keine Fehler, Warnungen oder Hinweise.</translation></message>
     <message numerus="yes"><source>%n error(s)</source>
@@ -4747,38 +4771,18 @@ bisher {1}</translation></message>
         <translation>Einstellungsdatei öffnen</translation></message>
     <message><source>Factory defaults of a {0}, firmware {1}</source>
         <translation>Werkseinstellungen eines {0}, Firmware {1}</translation></message>
-    <message><source>{0} applies and checks the settings shown; read its first lines.</source>
-        <translation>{0} wendet die angezeigten Einstellungen an und prüft sie; lesen Sie die ersten Zeilen der Datei.</translation></message>
-    <message><source>is not a readable settings file.</source>
-        <translation>ist keine lesbare Einstellungsdatei.</translation></message>
-    <message><source>Calibrations that the board does not show now were kept: {0}.</source>
-        <translation>Kalibrierungen, die das Board jetzt nicht zeigt, wurden beibehalten: {0}.</translation></message>
-    <message><source>Export as code</source>
-        <translation>Als Code exportieren</translation></message>
     <message><source>New settings file</source>
         <translation>Neue Einstellungsdatei</translation></message>
     <message><source>&amp;Start the new file with:</source>
         <translation>Neue Datei &amp;beginnen mit:</translation></message>
-    <message><source>{0} was not saved again: it is still being saved.</source>
-        <translation>{0} wurde nicht erneut gespeichert: Die Datei wird noch gespeichert.</translation></message>
     <message><source>Beginnings</source>
         <translation>Vorlagen</translation></message>
     <message><source>The board as shown: {0}, firmware {1}</source>
         <translation>Das Board, wie angezeigt: {0}, Firmware {1}</translation></message>
     <message><source>Settings applied {0}</source>
         <translation>Angewendete Einstellungen, {0}</translation></message>
-    <message><source>The settings shown were saved in {0}.</source>
-        <translation>Die angezeigten Einstellungen wurden in {0} gespeichert.</translation></message>
-    <message><source>{0}, settings shown</source>
-        <translation>{0}, angezeigte Einstellungen</translation></message>
     <message><source>Applied</source>
         <translation>Angewendet</translation></message>
-    <message><source>{0} was not written: {1}</source>
-        <translation>{0} wurde nicht geschrieben: {1}</translation></message>
-    <message><source>{0} was not saved: {1}</source>
-        <translation>{0} wurde nicht gespeichert: {1}</translation></message>
-    <message><source>holds settings of a {0}.</source>
-        <translation>enthält Einstellungen eines {0}.</translation></message>
     <message><source>Sample: {0}</source>
         <translation>Beispiel: {0}</translation></message>
     <message><source>Next changes {0}. Nothing is written before you apply it.</source>
@@ -4865,8 +4869,6 @@ bisher {1}</translation></message>
         <translation>Der Mix-Jumper ist gesteckt: Ziehen Sie ihn ab und bewegen Sie dann wieder einen Knüppel.</translation></message>
     <message><source>The mix jumper is off: put it on, then push a stick again.</source>
         <translation>Der Mix-Jumper ist nicht gesteckt: Stecken Sie ihn auf und bewegen Sie dann wieder einen Knüppel.</translation></message>
-    <message><source>Channel 1 is for motor 1, channel 2 for motor 2.</source>
-        <translation>Kanal 1 ist für Motor 1, Kanal 2 für Motor 2.</translation></message>
     <message><source>Set the current that your motors can draw continuously; the values above are only examples. Speeds that are set at once, without a ramp, bypass the limit for a moment.</source>
         <translation>Stellen Sie den Strom ein, den Ihre Motoren dauernd aufnehmen dürfen; die obigen Werte sind nur Beispiele. Geschwindigkeiten, die sofort, ohne Rampe, gesetzt werden, umgehen die Begrenzung für einen Augenblick.</translation></message>
     <message><source>The board stores: {0}.</source>
@@ -4885,28 +4887,6 @@ bisher {1}</translation></message>
         <translation>Der Mix-Jumper ist unerheblich: Auf serielle Befehle hat er keine Wirkung.</translation></message>
     <message><source>Remove the mode jumper and leave it off: the board then accepts settings and serial commands. It reads the jumper when it is switched on.</source>
         <translation>Ziehen Sie den Modus-Jumper ab und lassen Sie ihn weg: Das Board nimmt dann Einstellungen und serielle Befehle an. Es liest den Jumper beim Einschalten.</translation></message>
-    <message><source>&amp;Learn channels…</source>
-        <translation>Kanäle &amp;einlernen…</translation></message>
-    <message><source>The stick is fully &amp;forward now</source>
-        <translation>Der Knüppel ist jetzt ganz &amp;vorn</translation></message>
-    <message><source>The stick is fully &amp;right now</source>
-        <translation>Der Knüppel ist jetzt ganz &amp;rechts</translation></message>
-    <message><source>Both sticks are fully &amp;forward now</source>
-        <translation>Beide Knüppel sind jetzt ganz &amp;vorn</translation></message>
-    <message><source>Channel 1 is for left and right of the stick, channel 2 for forward and back.</source>
-        <translation>Kanal 1 gehört zu links und rechts am Knüppel, Kanal 2 zu vor und zurück.</translation></message>
-    <message><source>Channel 1 (motor 1)</source>
-        <translation>Kanal 1 (Motor 1)</translation></message>
-    <message><source>Channel 2 (motor 2)</source>
-        <translation>Kanal 2 (Motor 2)</translation></message>
-    <message><source>{0}: its direction is not known yet.</source>
-        <translation>{0}: Richtung noch nicht bekannt.</translation></message>
-    <message><source>{0}: the value rises.</source>
-        <translation>{0}: Der Wert steigt.</translation></message>
-    <message><source>{0}: the value falls.</source>
-        <translation>{0}: Der Wert fällt.</translation></message>
-    <message><source>{0}: the stick is still near its middle. Push it all the way.</source>
-        <translation>{0}: Der Knüppel ist noch nahe der Mitte. Bewegen Sie ihn bis zum Anschlag.</translation></message>
     <message><source>Current limit of each motor</source>
         <translation>Stromgrenze jedes Motors</translation></message>
     <message><source>off</source><comment>limit</comment>
@@ -4963,16 +4943,6 @@ bisher {1}</translation></message>
         <translation>Der Mix-Jumper kann nur im seriellen Modus geprüft werden: In diesem Modus würde ein Knüppel, den Sie bewegen, die Motoren antreiben.</translation></message>
     <message><source>It is not known yet whether the mix jumper is on: the board cannot be asked. Push a stick to one side, and the answer appears here.</source>
         <translation>Es ist noch nicht bekannt, ob der Mix-Jumper gesteckt ist: Das Board lässt sich nicht danach fragen. Bewegen Sie einen Knüppel zu einer Seite; die Antwort erscheint dann hier.</translation></message>
-    <message><source>The board has to know the middle and the ends of each stick. Learning measures them in about two minutes, in a separate window, and ends with a review. The motors stay off meanwhile. Learn before you go on: the next step, which motor is which, needs the directions of the sticks.</source>
-        <translation>Das Board muss die Mitte und die Endlagen jedes Knüppels kennen. Das Einlernen misst sie in etwa zwei Minuten, in einem eigenen Fenster, und endet mit einer Prüfung. Die Motoren bleiben währenddessen aus. Lernen Sie ein, bevor Sie fortfahren: Der nächste Schritt, welcher Motor welcher ist, braucht die Richtungen der Knüppel.</translation></message>
-    <message><source>Already learned? Then show which way the sticks go: push, hold and click. In serial mode they move no motor.</source>
-        <translation>Schon eingelernt? Dann zeigen Sie, in welche Richtung die Knüppel gehen: auslenken, halten und klicken. Im seriellen Modus bewegen sie keinen Motor.</translation></message>
-    <message><source>Channel 1 (turns)</source>
-        <translation>Kanal 1 (lenkt)</translation></message>
-    <message><source>Channel 2 (drives)</source>
-        <translation>Kanal 2 (fährt)</translation></message>
-    <message><source>{0}: no signal arrives.</source>
-        <translation>{0}: Es kommt kein Signal an.</translation></message>
     <message><source>Keep w&amp;hat the board has</source>
         <translation>Werte des &amp;Boards behalten</translation></message>
     <message><source>Neither ramps nor limits change.</source>
@@ -5005,10 +4975,6 @@ bisher {1}</translation></message>
         <translation>Jetzt: zum Einrichten</translation></message>
     <message><source>Later: to drive</source>
         <translation>Später: zum Fahren</translation></message>
-    <message><source>Each is connected to an output of your receiver.</source>
-        <translation>Jeder Kanal ist mit einem Ausgang Ihres Empfängers verbunden.</translation></message>
-    <message><source>Is the transmitter on?</source>
-        <translation>Ist der Sender eingeschaltet?</translation></message>
     <message><source>How should the motors start and stop?</source>
         <translation>Wie sollen die Motoren anfahren und anhalten?</translation></message>
     <message><source>Then, by hand:</source>
@@ -5023,6 +4989,64 @@ bisher {1}</translation></message>
         <translation>Motoren &amp;stoppen nach einer Stille von</translation></message>
     <message><source>Go to this step</source>
         <translation>Zu diesem Schritt gehen</translation></message>
+    <message><source>Channel 1 is for motor 1, channel 2 for motor 2.</source>
+        <translation>Kanal 1 ist für Motor 1, Kanal 2 für Motor 2.</translation></message>
+    <message><source>&amp;Learn channels…</source>
+        <translation>Kanäle &amp;einlernen…</translation></message>
+    <message><source>The stick is fully &amp;forward now</source>
+        <translation>Der Knüppel ist jetzt ganz &amp;vorn</translation></message>
+    <message><source>The stick is fully &amp;right now</source>
+        <translation>Der Knüppel ist jetzt ganz &amp;rechts</translation></message>
+    <message><source>Both sticks are fully &amp;forward now</source>
+        <translation>Beide Knüppel sind jetzt ganz &amp;vorn</translation></message>
+    <message><source>Channel 1 is for left and right of the stick, channel 2 for forward and back.</source>
+        <translation>Kanal 1 gehört zu links und rechts am Knüppel, Kanal 2 zu vor und zurück.</translation></message>
+    <message><source>Channel 1 (motor 1)</source>
+        <translation>Kanal 1 (Motor 1)</translation></message>
+    <message><source>Channel 2 (motor 2)</source>
+        <translation>Kanal 2 (Motor 2)</translation></message>
+    <message><source>{0}: its direction is not known yet.</source>
+        <translation>{0}: Richtung noch nicht bekannt.</translation></message>
+    <message><source>{0}: the value rises.</source>
+        <translation>{0}: Der Wert steigt.</translation></message>
+    <message><source>{0}: the value falls.</source>
+        <translation>{0}: Der Wert fällt.</translation></message>
+    <message><source>{0}: the stick is still near its middle. Push it all the way.</source>
+        <translation>{0}: Der Knüppel ist noch nahe der Mitte. Bewegen Sie ihn bis zum Anschlag.</translation></message>
+    <message><source>The board has to know the middle and the ends of each stick. Learning measures them in about two minutes, in a separate window, and ends with a review. The motors stay off meanwhile. Learn before you go on: the next step, which motor is which, needs the directions of the sticks.</source>
+        <translation>Das Board muss die Mitte und die Endlagen jedes Knüppels kennen. Das Einlernen misst sie in etwa zwei Minuten, in einem eigenen Fenster, und endet mit einer Prüfung. Die Motoren bleiben währenddessen aus. Lernen Sie ein, bevor Sie fortfahren: Der nächste Schritt, welcher Motor welcher ist, braucht die Richtungen der Knüppel.</translation></message>
+    <message><source>Already learned? Then show which way the sticks go: push, hold and click. In serial mode they move no motor.</source>
+        <translation>Schon eingelernt? Dann zeigen Sie, in welche Richtung die Knüppel gehen: auslenken, halten und klicken. Im seriellen Modus bewegen sie keinen Motor.</translation></message>
+    <message><source>Channel 1 (turns)</source>
+        <translation>Kanal 1 (lenkt)</translation></message>
+    <message><source>Channel 2 (drives)</source>
+        <translation>Kanal 2 (fährt)</translation></message>
+    <message><source>{0}: no signal arrives.</source>
+        <translation>{0}: Es kommt kein Signal an.</translation></message>
+    <message><source>Each is connected to an output of your receiver.</source>
+        <translation>Jeder Kanal ist mit einem Ausgang Ihres Empfängers verbunden.</translation></message>
+    <message><source>Is the transmitter on?</source>
+        <translation>Ist der Sender eingeschaltet?</translation></message>
+    <message><source>{0} applies and checks the settings shown; read its first lines.</source>
+        <translation>{0} wendet die angezeigten Einstellungen an und prüft sie; lesen Sie die ersten Zeilen der Datei.</translation></message>
+    <message><source>is not a readable settings file.</source>
+        <translation>ist keine lesbare Einstellungsdatei.</translation></message>
+    <message><source>Calibrations that the board does not show now were kept: {0}.</source>
+        <translation>Kalibrierungen, die das Board jetzt nicht zeigt, wurden beibehalten: {0}.</translation></message>
+    <message><source>Export as code</source>
+        <translation>Als Code exportieren</translation></message>
+    <message><source>{0} was not saved again: it is still being saved.</source>
+        <translation>{0} wurde nicht erneut gespeichert: Die Datei wird noch gespeichert.</translation></message>
+    <message><source>The settings shown were saved in {0}.</source>
+        <translation>Die angezeigten Einstellungen wurden in {0} gespeichert.</translation></message>
+    <message><source>{0}, settings shown</source>
+        <translation>{0}, angezeigte Einstellungen</translation></message>
+    <message><source>{0} was not written: {1}</source>
+        <translation>{0} wurde nicht geschrieben: {1}</translation></message>
+    <message><source>{0} was not saved: {1}</source>
+        <translation>{0} wurde nicht gespeichert: {1}</translation></message>
+    <message><source>holds settings of a {0}.</source>
+        <translation>enthält Einstellungen eines {0}.</translation></message>
     <message><source>Reading…</source>
         <translation>Lesen…</translation></message>
     <message numerus="yes"><source>%n setting(s) would become edits; nothing is written until you click Apply.</source>
@@ -5097,6 +5121,18 @@ bisher {1}</translation></message>
         <translation>Hinweis: Diese Sicherungskopie ist von Gerätenummer {0}, das Board hier hat Nummer {1}.</translation></message>
     <message><source>Nothing was restored: {0}</source>
         <translation>Nichts wurde wiederhergestellt: {0}</translation></message>
+    <message><source>TReX</source>
+        <translation>TReX</translation></message>
+    <message><source>Wiring: TX of the adapter to SI, RX to SO, GND to GND of the board</source>
+        <translation>Verdrahtung: TX des Adapters an SI, RX an SO, GND an GND des Boards</translation></message>
+    <message><source>Connect my TReX</source>
+        <translation>Meinen TReX verbinden</translation></message>
+    <message><source>No board at hand?</source>
+        <translation>Kein Board zur Hand?</translation></message>
+    <message><source>&amp;Try the demo</source>
+        <translation>Demo aus&amp;probieren</translation></message>
+    <message><source>Set up, calibrate, drive and understand a Pololu TReX or TReX Jr. You need the board with its supply, and a serial adapter with three wires. No motor moves before you click Run motor, and Esc stops the motors in every window.</source>
+        <translation>Einen Pololu TReX oder TReX Jr einrichten, kalibrieren, ansteuern und verstehen. Sie brauchen das Board mit seiner Stromversorgung und einen seriellen Adapter mit drei Leitungen. Kein Motor bewegt sich, bevor Sie auf „Motor freigeben“ klicken, und Esc stoppt die Motoren in jedem Fenster.</translation></message>
     <message><source>You need a USB-serial adapter with TTL levels (5 V or 3.3 V) and three wires.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Switch the board off. Remove the mode jumper: then it starts in serial mode, which is needed to drive it and to change settings from here. Remove the SO–G jumper, too.&lt;/li&gt;&lt;li&gt;Wire the adapter as shown.&lt;/li&gt;&lt;li&gt;Lift the wheels off the ground, switch the board on, and connect:&lt;/li&gt;&lt;/ol&gt;</source>
         <translation>Sie brauchen einen USB-Seriell-Adapter mit TTL-Pegeln (5 V oder 3,3 V) und drei Leitungen.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Schalten Sie das Board aus. Ziehen Sie den Modus-Jumper ab: Dann startet es im seriellen Modus, der nötig ist, um es von hier aus zu steuern und Einstellungen zu ändern. Ziehen Sie auch den SO–G-Jumper ab.&lt;/li&gt;&lt;li&gt;Schließen Sie den Adapter wie gezeigt an.&lt;/li&gt;&lt;li&gt;Heben Sie die Räder vom Boden ab, schalten Sie das Board ein und verbinden Sie:&lt;/li&gt;&lt;/ol&gt;</translation></message>
     <message><source>TT&amp;L adapter</source>
@@ -5117,6 +5153,10 @@ bisher {1}</translation></message>
         <translation>Verdrahtung: Kanäle 1 und 2 des Empfängers an Kanäle 1 und 2 des Boards, 5 V an 5 V, GND an GND</translation></message>
     <message><source>Receiver</source>
         <translation>Empfänger</translation></message>
+    <message><source>Open &amp;settings file…</source>
+        <translation>&amp;Einstellungsdatei öffnen…</translation></message>
+    <message><source>&amp;Open recording…</source>
+        <translation>&amp;Aufzeichnung öffnen…</translation></message>
     <message><source>Jumpers to drive</source>
         <translation>Jumper zum Fahren</translation></message>
     <message><source>First difference, line {0}: {1}. The simulated board: {2} ({3}).</source>
@@ -5127,40 +5167,14 @@ bisher {1}</translation></message>
         <translation>Text (*.txt *.tsv)</translation></message>
     <message numerus="yes"><source>%n transaction(s): the simulated board replies the same.</source>
         <translation><numerusform>%n Transaktion: Das simulierte Board antwortet gleich.</numerusform><numerusform>%n Transaktionen: Das simulierte Board antwortet gleich.</numerusform></translation></message>
-    <message numerus="yes"><source>Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore as pending edits?</source>
-        <translation><numerusform>Zuvor geändert, aber nicht angewendet: %n Einstellung dieses {0} ({1}). Als ausstehende Änderung wiederherstellen?</numerusform><numerusform>Zuvor geändert, aber nicht angewendet: %n Einstellungen dieses {0} ({1}). Als ausstehende Änderungen wiederherstellen?</numerusform></translation></message>
-    <message><source>{0} is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use it, too.</source>
-        <translation>{0} gehört jetzt zu den ausstehenden Änderungen. Die Einstellung gilt, nachdem das Board aus- und eingeschaltet wurde; dieses Fenster folgt dann. Andere Programme an dieser Leitung müssen sie auch verwenden.</translation></message>
-    <message><source>TReX</source>
-        <translation>TReX</translation></message>
-    <message><source>Wiring: TX of the adapter to SI, RX to SO, GND to GND of the board</source>
-        <translation>Verdrahtung: TX des Adapters an SI, RX an SO, GND an GND des Boards</translation></message>
     <message><source>a settings file of a TReX</source>
         <translation>eine Einstellungsdatei eines TReX</translation></message>
     <message><source>a board</source>
         <translation>ein Board</translation></message>
-    <message><source>Read the settings from the board and discard the edits made here?</source>
-        <translation>Die Einstellungen vom Board lesen und die hier gemachten Änderungen verwerfen?</translation></message>
     <message><source>Factor&amp;y line settings: {0}…</source>
         <translation>&amp;Werkseinstellung der Leitung: {0}…</translation></message>
     <message><source>Fas&amp;t: {0}…</source>
         <translation>&amp;Schnell: {0}…</translation></message>
-    <message><source>CRC-7 is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use CRC-7, too.</source>
-        <translation>CRC-7 gehört jetzt zu den ausstehenden Änderungen. Die Einstellung gilt, nachdem das Board aus- und eingeschaltet wurde; dieses Fenster folgt dann. Andere Programme an dieser Leitung müssen CRC-7 auch verwenden.</translation></message>
-    <message><source>Connect my TReX</source>
-        <translation>Meinen TReX verbinden</translation></message>
-    <message><source>No board at hand?</source>
-        <translation>Kein Board zur Hand?</translation></message>
-    <message><source>&amp;Try the demo</source>
-        <translation>Demo aus&amp;probieren</translation></message>
-    <message><source>Set up, calibrate, drive and understand a Pololu TReX or TReX Jr. You need the board with its supply, and a serial adapter with three wires. No motor moves before you click Run motor, and Esc stops the motors in every window.</source>
-        <translation>Einen Pololu TReX oder TReX Jr einrichten, kalibrieren, ansteuern und verstehen. Sie brauchen das Board mit seiner Stromversorgung und einen seriellen Adapter mit drei Leitungen. Kein Motor bewegt sich, bevor Sie auf „Motor freigeben“ klicken, und Esc stoppt die Motoren in jedem Fenster.</translation></message>
-    <message><source>Discard and reload</source>
-        <translation>Verwerfen und neu laden</translation></message>
-    <message numerus="yes"><source>%n setting(s) of this {0} differ from what was applied last ({1}): lost, changed by something else, or this is another board.</source>
-        <translation><numerusform>%n Einstellung dieses {0} weicht von der zuletzt angewendeten ab ({1}): verloren, von etwas anderem geändert, oder dies ist ein anderes Board.</numerusform><numerusform>%n Einstellungen dieses {0} weichen von den zuletzt angewendeten ab ({1}): verloren, von etwas anderem geändert, oder dies ist ein anderes Board.</numerusform></translation></message>
-    <message><source>Keep the values of the board</source>
-        <translation>Werte des Boards behalten</translation></message>
     <message><source>S&amp;tatus</source>
         <translation>&amp;Status</translation></message>
     <message><source>&amp;Channels</source>
@@ -5189,14 +5203,6 @@ bisher {1}</translation></message>
         <translation>Als &amp;Code exportieren…</translation></message>
     <message><source>&amp;History…</source>
         <translation>&amp;Verlauf…</translation></message>
-    <message><source>Open recor&amp;ding…</source>
-        <translation>Auf&amp;zeichnung öffnen…</translation></message>
-    <message><source>Open fa&amp;ult or stop…</source>
-        <translation>Störung oder Sto&amp;pp öffnen…</translation></message>
-    <message><source>Start recording &amp;with Run motor</source>
-        <translation>Aufzeichnung &amp;mit „Motor freigeben“ starten</translation></message>
-    <message><source>&amp;Keep 30 s around each fault and stop</source>
-        <translation>30 s um &amp;jede Störung und jeden Stopp behalten</translation></message>
     <message><source>Compare traffic &amp;log with simulator…</source>
         <translation>&amp;Datenverkehrsprotokoll mit Simulator vergleichen…</translation></message>
     <message><source>&amp;Discard all edits</source>
@@ -5235,12 +5241,6 @@ bisher {1}</translation></message>
         <translation>Ben&amp;utzerhandbuch des Boards (online)…</translation></message>
     <message><source>Errors ({0})</source>
         <translation>Fehler ({0})</translation></message>
-    <message><source>Open &amp;settings file…</source>
-        <translation>&amp;Einstellungsdatei öffnen…</translation></message>
-    <message><source>&amp;Open recording…</source>
-        <translation>&amp;Aufzeichnung öffnen…</translation></message>
-    <message><source>Show…</source>
-        <translation>Anzeigen…</translation></message>
     <message><source>Gamepads need one more package. Install it with {0}, then switch this on again.</source>
         <translation>Gamepads brauchen ein weiteres Paket. Installieren Sie es mit {0}, dann schalten Sie dies wieder ein.</translation></message>
     <message><source>Gamepads cannot be read here: {0}.</source>
@@ -5373,6 +5373,20 @@ bisher {1}</translation></message>
         <translation>P&amp;ort:</translation></message>
     <message><source>Starting the Demo {0} …</source>
         <translation>Demo-{0} wird gestartet …</translation></message>
+    <message><source>{0} was not opened: its type is not supported. Supported: {1}.</source>
+        <translation>{0} wurde nicht geöffnet: Dieser Dateityp wird nicht unterstützt. Unterstützt: {1}.</translation></message>
+    <message><source>Recent &amp;files</source>
+        <translation>Z&amp;uletzt verwendete Dateien</translation></message>
+    <message><source>{0} files were dropped, and none was opened: drop one at a time.</source>
+        <translation>{0} Dateien wurden abgelegt, und keine wurde geöffnet: Legen Sie jeweils nur eine ab.</translation></message>
+    <message><source>{0} is {1}. It was not opened, because this window is connected to {2}: disconnect, then open it again.</source>
+        <translation>{0} ist {1}. Die Datei wurde nicht geöffnet, weil dieses Fenster mit {2} verbunden ist: Trennen Sie die Verbindung und öffnen Sie sie dann erneut.</translation></message>
+    <message><source>{0} is no longer there; it was removed from the recent files.</source>
+        <translation>{0} ist nicht mehr vorhanden; der Eintrag wurde aus den zuletzt verwendeten Dateien entfernt.</translation></message>
+    <message><source>&amp;Clear list</source>
+        <translation>Liste &amp;leeren</translation></message>
+    <message><source>a file of the {0}</source>
+        <translation>eine Datei für {0}</translation></message>
     <message><source>The likely settings come first; a port without a reply takes about half a minute.</source>
         <translation>Die wahrscheinlichen Einstellungen kommen zuerst; ein Port ohne Antwort dauert etwa eine halbe Minute.</translation></message>
     <message><source>&amp;Disconnect</source>
@@ -5413,24 +5427,14 @@ bisher {1}</translation></message>
         <translation>Verbinden und andere Leitungseinstellungen setzen: {0}</translation></message>
     <message><source>Connect to {0}</source>
         <translation>Mit {0} verbinden</translation></message>
-    <message><source>{0} was not opened: its type is not supported. Supported: {1}.</source>
-        <translation>{0} wurde nicht geöffnet: Dieser Dateityp wird nicht unterstützt. Unterstützt: {1}.</translation></message>
-    <message><source>TReX Studio</source>
-        <translation>TReX Studio</translation></message>
-    <message><source>Recent &amp;files</source>
-        <translation>Z&amp;uletzt verwendete Dateien</translation></message>
-    <message><source>{0} files were dropped, and none was opened: drop one at a time.</source>
-        <translation>{0} Dateien wurden abgelegt, und keine wurde geöffnet: Legen Sie jeweils nur eine ab.</translation></message>
-    <message><source>{0} is {1}. It was not opened, because this window is connected to {2}: disconnect, then open it again.</source>
-        <translation>{0} ist {1}. Die Datei wurde nicht geöffnet, weil dieses Fenster mit {2} verbunden ist: Trennen Sie die Verbindung und öffnen Sie sie dann erneut.</translation></message>
-    <message><source>{0} is no longer there; it was removed from the recent files.</source>
-        <translation>{0} ist nicht mehr vorhanden; der Eintrag wurde aus den zuletzt verwendeten Dateien entfernt.</translation></message>
-    <message><source>&amp;Clear list</source>
-        <translation>Liste &amp;leeren</translation></message>
-    <message><source>Settings are still being written. Disconnect anyway? Unwritten settings stay pending.</source>
-        <translation>Einstellungen werden noch geschrieben. Trotzdem trennen? Nicht geschriebene Einstellungen bleiben ausstehend.</translation></message>
     <message><source>About TReX Studio</source>
         <translation>Info über TReX Studio</translation></message>
+    <message><source>TReX Studio</source>
+        <translation>TReX Studio</translation></message>
+    <message><source>Settings are still being written. Disconnect anyway? Unwritten settings stay pending.</source>
+        <translation>Einstellungen werden noch geschrieben. Trotzdem trennen? Nicht geschriebene Einstellungen bleiben ausstehend.</translation></message>
+    <message><source>There is no log: {0} could not be written.</source>
+        <translation>Es gibt kein Protokoll: {0} konnte nicht geschrieben werden.</translation></message>
     <message><source>&amp;Window</source>
         <translation>&amp;Fenster</translation></message>
     <message><source>&amp;Help</source>
@@ -5441,12 +5445,8 @@ bisher {1}</translation></message>
         <translation>{0} (Demo)</translation></message>
     <message><source>Disconnect</source>
         <translation>Trennen</translation></message>
-    <message><source>There is no log: {0} could not be written.</source>
-        <translation>Es gibt kein Protokoll: {0} konnte nicht geschrieben werden.</translation></message>
     <message><source>The window was to be closed</source>
         <translation>Das Fenster sollte geschlossen werden</translation></message>
-    <message><source>Close the window</source>
-        <translation>Fenster schließen</translation></message>
     <message><source>No program of this computer shows folders. The log is in {0}.</source>
         <translation>Kein Programm dieses Computers zeigt Ordner an. Das Protokoll ist in {0}.</translation></message>
     <message><source>TReX Studio {0}
@@ -5475,8 +5475,6 @@ Kein Produkt von Pololu.</translation></message>
         <translation>&amp;Protokollordner öffnen</translation></message>
     <message><source>&amp;About…</source>
         <translation>&amp;Info…</translation></message>
-    <message><source>a file of the {0}</source>
-        <translation>eine Datei für {0}</translation></message>
     <message><source>Preferences</source>
         <translation>Voreinstellungen</translation></message>
     <message><source>As the system</source>
@@ -5559,6 +5557,8 @@ Kein Produkt von Pololu.</translation></message>
         <translation>Ein simuliertes Board: Nichts kann beschädigt werden</translation></message>
     <message><source>Recent files</source>
         <translation>Zuletzt verwendete Dateien</translation></message>
+    <message><source>Close the window</source>
+        <translation>Fenster schließen</translation></message>
     <message><source>Welcome to TReX Studio</source>
         <translation>Willkommen bei TReX Studio</translation></message>
     <message><source>Connect my &amp;board</source>

@@ -57,6 +57,10 @@
         <translation><numerusform>%n pending change: click Apply settings to write.</numerusform><numerusform>%n pending changes: click Apply settings to write.</numerusform></translation></message>
     <message numerus="yes"><source>%n setting(s) written and verified.</source>
         <translation><numerusform>%n setting written and verified.</numerusform><numerusform>%n settings written and verified.</numerusform></translation></message>
+    <message numerus="yes"><source>Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore as pending edits?</source>
+        <translation><numerusform>Edited earlier but not applied: %n setting of this {0} ({1}). Restore as pending edits?</numerusform><numerusform>Edited earlier but not applied: %n settings of this {0} ({1}). Restore as pending edits?</numerusform></translation></message>
+    <message numerus="yes"><source>%n setting(s) of this {0} differ from what was applied last ({1}): lost, changed by something else, or this is another board.</source>
+        <translation><numerusform>%n setting of this {0} differs from what was applied last ({1}): lost, changed by something else, or this is another board.</numerusform><numerusform>%n settings of this {0} differ from what was applied last ({1}): lost, changed by something else, or this is another board.</numerusform></translation></message>
     <message numerus="yes"><source>&amp;Review %n change(s)…</source>
         <translation><numerusform>&amp;Review %n change…</numerusform><numerusform>&amp;Review %n changes…</numerusform></translation></message>
     <message numerus="yes"><source>%n setting(s) of the {0} will change.</source>
@@ -93,10 +97,6 @@
         <translation><numerusform>There is no other snapshot of a {0} to compare with. This one has %n setting.</numerusform><numerusform>There is no other snapshot of a {0} to compare with. This one has %n settings.</numerusform></translation></message>
     <message numerus="yes"><source>%n transaction(s): the simulated board replies the same.</source>
         <translation><numerusform>%n transaction: the simulated board replies the same.</numerusform><numerusform>%n transactions: the simulated board replies the same.</numerusform></translation></message>
-    <message numerus="yes"><source>Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore as pending edits?</source>
-        <translation><numerusform>Edited earlier but not applied: %n setting of this {0} ({1}). Restore as pending edits?</numerusform><numerusform>Edited earlier but not applied: %n settings of this {0} ({1}). Restore as pending edits?</numerusform></translation></message>
-    <message numerus="yes"><source>%n setting(s) of this {0} differ from what was applied last ({1}): lost, changed by something else, or this is another board.</source>
-        <translation><numerusform>%n setting of this {0} differs from what was applied last ({1}): lost, changed by something else, or this is another board.</numerusform><numerusform>%n settings of this {0} differ from what was applied last ({1}): lost, changed by something else, or this is another board.</numerusform></translation></message>
     <message numerus="yes"><source>%n board(s) found.</source>
         <translation><numerusform>%n board found.</numerusform><numerusform>%n boards found.</numerusform></translation></message>
     <message numerus="yes"><source>%n port(s) could not be searched (internal error).</source>

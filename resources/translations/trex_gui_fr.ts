@@ -283,14 +283,6 @@
         <translation>La réponse s'est perdue (ou aucun moteur ne répond) : les positions ne sont pas connues.</translation></message>
     <message><source>The robot does not respond at all. Check its power and the cable.</source>
         <translation>Le robot ne répond pas du tout. Vérifiez son alimentation et le câble.</translation></message>
-    <message><source>Front left</source>
-        <translation>Avant gauche</translation></message>
-    <message><source>Front right</source>
-        <translation>Avant droite</translation></message>
-    <message><source>Back right</source>
-        <translation>Arrière droite</translation></message>
-    <message><source>Back left</source>
-        <translation>Arrière gauche</translation></message>
     <message><source>Motor {0}, {1} leg</source>
         <translation>Moteur {0}, patte {1}</translation></message>
     <message><source>stuck here</source>
@@ -301,22 +293,6 @@
         <translation>Le robot attend le moteur {0} et ne lit rien tant que celui-ci ne répond pas. Vérifiez l'alimentation des servos, celle de la carte, le câble de ce servo, et s'il est bloqué. Une réinitialisation de la carte met fin à l'attente ; elle n'arrête pas les servos.</translation></message>
     <message><source>Cropped to the limits of the joints: {0}.</source>
         <translation>Ramené aux limites des articulations : {0}.</translation></message>
-    <message><source>Played to the end.</source>
-        <translation>Joué jusqu'à la fin.</translation></message>
-    <message><source>The sequence has ended after its step.</source>
-        <translation>La séquence s'est terminée après son étape.</translation></message>
-    <message><source>The sequence was stopped.</source>
-        <translation>La séquence a été arrêtée.</translation></message>
-    <message><source>The sequence was aborted: the board has restarted.</source>
-        <translation>La séquence a été interrompue : la carte a redémarré.</translation></message>
-    <message><source>The sequence was aborted: the robot waits for a motor.</source>
-        <translation>La séquence a été interrompue : le robot attend un moteur.</translation></message>
-    <message><source>The sequence was aborted: a motor did not accept its speed.</source>
-        <translation>La séquence a été interrompue : un moteur n'a pas accepté sa vitesse.</translation></message>
-    <message><source>The sequence was aborted: a motor was far from its goal.</source>
-        <translation>La séquence a été interrompue : un moteur était loin de sa cible.</translation></message>
-    <message><source>The sequence was aborted: the robot does not respond.</source>
-        <translation>La séquence a été interrompue : le robot ne répond pas.</translation></message>
     <message><source>The board has restarted. Its servos continue to their goals.</source>
         <translation>La carte a redémarré. Ses servos continuent jusqu'à leurs cibles.</translation></message>
     <message><source>inner</source>
@@ -331,12 +307,12 @@
         <translation>moteur {0} à {1} au lieu de {2}</translation></message>
     <message><source>{0} missed</source>
         <translation>{0} : manquée</translation></message>
+    <message><source>All motors together, 100 units about the centre.</source>
+        <translation>Tous les moteurs ensemble, ±100 unités autour du centre.</translation></message>
     <message><source>Lies down flat in 3 s and stands up in 3 s, from any position.</source>
         <translation>Se couche à plat en 3 s et se relève en 3 s, depuis n'importe quelle position.</translation></message>
     <message><source>Lifts two opposite legs, swings the other two, changes over and swings them back.</source>
         <translation>Lève deux pattes opposées, fait pivoter les deux autres, alterne et les ramène.</translation></message>
-    <message><source>All motors together, 100 units about the centre.</source>
-        <translation>Tous les moteurs ensemble, ±100 unités autour du centre.</translation></message>
     <message><source>To and fro between two poses; motors that stay more than 50 units off are suspect.</source>
         <translation>Va-et-vient entre deux poses ; les moteurs qui restent à plus de 50 unités de leur cible sont suspects.</translation></message>
     <message><source>Down to half-stand and up again.</source>
@@ -427,6 +403,14 @@
         <translation>la position du moteur {0} va de 0 à {1}, et non {2}</translation></message>
     <message><source>{0} motors need {0} values, not {1}</source>
         <translation>{0} moteurs demandent {0} valeurs, et non {1}</translation></message>
+    <message><source>Front left</source>
+        <translation>Avant gauche</translation></message>
+    <message><source>Front right</source>
+        <translation>Avant droite</translation></message>
+    <message><source>Back right</source>
+        <translation>Arrière droite</translation></message>
+    <message><source>Back left</source>
+        <translation>Arrière gauche</translation></message>
     <message><source>limits are 0 to {0} in order, not {1} to {2}</source>
         <translation>les limites vont de 0 à {0}, dans l'ordre, pas de {1} à {2}</translation></message>
     <message><source>No Aracna responds on {0}. It does not listen while it moves: if it is moving, wait until it stops. Check that the robot's board has power, that the adapter's TX goes to its RX and its RX to its TX (or that both radios are on the same channel), and that ground is connected.</source>
@@ -477,6 +461,22 @@
         <translation>La connexion a été fermée avant que ce soit fait.</translation></message>
     <message><source>Internal error in the connection: {0}</source>
         <translation>Erreur interne de la connexion : {0}</translation></message>
+    <message><source>Played to the end.</source>
+        <translation>Joué jusqu'à la fin.</translation></message>
+    <message><source>The sequence has ended after its step.</source>
+        <translation>La séquence s'est terminée après son étape.</translation></message>
+    <message><source>The sequence was stopped.</source>
+        <translation>La séquence a été arrêtée.</translation></message>
+    <message><source>The sequence was aborted: the board has restarted.</source>
+        <translation>La séquence a été interrompue : la carte a redémarré.</translation></message>
+    <message><source>The sequence was aborted: the robot waits for a motor.</source>
+        <translation>La séquence a été interrompue : le robot attend un moteur.</translation></message>
+    <message><source>The sequence was aborted: a motor did not accept its speed.</source>
+        <translation>La séquence a été interrompue : un moteur n'a pas accepté sa vitesse.</translation></message>
+    <message><source>The sequence was aborted: a motor was far from its goal.</source>
+        <translation>La séquence a été interrompue : un moteur était loin de sa cible.</translation></message>
+    <message><source>The sequence was aborted: the robot does not respond.</source>
+        <translation>La séquence a été interrompue : le robot ne répond pas.</translation></message>
     <message><source>There is no step to play.</source>
         <translation>Il n'y a aucune étape à jouer.</translation></message>
     <message><source>Cannot play endlessly: there is no step.</source>
@@ -539,48 +539,6 @@
         <translation>{0} moteurs</translation></message>
     <message><source>followed by {0}</source>
         <translation>suivi de {0}</translation></message>
-    <message><source>This link has no stop: a running motion ends only by itself, or by cutting the servo power.</source>
-        <translation>Cette liaison n'a pas de commande d'arrêt : un mouvement en cours ne se termine que de lui-même, ou en coupant l'alimentation des servos.</translation></message>
-    <message><source>Playing step {0} of {1}.</source>
-        <translation>Étape {0} sur {1} en cours.</translation></message>
-    <message><source>Stop sequence</source>
-        <translation>Arrêter la séquence</translation></message>
-    <message><source>End the sequence, send nothing more, stay where the robot is (Esc, anywhere)</source>
-        <translation>Terminer la séquence, ne plus rien envoyer, laisser le robot où il est (Échap, partout)</translation></message>
-    <message><source>End afte&amp;r this step</source>
-        <translation>Ter&amp;miner après cette étape</translation></message>
-    <message><source>The motion continues by itself for about {0:.0f} s.</source>
-        <translation>Le mouvement continue de lui-même pendant {0:.0f} s environ.</translation></message>
-    <message><source>At rest: nothing is sent.</source>
-        <translation>Au repos : rien n'est envoyé.</translation></message>
-    <message><source>Unknown: the last motion may continue for about {0:.0f} s.</source>
-        <translation>Inconnu : le dernier mouvement peut continuer pendant {0:.0f} s environ.</translation></message>
-    <message><source>The sequence begins.</source>
-        <translation>La séquence commence.</translation></message>
-    <message><source>Playing step {0} of {1} “{2}”.</source>
-        <translation>Étape {0} sur {1} « {2} » en cours.</translation></message>
-    <message><source>Playing step {0} of {1}, round {3} of {4}.</source>
-        <translation>Étape {0} sur {1} en cours, cycle {3} sur {4}.</translation></message>
-    <message><source>Let the step finish, then blend out</source>
-        <translation>Finir l'étape, puis faire la transition de sortie</translation></message>
-    <message><source>Unknown: an earlier motion may continue for about {0:.0f} s.</source>
-        <translation>Inconnu : un mouvement antérieur peut continuer pendant {0:.0f} s environ.</translation></message>
-    <message><source>Stuck: the robot is waiting for motor {0} and reads nothing.</source>
-        <translation>Figé : le robot attend le moteur {0} et ne lit rien.</translation></message>
-    <message><source>Waiting for motor {0} to arrive …</source>
-        <translation>En attente de l'arrivée du moteur {0} …</translation></message>
-    <message><source>Playing blend-in.</source>
-        <translation>Transition d'entrée en cours.</translation></message>
-    <message><source>Playing blend-out.</source>
-        <translation>Transition de sortie en cours.</translation></message>
-    <message><source>Playing step {0} of {1} “{2}”, round {3} of {4}.</source>
-        <translation>Étape {0} sur {1} « {2} » en cours, cycle {3} sur {4}.</translation></message>
-    <message><source>Unknown: the last motion may still be running.</source>
-        <translation>Inconnu : le dernier mouvement est peut-être encore en cours.</translation></message>
-    <message><source>Nothing is sent. Whether it moves is unknown until its first move.</source>
-        <translation>Rien n'est envoyé. On ne sait pas s'il bouge avant son premier mouvement.</translation></message>
-    <message><source>The motion ends by itself in about {0:.1f} s.</source>
-        <translation>Le mouvement se termine de lui-même dans {0:.1f} s environ.</translation></message>
     <message><source>The only way to stop a motion: the protocol has no stop command.</source>
         <translation>Le seul moyen d'arrêter un mouvement : le protocole n'a pas de commande d'arrêt.</translation></message>
     <message><source>The debug LED; it blinks while the firmware boots</source>
@@ -613,8 +571,6 @@
         <translation>Mouvement sans fin : en attente d'un servo bloqué ou en panne.</translation></message>
     <message><source>no power</source>
         <translation>pas d'alimentation</translation></message>
-    <message><source>Demo Aracna</source>
-        <translation>Démo Aracna</translation></message>
     <message><source>Clear all faults</source>
         <translation>Supprimer tous les défauts</translation></message>
     <message><source>Noise</source>
@@ -705,6 +661,48 @@
         <translation>{0} réponses à {1} requêtes ({2:.2f} %)</translation></message>
     <message><source>Timeouts: {0}, corrupted: {1}, unrecognized lines: {2}, restarts: {3}; slowest reply: {4:.0f} ms (without motions)</source>
         <translation>Délais dépassés : {0}, altérées : {1}, lignes non reconnues : {2}, redémarrages : {3} ; réponse la plus lente : {4:.0f} ms (hors mouvements)</translation></message>
+    <message><source>This link has no stop: a running motion ends only by itself, or by cutting the servo power.</source>
+        <translation>Cette liaison n'a pas de commande d'arrêt : un mouvement en cours ne se termine que de lui-même, ou en coupant l'alimentation des servos.</translation></message>
+    <message><source>Playing step {0} of {1}.</source>
+        <translation>Étape {0} sur {1} en cours.</translation></message>
+    <message><source>Stop sequence</source>
+        <translation>Arrêter la séquence</translation></message>
+    <message><source>End the sequence, send nothing more, stay where the robot is (Esc, anywhere)</source>
+        <translation>Terminer la séquence, ne plus rien envoyer, laisser le robot où il est (Échap, partout)</translation></message>
+    <message><source>End afte&amp;r this step</source>
+        <translation>Ter&amp;miner après cette étape</translation></message>
+    <message><source>The motion continues by itself for about {0:.0f} s.</source>
+        <translation>Le mouvement continue de lui-même pendant {0:.0f} s environ.</translation></message>
+    <message><source>Stuck: the robot is waiting for motor {0} and reads nothing.</source>
+        <translation>Figé : le robot attend le moteur {0} et ne lit rien.</translation></message>
+    <message><source>At rest: nothing is sent.</source>
+        <translation>Au repos : rien n'est envoyé.</translation></message>
+    <message><source>Unknown: the last motion may continue for about {0:.0f} s.</source>
+        <translation>Inconnu : le dernier mouvement peut continuer pendant {0:.0f} s environ.</translation></message>
+    <message><source>The sequence begins.</source>
+        <translation>La séquence commence.</translation></message>
+    <message><source>Playing step {0} of {1} “{2}”.</source>
+        <translation>Étape {0} sur {1} « {2} » en cours.</translation></message>
+    <message><source>Playing step {0} of {1}, round {3} of {4}.</source>
+        <translation>Étape {0} sur {1} en cours, cycle {3} sur {4}.</translation></message>
+    <message><source>Let the step finish, then blend out</source>
+        <translation>Finir l'étape, puis faire la transition de sortie</translation></message>
+    <message><source>Unknown: an earlier motion may continue for about {0:.0f} s.</source>
+        <translation>Inconnu : un mouvement antérieur peut continuer pendant {0:.0f} s environ.</translation></message>
+    <message><source>Waiting for motor {0} to arrive …</source>
+        <translation>En attente de l'arrivée du moteur {0} …</translation></message>
+    <message><source>Playing blend-in.</source>
+        <translation>Transition d'entrée en cours.</translation></message>
+    <message><source>Playing blend-out.</source>
+        <translation>Transition de sortie en cours.</translation></message>
+    <message><source>Playing step {0} of {1} “{2}”, round {3} of {4}.</source>
+        <translation>Étape {0} sur {1} « {2} » en cours, cycle {3} sur {4}.</translation></message>
+    <message><source>Unknown: the last motion may still be running.</source>
+        <translation>Inconnu : le dernier mouvement est peut-être encore en cours.</translation></message>
+    <message><source>Nothing is sent. Whether it moves is unknown until its first move.</source>
+        <translation>Rien n'est envoyé. On ne sait pas s'il bouge avant son premier mouvement.</translation></message>
+    <message><source>The motion ends by itself in about {0:.1f} s.</source>
+        <translation>Le mouvement se termine de lui-même dans {0:.1f} s environ.</translation></message>
     <message><source>Plot of the motors' positions against time</source>
         <translation>Courbes des positions des moteurs en fonction du temps</translation></message>
     <message numerus="yes"><source>Aracna, firmware {0}, %n motor(s)</source>
@@ -1011,6 +1009,8 @@
         <translation>Pages</translation></message>
     <message><source>a robot</source>
         <translation>un robot</translation></message>
+    <message><source>Demo Aracna</source>
+        <translation>Démo Aracna</translation></message>
     <message><source>a pose file of an Aracna</source>
         <translation>un fichier de poses d'un Aracna</translation></message>
     <message><source>&amp;Aracna</source>
@@ -2761,46 +2761,6 @@
         <translation>ce nombre est illisible ; {0}</translation></message>
     <message><source>merge keys (&lt;&lt;) are not allowed; {0}</source>
         <translation>les clés de fusion (&lt;&lt;) ne sont pas autorisées ; {0}</translation></message>
-    <message><source>Lets both motors and the auxiliary be driven; nothing moves yet</source>
-        <translation>Permet de piloter les deux moteurs et l'auxiliaire ; rien ne bouge encore</translation></message>
-    <message><source>Channels control the motors; Run motor needs serial control.</source>
-        <translation>Les voies commandent les moteurs ; « Activer les moteurs » exige la commande par liaison série.</translation></message>
-    <message><source>Stop motors</source>
-        <translation>Arrêter les moteurs</translation></message>
-    <message><source>Stop both motors and the auxiliary now (Esc, anywhere)</source>
-        <translation>Arrêter tout de suite les deux moteurs et l'auxiliaire (Échap, partout)</translation></message>
-    <message><source>&amp;Run motor</source>
-        <translation>&amp;Activer les moteurs</translation></message>
-    <message><source>There are unapplied changes.</source>
-        <translation>Il y a des modifications non appliquées.</translation></message>
-    <message><source>&amp;Apply settings</source>
-        <translation>Appli&amp;quer les réglages</translation></message>
-    <message><source>Stopping …</source>
-        <translation>Arrêt en cours …</translation></message>
-    <message><source>The board driven before may still turn its motors. Cut their power.</source>
-        <translation>Les moteurs de la carte pilotée auparavant tournent peut-être encore. Coupez leur alimentation.</translation></message>
-    <message><source>Channels control the motors: Stop does not affect them.</source>
-        <translation>Les voies commandent les moteurs : « Arrêter les moteurs » n'agit pas sur eux.</translation></message>
-    <message><source>Several boards on this line: select the one to drive.</source>
-        <translation>Plusieurs cartes sur cette liaison : sélectionnez celle à piloter.</translation></message>
-    <message><source>Not armed: no command is sent until you click Run motor.</source>
-        <translation>Moteurs non activés : aucune commande n'est envoyée tant que vous n'avez pas cliqué sur « Activer les moteurs ».</translation></message>
-    <message><source>Write the serial timeout</source>
-        <translation>Écrire le délai série</translation></message>
-    <message><source>Write the changed parameters into the board (Ctrl+Enter)</source>
-        <translation>Écrire les paramètres modifiés dans la carte (Ctrl+Entrée)</translation></message>
-    <message><source>Armed. Drive them on the Motors page.</source>
-        <translation>Moteurs activés. Pilotez-les sur la page Moteurs.</translation></message>
-    <message><source>Write &amp;{0} s</source>
-        <translation>Écrire &amp;{0} s</translation></message>
-    <message><source>Write a serial timeout of {0} s</source>
-        <translation>Écrire un délai série de {0} s</translation></message>
-    <message><source>Writes Serial Timeout and UART-Error Shutdown now: the board should stop its motors {0} s after the last byte. Other changes stay pending.</source>
-        <translation>Écrit maintenant « Délai série » et « Arrêt sur erreur UART » : la carte devrait arrêter ses moteurs {0} s après le dernier octet. Les autres modifications restent en attente.</translation></message>
-    <message><source>Armed. Sent: {0}</source>
-        <translation>Moteurs activés. Envoyé : {0}</translation></message>
-    <message><source>Stopped. Motors are locked for {0} s.</source>
-        <translation>Arrêt effectué. Les moteurs sont verrouillés pendant {0} s.</translation></message>
     <message><source>nothing to write</source>
         <translation>rien à écrire</translation></message>
     <message numerus="yes"><source>&amp;Write to %n board(s)</source>
@@ -2845,26 +2805,12 @@
         <translation>L'arrêt a été demandé, ce qui a mis fin à l'opération.</translation></message>
     <message numerus="yes"><source>Written to %n board(s).</source>
         <translation><numerusform>Écrit dans %n carte.</numerusform><numerusform>Écrit dans %n cartes.</numerusform></translation></message>
-    <message><source>Board {0}: {1}</source>
-        <translation>Carte {0} : {1}</translation></message>
-    <message><source>Apply {0} to several boards</source>
-        <translation>Appliquer {0} à plusieurs cartes</translation></message>
     <message numerus="yes"><source>%n board(s) left out; the reason is beside each.</source>
         <translation><numerusform>%n carte omise ; la raison est indiquée à côté.</numerusform><numerusform>%n cartes omises ; la raison est indiquée à côté de chacune.</numerusform></translation></message>
-    <message><source>“Arm without” is remembered for this board. Cut the power by hand then if the cable falls out.</source>
-        <translation>« Activer sans délai » est mémorisé pour cette carte. Coupez alors l'alimentation à la main si le câble se débranche.</translation></message>
-    <message><source>Arm the motors</source>
-        <translation>Activer les moteurs</translation></message>
-    <message><source>Cancel</source>
-        <translation>Annuler</translation></message>
-    <message><source>Writing …</source>
-        <translation>Écriture en cours …</translation></message>
-    <message><source>&amp;Write {0:g} s and arm</source>
-        <translation>É&amp;crire {0:g} s et activer</translation></message>
-    <message><source>Arm with&amp;out</source>
-        <translation>Activer &amp;sans délai</translation></message>
-    <message><source>The board did not store the serial timeout.</source>
-        <translation>La carte n'a pas enregistré le délai série.</translation></message>
+    <message><source>Apply {0} to several boards</source>
+        <translation>Appliquer {0} à plusieurs cartes</translation></message>
+    <message><source>Board {0}: {1}</source>
+        <translation>Carte {0} : {1}</translation></message>
     <message><source>Channel input</source>
         <translation>Entrée de la voie</translation></message>
     <message><source>{value}, {distance} above neutral</source>
@@ -2887,14 +2833,14 @@
         <translation>max</translation></message>
     <message><source>{value}, neutral</source>
         <translation>{value}, neutre</translation></message>
+    <message><source>Test to compare with</source>
+        <translation>Essai auquel comparer</translation></message>
     <message><source>Bench test of motor {0}: {1}, {2:%Y-%m-%d %H:%M}</source>
         <translation>Essai au banc du moteur {0} : {1}, {2:%Y-%m-%d %H:%M}</translation></message>
     <message><source>{0:%H:%M:%S}, motor {1}: {2}</source>
         <translation>{0:%H:%M:%S}, moteur {1} : {2}</translation></message>
     <message><source>Bench test</source>
         <translation>Essai au banc</translation></message>
-    <message><source>Test to compare with</source>
-        <translation>Essai auquel comparer</translation></message>
     <message><source>How far from the steady current counts as settled, in percent</source>
         <translation>Écart au courant établi considéré comme stabilisé, en pour cent</translation></message>
     <message><source>Sa&amp;ve…</source>
@@ -2917,6 +2863,10 @@
         <translation>Ouvrir un essai enregistré</translation></message>
     <message><source>Save this test to compare with later, or a picture of it</source>
         <translation>Enregistrer cet essai pour le comparer plus tard, ou une image de celui-ci</translation></message>
+    <message><source>Aborted after {0:.2f} s: {1}</source>
+        <translation>Interrompu après {0:.2f} s : {1}</translation></message>
+    <message><source>Released after {0:.2f} s.</source>
+        <translation>Relâché après {0:.2f} s.</translation></message>
     <message><source>The test is complete.</source>
         <translation>L'essai est terminé.</translation></message>
     <message><source>the previous test</source>
@@ -2925,12 +2875,10 @@
         <translation>&amp;Comparer avec</translation></message>
     <message><source>Settled &amp;within</source>
         <translation>Sta&amp;bilisé à ±</translation></message>
-    <message><source>Aborted after {0:.2f} s: {1}</source>
-        <translation>Interrompu après {0:.2f} s : {1}</translation></message>
-    <message><source>Released after {0:.2f} s.</source>
-        <translation>Relâché après {0:.2f} s.</translation></message>
     <message><source>1 to {0}, full speed</source>
         <translation>1 à {0}, pleine vitesse</translation></message>
+    <message><source>Connect to a board to see its settings.</source>
+        <translation>Connectez une carte pour voir ses réglages.</translation></message>
     <message><source>Test</source>
         <translation>Essai</translation></message>
     <message><source>Motor to test</source>
@@ -2977,6 +2925,10 @@
         <translation>Appli&amp;quer…</translation></message>
     <message><source> s</source>
         <translation> s</translation></message>
+    <message><source>Forward</source>
+        <translation>Avant</translation></message>
+    <message><source>Reverse</source>
+        <translation>Arrière</translation></message>
     <message><source>Accelerate uses the board's acceleration, brake duration and current limit; Set at once bypasses the first two and, for a moment, the limit, too.</source>
         <translation>« Accélérer » utilise l'accélération, la durée de freinage et la limite de courant de la carte ; « Régler immédiatement » contourne les deux premières et aussi, pendant un instant, la limite.</translation></message>
     <message><source> A</source>
@@ -2989,14 +2941,10 @@
         <translation>Monte e&amp;n</translation></message>
     <message><source>&amp;Period</source>
         <translation>&amp;Période</translation></message>
-    <message><source>Connect to a board to see its settings.</source>
-        <translation>Connectez une carte pour voir ses réglages.</translation></message>
     <message><source>Review and write all pending edits, these included</source>
         <translation>Vérifier et écrire toutes les modifications en attente, y compris celles-ci</translation></message>
     <message><source>Limit P</source>
         <translation>Limite P</translation></message>
-    <message><source>{0} (stored: {1})</source>
-        <translation>{0} (enregistré : {1})</translation></message>
     <message><source>Settings of motor {0}</source>
         <translation>Réglages du moteur {0}</translation></message>
     <message><source>Not applied: {0}</source>
@@ -3009,14 +2957,12 @@
         <translation>Inversion : aller et retour</translation></message>
     <message><source>Sine</source>
         <translation>Sinus</translation></message>
-    <message><source>Forward</source>
-        <translation>Avant</translation></message>
-    <message><source>Reverse</source>
-        <translation>Arrière</translation></message>
     <message><source>Accelerate</source>
         <translation>Accélérer</translation></message>
     <message><source>Set at once</source>
         <translation>Régler immédiatement</translation></message>
+    <message><source>{0} (stored: {1})</source>
+        <translation>{0} (enregistré : {1})</translation></message>
     <message><source>The table of figures has the results as numbers.</source>
         <translation>Le tableau des valeurs donne les résultats en chiffres.</translation></message>
     <message><source>Speed setpoint and current drawn, against time</source>
@@ -3041,18 +2987,6 @@
         <translation>{0:.2f} s</translation></message>
     <message><source>From the first setpoint until braking.</source>
         <translation>De la première consigne jusqu'au freinage.</translation></message>
-    <message><source>Bench tests (*.csv);;Pictures (*.png)</source>
-        <translation>Essais au banc (*.csv);;Images (*.png)</translation></message>
-    <message><source>Save bench test</source>
-        <translation>Enregistrer l'essai au banc</translation></message>
-    <message><source>Bench tests (*.csv);;All files (*)</source>
-        <translation>Essais au banc (*.csv);;Tous les fichiers (*)</translation></message>
-    <message><source>Open bench test</source>
-        <translation>Ouvrir un essai au banc</translation></message>
-    <message><source>{0} was not saved: {1}.</source>
-        <translation>{0} n'a pas été enregistré : {1}.</translation></message>
-    <message><source>{0} was not opened: {1}.</source>
-        <translation>{0} n'a pas été ouvert : {1}.</translation></message>
     <message><source>Peak current</source>
         <translation>Courant de crête</translation></message>
     <message><source>The highest reading.</source>
@@ -3073,6 +3007,18 @@
         <translation>Jusqu'à ce que le courant ne s'écarte plus du courant établi de plus de cette proportion, ou de plus de deux counts.</translation></message>
     <message><source>Figures of the test</source>
         <translation>Résultats de l'essai</translation></message>
+    <message><source>Save bench test</source>
+        <translation>Enregistrer l'essai au banc</translation></message>
+    <message><source>Bench tests (*.csv);;Pictures (*.png)</source>
+        <translation>Essais au banc (*.csv);;Images (*.png)</translation></message>
+    <message><source>Open bench test</source>
+        <translation>Ouvrir un essai au banc</translation></message>
+    <message><source>Bench tests (*.csv);;All files (*)</source>
+        <translation>Essais au banc (*.csv);;Tous les fichiers (*)</translation></message>
+    <message><source>{0} was not saved: {1}.</source>
+        <translation>{0} n'a pas été enregistré : {1}.</translation></message>
+    <message><source>{0} was not opened: {1}.</source>
+        <translation>{0} n'a pas été ouvert : {1}.</translation></message>
     <message><source>This test</source>
         <translation>Cet essai</translation></message>
     <message><source>Change</source>
@@ -3087,10 +3033,16 @@
         <translation>Progression de la recherche</translation></message>
     <message><source>Find boards</source>
         <translation>Rechercher des cartes</translation></message>
+    <message><source>Cancel</source>
+        <translation>Annuler</translation></message>
     <message><source>Change number…</source>
         <translation>Modifier le numéro…</translation></message>
     <message><source>Apply a file…</source>
         <translation>Appliquer un fichier…</translation></message>
+    <message><source>It replied before. Check its power and its wires.</source>
+        <translation>Elle a répondu auparavant. Vérifiez son alimentation et son câblage.</translation></message>
+    <message><source>Several boards seem to have this number. Switch off all but one, and give it a number of its own.</source>
+        <translation>Plusieurs cartes semblent avoir ce numéro. Coupez l'alimentation de toutes sauf une, et donnez à celle-ci son propre numéro.</translation></message>
     <message><source>Change device number</source>
         <translation>Modifier le numéro d'appareil</translation></message>
     <message><source>Before it is written, the line is asked for the new number: if another board has it, nothing is written. A board that is off, or has other serial settings, cannot be noticed. The new number takes effect at once, and a snapshot is saved first.</source>
@@ -3115,8 +3067,6 @@
         <translation>Donner un autre numéro d'appareil à la carte sélectionnée</translation></message>
     <message><source>Write a settings file to several boards; each keeps its number</source>
         <translation>Écrire un fichier de réglages dans plusieurs cartes ; chacune garde son numéro</translation></message>
-    <message><source>Number {0} of {1} …</source>
-        <translation>Numéro {0} sur {1} …</translation></message>
     <message><source>being left …</source>
         <translation>changement de carte …</translation></message>
     <message><source>selected, not responding</source>
@@ -3135,10 +3085,8 @@
         <translation>réponse illisible</translation></message>
     <message><source>not asked yet</source>
         <translation>pas encore interrogée</translation></message>
-    <message><source>Several boards seem to have this number. Switch off all but one, and give it a number of its own.</source>
-        <translation>Plusieurs cartes semblent avoir ce numéro. Coupez l'alimentation de toutes sauf une, et donnez à celle-ci son propre numéro.</translation></message>
-    <message><source>It replied before. Check its power and its wires.</source>
-        <translation>Elle a répondu auparavant. Vérifiez son alimentation et son câblage.</translation></message>
+    <message><source>Number {0} of {1} …</source>
+        <translation>Numéro {0} sur {1} …</translation></message>
     <message><source>Taken: {0}.</source>
         <translation>Déjà pris : {0}.</translation></message>
     <message><source>Both off</source>
@@ -3215,6 +3163,8 @@
         <translation>Cinq clignotements, puis la rouge reste allumée.</translation></message>
     <message><source>The TReX responds at the factory settings.</source>
         <translation>Le TReX répond avec les réglages d'usine.</translation></message>
+    <message><source>Ways to a board that responds</source>
+        <translation>Moyens d'obtenir une réponse de la carte</translation></message>
     <message><source>Mode may also be on: the board responds in every mode.</source>
         <translation>Le cavalier de mode peut aussi être en place : la carte répond dans tous les modes.</translation></message>
     <message><source>Search with Find first: it finds a board at any of its settings. If that fails, these steps from Pololu's support forum restore the serial settings of the factory (inferred). One user saw the LEDs alternate for three seconds only, and nothing was restored: then begin again. Compare the other settings with your last snapshot afterwards (Ctrl+H).</source>
@@ -3225,8 +3175,6 @@
         <translation>&amp;Suivant</translation></message>
     <message><source>Board does not respond</source>
         <translation>La carte ne répond pas</translation></message>
-    <message><source>Ways to a board that responds</source>
-        <translation>Moyens d'obtenir une réponse de la carte</translation></message>
     <message><source>&amp;What the board shows</source>
         <translation>Ce que &amp;montre la carte</translation></message>
     <message><source>&amp;Lost serial settings</source>
@@ -3243,18 +3191,6 @@
         <translation>Ce que reçoit cet ordinateur</translation></message>
     <message><source>19200 baud, without parity and CRC, whatever the device number</source>
         <translation>19200 bauds, sans parité ni CRC, quel que soit le numéro d'appareil</translation></message>
-    <message><source>Settings are still being written. Close anyway? Unwritten settings are offered when the board is connected again.</source>
-        <translation>Des réglages sont encore en cours d'écriture. Fermer quand même ? Les réglages non écrits seront proposés quand la carte sera de nouveau connectée.</translation></message>
-    <message><source>Review and apply…</source>
-        <translation>Vérifier et appliquer…</translation></message>
-    <message><source>Close anyway</source>
-        <translation>Fermer quand même</translation></message>
-    <message><source>Save as a settings file…</source>
-        <translation>Enregistrer comme fichier de réglages…</translation></message>
-    <message><source>Keep and close</source>
-        <translation>Conserver et fermer</translation></message>
-    <message><source>Discard and close</source>
-        <translation>Abandonner et fermer</translation></message>
     <message><source>Show &amp;matching settings, too</source>
         <translation>Afficher aussi les réglages &amp;identiques</translation></message>
     <message><source>Select &amp;all</source>
@@ -3267,10 +3203,10 @@
         <translation>Avant</translation></message>
     <message><source>After</source><comment>value</comment>
         <translation>Après</translation></message>
-    <message><source>For a {0}: {1} carried over, {2} changed, {3} left out.</source>
-        <translation>Pour un {0} : {1} repris, {2} modifiés, {3} omis.</translation></message>
     <message><source>Converted settings</source>
         <translation>Réglages convertis</translation></message>
+    <message><source>For a {0}: {1} carried over, {2} changed, {3} left out.</source>
+        <translation>Pour un {0} : {1} repris, {2} modifiés, {3} omis.</translation></message>
     <message><source>Changed.</source>
         <translation>Modifié.</translation></message>
     <message><source>Left out.</source>
@@ -3279,6 +3215,8 @@
         <translation>Repris.</translation></message>
     <message><source>In the file</source>
         <translation>Dans le fichier</translation></message>
+    <message><source>{0}, firmware {1}</source>
+        <translation>{0}, firmware {1}</translation></message>
     <message><source>Board to convert for</source>
         <translation>Carte cible de la conversion</translation></message>
     <message><source>&amp;Convert</source>
@@ -3291,8 +3229,6 @@
         <translation>Convertir {0}</translation></message>
     <message><source>Opens the converted settings as a new file, with the comments of this one. {0} stays as it is.</source>
         <translation>Ouvre les réglages convertis dans un nouveau fichier, avec les commentaires de celui-ci. {0} reste inchangé.</translation></message>
-    <message><source>{0}, firmware {1}</source>
-        <translation>{0}, firmware {1}</translation></message>
     <message numerus="yes"><source>%n count(s)</source>
         <translation><numerusform>%n count</numerusform><numerusform>%n counts</numerusform></translation></message>
     <message><source>Enter 0 to {0}, such as 2.5 V, 2500 mV or 512 counts.</source>
@@ -3311,6 +3247,8 @@
         <translation>alterne {0}/s</translation></message>
     <message><source>short flash {0}/s</source>
         <translation>éclair bref {0}/s</translation></message>
+    <message><source>on: serial commands control the motors</source>
+        <translation>allumée : les commandes série commandent les moteurs</translation></message>
     <message><source>on: the channels control the motors</source>
         <translation>allumée : les voies commandent les moteurs</translation></message>
     <message><source>Safe-start: the motors wait until the sticks are centred.</source>
@@ -3319,10 +3257,10 @@
         <translation>scintille</translation></message>
     <message><source>off: the power is off</source>
         <translation>éteinte : l'alimentation est coupée</translation></message>
-    <message><source>on: serial commands control the motors</source>
-        <translation>allumée : les commandes série commandent les moteurs</translation></message>
     <message><source>The power is off: the board does not reply.</source>
         <translation>L'alimentation est coupée : la carte ne répond pas.</translation></message>
+    <message><source>Safe-start: the motors wait for a signal on input {0}.</source>
+        <translation>Démarrage sécurisé : les moteurs attendent un signal sur l'entrée {0}.</translation></message>
     <message><source>Safe-start: the motors wait until channel 5 no longer requests override.</source>
         <translation>Démarrage sécurisé : les moteurs attendent que la voie 5 ne demande plus la priorité.</translation></message>
     <message><source>Power cycle</source>
@@ -3331,16 +3269,6 @@
         <translation>Mettre sous tension</translation></message>
     <message><source>SO–G holds the serial output to ground: no reply gets out.</source>
         <translation>SO–G maintient la sortie série à la masse : aucune réponse ne sort.</translation></message>
-    <message><source>motor 1</source>
-        <translation>moteur 1</translation></message>
-    <message><source>motor 2</source>
-        <translation>moteur 2</translation></message>
-    <message><source>auxiliary</source>
-        <translation>auxiliaire</translation></message>
-    <message><source>flip</source>
-        <translation>retournement</translation></message>
-    <message><source>override</source>
-        <translation>priorité</translation></message>
     <message><source>Power and jumpers</source>
         <translation>Alimentation et cavaliers</translation></message>
     <message><source>Power on</source><comment>state</comment>
@@ -3415,8 +3343,6 @@
         <translation>série</translation></message>
     <message><source>RC</source>
         <translation>RC</translation></message>
-    <message><source>turn</source>
-        <translation>rotation</translation></message>
     <message><source>Demo TReX</source>
         <translation>Démo TReX</translation></message>
     <message><source>Factory state</source>
@@ -3425,6 +3351,12 @@
         <translation>5 priorité</translation></message>
     <message><source>A weak battery sags when the motors start, and the board resets</source>
         <translation>La tension d'une batterie faible chute au démarrage des moteurs, et la carte redémarre</translation></message>
+    <message><source>auxiliary</source>
+        <translation>auxiliaire</translation></message>
+    <message><source>flip</source>
+        <translation>retournement</translation></message>
+    <message><source>override</source>
+        <translation>priorité</translation></message>
     <message><source>Unplugged, the port is gone: Serial Timeout and UART-Error Shutdown should stop motors</source>
         <translation>Débranché, le port disparaît : « Délai série » et « Arrêt sur erreur UART » devraient arrêter les moteurs</translation></message>
     <message><source>The wire from SO is broken: the board executes commands, no reply arrives</source>
@@ -3435,8 +3367,6 @@
         <translation>La voie 5 donne la main aux commandes série.</translation></message>
     <message><source>The sticks control the motors.</source>
         <translation>Les manches commandent les moteurs.</translation></message>
-    <message><source>Safe-start: the motors wait for a signal on input {0}.</source>
-        <translation>Démarrage sécurisé : les moteurs attendent un signal sur l'entrée {0}.</translation></message>
     <message><source>{0} to learn the inputs.</source>
         <translation>{0} pour apprendre les entrées.</translation></message>
     <message><source>{0} to enter {1} mode.</source>
@@ -3457,6 +3387,12 @@
         <translation>Le mode est lu à la mise sous tension ; Mix prend effet immédiatement.</translation></message>
     <message><source>Input {0}</source>
         <translation>Entrée {0}</translation></message>
+    <message><source>turn</source>
+        <translation>rotation</translation></message>
+    <message><source>motor 1</source>
+        <translation>moteur 1</translation></message>
+    <message><source>motor 2</source>
+        <translation>moteur 2</translation></message>
     <message><source>invalid</source>
         <translation>non valide</translation></message>
     <message><source>Stick of input {0}</source>
@@ -3499,16 +3435,18 @@
         <translation>Accepter</translation></message>
     <message><source>Add this change to the edits; nothing is written until you click Apply</source>
         <translation>Ajouter cette modification ; rien n'est écrit tant que vous ne cliquez pas sur « Appliquer les réglages »</translation></message>
-    <message><source>&amp;Delete…</source>
-        <translation>&amp;Supprimer…</translation></message>
-    <message><source>&amp;Open folder</source>
-        <translation>&amp;Ouvrir le dossier</translation></message>
     <message numerus="yes"><source>Permanently delete %n snapshot(s), the newest of {0}?</source>
         <translation><numerusform>Supprimer définitivement %n instantané ({0}) ?</numerusform><numerusform>Supprimer définitivement %n instantanés (le plus récent : {0}) ?</numerusform></translation></message>
     <message><source>Search times, boards, adapters (Ctrl+F)</source>
         <translation>Rechercher heures, cartes, adaptateurs (Ctrl+F)</translation></message>
+    <message numerus="yes"><source>Permanently remove the oldest %n of {0} snapshots?</source>
+        <translation><numerusform>Supprimer définitivement %n instantané sur {0}, le plus ancien ?</numerusform><numerusform>Supprimer définitivement %n instantanés sur {0}, les plus anciens ?</numerusform></translation></message>
     <message><source>History</source>
         <translation>Historique</translation></message>
+    <message><source>&amp;Delete…</source>
+        <translation>&amp;Supprimer…</translation></message>
+    <message><source>&amp;Open folder</source>
+        <translation>&amp;Ouvrir le dossier</translation></message>
     <message><source>There are no snapshots yet.
 
 Before settings are applied or defaults restored, in this window or with trexcmd, everything that the board stores is saved here. You can compare a snapshot with the board and restore all or part of it.</source>
@@ -3531,26 +3469,22 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>&amp;Définir</translation></message>
     <message><source>Save a copy as a settings file</source>
         <translation>Enregistrer une copie comme fichier de réglages</translation></message>
-    <message><source>&amp;Keep</source>
-        <translation>&amp;Conserver</translation></message>
-    <message><source>snapshots</source>
-        <translation>instantanés</translation></message>
-    <message><source>A copy was saved in {0}.</source>
-        <translation>Une copie a été enregistrée dans {0}.</translation></message>
     <message><source>the newest</source>
         <translation>les derniers</translation></message>
     <message><source>all</source>
         <translation>tous</translation></message>
-    <message numerus="yes"><source>Permanently remove the oldest %n of {0} snapshots?</source>
-        <translation><numerusform>Supprimer définitivement %n instantané sur {0}, le plus ancien ?</numerusform><numerusform>Supprimer définitivement %n instantanés sur {0}, les plus anciens ?</numerusform></translation></message>
-    <message><source>The snapshots are in {0}.</source>
-        <translation>Les instantanés se trouvent dans {0}.</translation></message>
+    <message><source>&amp;Keep</source>
+        <translation>&amp;Conserver</translation></message>
+    <message><source>snapshots</source>
+        <translation>instantanés</translation></message>
     <message><source>Remove {0}</source>
         <translation>En supprimer {0}</translation></message>
+    <message><source>A copy was saved in {0}.</source>
+        <translation>Une copie a été enregistrée dans {0}.</translation></message>
+    <message><source>The snapshots are in {0}.</source>
+        <translation>Les instantanés se trouvent dans {0}.</translation></message>
     <message><source>Nothing was saved. {0}</source>
         <translation>Rien n'a été enregistré. {0}</translation></message>
-    <message><source>{0:.0f} to {1:.0f} counts</source>
-        <translation>{0:.0f} à {1:.0f} counts</translation></message>
     <message><source>on</source><comment>jumper</comment>
         <translation>en place</translation></message>
     <message><source>off</source><comment>jumper</comment>
@@ -3571,28 +3505,14 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>cavalier Mix en place</translation></message>
     <message><source>no mix jumper</source>
         <translation>pas de cavalier Mix</translation></message>
-    <message numerus="yes"><source>&amp;Learn channel(s) {0} again</source>
-        <translation><numerusform>&amp;Réapprendre la voie {0}</numerusform><numerusform>&amp;Réapprendre les voies {0}</numerusform></translation></message>
     <message><source>Push every stick forward or right first, all the way; then the other way. Move switches to all positions.</source>
         <translation>Poussez d'abord chaque manche à fond vers l'avant ou vers la droite, puis dans l'autre sens. Mettez les interrupteurs dans toutes leurs positions.</translation></message>
     <message><source>Hold each end until its check mark appears, for at least {0:.1f} s: this line ({1} baud) carries only {2:.1f} measurements per second. Then click Next.</source>
         <translation>Maintenez chaque extrémité jusqu'à l'apparition de sa coche, pendant au moins {0:.1f} s : cette liaison ({1} bauds) ne transmet que {2:.1f} mesures par seconde. Cliquez ensuite sur « Suivant ».</translation></message>
     <message><source>Push every stick to all its ends, then release it. Move every switch to all its positions. The motors stay off: in serial mode the sticks do not drive them.</source>
         <translation>Poussez chaque manche vers toutes ses extrémités, puis relâchez-le. Mettez chaque interrupteur dans toutes ses positions. Les moteurs restent à l'arrêt : en mode série, les manches ne les commandent pas.</translation></message>
-    <message><source>&amp;Use these values…</source>
-        <translation>&amp;Utiliser ces valeurs…</translation></message>
-    <message><source>Stop the motors and &amp;test</source>
-        <translation>Arrêter les moteurs et &amp;tester</translation></message>
-    <message><source>Measurements</source>
-        <translation>Mesures</translation></message>
-    <message><source>Stop the motors</source>
-        <translation>Arrêter les moteurs</translation></message>
-    <message><source>Hands off the sticks</source>
-        <translation>Lâcher les manches</translation></message>
-    <message><source>All sticks to all ends</source>
-        <translation>Tous les manches à toutes les extrémités</translation></message>
-    <message><source>Review</source>
-        <translation>Vérifier</translation></message>
+    <message numerus="yes"><source>&amp;Learn channel(s) {0} again</source>
+        <translation><numerusform>&amp;Réapprendre la voie {0}</numerusform><numerusform>&amp;Réapprendre les voies {0}</numerusform></translation></message>
     <message><source>Try &amp;again</source>
         <translation>Réess&amp;ayer</translation></message>
     <message><source>Stop the motors again and begin again.</source>
@@ -3607,30 +3527,22 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Aucune voie n'est au repos. Corrigez les problèmes ci-dessous, puis cliquez sur « Refaire la mesure ».</translation></message>
     <message><source>Check the new values. You can change them; clear the check box of a channel to keep its old values. Nothing is written yet: you confirm all changes in the next window.</source>
         <translation>Vérifiez les nouvelles valeurs. Vous pouvez les modifier ; décochez la case d'une voie pour garder ses anciennes valeurs. Rien n'est encore écrit : vous confirmez toutes les modifications dans la fenêtre suivante.</translation></message>
-    <message><source>If a channel does not get a good result, learn its values again.</source>
-        <translation>Si une voie ne donne pas un bon résultat, apprenez à nouveau ses valeurs.</translation></message>
+    <message><source>&amp;Use these values…</source>
+        <translation>&amp;Utiliser ces valeurs…</translation></message>
+    <message><source>Stop the motors and &amp;test</source>
+        <translation>Arrêter les moteurs et &amp;tester</translation></message>
+    <message><source>Measurements</source>
+        <translation>Mesures</translation></message>
+    <message><source>Hands off the sticks</source>
+        <translation>Lâcher les manches</translation></message>
+    <message><source>All sticks to all ends</source>
+        <translation>Tous les manches à toutes les extrémités</translation></message>
+    <message><source>Review</source>
+        <translation>Vérifier</translation></message>
     <message><source>Test every stick</source>
         <translation>Tester chaque manche</translation></message>
-    <message><source>Test the sticks</source>
-        <translation>Tester les manches</translation></message>
-    <message><source>The motors are stopped: co&amp;ntinue</source>
-        <translation>Les moteurs sont à l'arrêt : &amp;continuer</translation></message>
-    <message><source>Sample &amp;again</source>
-        <translation>Re&amp;faire la mesure</translation></message>
-    <message><source>Measure the rest positions of all channels once more.</source>
-        <translation>Mesurer encore une fois les positions de repos de toutes les voies.</translation></message>
-    <message><source>&amp;Forget these ends</source>
-        <translation>&amp;Oublier ces extrémités</translation></message>
-    <message><source>Forget the ends reached so far. The rest positions are kept.</source>
-        <translation>Oublier les extrémités atteintes jusqu'ici. Les positions de repos sont conservées.</translation></message>
-    <message><source>&amp;Start over</source>
-        <translation>&amp;Recommencer</translation></message>
-    <message><source>Forget everything measured and go back to the rest positions.</source>
-        <translation>Oublier toutes les mesures et revenir aux positions de repos.</translation></message>
-    <message><source>Test &amp;again</source>
-        <translation>&amp;Tester à nouveau</translation></message>
-    <message><source>Forget what was tested so far and begin the test again.</source>
-        <translation>Oublier ce qui a été testé jusqu'ici et recommencer le test.</translation></message>
+    <message><source>Stop the motors</source>
+        <translation>Arrêter les moteurs</translation></message>
     <message><source>Stopping the motors. The next step comes when the board has confirmed the stop and no current flows.</source>
         <translation>Arrêt des moteurs. L'étape suivante vient quand la carte a confirmé l'arrêt et qu'aucun courant ne circule.</translation></message>
     <message><source>Not every channel is at rest. Correct the problems below and click “Sample again”, or click Next to continue without channel {0}.</source>
@@ -3653,12 +3565,38 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Il n'y a rien à tester : la carte ignore cette entrée et la maintient donc au neutre. Voir le réglage « Voies ignorées ».</translation></message>
     <message><source>The tested channels are good. But in {0} mode the motors would not start. {1}</source>
         <translation>Les voies testées sont bonnes. Mais en mode {0}, les moteurs ne démarreraient pas. {1}</translation></message>
+    <message><source>If a channel does not get a good result, learn its values again.</source>
+        <translation>Si une voie ne donne pas un bon résultat, apprenez à nouveau ses valeurs.</translation></message>
+    <message><source>Test the sticks</source>
+        <translation>Tester les manches</translation></message>
+    <message><source>The motors are stopped: co&amp;ntinue</source>
+        <translation>Les moteurs sont à l'arrêt : &amp;continuer</translation></message>
+    <message><source>Sample &amp;again</source>
+        <translation>Re&amp;faire la mesure</translation></message>
+    <message><source>Measure the rest positions of all channels once more.</source>
+        <translation>Mesurer encore une fois les positions de repos de toutes les voies.</translation></message>
+    <message><source>&amp;Forget these ends</source>
+        <translation>&amp;Oublier ces extrémités</translation></message>
+    <message><source>Forget the ends reached so far. The rest positions are kept.</source>
+        <translation>Oublier les extrémités atteintes jusqu'ici. Les positions de repos sont conservées.</translation></message>
+    <message><source>&amp;Start over</source>
+        <translation>&amp;Recommencer</translation></message>
+    <message><source>Forget everything measured and go back to the rest positions.</source>
+        <translation>Oublier toutes les mesures et revenir aux positions de repos.</translation></message>
+    <message><source>Test &amp;again</source>
+        <translation>&amp;Tester à nouveau</translation></message>
+    <message><source>Forget what was tested so far and begin the test again.</source>
+        <translation>Oublier ce qui a été testé jusqu'ici et recommencer le test.</translation></message>
     <message><source>Hands off. Sampling … {0:.1f} s</source>
         <translation>Lâchez les manches. Mesure … {0:.1f} s</translation></message>
     <message><source>The board would reject the values of channel {0}: change them, or clear its check box.</source>
         <translation>La carte rejetterait les valeurs de la voie {0} : modifiez-les, ou décochez sa case.</translation></message>
     <message><source>The board would reject the values of channel {0}.</source>
         <translation>La carte rejetterait les valeurs de la voie {0}.</translation></message>
+    <message><source>The low end was not held. Push it there again and hold it for {0:.1f} s.</source>
+        <translation>L'extrémité basse n'a pas été maintenue. Poussez-y à nouveau et maintenez pendant {0:.1f} s.</translation></message>
+    <message><source>The high end was not held. Push it there again and hold it for {0:.1f} s.</source>
+        <translation>L'extrémité haute n'a pas été maintenue. Poussez-y à nouveau et maintenez pendant {0:.1f} s.</translation></message>
     <message><source>No end reached yet.</source>
         <translation>Aucune extrémité encore atteinte.</translation></message>
     <message><source>not sampled yet</source>
@@ -3671,20 +3609,16 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Extrémité {0} : atteinte</translation></message>
     <message><source>{0} end: not needed</source>
         <translation>Extrémité {0} : pas nécessaire</translation></message>
-    <message><source>low</source>
-        <translation>basse</translation></message>
-    <message><source>high</source>
-        <translation>haute</translation></message>
     <message><source>Hold it there …</source>
         <translation>Maintenez cette position …</translation></message>
-    <message><source>The low end was not held. Push it there again and hold it for {0:.1f} s.</source>
-        <translation>L'extrémité basse n'a pas été maintenue. Poussez-y à nouveau et maintenez pendant {0:.1f} s.</translation></message>
-    <message><source>The high end was not held. Push it there again and hold it for {0:.1f} s.</source>
-        <translation>L'extrémité haute n'a pas été maintenue. Poussez-y à nouveau et maintenez pendant {0:.1f} s.</translation></message>
     <message><source>Not moved yet. Move the switch to every position.</source>
         <translation>Pas encore bougé. Mettez l'interrupteur dans chaque position.</translation></message>
     <message><source>Calculated from the values in the board, for each channel by itself. From the manual: full output at and beyond the ends, 0 in the deadband, and what safe-start waits for. Assumed: up to 8 of 127 counts as neutral; the switching points of switches.</source>
         <translation>Calculé à partir des valeurs de la carte, pour chaque voie séparément. D'après le manuel : sortie maximale aux extrémités et au-delà, 0 dans la zone morte, et ce qu'attend le démarrage sécurisé. Supposé : jusqu'à 8 sur 127 compte comme neutre ; les points de basculement des interrupteurs.</translation></message>
+    <message><source>low</source>
+        <translation>basse</translation></message>
+    <message><source>high</source>
+        <translation>haute</translation></message>
     <message><source>Left out: its rest position is not known.</source>
         <translation>Omise : sa position de repos n'est pas connue.</translation></message>
     <message><source>Raw input of channel {0}</source>
@@ -3701,8 +3635,6 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Extrémité haute atteinte : {0}. Maintenant dans l'autre sens.</translation></message>
     <message><source>Output of channel {0}</source>
         <translation>Sortie de la voie {0}</translation></message>
-    <message><source>Use {0} &amp;as neutral</source>
-        <translation>Utiliser {0} &amp;comme neutre</translation></message>
     <message><source>Input now {0}; output {1}.</source>
         <translation>Entrée actuelle {0} ; sortie {1}.</translation></message>
     <message numerus="yes"><source>%n earlier pending edit(s) will be written, too.</source>
@@ -3715,32 +3647,32 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Ma&amp;ximum</translation></message>
     <message><source>&amp;Deadband</source>
         <translation>&amp;Zone morte</translation></message>
-    <message><source>&amp;Reversed</source>
-        <translation>&amp;Inversée</translation></message>
-    <message><source>unknown</source>
-        <translation>inconnu</translation></message>
-    <message><source>proposed {0}</source>
-        <translation>proposé {0}</translation></message>
-    <message><source>as it was {0}</source>
-        <translation>avant {0}</translation></message>
-    <message><source>Its new values will be used.</source>
-        <translation>Ses nouvelles valeurs seront utilisées.</translation></message>
     <message><source>was reversed</source>
         <translation>était inversée</translation></message>
     <message><source>was not reversed</source>
         <translation>n'était pas inversée</translation></message>
+    <message><source>&amp;Reversed</source>
+        <translation>&amp;Inversée</translation></message>
+    <message><source>unknown</source>
+        <translation>inconnu</translation></message>
+    <message><source>as it was</source>
+        <translation>avant</translation></message>
+    <message><source>Its new values will be used.</source>
+        <translation>Ses nouvelles valeurs seront utilisées.</translation></message>
     <message><source>The channel was left out.</source>
         <translation>La voie a été omise.</translation></message>
     <message><source>This replaces a pending edit of the channel.</source>
         <translation>Ceci remplace une modification en attente de la voie.</translation></message>
-    <message><source>as it was</source>
-        <translation>avant</translation></message>
     <message><source>proposed, as it was</source>
         <translation>proposé, comme avant</translation></message>
     <message><source>proposed</source>
         <translation>proposé</translation></message>
     <message><source>No signal now: the output is 0.</source>
         <translation>Pas de signal actuellement : la sortie est à 0.</translation></message>
+    <message><source>proposed {0}</source>
+        <translation>proposé {0}</translation></message>
+    <message><source>as it was {0}</source>
+        <translation>avant {0}</translation></message>
     <message><source>Channels</source>
         <translation>Voies</translation></message>
     <message><source>Nothing was learned.</source>
@@ -3753,6 +3685,8 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Utiliser la &amp;voie {0} : {1}</translation></message>
     <message><source>Nothing was learned. {0}</source>
         <translation>Rien n'a été appris. {0}</translation></message>
+    <message><source>Use {0} &amp;as neutral</source>
+        <translation>Utiliser {0} &amp;comme neutre</translation></message>
     <message><source>{0}
 was {1}</source>
         <translation>{0}
@@ -3763,12 +3697,12 @@ avant {1}</translation></message>
         <translation>{0} : au-delà d'une limite qu'aucun document ne confirme (déduit). C'est la carte qui décide : elle peut rejeter la valeur, ou en enregistrer une autre.</translation></message>
     <message><source>Write an&amp;yway</source>
         <translation>Écrire &amp;quand même</translation></message>
+    <message><source>&amp;Address one board of several by its number (Pololu protocol)</source>
+        <translation>Adresser une &amp;carte parmi plusieurs par son numéro (protocole Pololu)</translation></message>
     <message><source>Line settings</source>
         <translation>Réglages de liaison</translation></message>
     <message><source>These must be the settings that the board has now. A new board talks at 19200 baud, without error detection, with one stop bit. Changing them here changes nothing in the board.</source>
         <translation>Ce doivent être les réglages que la carte a actuellement. Une carte neuve communique à 19200 bauds, sans détection d'erreurs, avec un bit d'arrêt. Les modifier ici ne change rien dans la carte.</translation></message>
-    <message><source>&amp;Address one board of several by its number (Pololu protocol)</source>
-        <translation>Adresser une &amp;carte parmi plusieurs par son numéro (protocole Pololu)</translation></message>
     <message><source>&amp;Line:</source>
         <translation>&amp;Liaison :</translation></message>
     <message><source>CRC-7 &amp;polynomial:</source>
@@ -3781,34 +3715,86 @@ avant {1}</translation></message>
         <translation>Restaurer les valeurs par &amp;défaut</translation></message>
     <message><source>Numbers of other devices on this line, such as 0,1 (older Pololu motor and servo controllers). With one, every packet is addressed, to none of these numbers, and no other baud rate is tried.</source>
         <translation>Numéros d'autres appareils sur cette liaison, par exemple 0,1 (anciens contrôleurs de moteurs et de servos Pololu). Dès qu'il y en a un, chaque paquet est adressé, à aucun de ces numéros, et aucun autre débit n'est essayé.</translation></message>
+    <message><source>&amp;Edit the file instead</source>
+        <translation>&amp;Modifier plutôt le fichier</translation></message>
     <message numerus="yes"><source>{0}: %n change(s) pending; Apply settings writes them.</source>
         <translation><numerusform>{0} : %n modification en attente ; « Appliquer les réglages » l'écrit.</numerusform><numerusform>{0} : %n modifications en attente ; « Appliquer les réglages » les écrit.</numerusform></translation></message>
     <message><source>Checked changes become edits. Nothing is written to the board until you click Apply.</source>
         <translation>Les changements cochés deviennent des modifications. Rien n'est écrit dans la carte tant que vous ne cliquez pas sur « Appliquer les réglages ».</translation></message>
     <message><source>Board, as shown</source>
         <translation>Carte, telle qu'affichée</translation></message>
-    <message><source>{0}: settings for a {1} with firmware {2}.</source>
-        <translation>{0} : réglages pour un {1}, firmware {2}.</translation></message>
-    <message><source>&amp;Edit the file instead</source>
-        <translation>&amp;Modifier plutôt le fichier</translation></message>
-    <message><source>{0}: settings for a {1}; the board is a {2}.</source>
-        <translation>{0} : réglages pour un {1} ; la carte est un {2}.</translation></message>
     <message><source>{0}: settings for a {1} with firmware {2}; the board has {3}.</source>
         <translation>{0} : réglages pour un {1}, firmware {2} ; la carte a le firmware {3}.</translation></message>
+    <message><source>{0}: settings for a {1}; the board is a {2}.</source>
+        <translation>{0} : réglages pour un {1} ; la carte est un {2}.</translation></message>
+    <message><source>{0}: settings for a {1} with firmware {2}.</source>
+        <translation>{0} : réglages pour un {1}, firmware {2}.</translation></message>
     <message numerus="yes"><source>&amp;Load %n change(s)</source>
         <translation><numerusform>&amp;Charger %n modification</numerusform><numerusform>&amp;Charger %n modifications</numerusform></translation></message>
     <message><source>{0} was not loaded: the board is no longer connected.</source>
         <translation>{0} n'a pas été chargé : la carte n'est plus connectée.</translation></message>
     <message><source>Load settings from {0}</source>
         <translation>Charger les réglages : {0}</translation></message>
+    <message><source>{0}, converted</source>
+        <translation>{0}, converti</translation></message>
     <message><source>{0}: settings for a {1}.</source>
         <translation>{0} : réglages pour un {1}.</translation></message>
     <message><source>Load {0}</source>
         <translation>Charger {0}</translation></message>
-    <message><source>{0}, converted</source>
-        <translation>{0}, converti</translation></message>
     <message><source>Not in the file, so they stay as they are: {0}.</source>
         <translation>Absents du fichier, donc inchangés : {0}.</translation></message>
+    <message><source>“Arm without” is remembered for this board. Cut the power by hand then if the cable falls out.</source>
+        <translation>« Activer sans délai » est mémorisé pour cette carte. Coupez alors l'alimentation à la main si le câble se débranche.</translation></message>
+    <message><source>Stop both motors and the auxiliary now (Esc, anywhere)</source>
+        <translation>Arrêter tout de suite les deux moteurs et l'auxiliaire (Échap, partout)</translation></message>
+    <message><source>Lets both motors and the auxiliary be driven; nothing moves yet</source>
+        <translation>Permet de piloter les deux moteurs et l'auxiliaire ; rien ne bouge encore</translation></message>
+    <message><source>Channels control the motors; Run motor needs serial control.</source>
+        <translation>Les voies commandent les moteurs ; « Activer les moteurs » exige la commande par liaison série.</translation></message>
+    <message><source>Arm the motors</source>
+        <translation>Activer les moteurs</translation></message>
+    <message><source>Writing …</source>
+        <translation>Écriture en cours …</translation></message>
+    <message><source>Stop motors</source>
+        <translation>Arrêter les moteurs</translation></message>
+    <message><source>&amp;Run motor</source>
+        <translation>&amp;Activer les moteurs</translation></message>
+    <message><source>There are unapplied changes.</source>
+        <translation>Il y a des modifications non appliquées.</translation></message>
+    <message><source>&amp;Apply settings</source>
+        <translation>Appli&amp;quer les réglages</translation></message>
+    <message><source>The board driven before may still turn its motors. Cut their power.</source>
+        <translation>Les moteurs de la carte pilotée auparavant tournent peut-être encore. Coupez leur alimentation.</translation></message>
+    <message><source>Channels control the motors: Stop does not affect them.</source>
+        <translation>Les voies commandent les moteurs : « Arrêter les moteurs » n'agit pas sur eux.</translation></message>
+    <message><source>Several boards on this line: select the one to drive.</source>
+        <translation>Plusieurs cartes sur cette liaison : sélectionnez celle à piloter.</translation></message>
+    <message><source>Not armed: no command is sent until you click Run motor.</source>
+        <translation>Moteurs non activés : aucune commande n'est envoyée tant que vous n'avez pas cliqué sur « Activer les moteurs ».</translation></message>
+    <message><source>&amp;Write {0:g} s and arm</source>
+        <translation>É&amp;crire {0:g} s et activer</translation></message>
+    <message><source>Arm with&amp;out</source>
+        <translation>Activer &amp;sans délai</translation></message>
+    <message><source>The board did not store the serial timeout.</source>
+        <translation>La carte n'a pas enregistré le délai série.</translation></message>
+    <message><source>Write the serial timeout</source>
+        <translation>Écrire le délai série</translation></message>
+    <message><source>Write the changed parameters into the board (Ctrl+Enter)</source>
+        <translation>Écrire les paramètres modifiés dans la carte (Ctrl+Entrée)</translation></message>
+    <message><source>Armed. Drive them on the Motors page.</source>
+        <translation>Moteurs activés. Pilotez-les sur la page Moteurs.</translation></message>
+    <message><source>Stopping …</source>
+        <translation>Arrêt en cours …</translation></message>
+    <message><source>Write &amp;{0} s</source>
+        <translation>Écrire &amp;{0} s</translation></message>
+    <message><source>Write a serial timeout of {0} s</source>
+        <translation>Écrire un délai série de {0} s</translation></message>
+    <message><source>Writes Serial Timeout and UART-Error Shutdown now: the board should stop its motors {0} s after the last byte. Other changes stay pending.</source>
+        <translation>Écrit maintenant « Délai série » et « Arrêt sur erreur UART » : la carte devrait arrêter ses moteurs {0} s après le dernier octet. Les autres modifications restent en attente.</translation></message>
+    <message><source>Armed. Sent: {0}</source>
+        <translation>Moteurs activés. Envoyé : {0}</translation></message>
+    <message><source>Stopped. Motors are locked for {0} s.</source>
+        <translation>Arrêt effectué. Les moteurs sont verrouillés pendant {0} s.</translation></message>
     <message><source>Why this value? Kept on this computer and in files.</source>
         <translation>Pourquoi cette valeur ? Conservé sur cet ordinateur et dans les fichiers.</translation></message>
     <message><source>Note</source>
@@ -3819,14 +3805,6 @@ avant {1}</translation></message>
         <translation>&amp;Réinitialiser aux réglages d'usine</translation></message>
     <message><source>&amp;Load calibrations from a file…</source>
         <translation>&amp;Charger des étalonnages depuis un fichier…</translation></message>
-    <message><source>&amp;Save calibrations to a file…</source>
-        <translation>&amp;Enregistrer les étalonnages dans un fichier…</translation></message>
-    <message><source>{0} could not be loaded: {1}</source>
-        <translation>{0} n'a pas pu être chargé : {1}</translation></message>
-    <message><source>{0} has the same calibrations.</source>
-        <translation>{0} contient les mêmes étalonnages.</translation></message>
-    <message><source>{0} could not be saved: {1}</source>
-        <translation>{0} n'a pas pu être enregistré : {1}</translation></message>
     <message><source>&amp;Copy to</source>
         <translation>Copier &amp;vers</translation></message>
     <message><source>&amp;Equal travel to both ends</source>
@@ -3837,30 +3815,38 @@ avant {1}</translation></message>
         <translation>Comme du côté le plus &amp;long</translation></message>
     <message><source>Assumed values: Pololu publishes no factory defaults</source>
         <translation>Valeurs supposées : Pololu ne publie pas de réglages d'usine</translation></message>
+    <message><source>&amp;Save calibrations to a file…</source>
+        <translation>&amp;Enregistrer les étalonnages dans un fichier…</translation></message>
     <message><source>Load calibrations</source>
         <translation>Charger des étalonnages</translation></message>
     <message><source>Save calibrations</source>
         <translation>Enregistrer les étalonnages</translation></message>
+    <message><source>{0} could not be loaded: {1}</source>
+        <translation>{0} n'a pas pu être chargé : {1}</translation></message>
     <message><source>Calibrations loaded from {0} as edits: {1}.</source>
         <translation>Étalonnages chargés depuis {0} comme modifications : {1}.</translation></message>
+    <message><source>{0} could not be saved: {1}</source>
+        <translation>{0} n'a pas pu être enregistré : {1}</translation></message>
     <message><source>Copy of the calibration of channel {0}</source>
         <translation>Copie de l'étalonnage de la voie {0}</translation></message>
+    <message><source>{0} has the same calibrations.</source>
+        <translation>{0} contient les mêmes étalonnages.</translation></message>
     <message><source>Channel {0} ({1})</source>
         <translation>Voie {0} ({1})</translation></message>
-    <message><source>The calibrations shown were saved in {0}.</source>
-        <translation>Les étalonnages affichés ont été enregistrés dans {0}.</translation></message>
     <message><source>Calibrations of {0}</source>
         <translation>Étalonnages de {0}</translation></message>
+    <message><source>The calibrations shown were saved in {0}.</source>
+        <translation>Les étalonnages affichés ont été enregistrés dans {0}.</translation></message>
     <message><source>Minimum</source>
         <translation>Minimum</translation></message>
     <message><source>Neutral</source>
         <translation>Neutre</translation></message>
     <message><source>Maximum</source>
         <translation>Maximum</translation></message>
-    <message><source>Curve of the channel</source>
-        <translation>Courbe de la voie</translation></message>
     <message><source>Its handles can be dragged; the fields below set the same values.</source>
         <translation>Vous pouvez faire glisser ses poignées ; les champs ci-dessous règlent les mêmes valeurs.</translation></message>
+    <message><source>Curve of the channel</source>
+        <translation>Courbe de la voie</translation></message>
     <message><source>Now</source>
         <translation>Maintenant</translation></message>
     <message><source>Input of the last 10 seconds</source>
@@ -3895,14 +3881,22 @@ avant {1}</translation></message>
         <translation>Ses valeurs n'ont pas encore été lues.</translation></message>
     <message><source>, problem</source>
         <translation>, problème</translation></message>
+    <message><source>, edited</source>
+        <translation>, modifiée</translation></message>
+    <message><source>not learned yet: will be after Apply</source>
+        <translation>pas encore apprise : le sera après application</translation></message>
+    <message><source>not learned: defaults</source>
+        <translation>non apprise : valeurs par défaut</translation></message>
     <message><source>Analog voltages</source>
         <translation>Tensions analogiques</translation></message>
     <message><source>Ma&amp;ke active…</source>
         <translation>Rendre act&amp;if…</translation></message>
     <message><source>stored now</source>
         <translation>enregistré actuellement</translation></message>
-    <message><source>, edited</source>
-        <translation>, modifiée</translation></message>
+    <message><source>after Apply</source>
+        <translation>après application</translation></message>
+    <message><source>stored in the board</source>
+        <translation>enregistré dans la carte</translation></message>
     <message><source>not learned</source>
         <translation>non apprise</translation></message>
     <message><source>Input source</source>
@@ -3917,20 +3911,12 @@ avant {1}</translation></message>
         <translation>Valeur en direct</translation></message>
     <message><source>as last seen</source>
         <translation>dernière valeur connue</translation></message>
-    <message><source>not learned yet: will be after Apply</source>
-        <translation>pas encore apprise : le sera après application</translation></message>
-    <message><source>not learned: defaults</source>
-        <translation>non apprise : valeurs par défaut</translation></message>
     <message><source>Stored: the board reads {0} after the next power cycle.</source>
         <translation>Enregistré : après la prochaine coupure et remise de l'alimentation, la carte lira : {0}.</translation></message>
     <message><source>The values below were {0}.</source>
         <translation>État des valeurs ci-dessous : {0}.</translation></message>
     <message><source>Read {0} after the next power cycle</source>
         <translation>Lire {0} après la prochaine coupure et remise de l'alimentation</translation></message>
-    <message><source>after Apply</source>
-        <translation>après application</translation></message>
-    <message><source>stored in the board</source>
-        <translation>enregistré dans la carte</translation></message>
     <message><source>Edited: apply it, then power-cycle the board to read {0}.</source>
         <translation>Modifié : appliquez, puis coupez et remettez l'alimentation de la carte pour qu'elle lise : {0}.</translation></message>
     <message><source>{0} (active)</source>
@@ -3981,6 +3967,8 @@ avant {1}</translation></message>
         <translation>Un count vaut 0,4 µs.</translation></message>
     <message><source>A count is 4.89 mV.</source>
         <translation>Un count vaut 4,89 mV.</translation></message>
+    <message><source>{0:.0f} to {1:.0f} counts</source>
+        <translation>{0:.0f} à {1:.0f} counts</translation></message>
     <message><source>Input and count</source>
         <translation>Entrée et counts</translation></message>
     <message><source>Raw, with its calibration</source>
@@ -3995,16 +3983,16 @@ avant {1}</translation></message>
         <translation>Convertie (−127 à 127)</translation></message>
     <message><source>What the board makes of the input. Those of channels 1 and 2 are the speeds for motors 1 and 2, after mixing and flip. The vendor's document gives channel 3 six bits, 0 to 63; the program reads seven (inferred).</source>
         <translation>Ce que la carte fait de l'entrée. Pour les voies 1 et 2, ce sont les vitesses des moteurs 1 et 2, après mixage et retournement. Le document du fabricant donne six bits à la voie 3, de 0 à 63 ; le programme en lit sept (déduit).</translation></message>
-    <message><source>Moving channel 1 or 2 shows whether the mix jumper is on.</source>
-        <translation>Bouger la voie 1 ou 2 montre si le cavalier Mix est en place.</translation></message>
-    <message><source>The mix jumper is on.</source>
-        <translation>Le cavalier Mix est en place.</translation></message>
-    <message><source>The mix jumper is off.</source>
-        <translation>Le cavalier Mix est retiré.</translation></message>
     <message><source>Input of channel {0} in the last 10 seconds</source>
         <translation>Entrée de la voie {0} au cours des 10 dernières secondes</translation></message>
     <message><source>Remapped channel {0}</source>
         <translation>Voie {0} convertie</translation></message>
+    <message><source>The mix jumper is on.</source>
+        <translation>Le cavalier Mix est en place.</translation></message>
+    <message><source>The mix jumper is off.</source>
+        <translation>Le cavalier Mix est retiré.</translation></message>
+    <message><source>Moving channel 1 or 2 shows whether the mix jumper is on.</source>
+        <translation>Bouger la voie 1 ou 2 montre si le cavalier Mix est en place.</translation></message>
     <message><source>Connect to a board to see its motor currents.</source>
         <translation>Connectez une carte pour voir les courants de ses moteurs.</translation></message>
     <message><source>Motor currents</source>
@@ -4021,6 +4009,8 @@ avant {1}</translation></message>
         <translation>Un count de cette carte vaut {0:.0f} mA.</translation></message>
     <message><source>Reading an error clears it in the board; this program counts each one. Errors in bold were reported since you cleared them.</source>
         <translation>Lire une erreur l'efface dans la carte ; ce programme compte chacune d'elles. Les erreurs en gras ont été signalées depuis votre dernier acquittement.</translation></message>
+    <message><source>{0}; timeouts: {1}, corrupted replies: {2}, slowest reply: {3:.0f} ms</source>
+        <translation>{0} ; délais dépassés : {1}, réponses altérées : {2}, réponse la plus lente : {3:.0f} ms</translation></message>
     <message><source>C&amp;lear errors</source>
         <translation>Acquitter les &amp;erreurs</translation></message>
     <message><source>Reset co&amp;unts</source>
@@ -4055,8 +4045,6 @@ avant {1}</translation></message>
         <translation>Considérer les erreurs en gras comme connues ; les compteurs restent, et une erreur encore active revient aussitôt</translation></message>
     <message><source>Set every count to zero, and forget when errors were seen</source>
         <translation>Remettre tous les compteurs à zéro et oublier quand les erreurs ont été vues</translation></message>
-    <message><source>{0}; timeouts: {1}, corrupted replies: {2}, slowest reply: {3:.0f} ms</source>
-        <translation>{0} ; délais dépassés : {1}, réponses altérées : {2}, réponse la plus lente : {3:.0f} ms</translation></message>
     <message><source>No</source>
         <translation>Non</translation></message>
     <message><source>Quality:</source>
@@ -4081,18 +4069,18 @@ avant {1}</translation></message>
 (douteux)</translation></message>
     <message><source>Current of this motor; the red line is its limit, ⚠ means 80 % of it or more.</source>
         <translation>Courant de ce moteur ; le trait rouge est sa limite, ⚠ signifie 80 % de celle-ci ou plus.</translation></message>
+    <message><source>From 0 to 127, full speed</source>
+        <translation>De 0 à 127, pleine vitesse</translation></message>
+    <message><source>From −127, full speed back, to 127, full speed forward</source>
+        <translation>De −127, pleine vitesse arrière, à 127, pleine vitesse avant</translation></message>
     <message><source>Zero</source>
         <translation>Zéro</translation></message>
     <message><source>Brake</source>
         <translation>Freiner</translation></message>
-    <message><source>Speed 0: the motor is not driven and coasts</source>
-        <translation>Vitesse 0 : le moteur n'est pas entraîné, il est en roue libre</translation></message>
     <message><source>Board: serial in control…</source>
         <translation>Carte : liaison série aux commandes…</translation></message>
-    <message><source>From −127, full speed back, to 127, full speed forward</source>
-        <translation>De −127, pleine vitesse arrière, à 127, pleine vitesse avant</translation></message>
-    <message><source>From 0 to 127, full speed</source>
-        <translation>De 0 à 127, pleine vitesse</translation></message>
+    <message><source>Speed 0: the motor is not driven and coasts</source>
+        <translation>Vitesse 0 : le moteur n'est pas entraîné, il est en roue libre</translation></message>
     <message><source>{0}, speed</source>
         <translation>{0}, vitesse</translation></message>
     <message><source>{0}, speed as a number</source>
@@ -4109,10 +4097,10 @@ avant {1}</translation></message>
         <translation>Jusqu'à {0}, la vitesse maximale réglée ci-dessus</translation></message>
     <message><source>Hold an arrow key to drive while the pad has the focus.</source>
         <translation>Maintenez une touche fléchée pour piloter tant que le pavé a le focus.</translation></message>
-    <message><source>Drive pad</source>
-        <translation>Pavé de conduite</translation></message>
     <message><source>Hold Up or Down to drive; the motors cannot turn separately.</source>
         <translation>Maintenez Haut ou Bas pour piloter ; les moteurs ne peuvent pas tourner séparément.</translation></message>
+    <message><source>Drive pad</source>
+        <translation>Pavé de conduite</translation></message>
     <message><source>back</source>
         <translation>arrière</translation></message>
     <message><source>right</source>
@@ -4125,6 +4113,14 @@ avant {1}</translation></message>
         <translation>avant, au plus {0:.0f} %</translation></message>
     <message><source>Full deflection is {0:.0f} % of full speed.</source>
         <translation>La pleine course correspond à {0:.0f} % de la pleine vitesse.</translation></message>
+    <message><source>Push the stick for the left motor fully forward.</source>
+        <translation>Poussez à fond vers l'avant le manche du moteur gauche.</translation></message>
+    <message><source>Push the stick for the right motor fully forward.</source>
+        <translation>Poussez à fond vers l'avant le manche du moteur droit.</translation></message>
+    <message><source>Push the stick that drives fully forward.</source>
+        <translation>Poussez à fond vers l'avant le manche qui fait avancer.</translation></message>
+    <message><source>Push the stick that turns fully to the right.</source>
+        <translation>Poussez à fond vers la droite le manche qui fait tourner.</translation></message>
     <message><source>The gamepad cannot drive while this window is open, but its stop button works.</source>
         <translation>La manette ne peut pas piloter tant que cette fenêtre est ouverte, mais son bouton d'arrêt fonctionne.</translation></message>
     <message><source>Invert</source>
@@ -4161,6 +4157,12 @@ avant {1}</translation></message>
         <translation>Moteur 1 :</translation></message>
     <message><source>Motor 2:</source>
         <translation>Moteur 2 :</translation></message>
+    <message><source>none: a moved stick drives</source>
+        <translation>aucun : un manche déplacé fait tourner les moteurs</translation></message>
+    <message><source>Press the button to hold while driving.</source>
+        <translation>Appuyez sur le bouton à maintenir pour piloter.</translation></message>
+    <message><source>Press the button that stops everything.</source>
+        <translation>Appuyez sur le bouton qui arrête tout.</translation></message>
     <message><source>Without a button to hold, a bumped stick drives the motors. The gamepad cannot drive while this window is open.</source>
         <translation>Sans bouton à maintenir, un manche heurté fait tourner les moteurs. La manette ne peut pas piloter tant que cette fenêtre est ouverte.</translation></message>
     <message><source>Live state</source>
@@ -4169,36 +4171,22 @@ avant {1}</translation></message>
         <translation>Course autour du centre qui reste sans effet</translation></message>
     <message><source>0 %: linear. 100 %: cubic, finest around the centre</source>
         <translation>0 % : linéaire. 100 % : cubique, le plus fin autour du centre</translation></message>
-    <message><source>none: a moved stick drives</source>
-        <translation>aucun : un manche déplacé fait tourner les moteurs</translation></message>
-    <message><source>Push the stick for the left motor fully forward.</source>
-        <translation>Poussez à fond vers l'avant le manche du moteur gauche.</translation></message>
-    <message><source>Push the stick for the right motor fully forward.</source>
-        <translation>Poussez à fond vers l'avant le manche du moteur droit.</translation></message>
-    <message><source>Push the stick that drives fully forward.</source>
-        <translation>Poussez à fond vers l'avant le manche qui fait avancer.</translation></message>
-    <message><source>Push the stick that turns fully to the right.</source>
-        <translation>Poussez à fond vers la droite le manche qui fait tourner.</translation></message>
-    <message><source>Press the button to hold while driving.</source>
-        <translation>Appuyez sur le bouton à maintenir pour piloter.</translation></message>
-    <message><source>Press the button that stops everything.</source>
-        <translation>Appuyez sur le bouton qui arrête tout.</translation></message>
+    <message><source>&amp;Left motor</source>
+        <translation>Moteur &amp;gauche</translation></message>
+    <message><source>Right &amp;motor</source>
+        <translation>Moteur &amp;droit</translation></message>
     <message><source>pressed</source>
         <translation>appuyé</translation></message>
     <message><source>{0}: detect</source>
         <translation>{0} : détecter</translation></message>
     <message><source>{0}: inverted</source>
         <translation>{0} : inversé</translation></message>
-    <message><source>&amp;Left motor</source>
-        <translation>Moteur &amp;gauche</translation></message>
-    <message><source>Right &amp;motor</source>
-        <translation>Moteur &amp;droit</translation></message>
+    <message><source>Setpoint of motor {0}</source>
+        <translation>Consigne du moteur {0}</translation></message>
     <message><source>One axis drives, one turns</source>
         <translation>Un axe fait avancer, l'autre tourner</translation></message>
     <message><source>An axis for each motor</source>
         <translation>Un axe par moteur</translation></message>
-    <message><source>Setpoint of motor {0}</source>
-        <translation>Consigne du moteur {0}</translation></message>
     <message><source>Gamepad</source>
         <translation>Manette</translation></message>
     <message><source>Drive with a &amp;gamepad</source>
@@ -4221,8 +4209,12 @@ avant {1}</translation></message>
         <translation>Arrêter ce que pilote la manette quand la fenêtre perd le focus</translation></message>
     <message><source>Remembered for this board.</source>
         <translation>Mémorisé pour cette carte.</translation></message>
+    <message><source>Seconds that Run motor is locked after Stop</source>
+        <translation>Secondes pendant lesquelles « Activer les moteurs » est verrouillé après un arrêt</translation></message>
     <message><source>Either slider sets both motors; the robot does not turn</source>
         <translation>L'un ou l'autre curseur règle les deux moteurs ; le robot ne tourne pas</translation></message>
+    <message><source>The motors run differently: stop both, or give both the same speed</source>
+        <translation>Les moteurs tournent différemment : arrêtez-les tous les deux ou donnez-leur la même vitesse</translation></message>
     <message><source>&amp;Speed ceiling</source>
         <translation>&amp;Vitesse maximale</translation></message>
     <message><source>New board: raise this once its motors turn the right way.</source>
@@ -4249,8 +4241,8 @@ avant {1}</translation></message>
         <translation>Remettre à &amp;zéro le curseur relâché</translation></message>
     <message><source>none (0 s)</source>
         <translation>aucun (0 s)</translation></message>
-    <message><source>The motors run differently: stop both, or give both the same speed</source>
-        <translation>Les moteurs tournent différemment : arrêtez-les tous les deux ou donnez-leur la même vitesse</translation></message>
+    <message><source>{0}, as a number</source>
+        <translation>{0}, en chiffres</translation></message>
     <message><source>Highest speed that this program sends to this board; full deflection of pad, keys and gamepad gives this speed. Raising it does not speed up a running motor.</source>
         <translation>Vitesse la plus élevée que ce programme envoie à cette carte ; la pleine course du pavé, des touches et de la manette donne cette vitesse. L'augmenter n'accélère pas un moteur en marche.</translation></message>
     <message><source>The board ramps speeds at the Acceleration setting and pauses for the brake duration before reversing</source>
@@ -4267,10 +4259,8 @@ avant {1}</translation></message>
         <translation>Un curseur ne fait tourner son moteur que tant que vous le tenez ; le relâcher freine le moteur</translation></message>
     <message><source>How long Run motor stays locked after Stop or Esc, so that a slider or key still held cannot restart a motor (0 to {0:g} s)</source>
         <translation>Durée pendant laquelle « Activer les moteurs » reste verrouillé après un arrêt ou Échap, pour qu'un curseur ou une touche encore maintenus ne puissent pas relancer un moteur (0 à {0:g} s)</translation></message>
-    <message><source>Seconds that Run motor is locked after Stop</source>
-        <translation>Secondes pendant lesquelles « Activer les moteurs » est verrouillé après un arrêt</translation></message>
-    <message><source>{0}, as a number</source>
-        <translation>{0}, en chiffres</translation></message>
+    <message><source>Auxiliary (one way)</source>
+        <translation>Auxiliaire (un seul sens)</translation></message>
     <message><source>acceleration</source>
         <translation>accélération</translation></message>
     <message><source>brake duration</source>
@@ -4285,8 +4275,6 @@ avant {1}</translation></message>
         <translation>Les deux moteurs</translation></message>
     <message><source>Motor (joint)</source>
         <translation>Moteur (jumelé)</translation></message>
-    <message><source>Auxiliary (one way)</source>
-        <translation>Auxiliaire (un seul sens)</translation></message>
     <message><source>Stored motor settings: not known</source>
         <translation>Réglages moteur enregistrés : inconnus</translation></message>
     <message><source>Brake with {0:.0f} % (see Brake strength below)</source>
@@ -4297,6 +4285,8 @@ avant {1}</translation></message>
         <translation>La page Moteurs a été quittée alors qu'une commande était maintenue.</translation></message>
     <message><source>The Motors page was left.</source>
         <translation>La page Moteurs a été quittée.</translation></message>
+    <message><source>{0}. The board stores the nearest time. Or speed steps, such as {1}.</source>
+        <translation>{0}. La carte enregistre le temps le plus proche. Ou en pas de vitesse, par exemple {1}.</translation></message>
     <message><source>The PWM frequency is {0}, not {1}.</source>
         <translation>La fréquence PWM est {0}, et non {1}.</translation></message>
     <message><source>Baud rate</source>
@@ -4305,12 +4295,10 @@ avant {1}</translation></message>
         <translation>Détection d'erreurs</translation></message>
     <message><source>Stop bits</source>
         <translation>Bits d'arrêt</translation></message>
-    <message><source>{0}. The board stores the nearest time. Or speed steps, such as {1}.</source>
-        <translation>{0}. La carte enregistre le temps le plus proche. Ou en pas de vitesse, par exemple {1}.</translation></message>
-    <message><source>unknown ({0})</source>
-        <translation>inconnu ({0})</translation></message>
     <message><source>CRC-7</source>
         <translation>CRC-7</translation></message>
+    <message><source>unknown ({0})</source>
+        <translation>inconnu ({0})</translation></message>
     <message><source>{0}: channel {1}</source>
         <translation>{0} : voie {1}</translation></message>
     <message><source>Search names and descriptions (Ctrl+F)</source>
@@ -4353,18 +4341,18 @@ avant {1}</translation></message>
         <translation><numerusform>%n modification en attente : cliquez sur « Appliquer les réglages » pour l'écrire.</numerusform><numerusform>%n modifications en attente : cliquez sur « Appliquer les réglages » pour les écrire.</numerusform></translation></message>
     <message><source>Stored, but not active until the board is switched off and on: {0}.</source>
         <translation>Enregistré, mais inactif tant que l'alimentation de la carte n'a pas été coupée puis remise : {0}.</translation></message>
-    <message><source>{0} of {1} could not be verified; marked below.</source>
-        <translation>{0} sur {1} n'ont pas pu être vérifiés ; ils sont repérés ci-dessous.</translation></message>
-    <message numerus="yes"><source>%n setting(s) written and verified.</source>
-        <translation><numerusform>%n réglage écrit et vérifié.</numerusform><numerusform>%n réglages écrits et vérifiés.</numerusform></translation></message>
     <message><source>Show the steps for switching the board off and on</source>
         <translation>Afficher les étapes pour couper et remettre l'alimentation de la carte</translation></message>
     <message><source>Read every parameter from the board again</source>
         <translation>Relire tous les paramètres de la carte</translation></message>
-    <message><source>Rejected by the board: {0}</source>
-        <translation>Rejeté par la carte : {0}</translation></message>
+    <message><source>{0} of {1} could not be verified; marked below.</source>
+        <translation>{0} sur {1} n'ont pas pu être vérifiés ; ils sont repérés ci-dessous.</translation></message>
+    <message numerus="yes"><source>%n setting(s) written and verified.</source>
+        <translation><numerusform>%n réglage écrit et vérifié.</numerusform><numerusform>%n réglages écrits et vérifiés.</numerusform></translation></message>
     <message><source>Switch the board off and on to make active: {0}.</source>
         <translation>Coupez et remettez l'alimentation de la carte pour rendre actif : {0}.</translation></message>
+    <message><source>Rejected by the board: {0}</source>
+        <translation>Rejeté par la carte : {0}</translation></message>
     <message><source>&amp;Show all parameters</source>
         <translation>&amp;Afficher tous les paramètres</translation></message>
     <message><source>N&amp;ote on the value:</source>
@@ -4375,6 +4363,8 @@ avant {1}</translation></message>
         <translation>Aucun paramètre n'est sélectionné</translation></message>
     <message><source>Restore stored value</source>
         <translation>Restaurer la valeur enregistrée</translation></message>
+    <message><source>{0} is {1}{2}. No document confirms this limit. You can try any wire value from 0 to {3}. The board decides: it may reject the value, or store another one, and the program shows which. A value that the board stores is remembered for its firmware.</source>
+        <translation>{0} : {1}{2}. Aucun document ne confirme cette limite. Vous pouvez essayer de transmettre toute valeur de 0 à {3}. La carte décide : elle peut rejeter la valeur ou en enregistrer une autre, et le programme indique laquelle. Une valeur que la carte enregistre est mémorisée pour son firmware.</translation></message>
     <message><source>Parameters</source>
         <translation>Paramètres</translation></message>
     <message><source>Edit</source>
@@ -4391,20 +4381,20 @@ avant {1}</translation></message>
         <translation>Épin&amp;gler</translation></message>
     <message><source>Defa&amp;ult</source>
         <translation>Valeur par défa&amp;ut</translation></message>
-    <message><source>U&amp;npin</source>
-        <translation>Déséping&amp;ler</translation></message>
-    <message><source>Copy as “{0}”</source>
-        <translation>Copier comme « {0} »</translation></message>
-    <message><source>Copy to {0}</source>
-        <translation>Copier vers {0}</translation></message>
-    <message><source>{0} is {1}{2}. No document confirms this limit. You can try any wire value from 0 to {3}. The board decides: it may reject the value, or store another one, and the program shows which. A value that the board stores is remembered for its firmware.</source>
-        <translation>{0} : {1}{2}. Aucun document ne confirme cette limite. Vous pouvez essayer de transmettre toute valeur de 0 à {3}. La carte décide : elle peut rejeter la valeur ou en enregistrer une autre, et le programme indique laquelle. Une valeur que la carte enregistre est mémorisée pour son firmware.</translation></message>
     <message><source>Wire value</source>
         <translation>Valeur transmise</translation></message>
     <message><source>&amp;Try this value</source>
         <translation>&amp;Essayer cette valeur</translation></message>
+    <message><source>U&amp;npin</source>
+        <translation>Déséping&amp;ler</translation></message>
     <message><source>&amp;Wire value:</source>
         <translation>&amp;Valeur transmise :</translation></message>
+    <message><source>Copy as “{0}”</source>
+        <translation>Copier comme « {0} »</translation></message>
+    <message><source>Copy to {0}</source>
+        <translation>Copier vers {0}</translation></message>
+    <message><source>LEDs that the board shows</source>
+        <translation>LED que la carte allume</translation></message>
     <message><source>Who drives, jumpers, sticks, motors and limits, step by step.</source>
         <translation>Qui pilote, cavaliers, manches, moteurs et limites, étape par étape.</translation></message>
     <message><source>compact packets</source>
@@ -4413,10 +4403,16 @@ avant {1}</translation></message>
         <translation>LED sur la carte :</translation></message>
     <message><source>Set up my r&amp;obot…</source>
         <translation>&amp;Configurer mon robot…</translation></message>
+    <message><source>joint: one motor</source>
+        <translation>jumelé : un seul moteur</translation></message>
+    <message><source>two independent motors</source>
+        <translation>deux moteurs indépendants</translation></message>
+    <message><source>RS-232 (everything sent comes back)</source>
+        <translation>RS-232 (tout ce qui est envoyé revient)</translation></message>
+    <message><source>TTL (SI and SO)</source>
+        <translation>TTL (SI et SO)</translation></message>
     <message><source>This firmware runs at half of this baud rate.</source>
         <translation>Ce firmware fonctionne à la moitié de ce débit.</translation></message>
-    <message><source>LEDs that the board shows</source>
-        <translation>LED que la carte allume</translation></message>
     <message><source>Model:</source>
         <translation>Modèle :</translation></message>
     <message><source>Firmware:</source>
@@ -4433,16 +4429,10 @@ avant {1}</translation></message>
         <translation>Réglages :</translation></message>
     <message><source>Connector:</source>
         <translation>Connecteur :</translation></message>
-    <message><source>joint: one motor</source>
-        <translation>jumelé : un seul moteur</translation></message>
-    <message><source>two independent motors</source>
-        <translation>deux moteurs indépendants</translation></message>
-    <message><source>RS-232 (everything sent comes back)</source>
-        <translation>RS-232 (tout ce qui est envoyé revient)</translation></message>
-    <message><source>TTL (SI and SO)</source>
-        <translation>TTL (SI et SO)</translation></message>
     <message><source>device number {0}</source>
         <translation>numéro d'appareil {0}</translation></message>
+    <message><source>{0}; the channels control the motors.</source>
+        <translation>{0} ; les voies commandent les moteurs.</translation></message>
     <message><source>&amp;Settings at this time…</source>
         <translation>&amp;Réglages à cet instant…</translation></message>
     <message><source>Signal</source>
@@ -4451,20 +4441,38 @@ avant {1}</translation></message>
         <translation>Counts</translation></message>
     <message><source>Remapped</source>
         <translation>Convertie</translation></message>
-    <message><source>Open the settings that the board stored at this time</source>
-        <translation>Ouvrir les réglages que la carte avait enregistrés à cet instant</translation></message>
-    <message><source>{0}; the channels control the motors.</source>
-        <translation>{0} ; les voies commandent les moteurs.</translation></message>
     <message><source>Serial mode with {0} inputs</source>
         <translation>Mode série, entrées {0}</translation></message>
     <message><source>{0} mode</source>
         <translation>Mode {0}</translation></message>
     <message><source>{0}.</source>
         <translation>{0}.</translation></message>
+    <message><source>Open the settings that the board stored at this time</source>
+        <translation>Ouvrir les réglages que la carte avait enregistrés à cet instant</translation></message>
     <message><source>{0}; serial commands reach the motors.</source>
         <translation>{0} ; les commandes série atteignent les moteurs.</translation></message>
     <message><source>brake {0}</source>
         <translation>freinage {0}</translation></message>
+    <message numerus="yes"><source>Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore as pending edits?</source>
+        <translation><numerusform>Modifié auparavant mais pas appliqué : %n réglage de ce {0} ({1}). Le restaurer comme modification en attente ?</numerusform><numerusform>Modifiés auparavant mais pas appliqués : %n réglages de ce {0} ({1}). Les restaurer comme modifications en attente ?</numerusform></translation></message>
+    <message><source>Settings are still being written. Close anyway? Unwritten settings are offered when the board is connected again.</source>
+        <translation>Des réglages sont encore en cours d'écriture. Fermer quand même ? Les réglages non écrits seront proposés quand la carte sera de nouveau connectée.</translation></message>
+    <message><source>Review and apply…</source>
+        <translation>Vérifier et appliquer…</translation></message>
+    <message numerus="yes"><source>%n setting(s) of this {0} differ from what was applied last ({1}): lost, changed by something else, or this is another board.</source>
+        <translation><numerusform>%n réglage de ce {0} diffère de ce qui a été appliqué en dernier ({1}) : perdu, modifié par autre chose, ou c'est une autre carte.</numerusform><numerusform>%n réglages de ce {0} diffèrent de ce qui a été appliqué en dernier ({1}) : perdus, modifiés par autre chose, ou c'est une autre carte.</numerusform></translation></message>
+    <message><source>Keep the values of the board</source>
+        <translation>Garder les valeurs de la carte</translation></message>
+    <message><source>Close anyway</source>
+        <translation>Fermer quand même</translation></message>
+    <message><source>Save as a settings file…</source>
+        <translation>Enregistrer comme fichier de réglages…</translation></message>
+    <message><source>Keep and close</source>
+        <translation>Conserver et fermer</translation></message>
+    <message><source>Discard and close</source>
+        <translation>Abandonner et fermer</translation></message>
+    <message><source>Show…</source>
+        <translation>Afficher…</translation></message>
     <message><source>The seconds around “{0}” were kept. File, Open fault or stop: {1}</source>
         <translation>Les secondes autour de « {0} » ont été conservées. Fichier, Ouvrir un défaut ou un arrêt : {1}</translation></message>
     <message><source>The seconds around “{0}” could not be kept. {1}</source>
@@ -4473,6 +4481,14 @@ avant {1}</translation></message>
         <translation>Rien ne peut être enregistré : aucune carte n'est connectée.</translation></message>
     <message><source>File, Open recording</source>
         <translation>Fichier, Ouvrir un enregistrement</translation></message>
+    <message><source>Open recor&amp;ding…</source>
+        <translation>Ouvrir un enregistre&amp;ment…</translation></message>
+    <message><source>Open fa&amp;ult or stop…</source>
+        <translation>Ouvrir un &amp;défaut ou un arrêt…</translation></message>
+    <message><source>Start recording &amp;with Run motor</source>
+        <translation>Démarrer l'enregistrement &amp;avec « Activer les moteurs »</translation></message>
+    <message><source>&amp;Keep 30 s around each fault and stop</source>
+        <translation>&amp;Garder 30 s autour de chaque défaut ou arrêt</translation></message>
     <message><source>Open fault or stop</source>
         <translation>Ouvrir un défaut ou un arrêt</translation></message>
     <message><source>It gets device number {0}, which another board on this line has: both would reply at once, and neither could be read. Give that board another number first.</source>
@@ -4583,6 +4599,14 @@ avant {1}</translation></message>
         <translation>{0} sur {1} : {2}</translation></message>
     <message><source>not attempted</source>
         <translation>non tenté</translation></message>
+    <message><source>{0} is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use it, too.</source>
+        <translation>{0} fait maintenant partie des modifications en attente. La modification prend effet une fois l'alimentation de la carte coupée puis remise ; cette fenêtre suit alors. Les autres programmes de cette liaison doivent l'utiliser aussi.</translation></message>
+    <message><source>Read the settings from the board and discard the edits made here?</source>
+        <translation>Lire les réglages de la carte et abandonner les modifications faites ici ?</translation></message>
+    <message><source>CRC-7 is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use CRC-7, too.</source>
+        <translation>CRC-7 fait maintenant partie des modifications en attente. La modification prend effet une fois l'alimentation de la carte coupée puis remise ; cette fenêtre suit alors. Les autres programmes de cette liaison doivent utiliser CRC-7 aussi.</translation></message>
+    <message><source>Discard and reload</source>
+        <translation>Abandonner et recharger</translation></message>
     <message><source>Channel</source>
         <translation>Voie</translation></message>
     <message><source>Deadband</source>
@@ -4617,10 +4641,10 @@ avant {1}</translation></message>
         <translation><numerusform>%n valeur copiée depuis {0}.</numerusform><numerusform>%n valeurs copiées depuis {0}.</numerusform></translation></message>
     <message><source>Copy values from {0}</source>
         <translation>Copier des valeurs depuis {0}</translation></message>
-    <message><source>Findings</source>
-        <translation>Constats</translation></message>
     <message><source>Acce&amp;pt the proposal</source>
         <translation>Acce&amp;pter la proposition</translation></message>
+    <message><source>Findings</source>
+        <translation>Constats</translation></message>
     <message><source>No errors, warnings or suggestions.</source>
         <translation>Aucune erreur, aucun avertissement, aucune suggestion.</translation></message>
     <message numerus="yes"><source>%n error(s)</source>
@@ -4747,38 +4771,18 @@ avant {1}</translation></message>
         <translation>Ouvrir un fichier de réglages</translation></message>
     <message><source>Factory defaults of a {0}, firmware {1}</source>
         <translation>Réglages d'usine d'un {0}, firmware {1}</translation></message>
-    <message><source>{0} applies and checks the settings shown; read its first lines.</source>
-        <translation>{0} applique et vérifie les réglages affichés ; lisez ses premières lignes.</translation></message>
-    <message><source>is not a readable settings file.</source>
-        <translation>n'est pas un fichier de réglages lisible.</translation></message>
-    <message><source>Calibrations that the board does not show now were kept: {0}.</source>
-        <translation>Les étalonnages que la carte n'affiche pas actuellement ont été conservés : {0}.</translation></message>
-    <message><source>Export as code</source>
-        <translation>Exporter comme code</translation></message>
     <message><source>New settings file</source>
         <translation>Nouveau fichier de réglages</translation></message>
     <message><source>&amp;Start the new file with:</source>
         <translation>&amp;Commencer le nouveau fichier avec :</translation></message>
-    <message><source>{0} was not saved again: it is still being saved.</source>
-        <translation>{0} n'a pas été enregistré une nouvelle fois : son enregistrement est encore en cours.</translation></message>
     <message><source>Beginnings</source>
         <translation>Points de départ</translation></message>
     <message><source>The board as shown: {0}, firmware {1}</source>
         <translation>La carte telle qu'affichée : {0}, firmware {1}</translation></message>
     <message><source>Settings applied {0}</source>
         <translation>Réglages appliqués {0}</translation></message>
-    <message><source>The settings shown were saved in {0}.</source>
-        <translation>Les réglages affichés ont été enregistrés dans {0}.</translation></message>
-    <message><source>{0}, settings shown</source>
-        <translation>{0}, réglages affichés</translation></message>
     <message><source>Applied</source>
         <translation>Appliqué</translation></message>
-    <message><source>{0} was not written: {1}</source>
-        <translation>{0} n'a pas été écrit : {1}</translation></message>
-    <message><source>{0} was not saved: {1}</source>
-        <translation>{0} n'a pas été enregistré : {1}</translation></message>
-    <message><source>holds settings of a {0}.</source>
-        <translation>contient les réglages d'un {0}.</translation></message>
     <message><source>Sample: {0}</source>
         <translation>Exemple : {0}</translation></message>
     <message><source>Next changes {0}. Nothing is written before you apply it.</source>
@@ -4865,8 +4869,6 @@ avant {1}</translation></message>
         <translation>Le cavalier Mix est en place : retirez-le, puis poussez de nouveau un manche.</translation></message>
     <message><source>The mix jumper is off: put it on, then push a stick again.</source>
         <translation>Le cavalier Mix n'est pas en place : mettez-le, puis poussez de nouveau un manche.</translation></message>
-    <message><source>Channel 1 is for motor 1, channel 2 for motor 2.</source>
-        <translation>La voie 1 est pour le moteur 1, la voie 2 pour le moteur 2.</translation></message>
     <message><source>Set the current that your motors can draw continuously; the values above are only examples. Speeds that are set at once, without a ramp, bypass the limit for a moment.</source>
         <translation>Réglez le courant que vos moteurs peuvent absorber en continu ; les valeurs ci-dessus ne sont que des exemples. Les vitesses appliquées d'un coup, sans rampe, contournent la limite un instant.</translation></message>
     <message><source>The board stores: {0}.</source>
@@ -4885,28 +4887,6 @@ avant {1}</translation></message>
         <translation>Le cavalier Mix n'a pas d'importance : il est sans effet sur les commandes série.</translation></message>
     <message><source>Remove the mode jumper and leave it off: the board then accepts settings and serial commands. It reads the jumper when it is switched on.</source>
         <translation>Retirez le cavalier de mode et ne le remettez pas : la carte accepte alors les réglages et les commandes série. Elle lit le cavalier à la mise sous tension.</translation></message>
-    <message><source>&amp;Learn channels…</source>
-        <translation>Apprendre les &amp;voies…</translation></message>
-    <message><source>The stick is fully &amp;forward now</source>
-        <translation>Le manche est poussé à fond vers l'a&amp;vant maintenant</translation></message>
-    <message><source>The stick is fully &amp;right now</source>
-        <translation>Le manche est poussé à fond vers la &amp;droite maintenant</translation></message>
-    <message><source>Both sticks are fully &amp;forward now</source>
-        <translation>Les deux manches sont poussés à fond vers l'a&amp;vant maintenant</translation></message>
-    <message><source>Channel 1 is for left and right of the stick, channel 2 for forward and back.</source>
-        <translation>La voie 1 est pour la gauche et la droite du manche, la voie 2 pour l'avant et l'arrière.</translation></message>
-    <message><source>Channel 1 (motor 1)</source>
-        <translation>Voie 1 (moteur 1)</translation></message>
-    <message><source>Channel 2 (motor 2)</source>
-        <translation>Voie 2 (moteur 2)</translation></message>
-    <message><source>{0}: its direction is not known yet.</source>
-        <translation>{0} : son sens n'est pas encore connu.</translation></message>
-    <message><source>{0}: the value rises.</source>
-        <translation>{0} : la valeur augmente.</translation></message>
-    <message><source>{0}: the value falls.</source>
-        <translation>{0} : la valeur diminue.</translation></message>
-    <message><source>{0}: the stick is still near its middle. Push it all the way.</source>
-        <translation>{0} : le manche est encore proche de son milieu. Poussez-le à fond.</translation></message>
     <message><source>Current limit of each motor</source>
         <translation>Limite de courant de chaque moteur</translation></message>
     <message><source>off</source><comment>limit</comment>
@@ -4963,16 +4943,6 @@ avant {1}</translation></message>
         <translation>Le cavalier Mix ne peut être vérifié qu'en mode série : dans ce mode-ci, un manche poussé ferait tourner les moteurs.</translation></message>
     <message><source>It is not known yet whether the mix jumper is on: the board cannot be asked. Push a stick to one side, and the answer appears here.</source>
         <translation>On ne sait pas encore si le cavalier Mix est en place : la carte ne peut pas être interrogée à ce sujet. Poussez un manche d'un côté et la réponse apparaît ici.</translation></message>
-    <message><source>The board has to know the middle and the ends of each stick. Learning measures them in about two minutes, in a separate window, and ends with a review. The motors stay off meanwhile. Learn before you go on: the next step, which motor is which, needs the directions of the sticks.</source>
-        <translation>La carte doit connaître le milieu et les extrémités de chaque manche. L'apprentissage les mesure en deux minutes environ, dans une fenêtre séparée, et se termine par une vérification. Les moteurs restent arrêtés pendant ce temps. Faites l'apprentissage avant de continuer : l'étape suivante, quel moteur est lequel, a besoin des sens des manches.</translation></message>
-    <message><source>Already learned? Then show which way the sticks go: push, hold and click. In serial mode they move no motor.</source>
-        <translation>Déjà appris ? Montrez alors dans quel sens vont les manches : poussez, maintenez et cliquez. En mode série, ils ne font bouger aucun moteur.</translation></message>
-    <message><source>Channel 1 (turns)</source>
-        <translation>Voie 1 (tourne)</translation></message>
-    <message><source>Channel 2 (drives)</source>
-        <translation>Voie 2 (avance)</translation></message>
-    <message><source>{0}: no signal arrives.</source>
-        <translation>{0} : aucun signal n'arrive.</translation></message>
     <message><source>Keep w&amp;hat the board has</source>
         <translation>&amp;Garder ce qu'a la carte</translation></message>
     <message><source>Neither ramps nor limits change.</source>
@@ -5005,10 +4975,6 @@ avant {1}</translation></message>
         <translation>Maintenant : pour configurer</translation></message>
     <message><source>Later: to drive</source>
         <translation>Plus tard : pour piloter</translation></message>
-    <message><source>Each is connected to an output of your receiver.</source>
-        <translation>Chacune est reliée à une sortie de votre récepteur.</translation></message>
-    <message><source>Is the transmitter on?</source>
-        <translation>L'émetteur est-il allumé ?</translation></message>
     <message><source>How should the motors start and stop?</source>
         <translation>Comment les moteurs doivent-ils démarrer et s'arrêter ?</translation></message>
     <message><source>Then, by hand:</source>
@@ -5023,6 +4989,64 @@ avant {1}</translation></message>
         <translation>&amp;Arrêter les moteurs après un silence de</translation></message>
     <message><source>Go to this step</source>
         <translation>Aller à cette étape</translation></message>
+    <message><source>Channel 1 is for motor 1, channel 2 for motor 2.</source>
+        <translation>La voie 1 est pour le moteur 1, la voie 2 pour le moteur 2.</translation></message>
+    <message><source>&amp;Learn channels…</source>
+        <translation>Apprendre les &amp;voies…</translation></message>
+    <message><source>The stick is fully &amp;forward now</source>
+        <translation>Le manche est poussé à fond vers l'a&amp;vant maintenant</translation></message>
+    <message><source>The stick is fully &amp;right now</source>
+        <translation>Le manche est poussé à fond vers la &amp;droite maintenant</translation></message>
+    <message><source>Both sticks are fully &amp;forward now</source>
+        <translation>Les deux manches sont poussés à fond vers l'a&amp;vant maintenant</translation></message>
+    <message><source>Channel 1 is for left and right of the stick, channel 2 for forward and back.</source>
+        <translation>La voie 1 est pour la gauche et la droite du manche, la voie 2 pour l'avant et l'arrière.</translation></message>
+    <message><source>Channel 1 (motor 1)</source>
+        <translation>Voie 1 (moteur 1)</translation></message>
+    <message><source>Channel 2 (motor 2)</source>
+        <translation>Voie 2 (moteur 2)</translation></message>
+    <message><source>{0}: its direction is not known yet.</source>
+        <translation>{0} : son sens n'est pas encore connu.</translation></message>
+    <message><source>{0}: the value rises.</source>
+        <translation>{0} : la valeur augmente.</translation></message>
+    <message><source>{0}: the value falls.</source>
+        <translation>{0} : la valeur diminue.</translation></message>
+    <message><source>{0}: the stick is still near its middle. Push it all the way.</source>
+        <translation>{0} : le manche est encore proche de son milieu. Poussez-le à fond.</translation></message>
+    <message><source>The board has to know the middle and the ends of each stick. Learning measures them in about two minutes, in a separate window, and ends with a review. The motors stay off meanwhile. Learn before you go on: the next step, which motor is which, needs the directions of the sticks.</source>
+        <translation>La carte doit connaître le milieu et les extrémités de chaque manche. L'apprentissage les mesure en deux minutes environ, dans une fenêtre séparée, et se termine par une vérification. Les moteurs restent arrêtés pendant ce temps. Faites l'apprentissage avant de continuer : l'étape suivante, quel moteur est lequel, a besoin des sens des manches.</translation></message>
+    <message><source>Already learned? Then show which way the sticks go: push, hold and click. In serial mode they move no motor.</source>
+        <translation>Déjà appris ? Montrez alors dans quel sens vont les manches : poussez, maintenez et cliquez. En mode série, ils ne font bouger aucun moteur.</translation></message>
+    <message><source>Channel 1 (turns)</source>
+        <translation>Voie 1 (tourne)</translation></message>
+    <message><source>Channel 2 (drives)</source>
+        <translation>Voie 2 (avance)</translation></message>
+    <message><source>{0}: no signal arrives.</source>
+        <translation>{0} : aucun signal n'arrive.</translation></message>
+    <message><source>Each is connected to an output of your receiver.</source>
+        <translation>Chacune est reliée à une sortie de votre récepteur.</translation></message>
+    <message><source>Is the transmitter on?</source>
+        <translation>L'émetteur est-il allumé ?</translation></message>
+    <message><source>{0} applies and checks the settings shown; read its first lines.</source>
+        <translation>{0} applique et vérifie les réglages affichés ; lisez ses premières lignes.</translation></message>
+    <message><source>is not a readable settings file.</source>
+        <translation>n'est pas un fichier de réglages lisible.</translation></message>
+    <message><source>Calibrations that the board does not show now were kept: {0}.</source>
+        <translation>Les étalonnages que la carte n'affiche pas actuellement ont été conservés : {0}.</translation></message>
+    <message><source>Export as code</source>
+        <translation>Exporter comme code</translation></message>
+    <message><source>{0} was not saved again: it is still being saved.</source>
+        <translation>{0} n'a pas été enregistré une nouvelle fois : son enregistrement est encore en cours.</translation></message>
+    <message><source>The settings shown were saved in {0}.</source>
+        <translation>Les réglages affichés ont été enregistrés dans {0}.</translation></message>
+    <message><source>{0}, settings shown</source>
+        <translation>{0}, réglages affichés</translation></message>
+    <message><source>{0} was not written: {1}</source>
+        <translation>{0} n'a pas été écrit : {1}</translation></message>
+    <message><source>{0} was not saved: {1}</source>
+        <translation>{0} n'a pas été enregistré : {1}</translation></message>
+    <message><source>holds settings of a {0}.</source>
+        <translation>contient les réglages d'un {0}.</translation></message>
     <message><source>Reading…</source>
         <translation>Lecture…</translation></message>
     <message numerus="yes"><source>%n setting(s) would become edits; nothing is written until you click Apply.</source>
@@ -5097,6 +5121,18 @@ avant {1}</translation></message>
         <translation>Remarque : cet instantané est celui du numéro d'appareil {0}, la carte ici porte le numéro {1}.</translation></message>
     <message><source>Nothing was restored: {0}</source>
         <translation>Rien n'a été restauré : {0}</translation></message>
+    <message><source>TReX</source>
+        <translation>TReX</translation></message>
+    <message><source>Wiring: TX of the adapter to SI, RX to SO, GND to GND of the board</source>
+        <translation>Câblage : TX de l'adaptateur vers SI, RX vers SO, GND vers GND de la carte</translation></message>
+    <message><source>Connect my TReX</source>
+        <translation>Connecter mon TReX</translation></message>
+    <message><source>No board at hand?</source>
+        <translation>Pas de carte sous la main ?</translation></message>
+    <message><source>&amp;Try the demo</source>
+        <translation>&amp;Essayer la démo</translation></message>
+    <message><source>Set up, calibrate, drive and understand a Pololu TReX or TReX Jr. You need the board with its supply, and a serial adapter with three wires. No motor moves before you click Run motor, and Esc stops the motors in every window.</source>
+        <translation>Configurer, étalonner, piloter et comprendre un Pololu TReX ou TReX Jr. Il vous faut la carte avec son alimentation, et un adaptateur série avec trois fils. Aucun moteur ne bouge avant que vous ne cliquiez sur « Activer les moteurs », et Échap arrête les moteurs dans toutes les fenêtres.</translation></message>
     <message><source>You need a USB-serial adapter with TTL levels (5 V or 3.3 V) and three wires.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Switch the board off. Remove the mode jumper: then it starts in serial mode, which is needed to drive it and to change settings from here. Remove the SO–G jumper, too.&lt;/li&gt;&lt;li&gt;Wire the adapter as shown.&lt;/li&gt;&lt;li&gt;Lift the wheels off the ground, switch the board on, and connect:&lt;/li&gt;&lt;/ol&gt;</source>
         <translation>Il vous faut un adaptateur USB-série à niveaux TTL (5 V ou 3,3 V) et trois fils.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Coupez l'alimentation de la carte. Retirez le cavalier de mode : elle démarre alors en mode série, nécessaire pour la piloter et modifier ses réglages d'ici. Retirez aussi le cavalier SO–G.&lt;/li&gt;&lt;li&gt;Câblez l'adaptateur comme indiqué.&lt;/li&gt;&lt;li&gt;Soulevez les roues du sol, mettez la carte sous tension et connectez :&lt;/li&gt;&lt;/ol&gt;</translation></message>
     <message><source>TT&amp;L adapter</source>
@@ -5117,6 +5153,10 @@ avant {1}</translation></message>
         <translation>Câblage : voies 1 et 2 du récepteur vers voies 1 et 2 de la carte, 5 V vers 5 V, GND vers GND</translation></message>
     <message><source>Receiver</source>
         <translation>Récepteur</translation></message>
+    <message><source>Open &amp;settings file…</source>
+        <translation>Ouvrir un fichier de réglage&amp;s…</translation></message>
+    <message><source>&amp;Open recording…</source>
+        <translation>&amp;Ouvrir un enregistrement…</translation></message>
     <message><source>Jumpers to drive</source>
         <translation>Cavaliers pour la conduite</translation></message>
     <message><source>First difference, line {0}: {1}. The simulated board: {2} ({3}).</source>
@@ -5127,40 +5167,14 @@ avant {1}</translation></message>
         <translation>Texte (*.txt *.tsv)</translation></message>
     <message numerus="yes"><source>%n transaction(s): the simulated board replies the same.</source>
         <translation><numerusform>%n transaction : la carte simulée répond la même chose.</numerusform><numerusform>%n transactions : la carte simulée répond la même chose.</numerusform></translation></message>
-    <message numerus="yes"><source>Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore as pending edits?</source>
-        <translation><numerusform>Modifié auparavant mais pas appliqué : %n réglage de ce {0} ({1}). Le restaurer comme modification en attente ?</numerusform><numerusform>Modifiés auparavant mais pas appliqués : %n réglages de ce {0} ({1}). Les restaurer comme modifications en attente ?</numerusform></translation></message>
-    <message><source>{0} is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use it, too.</source>
-        <translation>{0} fait maintenant partie des modifications en attente. La modification prend effet une fois l'alimentation de la carte coupée puis remise ; cette fenêtre suit alors. Les autres programmes de cette liaison doivent l'utiliser aussi.</translation></message>
-    <message><source>TReX</source>
-        <translation>TReX</translation></message>
-    <message><source>Wiring: TX of the adapter to SI, RX to SO, GND to GND of the board</source>
-        <translation>Câblage : TX de l'adaptateur vers SI, RX vers SO, GND vers GND de la carte</translation></message>
     <message><source>a settings file of a TReX</source>
         <translation>un fichier de réglages d'un TReX</translation></message>
     <message><source>a board</source>
         <translation>une carte</translation></message>
-    <message><source>Read the settings from the board and discard the edits made here?</source>
-        <translation>Lire les réglages de la carte et abandonner les modifications faites ici ?</translation></message>
     <message><source>Factor&amp;y line settings: {0}…</source>
         <translation>Réglages de liaison d'&amp;usine : {0}…</translation></message>
     <message><source>Fas&amp;t: {0}…</source>
         <translation>&amp;Rapide : {0}…</translation></message>
-    <message><source>CRC-7 is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use CRC-7, too.</source>
-        <translation>CRC-7 fait maintenant partie des modifications en attente. La modification prend effet une fois l'alimentation de la carte coupée puis remise ; cette fenêtre suit alors. Les autres programmes de cette liaison doivent utiliser CRC-7 aussi.</translation></message>
-    <message><source>Connect my TReX</source>
-        <translation>Connecter mon TReX</translation></message>
-    <message><source>No board at hand?</source>
-        <translation>Pas de carte sous la main ?</translation></message>
-    <message><source>&amp;Try the demo</source>
-        <translation>&amp;Essayer la démo</translation></message>
-    <message><source>Set up, calibrate, drive and understand a Pololu TReX or TReX Jr. You need the board with its supply, and a serial adapter with three wires. No motor moves before you click Run motor, and Esc stops the motors in every window.</source>
-        <translation>Configurer, étalonner, piloter et comprendre un Pololu TReX ou TReX Jr. Il vous faut la carte avec son alimentation, et un adaptateur série avec trois fils. Aucun moteur ne bouge avant que vous ne cliquiez sur « Activer les moteurs », et Échap arrête les moteurs dans toutes les fenêtres.</translation></message>
-    <message><source>Discard and reload</source>
-        <translation>Abandonner et recharger</translation></message>
-    <message numerus="yes"><source>%n setting(s) of this {0} differ from what was applied last ({1}): lost, changed by something else, or this is another board.</source>
-        <translation><numerusform>%n réglage de ce {0} diffère de ce qui a été appliqué en dernier ({1}) : perdu, modifié par autre chose, ou c'est une autre carte.</numerusform><numerusform>%n réglages de ce {0} diffèrent de ce qui a été appliqué en dernier ({1}) : perdus, modifiés par autre chose, ou c'est une autre carte.</numerusform></translation></message>
-    <message><source>Keep the values of the board</source>
-        <translation>Garder les valeurs de la carte</translation></message>
     <message><source>S&amp;tatus</source>
         <translation>Ét&amp;at</translation></message>
     <message><source>&amp;Channels</source>
@@ -5189,14 +5203,6 @@ avant {1}</translation></message>
         <translation>E&amp;xporter comme code…</translation></message>
     <message><source>&amp;History…</source>
         <translation>&amp;Historique…</translation></message>
-    <message><source>Open recor&amp;ding…</source>
-        <translation>Ouvrir un enregistre&amp;ment…</translation></message>
-    <message><source>Open fa&amp;ult or stop…</source>
-        <translation>Ouvrir un &amp;défaut ou un arrêt…</translation></message>
-    <message><source>Start recording &amp;with Run motor</source>
-        <translation>Démarrer l'enregistrement &amp;avec « Activer les moteurs »</translation></message>
-    <message><source>&amp;Keep 30 s around each fault and stop</source>
-        <translation>&amp;Garder 30 s autour de chaque défaut ou arrêt</translation></message>
     <message><source>Compare traffic &amp;log with simulator…</source>
         <translation>&amp;Comparer un journal de trafic au simulateur…</translation></message>
     <message><source>&amp;Discard all edits</source>
@@ -5235,12 +5241,6 @@ avant {1}</translation></message>
         <translation>&amp;Guide d'utilisation de la carte (en ligne)…</translation></message>
     <message><source>Errors ({0})</source>
         <translation>Erreurs ({0})</translation></message>
-    <message><source>Open &amp;settings file…</source>
-        <translation>Ouvrir un fichier de réglage&amp;s…</translation></message>
-    <message><source>&amp;Open recording…</source>
-        <translation>&amp;Ouvrir un enregistrement…</translation></message>
-    <message><source>Show…</source>
-        <translation>Afficher…</translation></message>
     <message><source>Gamepads need one more package. Install it with {0}, then switch this on again.</source>
         <translation>Les manettes nécessitent un paquet supplémentaire. Installez-le avec {0}, puis réactivez cette option.</translation></message>
     <message><source>Gamepads cannot be read here: {0}.</source>
@@ -5373,6 +5373,20 @@ avant {1}</translation></message>
         <translation>&amp;Port :</translation></message>
     <message><source>Starting the Demo {0} …</source>
         <translation>Démarrage de la démo {0} …</translation></message>
+    <message><source>{0} was not opened: its type is not supported. Supported: {1}.</source>
+        <translation>{0} n'a pas été ouvert : ce type n'est pas pris en charge. Pris en charge : {1}.</translation></message>
+    <message><source>Recent &amp;files</source>
+        <translation>&amp;Fichiers récents</translation></message>
+    <message><source>{0} files were dropped, and none was opened: drop one at a time.</source>
+        <translation>{0} fichiers ont été déposés et aucun n'a été ouvert : déposez-en un à la fois.</translation></message>
+    <message><source>{0} is {1}. It was not opened, because this window is connected to {2}: disconnect, then open it again.</source>
+        <translation>{0} est {1}. Il n'a pas été ouvert, car cette fenêtre est connectée à {2} : déconnectez, puis ouvrez-le à nouveau.</translation></message>
+    <message><source>{0} is no longer there; it was removed from the recent files.</source>
+        <translation>{0} n'existe plus ; il a été retiré des fichiers récents.</translation></message>
+    <message><source>&amp;Clear list</source>
+        <translation>&amp;Effacer la liste</translation></message>
+    <message><source>a file of the {0}</source>
+        <translation>un fichier pour {0}</translation></message>
     <message><source>The likely settings come first; a port without a reply takes about half a minute.</source>
         <translation>Les réglages probables viennent d'abord ; un port sans réponse demande environ une demi-minute.</translation></message>
     <message><source>&amp;Disconnect</source>
@@ -5413,24 +5427,14 @@ avant {1}</translation></message>
         <translation>Connecter et choisir d'autres réglages de liaison : {0}</translation></message>
     <message><source>Connect to {0}</source>
         <translation>Connecter à {0}</translation></message>
-    <message><source>{0} was not opened: its type is not supported. Supported: {1}.</source>
-        <translation>{0} n'a pas été ouvert : ce type n'est pas pris en charge. Pris en charge : {1}.</translation></message>
-    <message><source>TReX Studio</source>
-        <translation>TReX Studio</translation></message>
-    <message><source>Recent &amp;files</source>
-        <translation>&amp;Fichiers récents</translation></message>
-    <message><source>{0} files were dropped, and none was opened: drop one at a time.</source>
-        <translation>{0} fichiers ont été déposés et aucun n'a été ouvert : déposez-en un à la fois.</translation></message>
-    <message><source>{0} is {1}. It was not opened, because this window is connected to {2}: disconnect, then open it again.</source>
-        <translation>{0} est {1}. Il n'a pas été ouvert, car cette fenêtre est connectée à {2} : déconnectez, puis ouvrez-le à nouveau.</translation></message>
-    <message><source>{0} is no longer there; it was removed from the recent files.</source>
-        <translation>{0} n'existe plus ; il a été retiré des fichiers récents.</translation></message>
-    <message><source>&amp;Clear list</source>
-        <translation>&amp;Effacer la liste</translation></message>
-    <message><source>Settings are still being written. Disconnect anyway? Unwritten settings stay pending.</source>
-        <translation>Des réglages sont encore en cours d'écriture. Déconnecter quand même ? Les réglages non écrits restent en attente.</translation></message>
     <message><source>About TReX Studio</source>
         <translation>À propos de TReX Studio</translation></message>
+    <message><source>TReX Studio</source>
+        <translation>TReX Studio</translation></message>
+    <message><source>Settings are still being written. Disconnect anyway? Unwritten settings stay pending.</source>
+        <translation>Des réglages sont encore en cours d'écriture. Déconnecter quand même ? Les réglages non écrits restent en attente.</translation></message>
+    <message><source>There is no log: {0} could not be written.</source>
+        <translation>Il n'y a pas de journal : {0} n'a pas pu être écrit.</translation></message>
     <message><source>&amp;Window</source>
         <translation>Fe&amp;nêtre</translation></message>
     <message><source>&amp;Help</source>
@@ -5441,12 +5445,8 @@ avant {1}</translation></message>
         <translation>{0} (démo)</translation></message>
     <message><source>Disconnect</source>
         <translation>Déconnecter</translation></message>
-    <message><source>There is no log: {0} could not be written.</source>
-        <translation>Il n'y a pas de journal : {0} n'a pas pu être écrit.</translation></message>
     <message><source>The window was to be closed</source>
         <translation>La fenêtre allait être fermée</translation></message>
-    <message><source>Close the window</source>
-        <translation>Fermer la fenêtre</translation></message>
     <message><source>No program of this computer shows folders. The log is in {0}.</source>
         <translation>Aucun programme de cet ordinateur n'affiche les dossiers. Le journal se trouve dans {0}.</translation></message>
     <message><source>TReX Studio {0}
@@ -5475,8 +5475,6 @@ N'est pas un produit de Pololu.</translation></message>
         <translation>Ouvrir le dossier du &amp;journal</translation></message>
     <message><source>&amp;About…</source>
         <translation>À &amp;propos…</translation></message>
-    <message><source>a file of the {0}</source>
-        <translation>un fichier pour {0}</translation></message>
     <message><source>Preferences</source>
         <translation>Préférences</translation></message>
     <message><source>As the system</source>
@@ -5559,6 +5557,8 @@ N'est pas un produit de Pololu.</translation></message>
         <translation>Une carte simulée : rien ne peut être endommagé</translation></message>
     <message><source>Recent files</source>
         <translation>Fichiers récents</translation></message>
+    <message><source>Close the window</source>
+        <translation>Fermer la fenêtre</translation></message>
     <message><source>Welcome to TReX Studio</source>
         <translation>Bienvenue dans TReX Studio</translation></message>
     <message><source>Connect my &amp;board</source>
