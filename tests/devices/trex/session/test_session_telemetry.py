@@ -35,7 +35,7 @@ from trex_gui.devices.trex.driving.requests import Arm, SetMotor
 from trex_gui.devices.trex.protocol.commands import GetMode, GetParameter, GetStatus, SetParameter
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode, Status, UartError
-from trex_gui.devices.trex.session import session
+from trex_gui.devices.trex.session import board_reader, jobs
 from trex_gui.devices.trex.session.messages import (
     Batch,
     Connected,
@@ -346,8 +346,8 @@ def test_board_is_read_again_three_times_at_most_after_a_failed_write(
     def begin_to_fail() -> None:
         error = NoReply("no reply")
         results = (WriteResult("serial_timeout", error=error),)
-        monkeypatch.setattr(session, "write_all", lambda *_, **_options: results)
-        monkeypatch.setattr(session, "read_everything", fail)
+        monkeypatch.setattr(jobs, "write_all", lambda *_, **_options: results)
+        monkeypatch.setattr(board_reader, "read_everything", fail)
 
     stage.script.at(1.0, begin_to_fail).at(1.0, Write(1, (("serial_timeout", 5),)))
     reports = run_for(stage, 12.0, settings)

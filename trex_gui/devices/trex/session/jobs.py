@@ -1,0 +1,236 @@
+"""Requests that are served one after the other, each with an outcome."""
+
+from dataclasses import replace
+
+from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable
+from trex_gui.core.session import Outcome
+from trex_gui.devices.trex.client.reading import ATTEMPTS, board_at, require_free_number
+from trex_gui.devices.trex.client.telemetry import LatchedStatus
+from trex_gui.devices.trex.client.writing import WriteResult, after_writing, write_all
+from trex_gui.devices.trex.driving.motor_output import OutputEvent
+from trex_gui.devices.trex.driving.requests import MotorsStopped
+from trex_gui.devices.trex.protocol.commands import Command, ReplyT_co
+from trex_gui.devices.trex.protocol.errors import (
+    ErrorCode,
+    OtherBoard,
+    Rejected,
+    TrexNoReplyError,
+    TrexRequestError,
+)
+from trex_gui.devices.trex.protocol.flags import Status, UartError
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.protocol.raw_packets import RawPacket
+from trex_gui.devices.trex.session.board_reader import BoardReader
+from trex_gui.devices.trex.session.messages import (
+    Job,
+    ProbeNumber,
+    ReadReason,
+    Reload,
+    RunCommand,
+    SelectBoard,
+    SendPacket,
+    Write,
+    Written,
+)
+from trex_gui.devices.trex.session.open_line import OpenLine
+from trex_gui.devices.trex.session.reconnecting import reconnect_candidates
+
+
+class JobServer:
+    def __init__(self, line: OpenLine, reader: BoardReader) -> None:
+        self._line = line
+        self._reader = reader
+
+    def serve(self, job: Job) -> None:
+        line = self._line
+        try:
+            value = self._result_of(job)
+        except (BadRequest, NoReply, BadReply, Rejected, OtherBoard) as error:
+            line.emit(Outcome(job.id, error=error))
+        except BaseException:
+            # The session ends, and reports an outcome of every queued request.
+            line.queue.jobs.appendleft(job)
+            raise
+        else:
+            line.emit(Outcome(job.id, value))
+
+    def _result_of(self, job: Job) -> object:
+        line = self._line
+        if line.liveness.is_scanning(line.client):
+            # Nothing may reach a board at unknown settings.
+            raise TrexNoReplyError(ErrorCode.SCANNING)
+        match job:
+            case RunCommand(command=command) if command.moves:
+                # At once: behind a stop that comes now it would start what was stopped.
+                line.motors.check(command, line.now())
+                return line.driver.run_direct(command)
+            case RunCommand(command=command):
+                return line.request(command)
+            case SendPacket(packet=packet):
+                return self._send_packet(packet)
+            case Write():
+                return self._write(job)
+            case Reload():
+                returned = ReadReason.RETURNED if line.liveness.silent else ReadReason.RELOADED
+                self._reader.read_everything(returned)
+                return None
+            case ProbeNumber(number=number, attempts=attempts):
+                line.require_stopped()
+                return board_at(line.client, number, attempts=attempts)
+            case SelectBoard():
+                self._select(job)
+                return None
+
+    def _select(self, job: SelectBoard) -> None:
+        """Address another board once the motors of the present one are known to be stopped.
+
+        What was requested for the present board reaches no other one: setpoints are dropped, and
+        arming has no effect until everything is read, and then only for the new `selection`.
+        """
+        line = self._line
+        motors, client, before = line.motors, line.client, line.client.settings
+        selection = line.queue.selection
+        motors.handle(OutputEvent.LOCK_OUT, line.now())
+        if motors.may_move:
+            if not line.driver.stop_and_confirm():
+                raise TrexNoReplyError(ErrorCode.NOT_SELECTED_MOVING, job.number)
+            line.emit(MotorsStopped(None, confirmed=True))
+        motors.handle(OutputEvent.NOT_RESPONDING, line.now())
+        line.flush()
+        try:
+            if before.device_number is None and line.has_driven:
+                self._stop_each(job)
+            self._address(job)
+        except BaseException:
+            client.settings = before
+            line.queue.selection = selection
+            line.status.uart_due = True
+            if not line.liveness.silent:
+                motors.handle(OutputEvent.BOARD_READ, line.now())
+            raise
+        line.liveness.expect(())  # these were for the other board
+
+    def _address(self, job: SelectBoard) -> None:
+        client = self._line.client
+        if board_at(client, job.number, attempts=ATTEMPTS) is None:
+            raise TrexNoReplyError(ErrorCode.NOT_SELECTED_SILENT, job.number)
+        client.settings = replace(client.settings, device_number=job.number)
+        self._line.queue.selection = job.id
+        self._line.status.begin()
+        self._reader.read_everything(ReadReason.SELECTED)
+
+    def _stop_each(self, job: SelectBoard) -> None:
+        """Stop every board on the line: commands without a number have reached all of them."""
+        for number in job.sharing:
+            self._line.client.settings = replace(self._line.client.settings, device_number=number)
+            self._line.motors.handle(OutputEvent.DIRECT_COMMAND_SENT, self._line.now())
+            if not self._line.driver.stop_and_confirm():
+                raise TrexNoReplyError(ErrorCode.NOT_SELECTED_MOVING, job.number)
+        self._line.has_driven = False
+
+    def _send_packet(self, packet: RawPacket) -> bytes:
+        """Send what the user typed; a packet that moves goes the way of a motor command."""
+        line = self._line
+        if packet.moves:
+            number = line.client.settings.device_number
+            if not line.motors.is_armed:
+                raise TrexRequestError(ErrorCode.NOT_ARMED)
+            if not packet.is_within_stop(number):
+                raise TrexRequestError(ErrorCode.MOVES_ANOTHER_BOARD, number)
+            line.driver.begin_direct()
+        else:
+            line.collect()
+            line.serve_motors()
+        try:
+            reply = line.client.send_packet(packet.packet)
+        except (NoReply, BadReply):
+            line.status.uart_due = True  # it may have cleared bits
+            if packet.writes:
+                self._reader.expect_changes()
+            raise
+        if packet.device_number in self._own_numbers:
+            self._keep_cleared(reply.value)
+        if packet.writes:
+            self._read_after_write()
+        return reply.raw
+
+    def _read_after_write(self) -> None:
+        """Read what a packet of the user's has stored, and where the board will be with it."""
+        before = self._reader.state.parameters
+        self._reader.read_everything(ReadReason.RELOADED)
+        state = self._reader.state
+        places = reconnect_candidates(
+            self._line.client.settings, before, state.parameters, state.signature.firmware
+        )
+        if places:
+            self._line.liveness.expect(places)
+
+    @property
+    def _own_numbers(self) -> set[int | None]:
+        """The device numbers of packets to the board that was read; `None` in compact ones."""
+        stored = self._reader.state.parameters.get(ParameterKey.DEVICE_NUMBER)
+        return {None, stored, self._line.client.settings.device_number}
+
+    def _keep_cleared(self, value: object) -> None:
+        """Report bits that a packet of the user's has read, and so cleared."""
+        match value:
+            case Status():
+                self._line.status.uart_due |= bool(value & Status.UART_ERROR)
+                latched = LatchedStatus(self._line.now(), value, UartError(0))
+            case UartError():
+                latched = LatchedStatus(self._line.now(), Status(0), value)
+            case _:
+                return
+        if value:
+            self._reader.note_status(latched)
+            self._line.batcher.add(latched)
+
+    def _write(self, job: Write) -> Written:
+        """Write until it is done or `Close` comes, which leaves no value half written.
+
+        Motors that may be moving are stopped before that. If another board replies, it is read and
+        nothing counts as written.
+        """
+        line = self._line
+        state, stop_is_due = self._reader.state, True
+        parameters, stored = dict(job.parameters), state.parameters.get(ParameterKey.DEVICE_NUMBER)
+        is_addressed = line.client.settings.device_number is not None
+        number = parameters.get(ParameterKey.DEVICE_NUMBER, stored)
+        if number != stored:
+            line.require_stopped()
+        elif is_addressed and ParameterKey.FACTORY_RESET in parameters:
+            number = state.specs[ParameterKey.DEVICE_NUMBER].default  # from its next start on
+        if number is not None and number != stored:
+            require_free_number(line.client, number, line.serve_motors)
+
+        def request(command: Command[ReplyT_co]) -> ReplyT_co:
+            nonlocal stop_is_due
+            if stop_is_due and line.is_closing() and line.motors.may_move:
+                stop_is_due = False
+                line.driver.stop_on_close()
+            line.serve_motors()
+            return line.client.request(command)
+
+        try:
+            results = write_all(
+                request,
+                state.specs,
+                job.parameters,
+                job.calibrations,
+                line.report_progress,
+                before=job.before or state,
+                has_crc=line.client.has_crc,
+                cancelled=line.is_closing,
+                stored=self._note_stored,
+            )
+        except OtherBoard:
+            self._reader.state = state
+            self._reader.read_everything(ReadReason.RETURNED)
+            raise
+        failures = NoReply | BadReply | Rejected | PortUnavailable
+        if any(isinstance(result.error, failures) for result in results):
+            self._reader.expect_changes()
+        return Written(results, self._reader.state, line.client.settings)
+
+    def _note_stored(self, result: WriteResult) -> None:
+        self._reader.state = after_writing(self._reader.state, (result,))
