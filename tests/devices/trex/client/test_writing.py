@@ -15,12 +15,8 @@ from tests.support.matrix import examples
 from tests.support.virtual import Stage
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable
 from trex_gui.devices.trex.client.reading import ATTEMPTS, DeviceState, read_everything
-from trex_gui.devices.trex.client.writing import (
-    WriteResult,
-    write_all,
-    write_calibration,
-    write_parameter,
-)
+from trex_gui.devices.trex.client.write_once import write_calibration, write_parameter
+from trex_gui.devices.trex.client.writing import WriteResult, write_all
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.commands import (
     Command,

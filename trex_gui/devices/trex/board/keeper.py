@@ -16,12 +16,8 @@ from trex_gui.devices.trex.client.reading import (
     read_everything,
     require_free_number,
 )
-from trex_gui.devices.trex.client.writing import (
-    WriteResult,
-    after_writing,
-    write_all,
-    write_parameter,
-)
+from trex_gui.devices.trex.client.write_once import write_parameter
+from trex_gui.devices.trex.client.writing import WriteResult, after_writing, write_all
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
