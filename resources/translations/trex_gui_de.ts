@@ -1951,6 +1951,10 @@
         <translation>Von Hand gesendet: {0}</translation></message>
     <message><source>Parameter</source>
         <translation>Parameter</translation></message>
+    <message><source>{0} ({1} modified)</source>
+        <translation>{0} ({1} geändert)</translation></message>
+    <message><source>Motors 1 and 2 {0}</source>
+        <translation>{0} Motor 1 und 2</translation></message>
     <message><source>Pinned</source>
         <translation>Angeheftet</translation></message>
     <message><source>Motors and speed ramp</source>
@@ -1967,12 +1971,6 @@
         <translation>Seriell</translation></message>
     <message><source>System</source>
         <translation>System</translation></message>
-    <message><source>{0} ({1} modified)</source>
-        <translation>{0} ({1} geändert)</translation></message>
-    <message><source>{0} {1}</source>
-        <translation>{0} {1}</translation></message>
-    <message><source>Motors 1 and 2 {0}</source>
-        <translation>{0} Motor 1 und 2</translation></message>
     <message><source>How often in a second the PWM of the motor switches. Low frequencies whine and heat the motor, frequencies above the driver's rating heat the driver. Type a number or use the arrow keys. The board stores the nearest frequency that it can switch at.</source>
         <translation>Wie oft pro Sekunde die PWM des Motors schaltet. Niedrige Frequenzen pfeifen und erwärmen den Motor, Frequenzen über dem Nennwert des Treibers erwärmen den Treiber. Geben Sie eine Zahl ein oder benutzen Sie die Pfeiltasten. Das Board speichert die nächste Frequenz, mit der es schalten kann.</translation></message>
     <message><source>This firmware has stored beyond that: wire value {0}.</source>
@@ -2031,6 +2029,8 @@
         <translation>Keine Quelle sagt, was die Bytewerte bedeuten{0}.</translation></message>
     <message><source>Still active: {0}.</source>
         <translation>Noch aktiv: {0}.</translation></message>
+    <message><source>{0} {1}</source>
+        <translation>{0} {1}</translation></message>
     <message><source>Recording {0} ended: the board or its input source has changed.</source>
         <translation>Aufzeichnung {0} beendet: Das Board oder seine Eingangsquelle hat sich geändert.</translation></message>
     <message><source>What the board accepted was not remembered. {0}</source>

@@ -1951,6 +1951,10 @@
         <translation>Envoyé à la main : {0}</translation></message>
     <message><source>Parameter</source>
         <translation>Paramètre</translation></message>
+    <message><source>{0} ({1} modified)</source>
+        <translation>{0} ({1} modifiés)</translation></message>
+    <message><source>Motors 1 and 2 {0}</source>
+        <translation>Moteurs 1 et 2 : {0}</translation></message>
     <message><source>Pinned</source>
         <translation>Épinglés</translation></message>
     <message><source>Motors and speed ramp</source>
@@ -1967,12 +1971,6 @@
         <translation>Liaison série</translation></message>
     <message><source>System</source>
         <translation>Système</translation></message>
-    <message><source>{0} ({1} modified)</source>
-        <translation>{0} ({1} modifiés)</translation></message>
-    <message><source>{0} {1}</source>
-        <translation>{0} {1}</translation></message>
-    <message><source>Motors 1 and 2 {0}</source>
-        <translation>Moteurs 1 et 2 : {0}</translation></message>
     <message><source>How often in a second the PWM of the motor switches. Low frequencies whine and heat the motor, frequencies above the driver's rating heat the driver. Type a number or use the arrow keys. The board stores the nearest frequency that it can switch at.</source>
         <translation>Nombre de commutations par seconde du PWM du moteur. Une fréquence basse fait siffler et chauffer le moteur, une fréquence supérieure à la valeur nominale du driver fait chauffer celui-ci. Tapez un nombre ou utilisez les flèches. La carte enregistre la fréquence de commutation possible la plus proche.</translation></message>
     <message><source>This firmware has stored beyond that: wire value {0}.</source>
@@ -2031,6 +2029,8 @@
         <translation>Aucune source ne dit ce que signifient les valeurs transmises{0}.</translation></message>
     <message><source>Still active: {0}.</source>
         <translation>Encore actif : {0}.</translation></message>
+    <message><source>{0} {1}</source>
+        <translation>{0} {1}</translation></message>
     <message><source>Recording {0} ended: the board or its input source has changed.</source>
         <translation>L'enregistrement {0} s'est terminé : la carte ou sa source des entrées a changé.</translation></message>
     <message><source>What the board accepted was not remembered. {0}</source>

@@ -116,5 +116,5 @@ def test_bench_dialog_edits_and_applies_settings(
     dialog.bench.set_plan(Plan(motor=2))
     dialog.find(QSpinBox, "bench_motor2_current_limit").setValue(30)
     parameters = connected_window.device.parameters
-    assert parameters.value_of("motor2_current_limit") == 30
-    assert parameters.value_of("motor1_current_limit") == 0
+    assert parameters.values.value_of("motor2_current_limit") == 30
+    assert parameters.values.value_of("motor1_current_limit") == 0

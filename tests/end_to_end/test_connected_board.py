@@ -151,7 +151,7 @@ def test_parameters_are_edited_applied_and_activated(
     assert window.text("unappliedLabel") == "There are unapplied changes."
     assert simulator.show()["parameters"]["serial_timeout"] == 0
     apply(window)
-    window.wait(lambda: not device.parameters.pending)
+    window.wait(lambda: not device.parameters.values.pending)
     assert simulator.show()["parameters"]["serial_timeout"] == 15
     assert "written and verified" in page.text("parametersNotice")
 
@@ -165,15 +165,15 @@ def test_parameters_are_edited_applied_and_activated(
     assert device.state.calibrations[1] == wanted
     assert device.draft.stored is not None
     assert device.draft.stored.calibrations[CalibrationKey.RC_CHANNEL_1] == wanted
-    assert device.parameters.stored_of("motor1_current_limit") == 10
+    assert device.parameters.values.stored_of("motor1_current_limit") == 10
 
-    assert device.parameters.waiting_for_power == ("Motor Mode",)
+    assert device.parameters.values.waiting_for_power == ("Motor Mode",)
     assert "Motor Mode" in page.text("parametersNotice")
     simulator.do("power off")
     window.wait(lambda: device.link is ConnectionState.NOT_RESPONDING)
     assert window.is_enabled("parametersView")  # what is typed is written with Apply only
     simulator.do("power on")
-    window.wait(lambda: device.parameters.waiting_for_power == ())
+    window.wait(lambda: device.parameters.values.waiting_for_power == ())
     assert device.state.parameters["motor_mode"] == 1
 
 
@@ -204,7 +204,7 @@ def test_board_in_rc_mode_rejects_settings_and_speeds(
     window.wait(lambda: window.is_enabled("applyButton"))
     assert parameters.is_enabled("parametersView")
     assert window.has("timeoutButton")
-    assert window.device.parameters.pending == (("serial_timeout", 15),)
+    assert window.device.parameters.values.pending == (("serial_timeout", 15),)
 
 
 def test_motors_run_from_arming_until_stopped(

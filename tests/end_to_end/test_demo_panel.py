@@ -319,6 +319,6 @@ def test_line_button_shows_the_line_settings_of_the_demo(
     window.device.parameters.edit("uart_settings", replace(LineSettings(), baud=38400).to_wire())
     window.trigger("apply")
     window.dialog("reviewDialog").click("writeButton")
-    window.wait(lambda: window.device.parameters.waiting_for_power)
+    window.wait(lambda: window.device.parameters.values.waiting_for_power)
     panel.click("demoPowerCycle")
     window.wait(lambda: window.button("lineButton").text().startswith("38400"))

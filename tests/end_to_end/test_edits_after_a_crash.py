@@ -45,7 +45,7 @@ def test_edits_of_a_crashed_run_are_offered_and_restored(
     window.wait(lambda: is_asked(window))
     window.click("restoreEdits")
     assert not is_asked(window)
-    assert dict(window.device.parameters.pending) == {
+    assert dict(window.device.parameters.values.pending) == {
         "serial_timeout": 15,
         "motor1_acceleration": 3,
     }

@@ -29,7 +29,7 @@ def apply(window: WindowDriver, **values: int) -> None:
 
 
 def pending(window: WindowDriver) -> dict[str, int]:
-    return dict(window.device.parameters.pending)
+    return dict(window.device.parameters.values.pending)
 
 
 def test_snapshots_are_restored_partly_and_completely(

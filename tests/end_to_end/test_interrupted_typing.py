@@ -62,9 +62,9 @@ def test_typed_text_survives_a_silent_board(
     quick_simulator.do("line mute on")
     window.wait(lambda: device.link is ConnectionState.NOT_RESPONDING)
     QTest.keyClick(editor(view), Qt.Key.Key_Return)
-    window.wait(lambda: device.parameters.value_of(KEY) == 15)
+    window.wait(lambda: device.parameters.values.value_of(KEY) == 15)
     window.wait(lambda: view.indexWidget(cell(view)) is None)
     type_text(open_editor(view), "2")
     quick_simulator.do("line unplug")
     window.wait(lambda: device.link is ConnectionState.DISCONNECTED)
-    assert device.parameters.value_of(KEY) == 20
+    assert device.parameters.values.value_of(KEY) == 20

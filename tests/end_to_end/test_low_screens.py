@@ -73,7 +73,7 @@ class AskingWindow(WindowDriver):
                 runtime().sleep(0.01)
 
         before_storing(self.simulator, 3, wait)
-        stored = self.device.parameters.all_stored
+        stored = self.device.parameters.values.all_stored
         for key in [key for key in stored if key.startswith("motor")][:12]:
             self.device.parameters.edit(key, 1 - min(1, stored[key]))
         count = self.device.draft.pending

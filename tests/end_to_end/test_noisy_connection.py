@@ -40,10 +40,10 @@ def test_noisy_line_is_named_and_crc_is_set_up(
     window.click("setUpCrcButton")
     review = window.dialog("reviewDialog")
     assert review.root.isVisible()
-    assert [device.draft.pending, device.parameters.value_of("uart_settings")] == [1, CRC]
+    assert [device.draft.pending, device.parameters.values.value_of("uart_settings")] == [1, CRC]
     assert "Other programs on this line have to use CRC-7" in window.text("bannerText")
     review.click("writeButton")
-    window.wait(lambda: device.parameters.stored_of("uart_settings") == CRC)
+    window.wait(lambda: device.parameters.values.stored_of("uart_settings") == CRC)
     review.root.close()
     window.click("setUpCrcButton")
     assert window.find(QDialog, "powerCycleDialog").isVisible(), "what is left to do"
@@ -54,7 +54,7 @@ def test_noisy_line_is_named_and_crc_is_set_up(
     window.wait(lambda: device.link is ConnectionState.CONNECTED)
     assert device.settings is not None
     assert device.settings.line.to_wire() == CRC
-    assert device.parameters.waiting_for_power == ()
+    assert device.parameters.values.waiting_for_power == ()
 
     quick_simulator.do("line noise 0.01")
     window.wait(lambda: "lost: noisy" in window.text("qualityLabel"), 20_000)

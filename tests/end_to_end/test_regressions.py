@@ -14,7 +14,7 @@ from tests.support.virtual import Stage
 from trex_gui.core.errors import BadRequest, PortUnavailable
 from trex_gui.core.session import Closed
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
-from trex_gui.devices.trex.client.writing import write_parameter
+from trex_gui.devices.trex.client.write_once import write_parameter
 from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetMotor, Stop
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.motors import Motors

@@ -103,7 +103,7 @@ def test_review_shows_edits_and_writes_only_checked_ones(
     review.click("writeButton")
     review.wait(lambda: stored(simulator, "motor1_acceleration") == 5 and not device.writer.running)
     assert stored(simulator, "serial_timeout") == 0
-    assert device.parameters.pending == (("serial_timeout", 15),)
+    assert device.parameters.values.pending == (("serial_timeout", 15),)
 
 
 def test_review_reports_stored_and_failed_settings(
@@ -196,7 +196,7 @@ def test_board_decides_about_values_beyond_inferred_limits(
     simulator.do("accept ignored_channels 127 31")
     write_anyway()
     assert "reads back channels 1, 2, 3, 4, 5" in review.rows()[0][-1]
-    assert device.parameters.stored_of(key) == 31
+    assert device.parameters.values.stored_of(key) == 31
     review.close()
     edit(window, ignored_channels=0)
     simulator.do("accept ignored_channels 127")
@@ -221,8 +221,8 @@ def test_board_decides_about_values_beyond_inferred_limits(
     window.disconnect()
     window.connect(simulator.url)
     window.wait_for_files()
-    assert not device.parameters.is_doubtful(key, 63), "nor after connecting again"
-    assert device.parameters.is_doubtful(key, 62)
+    assert not device.parameters.values.is_doubtful(key, 63), "nor after connecting again"
+    assert device.parameters.values.is_doubtful(key, 62)
 
     file = SettingsFiles(window).load(
         tmp_path / "any.txt", "product: TReX\nreversed_channels: 63\n"
@@ -249,8 +249,8 @@ def test_interrupted_write_keeps_unwritten_settings_pending(
     window.wait(lambda: device.link is ConnectionState.CONNECTED)
     device.draft.discard_edits()
 
-    keys = [key for key in device.parameters.all_stored if key.startswith("motor")][:12]
-    edit(window, **{key: 1 - min(1, device.parameters.all_stored[key]) for key in keys})
+    keys = [key for key in device.parameters.values.all_stored if key.startswith("motor")][:12]
+    edit(window, **{key: 1 - min(1, device.parameters.values.all_stored[key]) for key in keys})
     count = device.draft.pending
     review.open()
     before_storing(simulator, 3, lambda: simulator.do("line unplug"))
@@ -284,7 +284,7 @@ def test_power_cycle_is_followed_until_settings_are_active(
     review.wait_for_text("powerCycleResult", "Waiting for it to respond again")
     power.on()
     review.wait_for_text("powerCycleResult", "all stored settings are active")
-    assert device.parameters.active_of("motor_mode") == 1
+    assert device.parameters.values.active_of("motor_mode") == 1
 
     review.close()
     edit(window, motor_mode=0)
@@ -315,7 +315,7 @@ def test_board_is_reconnected_at_its_new_line_settings(
         assert device.settings is not None
         assert device.settings.line == line
         assert "all stored settings are active" in review.text("powerCycleResult")
-        assert device.parameters.waiting_for_power == ()
+        assert device.parameters.values.waiting_for_power == ()
         review.close()
 
 
@@ -329,10 +329,10 @@ def test_disconnect_does_not_count_as_power_cycle(
     review.wait_for_text("powerCycleResult", "The line was closed")
     device.connect_to(ConnectionSettings(simulator.url))
     review.wait_for_text("powerCycleResult", "cannot detect")
-    assert list(device.parameters.waiting_for_power) == ["Motor Mode"]
+    assert list(device.parameters.values.waiting_for_power) == ["Motor Mode"]
     review.click("powerCycleDone")
     assert "all stored settings are active" in review.text("powerCycleResult")
-    assert list(device.parameters.waiting_for_power) == []
+    assert list(device.parameters.values.waiting_for_power) == []
 
 
 def test_slow_power_cycle_shows_hints(
@@ -363,7 +363,7 @@ def test_defaults_are_compared_and_reviewed_before_writing(
     defaults = ComparisonDialog(window.dialog("defaultsDialog").root, window.qtbot)
     assert [row[0] for row in defaults.rows()] == ["UART Settings"]
     defaults.click("takeDefaultsButton")
-    assert device.parameters.pending == (("uart_settings", LineSettings().to_wire()),)
+    assert device.parameters.values.pending == (("uart_settings", LineSettings().to_wire()),)
     review.click("writeButton")
     review.wait_for_text("reviewHead", "written and verified")
     review.close()
@@ -374,7 +374,7 @@ def test_defaults_are_compared_and_reviewed_before_writing(
     assert device.draft.pending == 2
     assert "serial_timeout" in [key for one in found(window) for key in one.keys]
     review.close()
-    assert device.parameters.pending == (("motor2_acceleration", 9),)
+    assert device.parameters.values.pending == (("motor2_acceleration", 9),)
     window.trigger("discard")
 
     window.trigger("defaults")
@@ -424,7 +424,7 @@ def test_pending_reset_blocks_writing_until_power_cycle(
     power.cycle()
     assert not device.draft.reset_pending
     assert stored(simulator, "serial_timeout") == 0
-    assert device.parameters.stored_of("serial_timeout") == 0
+    assert device.parameters.values.stored_of("serial_timeout") == 0
     assert device.settings is not None
     assert device.settings.line == LineSettings()
     review.open()
@@ -456,7 +456,7 @@ def test_pending_edits_survive_a_disconnect(
     device.connect_to(ConnectionSettings(simulator.url))
     window.wait(lambda: window.window.question.text != "")
     window.click("restoreEdits")
-    assert dict(device.parameters.pending) == {"device_number": 9}
+    assert dict(device.parameters.values.pending) == {"device_number": 9}
 
 
 def test_calibration_of_inactive_input_source_stays_pending(

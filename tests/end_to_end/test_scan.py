@@ -102,7 +102,7 @@ def test_board_at_unknown_line_settings_is_found_and_connected(
     menu.actions()[1].trigger()
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
     fast = LineSettings(115200).to_wire()
-    window.wait(lambda: window.device.parameters.pending == (("uart_settings", fast),))
+    window.wait(lambda: window.device.parameters.values.pending == (("uart_settings", fast),))
     window.wait(window.dialog("reviewDialog").root.isVisible)
     window.dialog("reviewDialog").root.close()
 

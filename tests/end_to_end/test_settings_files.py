@@ -93,7 +93,7 @@ def test_checked_rows_become_edits_and_a_snapshot_reverts_them(
     window.wait_for_files()
     check_keyboard(files.load_dialog().root)
     files.load_dialog().click("takeChangesButton")
-    assert device.parameters.pending == (("serial_timeout", 0),)
+    assert device.parameters.values.pending == (("serial_timeout", 0),)
     apply(window)
     assert quick_simulator.show()["parameters"]["serial_timeout"] == 0
     assert len(device.writer.history.snapshots()) == 2
@@ -189,7 +189,10 @@ def test_file_of_the_other_model_opens_with_what_was_converted(
     assert [timeout[3], calibration[3]] == ["Carried over."] * 2
     check_keyboard(dialog.root)
     dialog.click("takeChangesButton")
-    assert dict(device.parameters.pending) == {"motor1_current_limit": 16, "serial_timeout": 5}
+    assert dict(device.parameters.values.pending) == {
+        "motor1_current_limit": 16,
+        "serial_timeout": 5,
+    }
     assert device.draft.pending == 3
 
     files.files.edit_file(path)
@@ -223,7 +226,7 @@ def test_settings_unknown_to_firmware_are_left_out(
     assert "1 left out" in dialog.text("conversionSummary")
     assert "firmware 1.0 does not have it" in conversion(dialog)[0][3]
     dialog.click("takeChangesButton")
-    assert window.device.parameters.pending == (("serial_timeout", 5),)
+    assert window.device.parameters.values.pending == (("serial_timeout", 5),)
 
 
 def test_editor_compares_with_the_board_and_sends_to_it(

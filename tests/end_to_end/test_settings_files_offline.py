@@ -111,7 +111,7 @@ def test_new_file_starts_with_chosen_settings(
         box = dialog.find_only(QDialogButtonBox)
         QTest.mouseClick(box.button(QDialogButtonBox.StandardButton.Ok), LEFT)
         editor = files.editor()
-        assert editor.document.draft.parameters.value_of(key) == value, beginning
+        assert editor.document.draft.parameters.values.value_of(key) == value, beginning
         assert not editor.root.isWindowModified()
         editor.editor.save_to(tmp_path / "mine.txt")
         window.wait_for_files()

@@ -27,7 +27,7 @@ def test_settings_check_warns_while_settings_are_edited(
     edit("ignored_channels", 1)
     assert len(findings(window)) == 1
     window.click("parameterAccept0")
-    assert device.parameters.value_of("required_channels") == 0
+    assert device.parameters.values.value_of("required_channels") == 0
     window.wait(lambda: not window.has("parameterFindings"))
     assert device.draft.pending == 2
     device.draft.undo.undo()
@@ -52,7 +52,7 @@ def test_arming_warns_about_the_serial_timeout(connected_window: WindowDriver) -
     window.wait(lambda: window.motors.is_available)
     window.motors.arm()
     window.click("parameterAccept0")
-    assert window.device.parameters.value_of("serial_timeout") == 5
+    assert window.device.parameters.values.value_of("serial_timeout") == 5
 
 
 def test_review_offers_findings_and_writes_what_is_accepted(

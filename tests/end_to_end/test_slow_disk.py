@@ -78,7 +78,7 @@ def test_apply_is_cancelled_while_the_snapshot_is_saved(
     assert not device.writer.running
     review.wait_for_files()
     assert stored(quick_simulator) == 0
-    assert device.parameters.pending == (("serial_timeout", 15),)
+    assert device.parameters.values.pending == (("serial_timeout", 15),)
     review.write()
     assert stored(quick_simulator) == 15
 

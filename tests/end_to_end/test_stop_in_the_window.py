@@ -228,7 +228,7 @@ def test_closing_with_edits_stops_before_it_asks(driving: DrivingWindow) -> None
     driving.wait_for_text("bannerText", "The window was to be closed, so the motors were stopped.")
     driving.click("applyFirst")
     driving.click("writeButton")
-    driving.wait(lambda: not driving.device.parameters.pending)
+    driving.wait(lambda: not driving.device.parameters.values.pending)
     assert driving.simulator.show()["parameters"]["serial_timeout"] == 9
     assert driving.window.close()
 

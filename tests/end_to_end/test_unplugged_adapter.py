@@ -59,7 +59,7 @@ def test_window_reconnects_to_the_same_adapter_only(
     assert not window.motors.armed
     assert window.motors.board.endswith("-0403:6001-A500001"), "its speed ceiling is found again"
     assert board.show()["motors"][0]["direction"] == "brake"
-    assert device.parameters.pending == ((ParameterKey.SERIAL_TIMEOUT, 9),)
+    assert device.parameters.values.pending == ((ParameterKey.SERIAL_TIMEOUT, 9),)
     assert ports.preferred == ports.find("/dev/ttyUSB1")
     window.wait(lambda: any(f"adapter of {board.url} is /dev/ttyUSB1 now" in m for m in logged))
     device.parameters.discard_edits()

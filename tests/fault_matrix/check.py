@@ -251,7 +251,7 @@ def _check_settings(scene: Scene, fault: Fault) -> None:
     stored = scene.stored()
 
     def lost() -> list[str]:
-        pending: Stored = dict(device.parameters.pending)
+        pending: Stored = dict(device.parameters.values.pending)
         pending.update(device.calibrations.pending)
         return [key for key, value in scene.edits.items() if pending.get(key, stored[key]) != value]
 

@@ -369,10 +369,10 @@ def check_pending_edits(data: bytes, folder: Path) -> None:
         try:
             device.connect_to(ConnectionSettings(URL))
             assert computer.run_until(lambda: device.edit_backup._is_read, 10)
-            before = dict(device.parameters.all_stored)
+            before = dict(device.parameters.values.all_stored)
             device.edit_backup.restore()
             computer.advance(1.0)
-            assert device.parameters.all_stored == before
+            assert device.parameters.values.all_stored == before
             device.draft.discard_edits()
         finally:
             computer.run_until(device.shut_down, 10)

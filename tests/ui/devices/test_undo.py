@@ -43,7 +43,7 @@ def test_undo_order_spans_parameters_and_calibrations(device: Device) -> None:
     assert device.draft.undo.undoText() == "Calibration of channel 2"
     device.draft.undo.undo()
     assert not device.calibrations.pending
-    assert device.parameters.pending == (("serial_timeout", 5),)
+    assert device.parameters.values.pending == (("serial_timeout", 5),)
     device.draft.undo.redo()
     assert device.calibrations.pending == ((CalibrationKey.RC_CHANNEL_2, NEW),)
 
@@ -111,7 +111,7 @@ def test_step_without_change_is_dropped(device: Device) -> None:
         device.parameters.edit("serial_timeout", FACTORY["serial_timeout"])
     assert device.draft.undo.undoText() == "Motor Mode"
     assert device.draft.undo.count() == 1
-    assert device.parameters.pending == (("motor_mode", 1),)
+    assert device.parameters.values.pending == (("motor_mode", 1),)
 
 
 def test_edit_to_the_same_value_leaves_no_step(device: Device) -> None:
@@ -133,7 +133,7 @@ def test_undo_after_apply_makes_the_old_value_pending(device: Device) -> None:
     device.parameters.note_stored({"serial_timeout": 5})
     assert device.draft.pending == 0
     device.draft.undo.undo()
-    assert device.parameters.pending == (("serial_timeout", FACTORY["serial_timeout"]),)
+    assert device.parameters.values.pending == (("serial_timeout", FACTORY["serial_timeout"]),)
 
 
 def test_reloaded_value_leaves_no_step(device: Device) -> None:
@@ -165,7 +165,7 @@ def test_models_without_a_shared_undo_stack_can_be_edited(qtbot: QtBot) -> None:
     calibrations.load("trex", InputSource.RC, {1: OLD})
     parameters.edit("serial_timeout", 5)
     calibrations.edit(CalibrationKey.RC_CHANNEL_1, NEW)
-    assert parameters.pending
+    assert parameters.values.pending
     assert calibrations.pending
 
 
@@ -175,20 +175,20 @@ def test_undo_and_redo_pass_through_every_state(qtbot: QtBot, data: st.DataObjec
     undo = QUndoStack()
     model = ParameterModel(undo=undo)
     model.load(SPECS, FACTORY, {}, power_cycled=True)
-    states = [model.pending]
+    states = [model.values.pending]
     for _ in range(data.draw(st.integers(1, 12))):
         spec = data.draw(st.sampled_from(SPECS.readable))
         wire = data.draw(st.sampled_from(sorted(spec.valid)))
         count = undo.count()
         model.edit(spec.key, wire)
         if undo.count() > count:
-            states.append(model.pending)
+            states.append(model.values.pending)
     for state in reversed(states[:-1]):
         undo.undo()
-        assert dict(model.pending) == dict(state)
+        assert dict(model.values.pending) == dict(state)
     for state in states[1:]:
         undo.redo()
-        assert dict(model.pending) == dict(state)
+        assert dict(model.values.pending) == dict(state)
 
 
 def test_menu_entries_end_with_a_colon_in_no_language(qapp: QApplication) -> None:

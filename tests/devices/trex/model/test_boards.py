@@ -327,18 +327,18 @@ def test_edits_and_counts_of_each_board_return(make: Make) -> None:
     assert not any(one.count for one in device.board.errors.entries)
     device.parameters.edit("serial_timeout", 9)
     stand.select(7)
-    assert dict(device.parameters.pending) == {"serial_timeout": 5, "crc7_polynomial": 0x11}
+    assert dict(device.parameters.values.pending) == {"serial_timeout": 5, "crc7_polynomial": 0x11}
     assert any(one.count for one in device.board.errors.entries)
     # What waits for the next start waits still.
     device.writer.apply()
     stand.wait(lambda: device.draft.pending == 0 and not device.writer.running)
-    waiting = device.parameters.waiting_for_power
+    waiting = device.parameters.values.waiting_for_power
     assert waiting
     stand.select(9)
-    assert dict(device.parameters.pending) == {"serial_timeout": 9}
-    assert not device.parameters.waiting_for_power
+    assert dict(device.parameters.values.pending) == {"serial_timeout": 9}
+    assert not device.parameters.values.waiting_for_power
     stand.select(7)
-    assert device.parameters.waiting_for_power == waiting
+    assert device.parameters.values.waiting_for_power == waiting
     assert device.edit_backup.offer is None
     assert any("returns" in one or "return when" in one for one in stand.infos)
 
@@ -419,7 +419,7 @@ def test_settings_are_written_to_several_boards(make: Make) -> None:
     ]
     assert stored == [(3, 5), (7, 5), (9, 0), (12, 0)]
     assert {board.eeprom["uart_settings"] for board in stand.line.boards} == {5}
-    assert dict(stand.device.parameters.pending) == {"motor1_acceleration": 9}
+    assert dict(stand.device.parameters.values.pending) == {"motor1_acceleration": 9}
     history = stand.device.writer.history
     kept = [history.load(snapshot) for snapshot in history.snapshots()]
     numbers = {settings.parameters["device_number"] for settings in kept}

@@ -212,16 +212,16 @@ def test_reload_without_a_board_is_rejected(recorder: RecorderOfBoard) -> None:
 def test_power_cycle_activates_waiting_parameter(connected: RecorderOfBoard) -> None:
     connected.edit("motor_mode", 1)
     connected.apply()
-    assert connected.device.parameters.waiting_for_power == ("Motor Mode",)
-    assert connected.device.parameters.active_of("motor_mode") == 0
+    assert connected.device.parameters.values.waiting_for_power == ("Motor Mode",)
+    assert connected.device.parameters.values.active_of("motor_mode") == 0
     connected.simulator.do("power off")
     connected.until_link(ConnectionState.NOT_RESPONDING)
-    waiting = [connected.device.parameters.waiting_for_power]
+    waiting = [connected.device.parameters.values.waiting_for_power]
     connected.simulator.do("power on")
     connected.until_link(ConnectionState.CONNECTED)
-    waiting.append(connected.device.parameters.waiting_for_power)
+    waiting.append(connected.device.parameters.values.waiting_for_power)
     assert waiting == [("Motor Mode",), ()]
-    assert connected.device.parameters.active_of("motor_mode") == 1
+    assert connected.device.parameters.values.active_of("motor_mode") == 1
     assert connected.failures == []
 
 
@@ -332,7 +332,7 @@ def test_line_is_closed_before_another_is_opened(
     ]
     assert connected.device.state is not None
     assert connected.device.state.signature.model.key == "trexjr"
-    assert connected.device.parameters.pending == ()
+    assert connected.device.parameters.values.pending == ()
     assert connected.failures == []
     fresh = DeviceRecorder(connected.qtbot)
     fresh.connect(connected.simulator.url)  # nobody holds it any more

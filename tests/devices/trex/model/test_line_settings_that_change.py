@@ -50,7 +50,7 @@ def test_reconnect_at_new_line_settings_is_saved(
     assert setup.device.settings == there
     assert setup.connector.settings == ConnectionSettings("", NEW, polynomial=0x91)
     assert new_controller(setup.device, setup.ports).settings == setup.connector.settings
-    assert setup.device.parameters.active_of(UART) == NEW.to_wire()
+    assert setup.device.parameters.values.active_of(UART) == NEW.to_wire()
     setup.disconnect()
     setup.connect(setup.ports.add_typed(quick_simulator.url))
     assert setup.device.settings == there

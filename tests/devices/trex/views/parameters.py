@@ -136,4 +136,4 @@ class ParametersDriver(WidgetDriver):
         self.wait(lambda: not self.is_editing(key))
 
     def wait_for_value(self, key: str, wire: int | None) -> None:
-        self.wait(lambda: self.model.value_of(key) == wire)
+        self.wait(lambda: self.model.values.value_of(key) == wire)

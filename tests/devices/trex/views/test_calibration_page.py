@@ -192,7 +192,7 @@ def test_check_boxes_edit_parameter_bits(
         box = page.button(f"{name}Box")
         assert not box.isChecked()
         box.click()
-        assert page.device.parameters.value_of(f"{name}_channels") in {4, 5}
+        assert page.device.parameters.values.value_of(f"{name}_channels") in {4, 5}
         page.device.draft.undo.undo()
         assert not box.isChecked()
         page.device.draft.undo.redo()
@@ -292,7 +292,7 @@ def test_inactive_source_is_shown_and_can_be_activated(
         assert not page.has(name), name
 
     page.click("switchSourceButton")
-    assert page.device.parameters.pending == (("channel_input_source", 1),)
+    assert page.device.parameters.values.pending == (("channel_input_source", 1),)
     assert "apply it, then power-cycle" in page.text("otherSourceWords")
     page.apply()
     assert "after the next power cycle" in page.text("otherSourceWords")

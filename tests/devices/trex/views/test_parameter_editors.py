@@ -131,7 +131,7 @@ def test_each_parameter_takes_its_extreme_values(
             enter(WidgetDriver(opening(spec.key), qtbot), spec, wire)
             parameters.wait_for_value(spec.key, wire)
             expected = () if wire == spec.default else ((spec.key, wire),)
-            assert parameters.model.pending == expected
+            assert parameters.model.values.pending == expected
             if parameters.is_editing(spec.key):
                 parameters.close_editor(spec.key)
         parameters.model.restore(spec.key)
@@ -154,7 +154,7 @@ def test_each_number_out_of_range_is_rejected_with_its_limits(
             assert largest in parameters.rejected[-1]
             assert spec.name in parameters.rejected[-1]
             parameters.close_editor(spec.key)
-            assert not parameters.model.pending
+            assert not parameters.model.values.pending
 
 
 def test_rejected_input_is_marked_until_it_is_a_value(parameters: ParametersDriver) -> None:
@@ -193,7 +193,7 @@ def test_keys_change_a_number(parameters: ParametersDriver) -> None:
     editor = parameters.open_with_mouse("serial_timeout")
     QTest.keyClicks(editor, "5")
     parameters.close_editor("serial_timeout")
-    assert parameters.model.value_of("serial_timeout") == 15, "Escape keeps the value"
+    assert parameters.model.values.value_of("serial_timeout") == 15, "Escape keeps the value"
 
 
 @pytest.fixture
@@ -297,7 +297,7 @@ def test_return_keeps_a_frequency_that_is_no_choice(parameters: ParametersDriver
         parameters.load(SPECS, **values)
         QTest.keyClick(parameters.open_with_keys("motor2_pwm_maximum"), Qt.Key.Key_Return)
         parameters.wait_for_no_editor("motor2_pwm_maximum")
-        assert not parameters.model.pending
+        assert not parameters.model.values.pending
 
 
 def test_editor_stays_within_the_table(parameters: ParametersDriver) -> None:
@@ -318,14 +318,14 @@ def test_parameter_not_given_takes_only_confirmed_values(parameters: ParametersD
         parameters.open_with_mouse(key)
         parameters.go_to("serial_timeout")
         parameters.wait_for_no_editor(key)
-    assert not parameters.model.modified
+    assert not parameters.model.values.modified
 
     for key in keys:
         QTest.keyClick(parameters.open_with_keys(key), Qt.Key.Key_Return)
         parameters.wait_for_value(key, SPECS[key].default)
         parameters.wait_for_no_editor(key)
         parameters.draft.undo.undo()
-        assert not parameters.model.modified, key
+        assert not parameters.model.values.modified, key
 
     combo = parameters.open_with_mouse("motor_mode")
     assert isinstance(combo, QComboBox)
@@ -338,8 +338,8 @@ def test_parameter_not_given_takes_only_confirmed_values(parameters: ParametersD
     editor = WidgetDriver(parameters.open_with_mouse("ignored_channels"), parameters.qtbot)
     check_channels(editor, 0b101)
     type_number(parameters.open_with_mouse("device_number"), "9")
-    parameters.wait(lambda: len(parameters.model.pending) == 2)
-    assert dict(parameters.model.pending) == {"ignored_channels": 5, "device_number": 9}
+    parameters.wait(lambda: len(parameters.model.values.pending) == 2)
+    assert dict(parameters.model.values.pending) == {"ignored_channels": 5, "device_number": 9}
 
 
 @pytest.mark.parametrize(

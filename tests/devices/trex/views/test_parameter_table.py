@@ -209,7 +209,7 @@ def test_click_on_reset_restores_the_default(parameters: ParametersDriver) -> No
         parameters.go_to("serial_timeout")
         parameters.focus_view()
         reset()
-        assert dict(parameters.model.pending) == {"serial_timeout": 0}
+        assert dict(parameters.model.values.pending) == {"serial_timeout": 0}
         assert parameters.draft.undo.undoText() == "Serial Timeout"
         parameters.draft.undo.undo()
     assert not parameters.is_editing("serial_timeout")
@@ -218,7 +218,7 @@ def test_click_on_reset_restores_the_default(parameters: ParametersDriver) -> No
     parameters.click_reset("serial_timeout")
     parameters.press(Qt.Key.Key_Backspace, CONTROL)
     assert not parameters.is_enabled("resetParameterButton")
-    assert not parameters.model.pending, "disabled rows cannot be reset"
+    assert not parameters.model.values.pending, "disabled rows cannot be reset"
 
 
 def test_finding_is_accepted_only_while_rows_are_enabled(parameters: ParametersDriver) -> None:
@@ -229,7 +229,7 @@ def test_finding_is_accepted_only_while_rows_are_enabled(parameters: ParametersD
     assert not parameters.is_enabled("parameterAccept0")
     parameters.table.set_rows_enabled(True)
     parameters.click("parameterAccept0")
-    assert parameters.model.value_of("required_channels") == 0
+    assert parameters.model.values.value_of("required_channels") == 0
 
 
 # --- Keys and mouse ---------------------------------------------------------------------
@@ -390,16 +390,16 @@ def test_menu_edits_resets_restores_and_copies(parameters: ParametersDriver) -> 
     actions = menu_of(parameters, "motor1_current_limit")
     assert actions["copyToOtherMotor"].text() == "Copy to Motor 2"
     actions["copyToOtherMotor"].trigger()
-    assert parameters.model.value_of("motor2_current_limit") == 25
+    assert parameters.model.values.value_of("motor2_current_limit") == 25
     assert not menu_of(parameters, "motor1_current_limit")["copyToOtherMotor"].isEnabled()
     for key in ("motor1_current_limit", "motor2_current_limit"):
         parameters.model.restore(key)
 
     parameters.load(SPECS, serial_timeout=5)
     menu_of(parameters, "serial_timeout")["resetParameter"].trigger()
-    assert dict(parameters.model.pending) == {"serial_timeout": 0}
+    assert dict(parameters.model.values.pending) == {"serial_timeout": 0}
     menu_of(parameters, "serial_timeout")["restoreParameter"].trigger()
-    assert not parameters.model.pending
+    assert not parameters.model.values.pending
     menu_of(parameters, "serial_timeout")["copyParameter"].trigger()
     assert QGuiApplication.clipboard().text() == "serial_timeout: 5"
     menu_of(parameters, "serial_timeout")["editParameter"].trigger()
@@ -431,7 +431,7 @@ def test_both_motors_are_edited_as_one(parameters: ParametersDriver, qtbot: QtBo
     parameters.wait_for_value("motor2_current_limit", 25)
     assert parameters.draft.undo.count() == 1
     parameters.click_reset("motor2_current_limit")
-    assert not parameters.model.pending
+    assert not parameters.model.values.pending
 
     other = ParametersDriver(qtbot)
     assert other.find(QCheckBox, "bothMotors").isChecked(), "the box is remembered"
@@ -439,7 +439,7 @@ def test_both_motors_are_edited_as_one(parameters: ParametersDriver, qtbot: QtBo
 
     parameters.click("bothMotors")
     parameters.model.edit("motor1_current_limit", 25)
-    assert parameters.model.value_of("motor2_current_limit") == 0
+    assert parameters.model.values.value_of("motor2_current_limit") == 0
 
 
 # --- Help and painting ------------------------------------------------------------------

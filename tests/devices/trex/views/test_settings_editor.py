@@ -70,7 +70,7 @@ class EditorDriver(SettingsEditorWindow):
         return self.find(NumberedText, "settingsText")
 
     def value_of(self, key: str) -> int | None:
-        return self.document.draft.parameters.value_of(key)
+        return self.document.draft.parameters.values.value_of(key)
 
     def trigger(self, name: str) -> None:
         """Choose a menu entry."""

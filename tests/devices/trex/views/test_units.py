@@ -191,7 +191,7 @@ def test_typed_number_is_not_resumed_in_another_unit(qtbot: QtBot) -> None:
         assert isinstance(editor, NumberEditor)
         assert editor.text() == resumed
         parameters.close_editor(ACCELERATION)
-    assert not parameters.model.pending
+    assert not parameters.model.values.pending
 
 
 def test_switch_changes_calibration_and_channels_at_once(

@@ -175,7 +175,7 @@ class ApplyToBoards(QObject):
         if self.is_writing:
             self._write(number, changes)
         else:
-            doubts = self._device.parameters.doubtful(changes.rows)
+            doubts = self._device.parameters.values.doubtful(changes.rows)
             self._replace(
                 BoardPlan(
                     number,

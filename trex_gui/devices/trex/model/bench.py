@@ -303,6 +303,8 @@ class Bench(QObject):
 
     def _settings(self) -> tuple[tuple[str, str], ...]:
         parameters = self._device.parameters
-        stored = {key: parameters.stored_of(key) for key in self.tuned_keys()}
-        specs = ((parameters.spec_of(k), wire) for k, wire in stored.items() if wire is not None)
+        stored = {key: parameters.values.stored_of(key) for key in self.tuned_keys()}
+        specs = (
+            (parameters.values.spec_of(k), wire) for k, wire in stored.items() if wire is not None
+        )
         return tuple((spec.name, spec.text(wire)) for spec, wire in specs)

@@ -44,7 +44,7 @@ class PowerCycle(QObject):
     @property
     def still_waiting(self) -> tuple[str, ...]:
         """Names of the settings that are stored and not active."""
-        return self._device.parameters.waiting_for_power
+        return self._device.parameters.values.waiting_for_power
 
     def begin(self, failed: Collection[str] = ()) -> None:
         """Wait until the board is switched off, and on again.

@@ -95,11 +95,11 @@ class SettingsCommands(QObject):
     def _propose(self, change: Callable[[int], LineSettings], text: str) -> None:
         """Edit the line settings that the board stores, and let the user review that."""
         key, parameters = ParameterKey.UART_SETTINGS, self._device.parameters
-        if parameters.stored_of(key) != parameters.active_of(key):
+        if parameters.values.stored_of(key) != parameters.values.active_of(key):
             self.power.guide()
             return
         self.parameter_wanted.emit(key)
-        wire = parameters.value_of(key)
+        wire = parameters.values.value_of(key)
         if wire is None:
             return
         with suppress(BadRequest):  # a value that names no baud rate has to be edited first

@@ -316,7 +316,7 @@ class TrexWorkspace(Workspace):
         device, draft = self._device, self._device.draft
         recorder, writable = self.recordings.recorder, device.is_writable
         shown = draft.shown is not None and not device.writer.running
-        to_activate = bool(device.parameters.waiting_for_power) or draft.reset_pending
+        to_activate = bool(device.parameters.values.waiting_for_power) or draft.reset_pending
         return {
             **dict.fromkeys(
                 ("reload", "defaults", "serial_defaults", "learn", "test_sticks"), writable

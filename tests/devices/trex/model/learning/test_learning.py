@@ -122,7 +122,7 @@ def test_learning_two_channels_is_one_undo_step(setup: LearningSetup) -> None:
     second = setup.device.calibrations.shown(2)
     assert second is not None
     assert abs(second.neutral - 3800) <= 2
-    assert setup.device.parameters.value_of("reversed_channels") == 0b10
+    assert setup.device.parameters.values.value_of("reversed_channels") == 0b10
     assert setup.device.draft.pending == 3
     assert "Learn channels" in setup.device.draft.undo.undoText()
     setup.device.draft.undo.undo()
@@ -379,7 +379,7 @@ def test_dropped_values_do_not_request_a_test(setup: LearningSetup, how: str) ->
     (draft.undo.undo if how == "undo" else draft.discard_edits)()
     setup.device.parameters.edit("serial_timeout", 9)
     setup.write()
-    assert setup.device.parameters.stored_of("serial_timeout") == 9
+    assert setup.device.parameters.values.stored_of("serial_timeout") == 9
     assert setup.requested_tests == []
 
 

@@ -125,10 +125,10 @@ def test_reset_to_default_is_an_edit(model: ParameterModel, undo: QUndoStack) ->
     model.load(SPECS, FACTORY | {"serial_timeout": 15}, {}, power_cycled=True)
     assert said(model, "serial_timeout", Role.RESET) == "Reset to default: 0 (off)"
     model.reset("serial_timeout")
-    assert dict(model.pending) == {"serial_timeout": 0}
+    assert dict(model.values.pending) == {"serial_timeout": 0}
     assert model.index_of("serial_timeout").data(Role.RESET) is None
     undo.undo()
-    assert not model.pending
+    assert not model.values.pending
 
 
 def test_restoring_the_stored_value_is_one_undo_step(
@@ -137,9 +137,9 @@ def test_restoring_the_stored_value_is_one_undo_step(
     model.edit("device_number", 9)
     assert "Stored: 7." in said(model, "device_number", TIP)
     model.restore("device_number")
-    assert not model.pending
+    assert not model.values.pending
     undo.undo()
-    assert dict(model.pending) == {"device_number": 9}
+    assert dict(model.values.pending) == {"device_number": 9}
 
 
 # --- Both motors ------------------------------------------------------------------------
@@ -147,10 +147,10 @@ def test_restoring_the_stored_value_is_one_undo_step(
 
 def test_each_motor_parameter_has_a_counterpart(model: ParameterModel) -> None:
     for spec in SPECS.readable:
-        other_motor = model.other_motor_of(spec.key)
+        other_motor = model.values.other_motor_of(spec.key)
         assert (other_motor is not None) == (spec.subject in {"motor1", "motor2"})
         if other_motor is not None:
-            assert model.other_motor_of(other_motor) == spec.key
+            assert model.values.other_motor_of(other_motor) == spec.key
     assert other_motor_key("aux_acceleration") is None
     assert motor_name("motor2_acceleration") == "Motor 2"
     assert motor_name("serial_timeout") == ""
@@ -159,12 +159,12 @@ def test_each_motor_parameter_has_a_counterpart(model: ParameterModel) -> None:
 def test_edit_of_both_motors_is_one_undo_step(model: ParameterModel, undo: QUndoStack) -> None:
     model.both_motors = True
     model.edit("motor2_current_limit", 25)
-    assert dict(model.pending) == {"motor1_current_limit": 25, "motor2_current_limit": 25}
+    assert dict(model.values.pending) == {"motor1_current_limit": 25, "motor2_current_limit": 25}
     assert undo.undoText() == "Motors 1 and 2 Current Limit"
     undo.undo()
-    assert not model.pending
+    assert not model.values.pending
     undo.redo()
-    assert len(model.pending) == 2
+    assert len(model.values.pending) == 2
 
 
 def test_reset_and_restore_apply_to_both_motors(model: ParameterModel, undo: QUndoStack) -> None:
@@ -172,9 +172,9 @@ def test_reset_and_restore_apply_to_both_motors(model: ParameterModel, undo: QUn
     model.load(SPECS, stored, {}, power_cycled=True)
     model.both_motors = True
     model.reset("motor1_current_limit")
-    assert dict(model.pending) == {"motor1_current_limit": 0, "motor2_current_limit": 0}
+    assert dict(model.values.pending) == {"motor1_current_limit": 0, "motor2_current_limit": 0}
     model.restore("motor2_current_limit")
-    assert not model.pending
+    assert not model.values.pending
     assert undo.count() == 2
 
 
@@ -182,7 +182,7 @@ def test_parameter_without_counterpart_is_edited_alone(model: ParameterModel) ->
     model.both_motors = True
     model.edit("aux_acceleration", 4)
     model.edit("serial_timeout", 4)
-    assert dict(model.pending) == {"aux_acceleration": 4, "serial_timeout": 4}
+    assert dict(model.values.pending) == {"aux_acceleration": 4, "serial_timeout": 4}
 
 
 def test_unread_counterpart_is_not_edited(model: ParameterModel) -> None:
@@ -190,21 +190,21 @@ def test_unread_counterpart_is_not_edited(model: ParameterModel) -> None:
     model.load(SPECS, stored, {"motor2_acceleration": "No answer."}, power_cycled=True)
     model.both_motors = True
     model.edit("motor1_acceleration", 4)
-    assert dict(model.pending) == {"motor1_acceleration": 4}
+    assert dict(model.values.pending) == {"motor1_acceleration": 4}
 
 
 def test_unchanged_value_does_not_change_the_other_motor(model: ParameterModel) -> None:
     model.edit("motor1_acceleration", 4)
     model.both_motors = True
     model.edit("motor1_acceleration", 4)
-    assert dict(model.pending) == {"motor1_acceleration": 4}
+    assert dict(model.values.pending) == {"motor1_acceleration": 4}
 
 
 def test_invalid_value_changes_neither_motor(model: ParameterModel) -> None:
     model.both_motors = True
     with pytest.raises(BadRequest):
         model.edit("motor1_pwm_prescaler", 9)
-    assert not model.pending
+    assert not model.values.pending
 
 
 def test_differing_motor_value_is_shown_and_can_be_copied(model: ParameterModel) -> None:
@@ -213,7 +213,7 @@ def test_differing_motor_value_is_shown_and_can_be_copied(model: ParameterModel)
     model.edit("motor2_current_limit", 25)
     assert "Motor 2 differs: 2 A." in said(model, "motor1_current_limit", TIP)
     model.copy_to_other_motor("motor2_current_limit")
-    assert model.value_of("motor1_current_limit") == 25
+    assert model.values.value_of("motor1_current_limit") == 25
 
 
 def test_staged_settings_keep_motors_separate_in_both_mode(qtbot: QtBot) -> None:
@@ -224,9 +224,9 @@ def test_staged_settings_keep_motors_separate_in_both_mode(qtbot: QtBot) -> None
     values = {"motor1_current_limit": 10, "motor2_current_limit": 20}
     after = Settings(SPECS.model, "1.2", FACTORY | values)
     draft.stage(compare(before, after).rows, "Open settings file")
-    assert dict(draft.parameters.pending) == values
+    assert dict(draft.parameters.values.pending) == values
     draft.parameters.discard_edits()
-    assert not draft.parameters.pending
+    assert not draft.parameters.values.pending
 
 
 def test_accepted_finding_changes_both_motors_in_one_step(qtbot: QtBot) -> None:
@@ -239,11 +239,11 @@ def test_accepted_finding_changes_both_motors_in_one_step(qtbot: QtBot) -> None:
     draft.parameters.edit("motor2_current_limit_p", 9, alone=True)
     steps = draft.undo.count()
     linter.accept(hint)
-    assert draft.parameters.value_of("motor1_current_limit_p") == 4
-    assert draft.parameters.value_of("motor2_current_limit_p") == 4
+    assert draft.parameters.values.value_of("motor1_current_limit_p") == 4
+    assert draft.parameters.values.value_of("motor2_current_limit_p") == 4
     assert draft.undo.count() == steps + 1
     draft.undo.undo()
-    assert draft.parameters.value_of("motor2_current_limit_p") == 9
+    assert draft.parameters.values.value_of("motor2_current_limit_p") == 9
 
 
 # --- A file -----------------------------------------------------------------------------
@@ -253,12 +253,12 @@ def test_adding_a_parameter_to_a_file_can_be_undone(file: ParameterModel, undo: 
     assert said(file, "motor_mode") == "not given"
     assert file.index_of("motor_mode").data(Role.RESET) is None
     file.edit("motor_mode", 0)
-    assert dict(file.pending) == {"motor_mode": 0}
-    assert file.all_shown["motor_mode"] == 0
+    assert dict(file.values.pending) == {"motor_mode": 0}
+    assert file.values.all_shown["motor_mode"] == 0
     undo.undo()
     assert said(file, "motor_mode") == "not given"
-    assert not file.modified
-    assert "motor_mode" not in file.all_shown
+    assert not file.values.modified
+    assert "motor_mode" not in file.values.all_shown
 
 
 def test_leaving_out_a_parameter_of_a_file_can_be_undone(
@@ -267,29 +267,29 @@ def test_leaving_out_a_parameter_of_a_file_can_be_undone(
     with qtbot.waitSignal(file.pending_changed) as changed:
         file.leave_out("serial_timeout")
     assert changed.args == [1]
-    assert list(file.modified) == ["serial_timeout"]
-    assert list(file.modified) == ["serial_timeout"]
-    assert file.is_modified("serial_timeout")
-    assert not file.pending
-    assert "serial_timeout" not in file.all_shown
-    assert file.all_stored["serial_timeout"] == 5
+    assert list(file.values.modified) == ["serial_timeout"]
+    assert list(file.values.modified) == ["serial_timeout"]
+    assert file.values.is_modified("serial_timeout")
+    assert not file.values.pending
+    assert "serial_timeout" not in file.values.all_shown
+    assert file.values.all_stored["serial_timeout"] == 5
     assert file.index_of("serial_timeout").data(Role.DIRTY) is True
     undo.undo()
-    assert not file.modified
+    assert not file.values.modified
     undo.redo()
-    assert list(file.modified) == ["serial_timeout"]
+    assert list(file.values.modified) == ["serial_timeout"]
     file.discard_edits()
-    assert not file.modified
+    assert not file.values.modified
 
 
 def test_leaving_out_applies_to_both_motors(file: ParameterModel, undo: QUndoStack) -> None:
     file.both_motors = True
     file.edit("motor1_current_limit", 12)
-    assert file.value_of("motor2_current_limit") == 12
+    assert file.values.value_of("motor2_current_limit") == 12
     file.leave_out("motor2_current_limit")
-    assert file.value_of("motor1_current_limit") is None
+    assert file.values.value_of("motor1_current_limit") is None
     undo.undo()
-    assert file.value_of("motor1_current_limit") == 12
+    assert file.values.value_of("motor1_current_limit") == 12
 
 
 def test_leave_out_reset_and_restore_ignore_invalid_keys(
@@ -298,7 +298,7 @@ def test_leave_out_reset_and_restore_ignore_invalid_keys(
     model.leave_out("serial_timeout")
     model.reset("nonsense")
     model.restore("nonsense")
-    assert model.value_of("serial_timeout") == FACTORY["serial_timeout"]
+    assert model.values.value_of("serial_timeout") == FACTORY["serial_timeout"]
     assert not undo.canUndo()
 
 
@@ -359,7 +359,7 @@ def test_side_panel_explains_wire_value_default_and_source(model: ParameterModel
 
 def test_side_panel_shows_the_grade_of_each_range_and_default(model: ParameterModel) -> None:
     for key in FACTORY:
-        specs = [model.spec_of(each) for each in model.text.together(key)]
+        specs = [model.values.spec_of(each) for each in model.text.together(key)]
         for word, fields in ("Range: ", ("min", "max")), ("Default: ", ("default",)):
             (sentence,) = (text for text in model.text.about(key) if text.startswith(word))
             assert sentence.endswith(f"{max(spec.grade(*fields) for spec in specs).mark}."), key
@@ -377,7 +377,7 @@ def test_prescaler_and_maximum_are_one_value(
     assert cell.siblingAtColumn(ParameterColumn.NAME).data() == "PWM Frequency"
     assert cell.data() == "2441 Hz"
     assert model.setData(cell, frequency_code(0, 127))
-    assert dict(model.pending) == {"motor1_pwm_prescaler": 0, "motor1_pwm_maximum": 127}
+    assert dict(model.values.pending) == {"motor1_pwm_prescaler": 0, "motor1_pwm_maximum": 127}
     assert (cell.data(), undo.count(), undo.undoText()) == ("9766 Hz", 1, "Motor 1 PWM Frequency")
     assert "Stored: prescaler 1, maximum 63 (2441 Hz)." in said(model, "motor1_pwm_maximum", TIP)
     with qtbot.waitSignal(model.rejected):
@@ -386,12 +386,12 @@ def test_prescaler_and_maximum_are_one_value(
     assert said(model, "motor2_pwm_maximum") == "9766 Hz"
     model.both_motors = True
     model.reset("motor2_pwm_prescaler")
-    assert not model.pending
+    assert not model.values.pending
     assert undo.undoText() == "Motors 1 and 2 PWM Frequency"
     undo.undo()
-    assert len(model.pending) == 4
+    assert len(model.values.pending) == 4
     model.restore("motor1_pwm_maximum")
-    assert not model.pending
+    assert not model.values.pending
 
 
 def test_edit_of_the_prescaler_alone_is_shown(model: ParameterModel) -> None:

@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from tests.support.matrix import examples
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.trex.model.parameters.draft import Draft
+from trex_gui.devices.trex.model.parameters.values import ParameterValues
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameters_of
 
 modest = examples(40)
@@ -18,15 +18,15 @@ MODE = SPECS["motor_mode"]
 FACTORY = {spec.key: spec.default for spec in SPECS.readable}
 
 
-def loaded() -> Draft:
-    draft = Draft()
+def loaded() -> ParameterValues:
+    draft = ParameterValues()
     draft.load(FACTORY)
     return draft
 
 
 def test_loaded_draft_has_no_pending_edits() -> None:
     assert loaded().pending == ()
-    assert Draft().value("serial_timeout") is None
+    assert ParameterValues().value_of("serial_timeout") is None
 
 
 def test_invalid_edit_keeps_the_previous_edit() -> None:
@@ -108,7 +108,7 @@ def test_reload_without_power_cycle_keeps_active_values() -> None:
 
 
 def test_previously_unknown_value_has_no_active_value() -> None:
-    draft = Draft()
+    draft = ParameterValues()
     draft.note_stored(MODE, 1)
     assert draft.active == {}
 
@@ -116,26 +116,26 @@ def test_previously_unknown_value_has_no_active_value() -> None:
 # --- A file, which need not give everything -------------------------------------------------
 
 
-def of_a_file() -> Draft:
-    draft = Draft()
+def of_a_file() -> ParameterValues:
+    draft = ParameterValues()
     draft.load({"motor_mode": 0}, optional=FACTORY)
     return draft
 
 
 def test_parameter_can_be_added_to_a_file_and_left_out() -> None:
     draft = of_a_file()
-    assert draft.accepts("serial_timeout")
+    assert draft.can_edit("serial_timeout")
     draft.edit(TIMEOUT, 9)
     assert draft.pending == (("serial_timeout", 9),)
     draft.leave_out("serial_timeout")
-    assert draft.value("serial_timeout") is None
+    assert draft.value_of("serial_timeout") is None
     assert not draft.is_modified("serial_timeout")
 
 
 def test_parameter_of_a_file_can_be_left_out_and_restored() -> None:
     draft = of_a_file()
     draft.leave_out("motor_mode")
-    assert draft.value("motor_mode") is None
+    assert draft.value_of("motor_mode") is None
     assert draft.is_modified("motor_mode")
     assert draft.pending == ()
     draft.edit(MODE, 0)
@@ -157,7 +157,7 @@ def test_left_out_parameter_survives_reload_of_the_same_file() -> None:
 def test_parameter_of_a_board_cannot_be_left_out() -> None:
     draft = loaded()
     draft.leave_out("motor_mode")
-    assert draft.value("motor_mode") == MODE.default
+    assert draft.value_of("motor_mode") == MODE.default
     assert not draft.is_modified("motor_mode")
 
 
@@ -183,7 +183,7 @@ def test_pending_equals_the_difference_after_any_edits(
         wanted[spec.key] = FACTORY[spec.key] if wire is None else wire
     changed = {key: wire for key, wire in wanted.items() if wire != FACTORY[key]}
     assert dict(draft.pending) == changed
-    assert {key: draft.value(key) for key in wanted} == wanted
+    assert {key: draft.value_of(key) for key in wanted} == wanted
     assert draft.stored == FACTORY
 
 

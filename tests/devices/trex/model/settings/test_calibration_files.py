@@ -59,7 +59,7 @@ def test_import_takes_only_calibrations_of_the_input_source(
     count, left_out = take_calibrations(draft, read_settings(load(path), path.name)[0], "a file")
     assert count == 1
     assert draft.calibrations.pending == ((CalibrationKey.RC_CHANNEL_2, OTHER),)
-    assert draft.parameters.pending == ()
+    assert draft.parameters.values.pending == ()
     assert any("analog" in words for words in left_out)
     draft.undo.undo()
     assert draft.pending == 0

@@ -70,7 +70,7 @@ class Run:
 
     @property
     def edits(self) -> dict[str, object]:
-        found: dict[str, object] = dict(self.device.parameters.pending)
+        found: dict[str, object] = dict(self.device.parameters.values.pending)
         return found | dict(self.device.calibrations.edited)
 
     def wait(self, condition: Callable[[], bool]) -> None:
@@ -220,7 +220,7 @@ def test_reset_that_is_not_written_discards_no_edit(
     quick_simulator.do("eeprom motor1_acceleration 9")  # as if it were another board
     one.device.writer.reset_to_factory()
     one.wait(lambda: not one.device.writer.running)
-    assert dict(one.device.draft.parameters.pending) == {"serial_timeout": 15}
+    assert dict(one.device.draft.parameters.values.pending) == {"serial_timeout": 15}
     one.device.writer.reset_to_factory()
     one.wait(lambda: not one.device.writer.running)
     assert not one.device.draft.pending
@@ -368,7 +368,8 @@ def _later(seconds: float) -> Callable[[], bool]:
 
 
 def test_backup_needs_no_board(qtbot: QtBot) -> None:
-    backup = EditBackup(Device().draft)
+    device = Device()
+    backup = EditBackup(device.draft)
     backup.leave_board()
     backup.take_board(ask=True)
     backup.restore()

@@ -98,7 +98,7 @@ class InterruptedApply:
 
     def require_waiting(self) -> None:
         """The edits that did not stick wait, and no others."""
-        waiting = dict(self.device.parameters.pending)
+        waiting = dict(self.device.parameters.values.pending)
         stored = self.stored
         assert waiting == {key: wire for key, wire in WANTED.items() if stored[key] != wire}
         waits = CHANNEL in {key.channel for key, _ in self.device.calibrations.pending}
@@ -236,4 +236,4 @@ def test_renumbered_board_reconnects_after_power_cycle(
     addressed.until_link(ConnectionState.CONNECTED)
     assert addressed.device.settings is not None
     assert addressed.device.settings.device_number == 9
-    assert addressed.device.parameters.stored_of("device_number") == 9
+    assert addressed.device.parameters.values.stored_of("device_number") == 9

@@ -61,7 +61,7 @@ def test_one_stick_is_corrected_by_reversed_channels(
     falls = pushed == 1000
     expected = (1 if (swapped != reversed_) != falls else 0) | (2 if reversed_ != falls else 0)
     setup.next()
-    assert robot.device.parameters.value_of(ParameterKey.REVERSED_CHANNELS) == expected
+    assert robot.device.parameters.values.value_of(ParameterKey.REVERSED_CHANNELS) == expected
 
     assert not robot.device.motors.armed  # the step was left
     robot.apply()
@@ -92,7 +92,7 @@ def test_two_sticks_are_corrected_once_each_drives_its_side(
         robot.find_motors()
     setup.next()
     expected = 1 if reversed_ else 0
-    assert robot.device.parameters.value_of(ParameterKey.REVERSED_CHANNELS) == expected
+    assert robot.device.parameters.values.value_of(ParameterKey.REVERSED_CHANNELS) == expected
 
     robot.apply()
     robot.start_in_rc_mode()
@@ -194,7 +194,7 @@ def test_skipped_steps_stay_open_until_they_have_their_result(robot: Robot) -> N
     setup.go_to(SetupStep.MOTORS)
     setup.next()
     setup.next()
-    assert parameters.value_of(ParameterKey.REVERSED_CHANNELS) == 1
+    assert parameters.values.value_of(ParameterKey.REVERSED_CHANNELS) == 1
     assert setup.open_steps == []
     robot.device.draft.undo.undo()
     assert setup.open_steps == [SetupStep.MOTORS]
@@ -406,13 +406,13 @@ def test_limits_and_timeout_become_pending_and_undo_in_one_step(robot: Robot) ->
     setup.choose_current_limit(20)
     setup.next()
     steps = [setup.step]
-    assert [parameters.value_of(key) for key in LIMITS] == [20, 20]
-    assert parameters.value_of("motor2_acceleration") == 25
+    assert [parameters.values.value_of(key) for key in LIMITS] == [20, 20]
+    assert parameters.values.value_of("motor2_acceleration") == 25
     setup.skip()
-    assert not parameters.is_modified(ParameterKey.SERIAL_TIMEOUT)
+    assert not parameters.values.is_modified(ParameterKey.SERIAL_TIMEOUT)
     setup.back()
     setup.next()
-    assert parameters.value_of(ParameterKey.SERIAL_TIMEOUT) == 5
+    assert parameters.values.value_of(ParameterKey.SERIAL_TIMEOUT) == 5
     assert [*steps, setup.step] == [SetupStep.TIMEOUT, SetupStep.REVIEW]
 
     shown = robot.simulator.show()["parameters"]

@@ -109,9 +109,9 @@ class LearnedChannel:
         self.number = number
         self.source = source
         self.curve_before = device.draft.stored_curve(number)  # without pending edits
-        self.reversed_now = is_in(parameters.stored_of(ParameterKey.REVERSED_CHANNELS))
-        self._parabolic = is_in(parameters.value_of(ParameterKey.PARABOLIC_CHANNELS))
-        self._ignored = is_in(parameters.value_of(ParameterKey.IGNORED_CHANNELS))
+        self.reversed_now = is_in(parameters.values.stored_of(ParameterKey.REVERSED_CHANNELS))
+        self._parabolic = is_in(parameters.values.value_of(ParameterKey.PARABOLIC_CHANNELS))
+        self._ignored = is_in(parameters.values.value_of(ParameterKey.IGNORED_CHANNELS))
         self.raw: int | None = None  # the newest count; `None` without a signal
         self.samples: list[Sample] = []  # of the rest position, of which `neutral` is made
         self.neutral: Neutral | None = None

@@ -40,7 +40,7 @@ class PendingLearnedValues(QObject):
                 reversed_.discard(number)
                 if choice.reversed_:
                     reversed_.add(number)
-            if self._device.parameters.can_edit(_REVERSED):
+            if self._device.parameters.values.can_edit(_REVERSED):
                 self._device.parameters.edit(_REVERSED, channel_mask(reversed_), alone=True)
         is_pending = any(map(self.has_edit, choices))
         self._waiting = dict(choices) if is_pending else {}
@@ -64,11 +64,11 @@ class PendingLearnedValues(QObject):
 
     def _turned(self) -> set[int]:
         """Return the channels whose direction a pending edit would change."""
-        stored = channels_in(self._device.parameters.stored_of(_REVERSED) or 0)
+        stored = channels_in(self._device.parameters.values.stored_of(_REVERSED) or 0)
         return self._wanted_reversed() ^ set(stored)
 
     def _wanted_reversed(self) -> set[int]:
-        return set(channels_in(self._device.parameters.value_of(_REVERSED) or 0))
+        return set(channels_in(self._device.parameters.values.value_of(_REVERSED) or 0))
 
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
@@ -94,7 +94,7 @@ class PendingLearnedValues(QObject):
     @Slot()
     def _on_pending_changed(self) -> None:
         shown, reversed_ = self._device.calibrations.shown, self._wanted_reversed()
-        has_directions = self._device.parameters.can_edit(_REVERSED)
+        has_directions = self._device.parameters.values.can_edit(_REVERSED)
         self._waiting = {
             number: choice
             for number, choice in self._waiting.items()

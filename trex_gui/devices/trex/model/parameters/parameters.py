@@ -1,7 +1,6 @@
 """The parameters of a board or a file with their edits, as a Qt model."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from enum import IntEnum
 from typing import Any
 
@@ -18,21 +17,20 @@ from PySide6.QtGui import QUndoStack
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.board import WriteResult
-from trex_gui.devices.trex.model.parameters.draft import Draft
+from trex_gui.devices.trex.model.parameters.rows import ParameterRows
 from trex_gui.devices.trex.model.parameters.text import (
     ParameterColumn,
     ParameterText,
     frequency_code,
     frequency_wires,
 )
+from trex_gui.devices.trex.model.parameters.values import ParameterValues
 from trex_gui.devices.trex.protocol.parameters import (
     ParameterSet,
-    ParameterSpec,
     motor_name,
     other_motor_key,
 )
 from trex_gui.devices.trex.settings.accepted import Accepted
-from trex_gui.devices.trex.settings.comparison import ComparisonRow
 from trex_gui.ui.devices.undo import Edit
 from trex_gui.ui.translations import error_sentence
 
@@ -40,7 +38,6 @@ Index = QModelIndex | QPersistentModelIndex
 
 _COLUMNS = len(ParameterColumn)
 _GROUPS = ("motors", "channels", "serial", "system")  # in the order of settings files
-_PINNED = "pinned"  # the group of the rows that the user keeps at the top
 
 # Made once, and looked at first: Qt asks a thousand times whenever the table is painted.
 _HEADING = Qt.ItemFlag.NoItemFlags  # keys pass it by
@@ -73,20 +70,6 @@ class Role(IntEnum):
     RESET = Qt.ItemDataRole.UserRole + 5
 
 
-@dataclass(frozen=True, slots=True)
-class _Row:
-    """A heading, or one setting: of motors 1 and 2, or of the board in `keys[0]` alone."""
-
-    group: str
-    name: str = ""
-    keys: tuple[str, ...] = ()
-
-
-def _pin(keys: Sequence[str]) -> str:
-    """Return what a pinned row is remembered by: its key, without the motor."""
-    return keys[0].removeprefix("motor1_")
-
-
 def _number(wires: Sequence[int]) -> int:
     return wires[0] if len(wires) == 1 else frequency_code(*wires)
 
@@ -105,14 +88,9 @@ class ParameterModel(QAbstractTableModel):
     def __init__(self, parent: QObject | None = None, undo: QUndoStack | None = None) -> None:
         super().__init__(parent)
         self._undo = undo or QUndoStack(self)
-        self._specs: dict[str, ParameterSpec] = {}
-        self._rows: list[_Row] = []
-        self._places: dict[str, tuple[int, int]] = {}  # row and column
-        self._pinned: tuple[str, ...] = ()
-        self._draft = Draft()
-        self._problems: dict[str, str] = {}
-        self._accepted: dict[str, frozenset[int]] = {}
-        self.text = ParameterText(self._specs, self._draft, self._problems, self._accepted, self)
+        self.values = ParameterValues()
+        self.text = ParameterText(self.values, self)
+        self._rows = ParameterRows(self.values, self.text)
         self.model_key = ""  # the kind of board that the rows belong to; empty before the first
         self.both_motors = False  # whether an edit for one motor is made for the other, too
         self._headers = (tr("Parameter"), tr("Motor 1"), tr("Motor 2"))
@@ -126,16 +104,6 @@ class ParameterModel(QAbstractTableModel):
             Role.WAITING: self._waiting,
             Role.PROBLEM: self._problem,
             Role.RESET: self._reset_text,
-        }
-        self._titles = {
-            _PINNED: tr("Pinned"),
-            "motors": tr("Motors and speed ramp"),
-            "braking": tr("Braking"),
-            "current": tr("Current"),
-            "pwm": tr("PWM"),
-            "channels": tr("Inputs"),
-            "serial": tr("Serial"),
-            "system": tr("System"),
         }
 
     # --- Reports of the device ----------------------------------------------------------
@@ -156,96 +124,70 @@ class ParameterModel(QAbstractTableModel):
         `active` are values known to be active, whatever is stored. `open_ended` (a file): any
         parameter may be added or left out.
         """
-        pending = self.modified
+        pending = self.values.modified
         self.beginResetModel()
-        self._specs.clear()
+        self.values.specs.clear()
         for spec in sorted(specs.readable, key=lambda spec: _GROUPS.index(spec.group)):
-            self._specs[spec.key] = spec
+            self.values.specs[spec.key] = spec
         self.text.set_board(specs.model)
-        self._arrange()
-        self._draft.load(
+        self._rows.arrange()
+        self.values.load(
             stored,
             keep_edits=keep_edits and specs.model.key == self.model_key,
             power_cycled=power_cycled,
-            optional=self._specs if open_ended else (),
+            optional=self.values.specs if open_ended else (),
         )
         for key, wire in (active or {}).items():
-            self._draft.note_active(key, wire)
+            self.values.note_active(key, wire)
         self.model_key = specs.model.key
-        kept = {key: why for key, why in self._problems.items() if self.is_modified(key)}
-        self._problems.clear()
-        self._problems.update(kept | dict(unread))
+        problems = self.values.problems.items()
+        kept = {key: why for key, why in problems if self.values.is_modified(key)}
+        self.values.problems = kept | dict(unread)
         self.endResetModel()
-        if pending != self.modified:
+        if pending != self.values.modified:
             self._announce_pending()
-
-    def _arrange(self) -> None:
-        """Make the rows of the parameters: those pinned first, the others by task."""
-        groups: dict[str, list[_Row]] = {group: [] for group in self._titles}
-        for key, spec in self._specs.items():
-            is_named_by_another = key != self.text.together(key)[-1] or key.startswith("motor2_")
-            if not is_named_by_another:
-                other = other_motor_key(key)
-                name = self.text.short_title(key)
-                keys = (key,) if other is None else (key, other)
-                group = _PINNED if _pin(keys) in self._pinned else spec.task
-                groups[group].append(_Row(group, name, keys))
-        groups[_PINNED].sort(key=lambda row: self._pinned.index(_pin(row.keys)))
-        self._rows = []
-        for group, rows in groups.items():
-            if rows:
-                self._rows += [_Row(group, self._titles[group]), *rows]
-        self._places = {
-            each: (place, column)
-            for place, row in enumerate(self._rows)
-            for column, key in enumerate(row.keys, ParameterColumn.MOTOR1)
-            for each in self.text.together(key)
-        }
 
     @property
     def pinned(self) -> tuple[str, ...]:
         """Keys of the rows that are kept at the top, without the motor."""
-        return self._pinned
+        return self._rows.pinned
 
     def pin(self, keys: Iterable[str]) -> None:
         self.beginResetModel()
-        self._pinned = tuple(keys)
-        self._arrange()
+        self._rows.pinned = tuple(keys)
+        self._rows.arrange()
         self.endResetModel()
 
     def is_pinned(self, key: str) -> bool:
-        return self._rows[self._places[key][0]].group == _PINNED
+        return self._rows.is_pinned(key)
 
     def toggle_pin(self, key: str) -> None:
-        pin = _pin(self._rows[self._places[key][0]].keys)
-        others = [each for each in self._pinned if each != pin]
-        self.pin(others if self.is_pinned(key) else [*others, pin])
+        self.pin(self._rows.with_toggled(key))
 
     def note_stored(self, stored: Mapping[str, int]) -> None:
         """Take the stored values after a verified write."""
         for key, wire in stored.items():
-            if key in self._specs and wire != self.stored_of(key):
-                self._draft.note_stored(self._specs[key], wire)
+            if key in self.values.specs and wire != self.values.stored_of(key):
+                self.values.note_stored(self.values.specs[key], wire)
                 self._announce(key)
         self._announce_pending()
 
     def note_results(self, results: Sequence[WriteResult]) -> None:
         """Take the reasons of failed writes."""
         for result in results:
-            if result.key in self._specs:
-                self._problems.pop(result.key, None)
+            if result.key in self.values.specs:
+                self.values.problems.pop(result.key, None)
                 if result.error is not None:
-                    self._problems[result.key] = str(result.error)
+                    self.values.problems[result.key] = str(result.error)
                 self._announce(result.key)
 
     def set_accepted(self, accepted: Accepted) -> None:
         """Set which values beyond inferred limits boards with this firmware have stored."""
-        if accepted == self._accepted:
+        if accepted == self.values.accepted:
             return
-        self._accepted.clear()
-        self._accepted.update(accepted)
+        self.values.accepted = dict(accepted)
         for key in accepted:
-            if key in self._places:
+            if key in self._rows.places:
                 self._announce(key)
         self._announce_pending()
 
@@ -259,92 +201,17 @@ class ParameterModel(QAbstractTableModel):
     @property
     def tasks(self) -> dict[str, str]:
         """The titles of the tasks that have parameters, by task."""
-        tasks = {spec.task for spec in self._specs.values()}
-        return {task: title for task, title in self._titles.items() if task in tasks}
-
-    @property
-    def pending(self) -> tuple[tuple[str, int], ...]:
-        """Keys and values that Apply or Save writes."""
-        return self._draft.pending
-
-    @property
-    def modified(self) -> tuple[str, ...]:
-        """Keys that are edited or left out, in the order of the table."""
-        return tuple(filter(self.is_modified, self._specs))
-
-    def is_modified(self, key: str) -> bool:
-        return self._draft.is_modified(key)
-
-    @property
-    def all_stored(self) -> dict[str, int]:
-        """The stored wire values that were read, by key, in the order of the table."""
-        return {key: w for key in self._specs if (w := self.stored_of(key)) is not None}
-
-    @property
-    def all_shown(self) -> dict[str, int]:
-        """The wire values after Apply or Save, by key, in the order of the table."""
-        return {key: w for key in self._specs if (w := self.value_of(key)) is not None}
-
-    def spec_of(self, key: str) -> ParameterSpec:
-        return self._specs[key]
-
-    @property
-    def all_active(self) -> dict[str, int]:
-        """The active wire values that differ from the stored ones, by key."""
-        return dict(self._draft.active)
-
-    @property
-    def waiting_for_power(self) -> tuple[str, ...]:
-        """Names of the parameters whose stored value becomes active with the next power cycle."""
-        return tuple(spec.name for spec in self._specs.values() if spec.key in self._draft.active)
-
-    def value_of(self, key: str) -> int | None:
-        """Return the wire value after Apply or Save; `None`: not read, or left out."""
-        return self._draft.value(key)
-
-    def stored_of(self, key: str) -> int | None:
-        """Return the stored wire value; `None`: not read."""
-        return self._draft.stored.get(key)
-
-    def active_of(self, key: str) -> int | None:
-        """Return the active wire value, which may differ from the stored one; `None`: not read."""
-        return self._draft.active.get(key, self.stored_of(key))
-
-    def can_edit(self, key: str) -> bool:
-        """Whether a parameter can be edited: it was read, or is optional."""
-        return key in self._specs and self._draft.accepts(key)
+        tasks = {spec.task for spec in self.values.specs.values()}
+        return {task: title for task, title in self._rows.titles.items() if task in tasks}
 
     def is_editable(self, key: str) -> bool:
         """Whether a value of the table can be edited."""
-        return all(self.can_edit(each) for each in self.text.together(key))
-
-    def can_leave_out(self, key: str) -> bool:
-        return key in self._draft.optional and self.value_of(key) is not None
+        return all(self.values.can_edit(each) for each in self.text.together(key))
 
     def open_key(self, key: str) -> str | None:
         """Return the parameter of a value for which others than its limits allow can be tried."""
-        keys = (each for each in self.text.together(key) if self._specs[each].has_open_values)
+        keys = (each for each in self.text.together(key) if self.values.specs[each].has_open_values)
         return next(keys, None) if self.is_editable(key) else None
-
-    def is_doubtful(self, key: str, wire: int) -> bool:
-        """Whether only a board can tell if it takes this value, and none has yet."""
-        is_known = wire in self._accepted.get(key, ()) or wire == self.stored_of(key)
-        return self._specs[key].is_open(wire) and not is_known
-
-    def doubtful(self, rows: Iterable[ComparisonRow]) -> list[str]:
-        """Return the values to be written that are doubtful, for the user."""
-        return [
-            tr("{0} {1}").format(row.name, row.after)
-            for row in rows
-            if isinstance(row.after, int) and self.is_doubtful(row.key, row.after)
-        ]
-
-    def other_motor_of(self, key: str) -> str | None:
-        """Return the same parameter of the other motor if both can be edited."""
-        other_motor = other_motor_key(key)
-        if other_motor is None or not self.can_edit(key) or not self.can_edit(other_motor):
-            return None
-        return other_motor
 
     # --- Edits --------------------------------------------------------------------------
 
@@ -358,7 +225,7 @@ class ParameterModel(QAbstractTableModel):
             BadRequest: the value is outside the parameter's limits.
             KeyError: the parameter does not exist, or was not read.
         """
-        if not self.can_edit(key):
+        if not self.values.can_edit(key):
             raise KeyError(key)
         keys = (key,) if alone else self._with_other_motor((key,))
         self._edit({key: wire}, keys, forced=forced)
@@ -372,43 +239,46 @@ class ParameterModel(QAbstractTableModel):
         self, values: Mapping[str, int], keys: Sequence[str], *, forced: bool = False
     ) -> None:
         """Edit values; the other motor's keys get the values of their counterparts."""
-        if all(wire == self.value_of(key) for key, wire in values.items()):
+        if all(wire == self.values.value_of(key) for key, wire in values.items()):
             return  # an editor that was opened and left does not edit the other motor either
         wanted = {key: values.get(key, values.get(other_motor_key(key) or "", 0)) for key in keys}
         for key, wire in wanted.items():
-            if wire != self.stored_of(key):
-                self._specs[key].check(wire, forced=forced or not self.is_doubtful(key, wire))
+            if wire != self.values.stored_of(key):
+                self.values.specs[key].check(
+                    wire, forced=forced or not self.values.is_doubtful(key, wire)
+                )
         self._change(wanted)
 
     def reset(self, key: str) -> None:
         if self.is_editable(key):
-            self._change({each: self._specs[each].default for each in self._all_with(key)})
+            self._change({each: self.values.specs[each].default for each in self._all_with(key)})
 
     def restore(self, key: str) -> None:
         """Go back to the stored value; with `both_motors`, each to its own."""
         if self.is_editable(key):
-            self._change({each: self.stored_of(each) for each in self._all_with(key)})
+            self._change({each: self.values.stored_of(each) for each in self._all_with(key)})
 
     def leave_out(self, key: str) -> None:
-        if self.can_leave_out(key):
-            self._change(dict.fromkeys(filter(self.can_leave_out, self._all_with(key))))
+        if self.values.can_leave_out(key):
+            self._change(dict.fromkeys(filter(self.values.can_leave_out, self._all_with(key))))
 
     def copy_to_other_motor(self, key: str) -> None:
         self._change(
             {
-                other: self.value_of(each)
+                other: self.values.value_of(each)
                 for each in self.text.together(key)
-                if (other := self.other_motor_of(each)) and self.value_of(each) is not None
+                if (other := self.values.other_motor_of(each))
+                and self.values.value_of(each) is not None
             }
         )
 
     def discard_edits(self) -> None:
         """Go back to the stored values, one undo step for each."""
-        for key in self.modified:
-            self._change({key: self.stored_of(key)})
+        for key in self.values.modified:
+            self._change({key: self.values.stored_of(key)})
 
     def _with_other_motor(self, keys: Sequence[str]) -> tuple[str, ...]:
-        others = map(self.other_motor_of, keys if self.both_motors else ())
+        others = map(self.values.other_motor_of, keys if self.both_motors else ())
         return (*keys, *filter(None, others))
 
     def _all_with(self, key: str) -> tuple[str, ...]:
@@ -418,9 +288,9 @@ class ParameterModel(QAbstractTableModel):
     def _change(self, wanted: Mapping[str, int | None]) -> None:
         """Push edits of the values that differ, as one undo step."""
         edits = [
-            Edit(self._specs[key].name, self._put, key, before, wire)
+            Edit(self.values.specs[key].name, self._put, key, before, wire)
             for key, wire in wanted.items()
-            if wire != (before := self.value_of(key))
+            if wire != (before := self.values.value_of(key))
         ]
         if len(edits) > 1:
             key = next(iter(wanted))
@@ -435,11 +305,11 @@ class ParameterModel(QAbstractTableModel):
 
     def _put(self, key: str, wire: int | None) -> None:
         """Apply an edit to the draft; ignores parameters that the present board lacks."""
-        if self.can_edit(key):
+        if self.values.can_edit(key):
             if wire is None:
-                self._draft.leave_out(key)
+                self.values.leave_out(key)
             else:
-                self._draft.edit(self._specs[key], wire)
+                self.values.edit(self.values.specs[key], wire)
             self._announce(key)
             self._announce_pending()
 
@@ -447,7 +317,7 @@ class ParameterModel(QAbstractTableModel):
 
     def index_of(self, key: str) -> QModelIndex:
         """Return the cell with the value of a parameter, invalid when there is none."""
-        place = self._places.get(key)
+        place = self._rows.places.get(key)
         return QModelIndex() if place is None else self.index(*place)
 
     def rowCount(self, parent: Index | None = None) -> int:
@@ -491,25 +361,28 @@ class ParameterModel(QAbstractTableModel):
 
     def _number(self, key: str) -> int | None:
         """Return what an editor shows: a wire value, or the code of a frequency."""
-        wires = [self.value_of(each) for each in self.text.together(key)]
+        wires = [self.values.value_of(each) for each in self.text.together(key)]
         known = [wire for wire in wires if wire is not None]
         return _number(known) if len(known) == len(wires) else None
 
     def default_number(self, key: str) -> int:
-        return _number([self._specs[each].default for each in self.text.together(key)])
+        return _number([self.values.specs[each].default for each in self.text.together(key)])
 
     def _is_dirty(self, key: str) -> bool:
-        return any(map(self.is_modified, self.text.together(key)))
+        return any(map(self.values.is_modified, self.text.together(key)))
 
     def _waiting(self, key: str) -> int | None:
-        return self._draft.active.get(key)
+        return self.values.active.get(key)
 
     def _problem(self, key: str) -> str | None:
-        return next(filter(None, map(self._problems.get, self.text.together(key))), None)
+        return next(filter(None, map(self.values.problems.get, self.text.together(key))), None)
 
     def _reset_text(self, key: str) -> str | None:
         keys = self.text.together(key)
-        differs = any(self.value_of(each) not in {None, self._specs[each].default} for each in keys)
+        differs = any(
+            self.values.value_of(each) not in {None, self.values.specs[each].default}
+            for each in keys
+        )
         return self.text.reset(key) if differs else None
 
     def _heading_data(self, index: Index, role: int) -> Any:
@@ -520,7 +393,7 @@ class ParameterModel(QAbstractTableModel):
             return None
         members = (row for row in self._rows if row.group == heading.group)
         keys = (each for row in members for key in row.keys for each in self.text.together(key))
-        modified = sum(map(self.is_modified, keys))
+        modified = sum(map(self.values.is_modified, keys))
         text = tr("{0} ({1} modified)") if modified else "{0}"
         return text.format(heading.name, modified)
 
@@ -542,11 +415,11 @@ class ParameterModel(QAbstractTableModel):
     # --- Change notification ------------------------------------------------------------
 
     def _announce_pending(self) -> None:
-        self.pending_changed.emit(len(self.modified))
+        self.pending_changed.emit(len(self.values.modified))
 
     def _announce(self, key: str) -> None:
         """Announce the row of a parameter, and the heading above it."""
-        row = self._places[key][0]
+        row = self._rows.places[key][0]
         heading = next(each for each in range(row, -1, -1) if not self._rows[each].keys)
         for place in (row, heading):
             self.dataChanged.emit(self.index(place, 0), self.index(place, _COLUMNS - 1))

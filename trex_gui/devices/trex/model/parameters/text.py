@@ -1,6 +1,6 @@
 """The texts of the parameter table: values in physical units, states and explanations."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from enum import IntEnum
 from functools import cache
 from html import escape
@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.model.parameters.draft import Draft
+from trex_gui.devices.trex.model.parameters.values import ParameterValues
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.device_table import Model, device_table
 from trex_gui.devices.trex.protocol.parameters import (
@@ -21,7 +21,6 @@ from trex_gui.devices.trex.protocol.parameters import (
     pwm_keys,
     ramp_seconds,
 )
-from trex_gui.devices.trex.settings.accepted import Accepted
 from trex_gui.ui.units import units
 
 _MAXIMA = FULL_SCALE + 1
@@ -39,28 +38,14 @@ class ParameterColumn(IntEnum):
 
 
 class ParameterText(QObject):
-    """Derives every text from the current draft; has no state.
+    """Derives every text from the current values; has no state."""
 
-    `problems` are reasons of failed reads and writes by key; `accepted` are values beyond
-    inferred limits that boards with this firmware have stored.
-    """
-
-    def __init__(
-        self,
-        specs: Mapping[str, ParameterSpec],
-        draft: Draft,
-        problems: Mapping[str, str],
-        accepted: Accepted,
-        parent: QObject,
-    ) -> None:
+    def __init__(self, values: ParameterValues, parent: QObject) -> None:
         super().__init__(parent)
         self.frequencies: tuple[int, ...] = ()  # codes of those that the board can have
         self._guide = ""
-        self._specs = specs
+        self._values = values
         self._pairs: dict[str, tuple[str, ...]] = {}
-        self._draft = draft
-        self._problems = problems
-        self._accepted = accepted
         self._evidence = {
             Grade.TWIN: tr(
                 "(twin): documented for Pololu's qik 2s12v10, which has the same motor drivers."
@@ -72,8 +57,8 @@ class ParameterText(QObject):
         """Follow new specifications, those of a board of this model."""
         self.frequencies = frequency_codes(board)
         self._guide = board.guide
-        pairs = ((key, pwm_keys(key)) for key in self._specs)
-        self._pairs = {key: pair for key, pair in pairs if self._specs.keys() >= set(pair)}
+        pairs = ((key, pwm_keys(key)) for key in self._values.specs)
+        self._pairs = {key: pair for key, pair in pairs if self._values.specs.keys() >= set(pair)}
 
     def together(self, key: str) -> tuple[str, ...]:
         """Return the keys that are one value of the table: prescaler and maximum of a PWM."""
@@ -85,32 +70,32 @@ class ParameterText(QObject):
         """Return the name of a value, such as `Motor 1 Current Limit`."""
         keys = self.together(key)
         if len(keys) == 1:
-            return self._specs[key].name
+            return self._values.specs[key].name
         return tr("{0} PWM Frequency").format(motor_name(key))
 
     def short_title(self, key: str) -> str:
         """Return the name of a value without its motor, such as `Current Limit`."""
         is_alone = len(self.together(key)) == 1
-        return self._specs[key].short_name if is_alone else tr("PWM Frequency")
+        return self._values.specs[key].short_name if is_alone else tr("PWM Frequency")
 
     def value(self, key: str) -> str:
         """Return the value after Apply or Save."""
         keys = self.together(key)
-        if any(self._draft.value(each) is None for each in keys):
-            given = all(self._draft.accepts(each) for each in keys)
+        if any(self._values.value_of(each) is None for each in keys):
+            given = all(self._values.can_edit(each) for each in keys)
             return tr("not given") if given else tr("not read")
-        return self._shown(key, [self._draft.value(each) or 0 for each in keys])
+        return self._shown(key, [self._values.value_of(each) or 0 for each in keys])
 
     def _shown(self, key: str, wires: Sequence[int]) -> str:
         """Return a value as a cell and its editor show it."""
         text = self._physical(key, wires)
-        is_number = len(wires) == 1 and self._specs[key].kind not in _IN_WORDS
+        is_number = len(wires) == 1 and self._values.specs[key].kind not in _IN_WORDS
         return units().ordered(text, str(wires[0]))[0] if is_number else text
 
     def _physical(self, key: str, wires: Sequence[int]) -> str:
         if len(wires) > 1:
             return frequency_text(frequency_code(*wires))
-        return value_text(self._specs[key], wires[0])
+        return value_text(self._values.specs[key], wires[0])
 
     def with_wire(self, key: str, wires: Sequence[int]) -> str:
         """Return wire and physical value, `15 (1.5 s)`, or one number where both are the same."""
@@ -119,7 +104,7 @@ class ParameterText(QObject):
 
     def description(self, key: str) -> str:
         if len(self.together(key)) == 1:
-            return self._specs[key].description
+            return self._values.specs[key].description
         return tr(
             "How often in a second the PWM of the motor switches. Low frequencies whine and heat "
             "the motor, frequencies above the driver's rating heat the driver. Type a number or "
@@ -132,9 +117,9 @@ class ParameterText(QObject):
         """Return wire value, range and default with their grades, a sentence each."""
         keys = self.together(key)
         limits, default, meaning = (
-            max(self._specs[each].grade(*fields) for each in keys) for fields in _GRADED
+            max(self._values.specs[each].grade(*fields) for each in keys) for fields in _GRADED
         )
-        wires = [wire for each in keys if (wire := self._draft.value(each)) is not None]
+        wires = [wire for each in keys if (wire := self._values.value_of(each)) is not None]
         sentences = (
             tr("Wire value: {0}.").format(self._wire_text(key, wires)) if wires else "",
             tr("No source says what the wire values mean{0}.").format(meaning.mark)
@@ -144,9 +129,9 @@ class ParameterText(QObject):
             self._also_accepted(keys),
             tr("Default: {0}{1}.").format(self.with_wire(key, self._defaults(key)), default.mark),
             tr("Takes effect when the board is switched off and on.")
-            if self._specs[key].needs_power_cycle
+            if self._values.specs[key].needs_power_cycle
             else "",
-            *(self._specs[each].doubt for each in keys),
+            *(self._values.specs[each].doubt for each in keys),
             *(self._evidence.get(grade, "") for grade in sorted({limits, default, meaning})),
             tr("The board rejects any value that it does not support.")
             if max(limits, default)
@@ -156,13 +141,13 @@ class ParameterText(QObject):
 
     def _also_accepted(self, keys: Sequence[str]) -> str:
         """Return what this firmware takes beyond the range, as a sentence; mostly empty."""
-        wires = sorted(wire for each in keys for wire in self._accepted.get(each, ()))
+        wires = sorted(wire for each in keys for wire in self._values.accepted.get(each, ()))
         text = tr("This firmware has stored beyond that: wire value {0}.")
         return text.format(", ".join(map(str, wires))) if wires else ""
 
     def guide(self, key: str) -> tuple[str, str]:
         """Return the address of what the user's guide says of a value, and what to call it."""
-        section = self._specs[key].section
+        section = self._values.specs[key].section
         if not section:
             return self._guide, tr("User's guide of the board")
         return f"{self._guide}/{section}", tr("User's guide, section {0}").format(section)
@@ -172,7 +157,7 @@ class ParameterText(QObject):
         return self.with_wire(key, wires) if units().own_first else _numbers(wires)
 
     def _range(self, key: str) -> str:
-        spec = self._specs[key]
+        spec = self._values.specs[key]
         if len(self.together(key)) > 1:
             return frequency_range(self.frequencies)
         if spec.kind is ParameterKind.ACCELERATION:
@@ -182,16 +167,16 @@ class ParameterText(QObject):
         return spec.range_text()
 
     def _defaults(self, key: str) -> list[int]:
-        return [self._specs[each].default for each in self.together(key)]
+        return [self._values.specs[each].default for each in self.together(key)]
 
     def notes(self, key: str) -> tuple[str, ...]:
         """Return what is special about the present value, a sentence each."""
         keys = self.together(key)
-        active = [self._draft.active.get(each) for each in keys]
+        active = [self._values.active.get(each) for each in keys]
         sentences = [
             self._stored(key),
             self._other_motor(key),
-            *(self._problems.get(each, "") for each in keys),
+            *(self._values.problems.get(each, "") for each in keys),
         ]
         if (wire := active[0]) is not None:
             sentences.append(tr("Still active: {0}.").format(self._shown(key, [wire])))
@@ -200,7 +185,7 @@ class ParameterText(QObject):
     def _other_motor(self, key: str) -> str:
         """Return the other motor's value if it differs, as a sentence."""
         other = other_motor_key(key)
-        if other is None or other not in self._specs or self.value(other) == self.value(key):
+        if other is None or other not in self._values.specs or self.value(other) == self.value(key):
             return ""
         return tr("{0} differs: {1}.").format(motor_name(other), self.value(other))
 
@@ -210,13 +195,13 @@ class ParameterText(QObject):
 
     def stored(self, key: str) -> str:
         """Return the stored value; empty if it was not read."""
-        wires = [self._draft.stored.get(each) for each in self.together(key)]
+        wires = [self._values.stored.get(each) for each in self.together(key)]
         known = [wire for wire in wires if wire is not None]
         return self.with_wire(key, known) if len(known) == len(wires) else ""
 
     def _stored(self, key: str) -> str:
         """Return the stored value if it was edited, as a sentence."""
-        if not any(self._draft.is_modified(each) for each in self.together(key)):
+        if not any(self._values.is_modified(each) for each in self.together(key)):
             return ""
         return tr("Stored: {0}.").format(self.stored(key) or tr("nothing"))
 

@@ -1,20 +1,27 @@
 """Stored, edited and active values of parameters."""
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, field
 
-from trex_gui.devices.trex.protocol.parameters import ParameterSpec
+from trex_gui.core.translation import tr
+from trex_gui.devices.trex.protocol.parameters import ParameterSpec, other_motor_key
+from trex_gui.devices.trex.settings.accepted import Accepted
+from trex_gui.devices.trex.settings.comparison import ComparisonRow
 
 
 @dataclass(slots=True)
-class Draft:
+class ParameterValues:
     """Wire values by key: those of a board or a file, and the edits that Apply or Save writes."""
 
+    specs: dict[str, ParameterSpec] = field(default_factory=dict)  # in the order of the table
     stored: dict[str, int] = field(default_factory=dict)
     edited: dict[str, int] = field(default_factory=dict)  # values that differ from `stored`
     removed: set[str] = field(default_factory=set)  # stored keys that Save leaves out
     active: dict[str, int] = field(default_factory=dict)  # unlike `stored` until a power cycle
     optional: frozenset[str] = frozenset()  # keys that may have no value, as those of a file
+    problems: dict[str, str] = field(default_factory=dict)  # of failed reads and writes
+    # Values beyond inferred limits that boards with this firmware have stored
+    accepted: Accepted = field(default_factory=dict)
 
     def load(
         self,
@@ -33,22 +40,85 @@ class Draft:
             self.edited, self.removed = {}, set()
         self.active = {k: w for k, w in self.active.items() if stored.get(k) != w}
         self.edited = {
-            k: w for k, w in self.edited.items() if self.accepts(k) and stored.get(k) != w
+            k: w for k, w in self.edited.items() if self.can_edit(k) and stored.get(k) != w
         }
         self.removed &= self.optional & stored.keys()
 
-    def accepts(self, key: str) -> bool:
-        """Whether the parameter can be edited."""
+    def can_edit(self, key: str) -> bool:
+        """Whether a parameter can be edited: it was read, or is optional."""
         return key in self.stored or key in self.optional
 
-    def value(self, key: str) -> int | None:
+    def can_leave_out(self, key: str) -> bool:
+        return key in self.optional and self.value_of(key) is not None
+
+    # --- What is known ------------------------------------------------------------------
+
+    def spec_of(self, key: str) -> ParameterSpec:
+        return self.specs[key]
+
+    def value_of(self, key: str) -> int | None:
         """Return the value after Apply or Save; `None`: not read, or left out."""
         if key in self.removed:
             return None
         return self.edited.get(key, self.stored.get(key))
 
+    def stored_of(self, key: str) -> int | None:
+        """Return the stored value; `None`: not read."""
+        return self.stored.get(key)
+
+    def active_of(self, key: str) -> int | None:
+        """Return the active value, which may differ from the stored one; `None`: not read."""
+        return self.active.get(key, self.stored.get(key))
+
+    @property
+    def all_stored(self) -> dict[str, int]:
+        """The stored values that were read, in the order of the table."""
+        return {key: self.stored[key] for key in self.specs if key in self.stored}
+
+    @property
+    def all_shown(self) -> dict[str, int]:
+        """The values after Apply or Save, in the order of the table."""
+        return {key: w for key in self.specs if (w := self.value_of(key)) is not None}
+
+    @property
+    def pending(self) -> tuple[tuple[str, int], ...]:
+        """Keys and values that Apply or Save writes."""
+        return tuple(self.edited.items())
+
+    @property
+    def modified(self) -> tuple[str, ...]:
+        """Keys that are edited or left out, in the order of the table."""
+        return tuple(filter(self.is_modified, self.specs))
+
+    @property
+    def waiting_for_power(self) -> tuple[str, ...]:
+        """Names of the parameters whose stored value becomes active with the next power cycle."""
+        return tuple(spec.name for spec in self.specs.values() if spec.key in self.active)
+
     def is_modified(self, key: str) -> bool:
         return key in self.edited or key in self.removed
+
+    def is_doubtful(self, key: str, wire: int) -> bool:
+        """Whether only a board can tell if it takes this value, and none has yet."""
+        is_known = wire in self.accepted.get(key, ()) or wire == self.stored_of(key)
+        return self.specs[key].is_open(wire) and not is_known
+
+    def doubtful(self, rows: Iterable[ComparisonRow]) -> list[str]:
+        """Return the values to be written that are doubtful, for the user."""
+        return [
+            tr("{0} {1}").format(row.name, row.after)
+            for row in rows
+            if isinstance(row.after, int) and self.is_doubtful(row.key, row.after)
+        ]
+
+    def other_motor_of(self, key: str) -> str | None:
+        """Return the same parameter of the other motor if both can be edited."""
+        other_motor = other_motor_key(key)
+        if other_motor is None or not self.can_edit(key) or not self.can_edit(other_motor):
+            return None
+        return other_motor
+
+    # --- Changes ------------------------------------------------------------------------
 
     def edit(self, spec: ParameterSpec, wire: int | None) -> None:
         """Edit a value; the stored value, or `None`, drops the edit.
@@ -86,8 +156,3 @@ class Draft:
             self.active.pop(key, None)
         elif key in self.stored:
             self.active[key] = wire
-
-    @property
-    def pending(self) -> tuple[tuple[str, int], ...]:
-        """Keys and values that Apply or Save writes."""
-        return tuple(self.edited.items())

@@ -61,14 +61,14 @@ class SettingsDraft(QObject):
         if key == ParameterKey.FACTORY_RESET:
             return tr("Reset to factory defaults")
         parameters = self.parameters
-        return parameters.spec_of(key).name if parameters.index_of(key).isValid() else key
+        return parameters.values.spec_of(key).name if parameters.index_of(key).isValid() else key
 
     def stored_curve(self, channel: int) -> ChannelCurve | None:
         """Return the curve of a channel (1-5) with the stored values, if they are known."""
         calibration = self.calibrations.stored(channel)
         if calibration is None:
             return None
-        return ChannelCurve.stored(channel, calibration, self.parameters.stored_of)
+        return ChannelCurve.stored(channel, calibration, self.parameters.values.stored_of)
 
     def select_state(self, state: DeviceState, connection: ConnectionSettings | None) -> None:
         """Take what another board on the same line stores; edits are forgotten.
@@ -78,13 +78,15 @@ class SettingsDraft(QObject):
         before = self.stored
         if before is not None:
             self._set_aside[BoardIdentity.of(before)] = _SetAside(
-                before.parameters, self.parameters.all_active, self.reset_pending
+                before.parameters, dict(self.parameters.values.active), self.reset_pending
             )
         known = self._set_aside.pop(BoardIdentity.of(settings_of(state)), None)
         self.undo.clear()
         self._take(state, connection, known.active if known else {}, keep_edits=False)
         self.reset_pending = (
-            known is not None and known.reset_pending and known.stored == self.parameters.all_stored
+            known is not None
+            and known.reset_pending
+            and known.stored == self.parameters.values.all_stored
         )
         self.loaded.emit()
 
@@ -103,7 +105,7 @@ class SettingsDraft(QObject):
         """
         if opened:
             self._set_aside.clear()
-        if power_cycled or self.parameters.all_stored != state.parameters:
+        if power_cycled or self.parameters.values.all_stored != state.parameters:
             self.reset_pending = False
         self._take(state, connection, {}, power_cycled=power_cycled)
         self.loaded.emit()
@@ -155,7 +157,7 @@ class SettingsDraft(QObject):
         """The settings of the board or the file; `None` before the first."""
         if self._product is None:
             return None
-        parameters, calibrations = self.parameters.all_stored, self.calibrations.all_stored
+        parameters, calibrations = self.parameters.values.all_stored, self.calibrations.all_stored
         return Settings(self._product, self._firmware, parameters, calibrations, self.notes.all)
 
     @property
@@ -163,24 +165,24 @@ class SettingsDraft(QObject):
         """The settings after Apply or Save."""
         if self._product is None:
             return None
-        parameters, calibrations = self.parameters.all_shown, self.calibrations.all_shown
+        parameters, calibrations = self.parameters.values.all_shown, self.calibrations.all_shown
         return Settings(self._product, self._firmware, parameters, calibrations, self.notes.all)
 
     # --- Edits --------------------------------------------------------------------------
 
     @property
     def pending(self) -> int:
-        return len(self.parameters.modified) + len(self.calibrations.modified)
+        return len(self.parameters.values.modified) + len(self.calibrations.modified)
 
     def is_modified(self, key: str) -> bool:
         if key in CALIBRATION_KEYS:
             return CALIBRATION_KEYS[key] in self.calibrations.modified
-        return self.parameters.is_modified(key)
+        return self.parameters.values.is_modified(key)
 
     def can_edit(self, key: str) -> bool:
         if key in CALIBRATION_KEYS:
             return self.calibrations.can_edit(CALIBRATION_KEYS[key])
-        return self.parameters.can_edit(key)
+        return self.parameters.values.can_edit(key)
 
     def stage(self, rows: Iterable[ComparisonRow], text: str) -> None:
         """Edit settings to the right side of a comparison, and take its notes, in one undo step.
@@ -207,8 +209,8 @@ class SettingsDraft(QObject):
     def _check(self, row: ComparisonRow) -> None:
         if isinstance(row.after, Calibration):
             row.after.encode()
-        elif row.after is not None and row.after != self.parameters.stored_of(row.key):
-            self.parameters.spec_of(row.key).check(row.after, forced=True)
+        elif row.after is not None and row.after != self.parameters.values.stored_of(row.key):
+            self.parameters.values.spec_of(row.key).check(row.after, forced=True)
 
     def discard_edits(self) -> None:
         """Go back to the stored settings, in one undo step."""

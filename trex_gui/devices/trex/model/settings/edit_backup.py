@@ -63,7 +63,7 @@ class EditBackup(QObject):
         if is_deselected and stored is not None and self._board is not None and self._draft.pending:
             self._parked[self._board] = replace(
                 stored,
-                parameters=dict(self._draft.parameters.pending),
+                parameters=dict(self._draft.parameters.values.pending),
                 calibrations=dict(self._draft.calibrations.edited),
             )
         self._left = self._board, self._is_read
@@ -150,7 +150,7 @@ class EditBackup(QObject):
         self._has_file = edits is not None
 
     def _edits(self, stored: Settings) -> Settings | None:
-        parameters = dict(self._draft.parameters.pending)
+        parameters = dict(self._draft.parameters.values.pending)
         calibrations = dict(self._draft.calibrations.edited)
         if self._undecided is not None:
             parameters = {**self._undecided.parameters, **parameters}

@@ -103,8 +103,10 @@ class SettingsWriter(QObject):
         if self._draft.reset_pending or self._state_to_change() is None:
             return
         parameters, calibrations = self._draft.parameters, self._draft.calibrations
-        self._expect_after(parameters.all_shown)
-        changed = tuple(edit for edit in parameters.pending if only is None or edit[0] in only)
+        self._expect_after(parameters.values.all_shown)
+        changed = tuple(
+            edit for edit in parameters.values.pending if only is None or edit[0] in only
+        )
         curves = tuple(edit for edit in calibrations.pending if only is None or edit[0] in only)
         if count := len(changed) + len(curves):
             self._begin(tr("Apply of %n setting(s)", "", count), changed, curves)

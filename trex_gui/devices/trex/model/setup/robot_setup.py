@@ -126,7 +126,7 @@ class RobotSetup(QObject):
         return {
             key: wire
             for key, wire in self._wanted(step).items()
-            if parameters.can_edit(key) and parameters.value_of(key) != wire
+            if parameters.values.can_edit(key) and parameters.values.value_of(key) != wire
         }
 
     @property
@@ -167,7 +167,9 @@ class RobotSetup(QObject):
         if wiring.rewiring(self.driver):
             return {}
         turned = wiring.turned_channels(self.driver)
-        others = set(channels_in(self._device.parameters.value_of(_REVERSED) or 0)) - set(_STICKS)
+        others = set(channels_in(self._device.parameters.values.value_of(_REVERSED) or 0)) - set(
+            _STICKS
+        )
         reversed_ = {n for n in _STICKS if self.rises[n] == (n in turned)}
         return {_REVERSED: channel_mask(others | reversed_)}
 

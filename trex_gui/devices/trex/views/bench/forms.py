@@ -207,7 +207,9 @@ class TuningForm(ui.GroupBox):
     @Slot()
     def _on_changed(self) -> None:
         device = self._device
-        keys = tuple(key for key in self._bench.tuned_keys() if device.parameters.can_edit(key))
+        keys = tuple(
+            key for key in self._bench.tuned_keys() if device.parameters.values.can_edit(key)
+        )
         shown = device.parameters.model_key, keys
         if shown != self._shown:
             self._shown = shown
@@ -225,7 +227,7 @@ class TuningForm(ui.GroupBox):
             self._form.removeRow(0)
         self._fields.clear()
         for key in keys:
-            spec = self._device.parameters.spec_of(key)
+            spec = self._device.parameters.values.spec_of(key)
             editor = editor_for(spec, self._editors)
             editor.setObjectName(f"bench_{key}")
             editor.setAccessibleName(spec.name)
@@ -250,14 +252,14 @@ class TuningForm(ui.GroupBox):
         parameters = self._device.parameters
         edited = []
         for key, (label, editor) in self._fields.items():
-            wire, stored = parameters.value_of(key), parameters.stored_of(key)
+            wire, stored = parameters.values.value_of(key), parameters.values.stored_of(key)
             if wire is None:
                 continue
             if editor.value() != wire:
                 with QSignalBlocker(editor):
                     editor.setValue(wire)
-            if parameters.is_modified(key) and stored is not None:
-                before = value_text(parameters.spec_of(key), stored)
+            if parameters.values.is_modified(key) and stored is not None:
+                before = value_text(parameters.values.spec_of(key), stored)
                 edited.append(tr("{0} (stored: {1})").format(label.text(), before))
         self._edited.setText(tr("Not applied: {0}").format(", ".join(edited)))
         self._edited.setVisible(bool(edited))

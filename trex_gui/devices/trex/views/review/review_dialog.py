@@ -160,7 +160,7 @@ class ReviewDialog(ReusedDialog):
         """Return the checked values of which only the board can tell whether it takes them."""
         if self._phase is not _Phase.REVIEW or not self._can_write:
             return []
-        return self._device.parameters.doubtful(self._rows.table.ticked)
+        return self._device.parameters.values.doubtful(self._rows.table.ticked)
 
     def _write_rows(self, wanted: frozenset[str]) -> None:
         self._problem = ""
@@ -222,7 +222,7 @@ class ReviewDialog(ReusedDialog):
             return  # the result of another request, such as a reset
         self._rows.table.set_outcomes(dict(zip(keys, self._outcomes(results), strict=True)))
         self._problem = self._problem_text(results)
-        if self._device.parameters.waiting_for_power:
+        if self._device.parameters.values.waiting_for_power:
             self._cycle.begin([result.key for result in results if result.error is not None])
         self._enter(_Phase.DONE)
 
@@ -358,7 +358,7 @@ class ReviewDialog(ReusedDialog):
             )
             parts.append(text.format(", ".join(key.label for key in keys)))
         ticked = (row for row in self._rows.table.ticked if not row.is_calibration)
-        specs = [self._device.parameters.spec_of(row.key) for row in ticked]
+        specs = [self._device.parameters.values.spec_of(row.key) for row in ticked]
         if later := [spec.name for spec in specs if spec.needs_power_cycle]:
             text = tr("Active only after the board is switched off and on: {0}.")
             parts.append(text.format(", ".join(later)))

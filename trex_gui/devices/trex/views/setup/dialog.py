@@ -168,7 +168,7 @@ class SetupDialog(ReusedDialog):
             )
         rows = []
         for key, wire in edits.items():
-            spec, before = parameters.spec_of(key), parameters.value_of(key)
+            spec, before = parameters.values.spec_of(key), parameters.values.value_of(key)
             old = "" if before is None else value_text(spec, before)
             change = f"{old} → {value_text(spec, wire)}"
             rows.append(tr("{0}: {1}").format(spec.name, change))

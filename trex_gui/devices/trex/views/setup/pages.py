@@ -272,8 +272,8 @@ class LimitsPage(QWidget):
         self.setEnabled(True)
         for preset, explained in zip(Preset, self._explained[1:], strict=True):
             explained.setText(self._text_of(preset))
-        spec = parameters.spec_of(LIMITS[0])
-        stored = parameters.value_of(LIMITS[0]) or 0
+        spec = parameters.values.spec_of(LIMITS[0])
+        stored = parameters.values.value_of(LIMITS[0]) or 0
         wire = stored if setup.current_limit is None else setup.current_limit
         with QSignalBlocker(self._limit):
             self._limit.setDecimals(spec.decimals)
@@ -306,17 +306,17 @@ class LimitsPage(QWidget):
         parameters = self._device.parameters
         values = preset.values(parameters.model_key)
         keys = [p.of(1) for p in (MotorParameter.ACCELERATION, MotorParameter.BRAKE_DURATION)]
-        ramp, brake = (value_text(parameters.spec_of(key), values[key]) for key in keys)
+        ramp, brake = (value_text(parameters.values.spec_of(key), values[key]) for key in keys)
         text = tr("Acceleration: {0}; brake before a reversal: {1}.").format(ramp, brake)
         limit = values.get(LIMITS[0])
         if limit is None:
             return text
-        amps = parameters.spec_of(LIMITS[0]).text(limit)
+        amps = parameters.values.spec_of(LIMITS[0]).text(limit)
         return f"{text} {tr('Example of a current limit: {0}.').format(amps)}"
 
     @Slot(float)
     def _on_limit_changed(self, amps: float) -> None:
-        scale = self._device.parameters.spec_of(LIMITS[0]).scale
+        scale = self._device.parameters.values.spec_of(LIMITS[0]).scale
         self._setup.choose_current_limit(round(amps / scale))
 
 
@@ -378,9 +378,11 @@ class TimeoutPage(QWidget):
         warning = settings and timeout_warning_on(settings, seconds, stop, is_guarded=True)
         self._short.show_note(warning.text if warning else "", alarming=True)
         parameters, key = self._device.parameters, ParameterKey.SERIAL_TIMEOUT
-        wire = parameters.stored_of(key)
+        wire = parameters.values.stored_of(key)
         text = tr("The board stores: {0}.")
-        self._now.setText("" if wire is None else text.format(parameters.spec_of(key).text(wire)))
+        self._now.setText(
+            "" if wire is None else text.format(parameters.values.spec_of(key).text(wire))
+        )
 
 
 class SummaryPage(QWidget):

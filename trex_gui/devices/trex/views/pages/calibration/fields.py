@@ -170,9 +170,9 @@ class ChannelOptions(QWidget):
 
     def _bit(self, key: str, channel: int, *, stored: bool = False) -> bool:
         """Return a channel's bit of a mask; False when the mask was not read."""
-        if not self._parameters.can_edit(key):
+        if not self._parameters.values.can_edit(key):
             return False
-        read = self._parameters.stored_of if stored else self._parameters.value_of
+        read = self._parameters.values.stored_of if stored else self._parameters.values.value_of
         return bool((read(key) or 0) >> (channel - 1) & 1)
 
     def is_edited(self, channel: int) -> bool:
@@ -191,12 +191,12 @@ class ChannelOptions(QWidget):
         for key, box in self._boxes.items():
             with QSignalBlocker(box):
                 box.setChecked(self._bit(key, self._channel))
-            box.setEnabled(self._editable and self._parameters.can_edit(key))
+            box.setEnabled(self._editable and self._parameters.values.can_edit(key))
             box.setToolTip(plain(self._blocker or self._tips[key]))
             set_bold(box, self._is_edited(key, self._channel))
 
     def _set(self, key: str, channel: int, wanted: bool) -> None:
-        if self._parameters.can_edit(key):
+        if self._parameters.values.can_edit(key):
             bit = 1 << (channel - 1)
-            wire = self._parameters.value_of(key) or 0
+            wire = self._parameters.values.value_of(key) or 0
             self._parameters.edit(key, wire | bit if wanted else wire & ~bit)

@@ -199,8 +199,8 @@ class OtherSource(QWidget):
             return
         name, wire = tr(channel_text.SOURCE_NAMES[source]), int(source is InputSource.ANALOG)
         is_serial = state.mode.is_serial
-        is_edited = parameters.value_of(_KEY) == wire
-        is_stored = parameters.stored_of(_KEY) == wire
+        is_edited = parameters.values.value_of(_KEY) == wire
+        is_stored = parameters.values.stored_of(_KEY) == wire
         text = channel_text.source_instructions(source, state.mode)
         if is_serial and is_stored and is_edited:
             text = tr("Stored: the board reads {0} after the next power cycle.").format(name)
@@ -212,7 +212,7 @@ class OtherSource(QWidget):
         self._text.setText(f"{text} {values}")
         self._switch.setText(tr("Read {0} after the next power cycle").format(name))
         self._switch.setVisible(is_serial and not is_edited)
-        self._switch.setEnabled(self._device.is_connected and parameters.can_edit(_KEY))
+        self._switch.setEnabled(self._device.is_connected and parameters.values.can_edit(_KEY))
         self._cycle.setVisible(is_serial and is_edited and is_stored)
         self._cycle.setEnabled(self._device.is_connected)
 

@@ -324,10 +324,10 @@ def _stored_text(parameters: ParameterModel, *, joint: bool, linked: bool) -> st
     """
 
     def link(key: str) -> str:
-        wire = parameters.stored_of(key)
+        wire = parameters.values.stored_of(key)
         if wire is None:
             return ""
-        value = escape(value_text(parameters.spec_of(key), wire))
+        value = escape(value_text(parameters.values.spec_of(key), wire))
         if not linked:
             return value
         return f'<a href="{key}" style="color:{theme().color("link").name()}">{value}</a>'
@@ -337,7 +337,7 @@ def _stored_text(parameters: ParameterModel, *, joint: bool, linked: bool) -> st
         "brake_duration": tr("brake duration"),
         "current_limit": tr("current limit"),
     }
-    stored = parameters.stored_of
+    stored = parameters.values.stored_of
     same = all(stored(f"motor1_{key}") == stored(f"motor2_{key}") for key in names)
     parts = []
     for motor in (1,) if same or joint else (1, 2):

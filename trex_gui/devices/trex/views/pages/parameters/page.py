@@ -63,7 +63,7 @@ class ParametersPage(QWidget):
     @Slot()
     def _on_changed(self) -> None:
         connected = self._device.is_connected
-        waiting = bool(self._model.waiting_for_power) or self._device.draft.reset_pending
+        waiting = bool(self._model.values.waiting_for_power) or self._device.draft.reset_pending
         self._reload.setEnabled(connected)
         self._activate.setVisible(connected and waiting)
         self._discard.setEnabled(connected and self._device.draft.pending > 0)
@@ -86,7 +86,7 @@ class ParametersPage(QWidget):
             return tr("Factory defaults take effect after the next power cycle.")
         if pending := self._device.draft.pending:
             return tr("%n pending change(s): click Apply settings to write.", "", pending)
-        if waiting := self._model.waiting_for_power:
+        if waiting := self._model.values.waiting_for_power:
             text = tr("Stored, but not active until the board is switched off and on: {0}.")
             return text.format(", ".join(waiting))
         return tr(
@@ -106,7 +106,7 @@ class ParametersPage(QWidget):
             text = text.format(len(failed), len(results))
         else:
             text = tr("%n setting(s) written and verified.", "", len(results))
-            if waiting := self._model.waiting_for_power:
+            if waiting := self._model.values.waiting_for_power:
                 next_step = tr("Switch the board off and on to make active: {0}.")
                 text = f"{text} {next_step.format(', '.join(waiting))}"
         self._notice.setText(text)

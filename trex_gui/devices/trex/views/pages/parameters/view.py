@@ -76,7 +76,7 @@ class ParameterDelegate(UnitDelegate):
         editor: Editor = (
             FrequencyEditor(text.frequencies, parent)
             if is_frequency
-            else editor_for(self._model.spec_of(key), parent)
+            else editor_for(self._model.values.spec_of(key), parent)
         )
         editor.setAccessibleName(text.title(key))
         editor.setProperty(_UNTOUCHED, index.data(Qt.ItemDataRole.EditRole) is None)
@@ -405,8 +405,8 @@ class ParameterView(QTableView):
         restore = tr("Restore stored value")
         self._restore.setText(tr("{0}: {1}").format(restore, stored) if stored else restore)
         self._restore.setEnabled(can_edit and bool(self.currentIndex().data(Role.DIRTY)))
-        self._leave_out.setVisible(model.can_leave_out(key))
-        other_motor = model.other_motor_of(key)
+        self._leave_out.setVisible(model.values.can_leave_out(key))
+        other_motor = model.values.other_motor_of(key)
         self._to_other_motor.setVisible(other_motor is not None)
         if other_motor is not None:
             is_other = model.text.value(other_motor) != model.text.value(key)
@@ -431,7 +431,7 @@ class ParameterView(QTableView):
 
     def _lines(self, key: str) -> list[str]:
         """Return the value as lines of a settings file."""
-        wires = {each: self._model.value_of(each) for each in self._model.text.together(key)}
+        wires = {each: self._model.values.value_of(each) for each in self._model.text.together(key)}
         return [f"{each}: {wire}" for each, wire in wires.items() if wire is not None]
 
     def _copy_line(self, key: str) -> None:
@@ -453,7 +453,7 @@ class WireDialog(QDialog):
         self.setObjectName("wireDialog")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self._model, self._key = model, key
-        spec = model.spec_of(key)
+        spec = model.values.spec_of(key)
         self.setWindowTitle(spec.name)
         text = tr(
             "{0} is {1}{2}. No document confirms this limit. You can try any wire value from "
@@ -464,7 +464,7 @@ class WireDialog(QDialog):
         text = text.format(spec.name, spec.range_text(), spec.limits_mark, HIGHEST_WIRE)
         note = ui.label(self, "wireNote", text, wrap=True)
         self._value = ui.spin_box(self, "wireField", tr("Wire value"), 0, HIGHEST_WIRE)
-        self._value.setValue(model.value_of(key) or 0)
+        self._value.setValue(model.values.value_of(key) or 0)
         self._trouble = ui.named(Note(2, self), "wireTrouble")
         self._accept = ui.button(
             self, "tryWireButton", tr("&Try this value"), default=True, on_click=self._on_click
@@ -479,7 +479,7 @@ class WireDialog(QDialog):
 
     @Slot()
     def _on_board_changed(self) -> None:
-        self._accept.setEnabled(self._model.can_edit(self._key))
+        self._accept.setEnabled(self._model.values.can_edit(self._key))
 
     @Slot()
     def _on_click(self) -> None:

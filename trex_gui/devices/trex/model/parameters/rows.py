@@ -1,0 +1,78 @@
+"""The rows of the parameter table: headings, and a row for both motors or for the board."""
+
+from dataclasses import dataclass
+
+from trex_gui.core.translation import tr
+from trex_gui.devices.trex.model.parameters.text import ParameterColumn, ParameterText
+from trex_gui.devices.trex.model.parameters.values import ParameterValues
+from trex_gui.devices.trex.protocol.parameters import other_motor_key
+
+_PINNED = "pinned"  # the group of the rows that the user keeps at the top
+
+
+@dataclass(frozen=True, slots=True)
+class ParameterRow:
+    """A heading, or one setting: of motors 1 and 2, or of the board in `keys[0]` alone."""
+
+    group: str
+    name: str = ""
+    keys: tuple[str, ...] = ()
+
+    @property
+    def pin(self) -> str:
+        """What a pinned row is remembered by: its key, without the motor."""
+        return self.keys[0].removeprefix("motor1_")
+
+
+class ParameterRows(list[ParameterRow]):
+    """Those pinned first, the others by task."""
+
+    def __init__(self, values: ParameterValues, text: ParameterText) -> None:
+        super().__init__()
+        self._values = values
+        self._text = text
+        self.places: dict[str, tuple[int, int]] = {}  # row and column by key
+        self.pinned: tuple[str, ...] = ()  # by `ParameterRow.pin`
+        self.titles = {
+            _PINNED: tr("Pinned"),
+            "motors": tr("Motors and speed ramp"),
+            "braking": tr("Braking"),
+            "current": tr("Current"),
+            "pwm": tr("PWM"),
+            "channels": tr("Inputs"),
+            "serial": tr("Serial"),
+            "system": tr("System"),
+        }
+
+    def arrange(self) -> None:
+        """Make the rows of the present parameters anew."""
+        groups: dict[str, list[ParameterRow]] = {group: [] for group in self.titles}
+        for key, spec in self._values.specs.items():
+            is_named_by_another = key != self._text.together(key)[-1] or key.startswith("motor2_")
+            if not is_named_by_another:
+                other = other_motor_key(key)
+                keys = (key,) if other is None else (key, other)
+                row = ParameterRow(spec.task, self._text.short_title(key), keys)
+                if row.pin in self.pinned:
+                    row = ParameterRow(_PINNED, row.name, keys)
+                groups[row.group].append(row)
+        groups[_PINNED].sort(key=lambda row: self.pinned.index(row.pin))
+        self.clear()
+        for group, rows in groups.items():
+            if rows:
+                self += [ParameterRow(group, self.titles[group]), *rows]
+        self.places = {
+            each: (place, column)
+            for place, row in enumerate(self)
+            for column, key in enumerate(row.keys, ParameterColumn.MOTOR1)
+            for each in self._text.together(key)
+        }
+
+    def is_pinned(self, key: str) -> bool:
+        return self[self.places[key][0]].group == _PINNED
+
+    def with_toggled(self, key: str) -> tuple[str, ...]:
+        """Return what is pinned once the row of this key is pinned, or not any more."""
+        pin = self[self.places[key][0]].pin
+        others = [each for each in self.pinned if each != pin]
+        return (*others,) if self.is_pinned(key) else (*others, pin)
