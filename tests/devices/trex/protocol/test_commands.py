@@ -145,28 +145,11 @@ def test_expanded_packet_names_device_and_clears_top_bit(
     assert Framing(7).encode(command) == bytes.fromhex(expanded)
 
 
-def test_compact_packet_is_parsed_as_its_command() -> None:
-    for command, compact, _ in PACKETS:
-        raw = bytes.fromhex(compact)
-        assert PacketParser().feed(raw) == [Packet(raw, command, None)]
-
-
-def test_expanded_packet_is_parsed_as_command_and_device() -> None:
-    for command, _, expanded in PACKETS:
-        raw = bytes.fromhex(expanded)
-        assert PacketParser().feed(raw) == [Packet(raw, command, 7)]
-
-
 def test_command_table_matches_packet_data_sizes() -> None:
     for command, compact, _ in PACKETS:
         raw = bytes.fromhex(compact)
         assert COMMANDS[raw[0]] is type(command)
         assert COMMANDS[raw[0]].data_size == len(raw) - 1
-
-
-def test_data_bytes_never_have_top_bit_set() -> None:
-    for command, _, _ in PACKETS:
-        assert all(byte <= 0x7F for byte in command.data())
 
 
 def test_only_motor_and_null_commands_have_no_reply() -> None:
@@ -177,11 +160,6 @@ def test_only_motor_and_null_commands_have_no_reply() -> None:
 
 def test_only_motor_commands_move_motors() -> None:
     assert {opcode for opcode, cls in COMMANDS.items() if cls.moves} == set(range(0xC0, 0xF2))
-
-
-def test_only_null_command_has_no_crc() -> None:
-    for command, _, _ in PACKETS:
-        assert command.has_crc is (command.opcode != 0xFF)
 
 
 def test_equal_commands_have_equal_hashes() -> None:

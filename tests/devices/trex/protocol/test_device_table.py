@@ -24,10 +24,6 @@ def test_model_matches_reference(
     assert model.current_unit == pytest.approx(ampere)
 
 
-def test_table_has_two_models() -> None:
-    assert [model.key for model in device_table().models] == ["trex", "trexjr"]
-
-
 def test_only_trex_jr_has_known_highest_pwm() -> None:
     assert device_table().model("trexjr").highest_pwm == 10000
     assert device_table().model("trex").highest_pwm is None
@@ -47,11 +43,6 @@ def test_unknown_model_is_rejected_with_known_ones(key: str) -> None:
 def test_baud_rates_are_in_order_of_their_codes() -> None:
     rates = (1200, 2400, 4800, 9600, 14400, 19200, 28800, 38400, 57600, 76800, 115200)
     assert device_table().baud_rates == rates
-
-
-def test_old_firmware_halves_28800_and_38400() -> None:
-    assert set(device_table().half_rates) == {28800, 38400}
-    assert device_table().half_rate_fixed_in == "1.2"
 
 
 @pytest.mark.parametrize(
@@ -75,11 +66,6 @@ def test_pwm_frequency_follows_prescaler_and_maximum(prescaler: int, wire: int, 
 def test_invalid_prescaler_is_rejected_with_limits(prescaler: int) -> None:
     with pytest.raises(BadRequest, match=f"PWM prescaler is 0 to 3, not {prescaler}"):
         device_table().pwm.frequency(prescaler, 63)
-
-
-def test_timer_maximum_reaches_8_bits() -> None:
-    assert device_table().pwm.maximum(0x3F) == 0x7F
-    assert device_table().pwm.maximum(0x7F) == 0xFF
 
 
 def test_versions_are_ordered_by_number() -> None:

@@ -42,19 +42,6 @@ def test_braking_has_signed_speed_0() -> None:
     assert Drive(Direction.BRAKE_TOO, 100).signed == 0
 
 
-@pytest.mark.parametrize(
-    ("direction", "is_brake"),
-    [
-        (Direction.BRAKE, True),
-        (Direction.BRAKE_TOO, True),
-        (Direction.FORWARD, False),
-        (Direction.REVERSE, False),
-    ],
-)
-def test_direction_codes_00_and_11_brake(direction: Direction, is_brake: bool) -> None:
-    assert Drive(direction, 50).is_brake is is_brake
-
-
 def test_brake_without_duty_is_full_brake() -> None:
     assert Framing().encode(DriveMotor(2, Drive.brake())) == bytes.fromhex("c8 7f")
 
@@ -94,8 +81,3 @@ def test_motor_number_other_than_1_and_2_is_rejected(motor: int) -> None:
 def test_speed_outside_0_to_127_is_rejected_with_limits(command: Command[None]) -> None:
     with pytest.raises(BadRequest, match=r"speed.* is 0 to 127, not"):
         command.data()
-
-
-@pytest.mark.parametrize("command", [*STOP, DriveMotor(1, Drive.at(5))])
-def test_motor_commands_have_no_reply(command: Command[None]) -> None:
-    assert command.reply_size() == 0

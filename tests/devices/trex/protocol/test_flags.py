@@ -6,8 +6,6 @@ import pytest
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.protocol.flags import (
-    ALL_CHANNELS,
-    CHANNELS,
     STATUS_MEANING,
     UART_MEANING,
     InputSource,
@@ -68,11 +66,6 @@ def test_every_bit_is_explained_highest_first(
         assert explanation.endswith(".")
 
 
-def test_board_has_five_channels() -> None:
-    assert CHANNELS == (1, 2, 3, 4, 5)
-    assert ALL_CHANNELS == 0x1F
-
-
 @pytest.mark.parametrize(
     ("mask", "channels"),
     [(0, ()), (0x01, (1,)), (0x10, (5,)), (0x13, (1, 2, 5)), (0x1F, (1, 2, 3, 4, 5))],
@@ -84,10 +77,6 @@ def test_mask_bit_n_is_channel_n_plus_1(mask: int, channels: tuple[int, ...]) ->
 
 def test_channel_masks_round_trip() -> None:
     assert all(channel_mask(channels_in(mask)) == mask for mask in range(32))
-
-
-def test_channel_order_does_not_change_mask() -> None:
-    assert channel_mask([5, 1, 2, 1]) == 0x13
 
 
 @pytest.mark.parametrize("channel", [-1, 0, 6])

@@ -8,10 +8,9 @@ from trex_gui.devices.trex.protocol.commands import (
     DriveAuxiliary,
     GetRawChannels,
     GetSignature,
-    Null,
     SetParameter,
 )
-from trex_gui.devices.trex.protocol.framing import EXPANDED_START, Framing
+from trex_gui.devices.trex.protocol.framing import Framing
 
 
 @pytest.mark.parametrize(
@@ -28,23 +27,6 @@ def test_crc_follows_packet_and_covers_all_of_it(
     command: Command[object], device_number: int | None, packet: str
 ) -> None:
     assert Framing(device_number, 0x89).encode(command) == bytes.fromhex(packet)
-
-
-@pytest.mark.parametrize(("device_number", "packet"), [(None, "ff"), (7, "80 07 7f")])
-def test_null_command_has_no_crc(device_number: int | None, packet: str) -> None:
-    assert Framing(device_number, 0x89).encode(Null()) == bytes.fromhex(packet)
-
-
-def test_other_polynomial_gives_other_crc() -> None:
-    # 0x81 followed by seven zeros, divided by 0x80, leaves nothing.
-    assert Framing(None, 0x80).encode(GetSignature()) == bytes.fromhex("81 00")
-
-
-@pytest.mark.parametrize(
-    ("device_number", "packet"), [(0, "80 00 01"), (8, "80 08 01"), (127, "80 7f 01")]
-)
-def test_device_number_is_second_byte(device_number: int, packet: str) -> None:
-    assert Framing(device_number).encode(GetSignature()) == bytes.fromhex(packet)
 
 
 @pytest.mark.parametrize("device_number", [-1, 128, 255])
@@ -71,7 +53,3 @@ def test_invalid_parameter_value_is_rejected_on_encode() -> None:
 )
 def test_crc_adds_one_byte_when_enabled(framing: Framing, size: int) -> None:
     assert framing.crc_size == size
-
-
-def test_expanded_packets_start_with_0x80() -> None:
-    assert EXPANDED_START == 0x80

@@ -30,17 +30,6 @@ def test_wire_bits_match_reference(
     assert settings.to_wire() == wire
 
 
-def test_default_is_19200_baud_without_error_detection() -> None:
-    assert LineSettings() == LineSettings(19200, Detection.NONE, 1)
-    assert LineSettings().to_wire() == 0x05
-
-
-@pytest.mark.parametrize("wire", [0x25, 0x2A, 0x35])
-def test_detection_bits_01_enable_crc(wire: int) -> None:
-    assert wire >> 5 & 0b11 == 0b01
-    assert LineSettings.from_wire(wire).detection is Detection.CRC7
-
-
 def test_valid_settings_round_trip() -> None:
     assert [LineSettings.from_wire(wire).to_wire() for wire in VALID] == VALID
 
@@ -49,17 +38,6 @@ def test_invalid_wire_values_are_rejected() -> None:
     for wire in {*range(-1, 0x101)} - {*VALID}:
         with pytest.raises(BadRequest):
             LineSettings.from_wire(wire)
-
-
-def test_exactly_88_settings_are_valid() -> None:
-    assert len(VALID) == 88
-    assert len({LineSettings.from_wire(wire) for wire in VALID}) == 88
-
-
-def test_eleven_baud_rates_span_1200_to_115200() -> None:
-    rates = baud_rates()
-    assert len(rates) == 11
-    assert (rates[0], rates[-1]) == (1200, 115200)
 
 
 def test_unknown_baud_rate_is_rejected_with_valid_ones() -> None:
@@ -114,12 +92,6 @@ def test_byte_at_19200_baud_takes_half_a_millisecond() -> None:
 
 def test_80_bytes_of_12_bits_take_100_ms_at_9600_baud() -> None:
     assert LineSettings(9600, Detection.EVEN, 2).seconds(80) == pytest.approx(0.1)
-
-
-def test_transfer_time_uses_real_baud_rate_if_given() -> None:
-    settings = LineSettings(38400)
-    real = settings.real_baud("1.0")
-    assert settings.seconds(1, real) == pytest.approx(10 / 19200)
 
 
 @pytest.mark.parametrize(

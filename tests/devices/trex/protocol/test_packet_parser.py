@@ -4,12 +4,8 @@ import pytest
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.protocol.commands import (
-    DriveAuxiliary,
     GetMode,
-    GetRawChannels,
     GetSignature,
-    GetStatus,
-    Null,
     SetCalibration,
 )
 from trex_gui.devices.trex.protocol.framing import Malformed, Packet, PacketParser
@@ -17,30 +13,6 @@ from trex_gui.devices.trex.protocol.framing import Malformed, Packet, PacketPars
 
 def raws(events: list[Packet | Malformed]) -> list[str]:
     return [event.raw.hex(" ") for event in events]
-
-
-def test_consecutive_packets_are_separated() -> None:
-    events = PacketParser().feed(bytes.fromhex("81 86 1f 80 07 70 7f 84"))
-    assert events == [
-        Packet(bytes.fromhex("81"), GetSignature(), None),
-        Packet(bytes.fromhex("86 1f"), GetRawChannels(), None),
-        Packet(bytes.fromhex("80 07 70 7f"), DriveAuxiliary(127), 7),
-        Packet(bytes.fromhex("84"), GetStatus(), None),
-    ]
-
-
-def test_packet_may_arrive_byte_by_byte() -> None:
-    parser = PacketParser()
-    *starts, end = [parser.feed(bytes([byte])) for byte in bytes.fromhex("80 07 06 1f")]
-    assert starts == [[], [], []]
-    assert end == [Packet(bytes.fromhex("80 07 06 1f"), GetRawChannels(), 7)]
-
-
-@pytest.mark.parametrize("device_number", [0, 1, 8, 127])
-def test_packet_for_other_board_is_read_with_its_number(device_number: int) -> None:
-    (event,) = PacketParser().feed(bytes([0x80, device_number, 0x01]))
-    assert isinstance(event, Packet)
-    assert event.device_number == device_number
 
 
 def test_data_byte_outside_packet_is_malformed() -> None:
@@ -101,35 +73,15 @@ def test_data_after_unknown_command_is_stray() -> None:
     assert [type(event) for event in events] == [Malformed, Malformed, Packet]
 
 
-def test_packet_with_crc_is_read() -> None:
-    raw = bytes.fromhex("86 1f 07")
-    assert PacketParser(0x89).feed(raw) == [Packet(raw, GetRawChannels(), None)]
-
-
 def test_wrong_crc_makes_packet_malformed_and_names_both() -> None:
     raw = bytes.fromhex("86 1f 08")
     assert PacketParser(0x89).feed(raw) == [Malformed(raw, "the CRC is 08, not 07")]
-
-
-def test_packet_without_crc_is_incomplete() -> None:
-    parser = PacketParser(0x89)
-    assert parser.feed(bytes.fromhex("81")) == []
-    assert parser.feed(bytes.fromhex("48")) == [
-        Packet(bytes.fromhex("81 48"), GetSignature(), None)
-    ]
 
 
 def test_unexpected_crc_is_stray_byte() -> None:
     packet, stray = PacketParser().feed(bytes.fromhex("81 48"))
     assert isinstance(packet, Packet)
     assert stray == Malformed(b"\x48", "a data byte outside a packet")
-
-
-@pytest.mark.parametrize("raw", ["ff", "80 07 7f"])
-def test_null_command_is_complete_without_crc(raw: str) -> None:
-    (event,) = PacketParser(0x89).feed(bytes.fromhex(raw))
-    assert isinstance(event, Packet)
-    assert event.command == Null()
 
 
 @pytest.mark.parametrize("ending", ["2a 55", "55 2b", "00 00"])
@@ -168,12 +120,6 @@ def test_flush_empties_parser() -> None:
     parser.flush()
     assert parser.flush() == []
     assert parser.feed(b"\x81") == [Packet(b"\x81", GetSignature(), None)]
-
-
-def test_empty_input_gives_no_events() -> None:
-    parser = PacketParser()
-    assert parser.feed(b"") == []
-    assert parser.flush() == []
 
 
 @pytest.mark.parametrize("polynomial", [0x00, 0x09, 0x100])

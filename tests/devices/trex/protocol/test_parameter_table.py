@@ -8,11 +8,9 @@ from hypothesis import strategies as st
 
 from tests.support.matrix import examples
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.parameters import (
     Grade,
     ParameterKind,
-    ParameterSet,
     ParameterSpec,
     parameters_of,
 )
@@ -95,14 +93,6 @@ def test_only_factory_reset_cannot_be_read(model: str, firmware: str) -> None:
 
 
 @every_model
-def test_response_delay_exists_since_firmware_1_2(model: str) -> None:
-    assert parameters_of(model, "1.1").number(0x17) is None
-    found = parameters_of(model, "1.2").number(0x17)
-    assert found is not None
-    assert found.key == "uart_response_delay"
-
-
-@every_model
 def test_other_parameters_are_the_same_in_all_firmware(model: str) -> None:
     newest = [spec for spec in parameters_of(model, "1.3") if spec.number != 0x17]
     for firmware in FIRMWARES:
@@ -119,12 +109,6 @@ def test_unknown_newer_firmware_has_all_parameters(model: str) -> None:
 @pytest.mark.parametrize("number", [0x18, 0x40, 0x7A, 0x80, -1])
 def test_undocumented_number_is_no_parameter(number: int) -> None:
     assert parameters_of("trex", "1.2").number(number) is None
-
-
-@every_model
-def test_every_default_is_valid(model: str) -> None:
-    for spec in parameters_of(model, "1.3"):
-        assert spec.check(spec.default) == spec.default
 
 
 @every_model
@@ -454,11 +438,9 @@ def test_rejected_uart_settings_show_expected_format(text: str) -> None:
         parameter("uart_settings").wire(text)
 
 
-@pytest.mark.parametrize("length", [400, 5000])
-@every_model
-def test_very_long_numbers_are_rejected(model: str, length: int) -> None:
-    for spec in parameters_of(model, "1.3"):
-        for text in ("9" * length, "0x" + "9" * length, "-" + "9" * length):
+def test_very_long_numbers_are_rejected() -> None:
+    for spec in different_specs():
+        for text in ("9" * 5000, "0x" + "9" * 5000, "-" + "9" * 5000):
             with pytest.raises(BadRequest):
                 spec.wire(text)
 
@@ -563,23 +545,4 @@ def test_newer_parameter_is_rejected_with_board_and_firmware() -> None:
         parameters_of("trexjr", "1.1")["uart_response_delay"]
 
 
-def test_parameter_set_has_length_and_iterates() -> None:
-    found: ParameterSet = parameters_of("trex", "1.0")
-    assert len(found) == len(list(found)) == 28
-
-
 # PWM frequency.
-
-
-@pytest.mark.parametrize(("prescaler", "maximum", "hertz"), [(1, 0x7F, 2400), (0, 0xFF, 10000)])
-def test_known_pwm_frequencies_match_within_3_percent(
-    prescaler: int, maximum: int, hertz: int
-) -> None:
-    wire = parameter("motor1_pwm_maximum").wire(str(maximum))
-    assert device_table().pwm.frequency(prescaler, wire) == pytest.approx(hertz, rel=0.03)
-
-
-def test_default_pwm_frequency_of_trex_jr_is_2_4_khz() -> None:
-    prescaler = parameter("motor1_pwm_prescaler", "trexjr").default
-    maximum = parameter("motor1_pwm_maximum", "trexjr").default
-    assert device_table().pwm.frequency(prescaler, maximum) == pytest.approx(2400, rel=0.03)

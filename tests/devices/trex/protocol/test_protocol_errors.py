@@ -67,9 +67,8 @@ def test_examples_cover_every_error() -> None:
 
 
 @pytest.mark.parametrize("error", EVERY_ERROR, ids=repr)
-@pytest.mark.parametrize("protocol", range(2, pickle.HIGHEST_PROTOCOL + 1))
-def test_pickled_error_keeps_its_message(error: StudioError, protocol: int) -> None:
-    arrived = pickle.loads(pickle.dumps(error, protocol))
+def test_pickled_error_keeps_its_message(error: StudioError) -> None:
+    arrived = pickle.loads(pickle.dumps(error))
     assert type(arrived) is type(error)
     assert str(arrived) == str(error)
     assert arrived.args == error.args

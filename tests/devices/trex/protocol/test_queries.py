@@ -21,7 +21,7 @@ from trex_gui.devices.trex.protocol.commands import (
     Null,
 )
 from trex_gui.devices.trex.protocol.device_table import device_table
-from trex_gui.devices.trex.protocol.flags import InputSource, Mode, Status, UartError
+from trex_gui.devices.trex.protocol.flags import Mode, Status, UartError
 
 
 # The documentation prints 2716 for channel 5; its own bytes 9B 0A and its 1.086 ms are 2715.
@@ -180,16 +180,6 @@ def test_remapped_channel_reply_has_one_byte_per_channel() -> None:
         assert GetRemappedChannels(mask).reply_size() == mask.bit_count()
 
 
-def test_mask_bit_n_requests_channel_n_plus_1() -> None:
-    assert GetRawChannels(0x13).channels == (1, 2, 5)
-
-
-def test_documented_reply_gives_pulse_width_of_1455_us() -> None:
-    value = GetRawChannels(0x13).parse(bytes.fromhex("35 0e ff ff 9b 0a"))[1]
-    assert value is not None
-    assert InputSource.RC.text(value) == "1455 µs"
-
-
 def test_current_of_55_is_8_25_a_on_trex() -> None:
     count = GetCurrent(1).parse(bytes.fromhex("37"))
     assert count * device_table().model("trex").current_unit == pytest.approx(8.25)
@@ -225,8 +215,3 @@ def test_calibration_of_channel_beyond_1_to_5_is_rejected(channel: int) -> None:
 def test_parameter_number_beyond_0_to_127_is_rejected(number: int) -> None:
     with pytest.raises(BadRequest, match=f"parameter number is 0 to 127, not {number}"):
         GetParameter(number).data()
-
-
-@pytest.mark.parametrize("command", [GetSignature(), GetStatus(), GetCurrents(), Null()])
-def test_queries_need_no_extra_reply_time(command: Command[object]) -> None:
-    assert command.seconds_to_answer == 0
