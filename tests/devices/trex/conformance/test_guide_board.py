@@ -168,10 +168,11 @@ def test_mix_jumper_can_be_changed_while_running(trex: Trex) -> None:
 
 
 def test_joint_mode_accepts_motor_1_and_auxiliary_commands(trex: Trex) -> None:
-    """Manual of the TReX Jr, page 6; the auxiliary motor still works."""
+    """Manual of the TReX Jr, page 6; the auxiliary motor still works, and motor 2 is no more."""
     trex.set_up(motor_mode=1)
-    trex.report("C2 44", "F0 22")
+    trex.report("C2 44", "CA 33", "F0 22")
     assert trex.motor(1) == ("forward", 0x44)
+    assert trex.motor(2)[1] == 0
     assert trex.show()["aux"]["speed"] == 0x22
 
 

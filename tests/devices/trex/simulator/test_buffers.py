@@ -31,34 +31,6 @@ def test_bytes_during_eeprom_write_are_handled_after_it(port: SerialPort) -> Non
     assert ask(port, "82") == "72"
 
 
-def test_write_queued_behind_write_pauses_again(port: SerialPort) -> None:
-    feed(port, WRITE + "82 AF 07 05 55 2A 9F 07")
-    pass_pause(port)
-    assert answer(port) == "00 72"
-    assert port.pause == pytest.approx(0.004)
-    assert port.board.memory.get(0x07) == 15
-    pass_pause(port)
-    assert answer(port) == "00 05"
-
-
-def test_motor_command_during_write_runs_after_it(port: SerialPort) -> None:
-    feed(port, WRITE + "C2 40")
-    assert port.board.motors[0].speed == 0
-    pass_pause(port)
-    assert port.board.motors[0].speed == 0x40
-
-
-def test_response_delay_holds_back_every_reply() -> None:
-    port = SerialPort(a_board(uart_response_delay=1))
-    feed(port, "82 83")
-    for expected in ("72", "01"):
-        assert port.pause == pytest.approx(0.001)
-        assert answer(port) == NO_REPLY
-        pass_pause(port)
-        assert answer(port) == expected
-    assert port.pause == 0
-
-
 def test_response_delay_adds_to_write_time() -> None:
     port = SerialPort(a_board(uart_response_delay=1))
     feed(port, WRITE)
@@ -125,13 +97,6 @@ def test_power_cut_empties_buffers(port: SerialPort) -> None:
     assert port.pause == 0
     assert answer(port) == "72"
     assert port.board.aux.speed == 0
-
-
-def test_requests_buffered_during_write_are_answered_in_turn() -> None:
-    line = TrexLine([a_board()])
-    line.send(bytes.fromhex(WRITE + "82 83 82"))
-    assert line.read(9, 1) == b"\x00r\x01r"
-    assert line.boards[0].counters["bytes_missed"] == 0
 
 
 def test_board_receives_again_after_delayed_replies() -> None:

@@ -269,10 +269,5 @@ def test_invalid_command_gives_one_line_error_and_no_change(line: TrexLine, text
     assert report(line.boards[0]) == before
 
 
-def test_wrong_words_are_answered_with_the_usage(line: TrexLine) -> None:
-    assert control(line, "load 1") == "error usage: load MOTOR AMPS"
-    assert control(line, "power up") == "error usage: power on|off|cycle"
-
-
 def test_quit_command_replies_goodbye(line: TrexLine) -> None:
     assert control(line, " Quit ") == GOODBYE == "ok bye"

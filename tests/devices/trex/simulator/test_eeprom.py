@@ -1,5 +1,4 @@
 import json
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -144,14 +143,6 @@ def test_factory_state_is_restored_in_file(tmp_path: Path) -> None:
     assert eeprom["uart_settings"] == 5
     assert eeprom.learned(InputSource.RC) == eeprom.learned(InputSource.ANALOG) == 0
     assert not eeprom.reset_pending
-
-
-@pytest.mark.parametrize("field", ["minimum", "neutral", "maximum", "deadband"])
-def test_calibration_fields_are_written_separately(field: str) -> None:
-    eeprom = Eeprom()
-    eeprom.write_calibration(InputSource.RC, 2, STICK)
-    eeprom.write_calibration_value(InputSource.RC, 2, field, 9)
-    assert eeprom.calibration(InputSource.RC, 2) == replace(STICK, **{field: 9})
 
 
 def test_unusable_path_raises_eeprom_error(tmp_path: Path) -> None:

@@ -51,12 +51,6 @@ class TestPace:
         assert line.read(1, 0.001) == b"\x00"
         assert line.now == pytest.approx(0.004)
 
-    def test_receive_returns_each_byte_once(self, line: TrexLine) -> None:
-        line.send(b"\x81")
-        line.advance(1)
-        assert line.receive() == SIGNATURE_BYTES
-        assert line.receive() == b""
-
     def test_backlog_is_line_time_of_queued_bytes(self, line: TrexLine) -> None:
         line.send(bytes(1920))
         assert line.backlog == pytest.approx(1)
@@ -79,15 +73,6 @@ class TestPace:
         assert line.boards[0].memory.get(0x07) == 15
 
 
-class TestDeafness:
-    def test_power_cut_cuts_off_reply(self, line: TrexLine) -> None:
-        line.send(b"\x81")
-        assert line.read(3, 1) == b"TRe"
-        line.boards[0].power_cycle()
-        line.send(b"\x82")
-        assert line.read(9, 1) == b"r"
-
-
 class TestHostSettings:
     @pytest.mark.parametrize(
         ("board_settings", "host", "error"),
@@ -108,21 +93,6 @@ class TestHostSettings:
         assert line.receive() == b""
         assert line.boards[0].serial.uart_errors == error
         assert line.boards[0].aux.speed == 0
-
-    @pytest.mark.parametrize(
-        ("board_settings", "host"),
-        [
-            (0x05, LineSettings()),
-            (0x05, LineSettings(19400)),
-            (0x6A, LineSettings(115200, Detection.ODD)),
-            (0x50, LineSettings(1200, Detection.EVEN, 2)),
-        ],
-    )
-    def test_matching_settings_give_reply(self, board_settings: int, host: LineSettings) -> None:
-        line = TrexLine([a_board(settings=board_settings)])
-        line.host = host
-        line.send(b"\x81")
-        assert line.read(7, 1) == SIGNATURE_BYTES
 
 
 class TestEcho:
@@ -227,11 +197,6 @@ class TestFaults:
         line.unplug()
         line.advance(1)
         assert line.receive() == b""
-
-    def test_injected_bytes_arrive_unsolicited(self, line: TrexLine) -> None:
-        line.inject(b"\x00\xff\x12")
-        assert line.read(9, 2.5 * BYTE) == b"\x00\xff"
-        assert line.read(9, BYTE) == b"\x12"
 
     def test_full_noise_corrupts_every_byte(self, line: TrexLine) -> None:
         line.inject(bytes(500))

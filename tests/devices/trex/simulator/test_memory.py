@@ -31,45 +31,6 @@ def path(tmp_path: Path) -> Path:
     return tmp_path / "eeprom.json"
 
 
-@pytest.mark.parametrize("seconds", [0.0, 0.0005, 0.002, 0.0039])
-def test_power_cut_during_write_leaves_parameter_default(path: Path, seconds: float) -> None:
-    board = a_board(path)
-    assert board.set_parameter(0x07, 90) is ResultCode.OK
-    board.advance(seconds)
-    assert board.memory.get(0x07) == 20
-    board.power_off()
-    assert board.eeprom["serial_timeout"] == Eeprom.open(path)["serial_timeout"] == 0
-    board.power_on()
-    board.advance(1)
-    assert board.memory.active["serial_timeout"] == 0
-    assert board.memory.active["motor1_acceleration"] == 7
-    assert board.memory.writes == 0
-
-
-def test_power_cut_after_write_keeps_parameter(path: Path) -> None:
-    board = a_board(path)
-    board.set_parameter(0x07, 90)
-    board.advance(0.004)
-    board.power_cycle()
-    assert board.memory.active["serial_timeout"] == Eeprom.open(path)["serial_timeout"] == 90
-
-
-def test_calibration_values_are_stored_one_after_another(path: Path) -> None:
-    board = a_board(path)
-    board.set_calibration(2, NEW)
-    seen = []
-    for _ in range(4):
-        board.advance(0.008)
-        seen.append(Eeprom.open(path).calibration(RC, 2))
-    assert seen == [
-        Calibration(NEW.minimum, OLD.neutral, OLD.maximum, OLD.deadband),
-        Calibration(NEW.minimum, NEW.neutral, OLD.maximum, OLD.deadband),
-        Calibration(NEW.minimum, NEW.neutral, NEW.maximum, OLD.deadband),
-        NEW,
-    ]
-    assert board.memory.writes == 1
-
-
 def test_calibration_out_of_order_after_power_cut_is_loaded(path: Path) -> None:
     board = a_board(path)
     board.set_calibration(2, Calibration(6000, 6100, 6200, 10))

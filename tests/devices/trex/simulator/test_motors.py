@@ -1,8 +1,8 @@
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.support.matrix import examples
 from trex_gui.devices.trex.simulator.motors import (
-    AuxiliaryMotor,
     Motor,
     MotorDirection,
     MotorSettings,
@@ -17,13 +17,6 @@ def updates(motor: Motor, settings: MotorSettings, count: int, current: int = 0)
         motor.update(settings, current)
         speeds.append(motor.speed)
     return speeds
-
-
-def test_update_adds_exact_tenth_of_acceleration() -> None:
-    motor = Motor()
-    motor.accelerate(FORWARD, 127)
-    assert updates(motor, MotorSettings(acceleration=25), 4) == [2, 5, 7, 10]
-    assert updates(motor, MotorSettings(acceleration=3), 10)[-1] == 13
 
 
 @given(acceleration=st.integers(1, 127), target=st.integers(1, 127))
@@ -43,12 +36,6 @@ def test_braked_motor_reverses_at_once_after_brake_duration() -> None:
     updates(motor, settings, 5)
     motor.accelerate(REVERSE, 40)
     assert updates(motor, settings, 1) == [40]
-
-
-def test_motor_at_rest_starts_without_braking() -> None:
-    motor = Motor()
-    motor.accelerate(FORWARD, 40)
-    assert updates(motor, MotorSettings(brake_duration=100), 1) == [40]
 
 
 def test_cancelled_reversal_resumes_old_direction() -> None:
@@ -106,6 +93,7 @@ def test_lower_setpoint_applies_over_current_limit() -> None:
     assert motor.speed == 9
 
 
+@examples(30)
 @given(
     steps=st.lists(
         st.tuples(
@@ -126,16 +114,3 @@ def test_speed_never_leaves_its_range(
         (motor.set if sets else motor.accelerate)(direction, speed)
         motor.update(MotorSettings(parameter, parameter, parameter, parameter), current)
         assert 0 <= motor.speed <= 127
-
-
-def test_auxiliary_motor_ramps_upwards_only() -> None:
-    aux = AuxiliaryMotor()
-    aux.accelerate(20)
-    for expected in (5, 10, 15, 20, 20):
-        aux.update(50)
-        assert aux.speed == expected
-    aux.accelerate(3)
-    aux.update(50)
-    assert aux.speed == 3
-    aux.set(127)
-    assert (aux.speed, aux.target_speed) == (127, 127)

@@ -92,14 +92,6 @@ def test_load_of_stall_current_or_more_stalls_motor(
     assert reading(physics, share * FULL) == pytest.approx(abs(share) * TREX.stall, abs=0.4)
 
 
-def test_running_motor_stalls_when_blocked(physics: MotorPhysics) -> None:
-    run(physics, 2.0, FULL)
-    physics.load = 100.0
-    run(physics, 0.5, FULL)
-    assert physics.speed == 0
-    assert reading(physics, FULL) == pytest.approx(TREX.stall, abs=0.4)
-
-
 def test_friction_stops_motor_without_reversing_it(physics: MotorPhysics) -> None:
     run(physics, 1.0, FULL)
     physics.load = 25.0
@@ -109,12 +101,6 @@ def test_friction_stops_motor_without_reversing_it(physics: MotorPhysics) -> Non
         speeds.append(physics.speed)
     assert speeds == sorted(speeds, reverse=True)
     assert speeds[-1] == 0
-
-
-def test_unloaded_motor_draws_free_current(physics: MotorPhysics) -> None:
-    physics.load = 0.0
-    run(physics, 2.0, FULL)
-    assert reading(physics, FULL) == pytest.approx(TREX.free, abs=0.3)
 
 
 def test_braking_slows_motor_faster_than_coasting() -> None:

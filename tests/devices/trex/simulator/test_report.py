@@ -115,10 +115,6 @@ def test_prescaler_and_maximum_set_pwm_frequency_at_once(
     assert report(board)["motors"][2 - number]["pwm_hz"] == before
 
 
-def test_new_board_has_measured_pwm_frequency(board: Board) -> None:
-    assert [motor["pwm_hz"] for motor in report(board)["motors"]] == [2441.4, 2441.4]
-
-
 def test_show_reports_motor_load_and_rpm(board: Board, port: SerialPort) -> None:
     board.physics[0].load = 4.0
     ask(port, "C1 7F")

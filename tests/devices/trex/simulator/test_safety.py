@@ -3,7 +3,7 @@
 import pytest
 
 from tests.devices.trex.simulator.ports import SETTLED, write
-from trex_gui.devices.trex.protocol.flags import Status, UartError
+from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.simulator.channels import Signal
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.memory import Eeprom
@@ -68,29 +68,6 @@ class TestSafety:
 
 
 class TestCurrents:
-    def test_current_limiter_slows_overloaded_motor(self) -> None:
-        board = Board()
-        write(board, "motor1_current_limit", 20)  # 40 counts, 6 A
-        write(board, "motor1_current_limit_p", 1)
-        write(board, "motor1_acceleration", 20)
-        board.physics[0].load = 12.0
-        board.serial.drive(1, FORWARD, 127, accelerate=True)
-        board.advance(5)
-        assert board.serial.take_status() == Status.MOTOR1_OVER_LIMIT
-        assert 15 < board.motors[0].speed < 110
-        assert 4 < board.physics[0].current < 8
-
-    def test_joint_mode_has_one_motor_and_no_currents(self) -> None:
-        eeprom = Eeprom()
-        eeprom.write("motor_mode", 1)
-        board = Board(eeprom=eeprom)
-        board.serial.drive(1, FORWARD, 100)
-        board.serial.drive(2, FORWARD, 100)
-        board.force_current(1, 5.0)
-        board.advance(0.5)
-        assert (board.motors[0].speed, board.motors[1].speed) == (100, 0)
-        assert [physics.reading for physics in board.physics] == [0, 0]
-
     def test_sticks_drive_one_motor_in_joint_mode(self) -> None:
         eeprom = Eeprom()
         eeprom.write("motor_mode", 1)

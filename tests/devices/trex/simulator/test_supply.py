@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 
-from tests.devices.trex.simulator.ports import SETTLED, a_board
+from tests.devices.trex.simulator.ports import SETTLED
 from trex_gui.devices.trex.simulator.channels import Signal
 from trex_gui.devices.trex.simulator.control import control, report
 from trex_gui.devices.trex.simulator.firmware import Board
@@ -83,12 +83,6 @@ class TestMachine:
         drawn = (TREX.battery - machine.volts) / TREX.battery_resistance
         assert drawn == pytest.approx(0.25 * machine.volts / TREX.resistance)
 
-    def test_faulty_driver_draws_no_current(self) -> None:
-        machine = Machine("trex", 0.15, 0)
-        machine.motors[0].fault = True
-        machine.advance(TICK, [DriverOutput(1.0), IDLE])
-        assert machine.volts == TREX.battery
-
     @pytest.mark.parametrize("model", CONSTANTS)
     def test_good_battery_survives_start_and_reversal_of_motors(self, model: str) -> None:
         board = Board(model)
@@ -101,11 +95,6 @@ class TestMachine:
 
 
 class TestBoard:
-    def test_ramp_limits_start_current(self) -> None:
-        board = a_board(motor1_acceleration=20)
-        board.serial.drive(1, FORWARD, 127, accelerate=True)
-        assert max(currents(board, 1)) < 0.5 * TREX.stall
-
     def test_stalled_motor_keeps_current_and_supply_constant(self) -> None:
         board = Board()
         board.physics[0].load = 100.0
