@@ -185,7 +185,7 @@ POLYNOMIAL_ALONE = Case(
 
 CASES = {**SERIAL, **MANY, "the polynomial alone": POLYNOMIAL_ALONE}
 
-_OFTEN = {"CRC on", "number and line", "half the rate, CRC stays on", "many, at half the rate"}
+_OFTEN = {"CRC on", "number and line", "many, at half the rate"}
 every_case = pytest.mark.parametrize(
     "name",
     [name if name in _OFTEN else pytest.param(name, marks=pytest.mark.slow) for name in CASES],

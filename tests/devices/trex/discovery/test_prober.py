@@ -117,7 +117,7 @@ def orders(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 # --- The whole search -------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("settings", sampled(BOARDS, every=5), ids=lambda settings: settings.text())
+@pytest.mark.parametrize("settings", sampled(BOARDS, every=9), ids=lambda settings: settings.text())
 def test_search_finds_every_board_and_commands_no_motor(
     settings: LineSettings, orders: list[str]
 ) -> None:
@@ -135,7 +135,7 @@ def test_search_finds_every_board_and_commands_no_motor(
 
 
 @pytest.mark.parametrize(
-    "settings", sampled(ONE_STOP_BIT, every=5), ids=lambda settings: settings.text()
+    "settings", sampled(ONE_STOP_BIT, every=7), ids=lambda settings: settings.text()
 )
 def test_search_without_replies_commands_no_motor(
     settings: LineSettings, orders: list[str]
@@ -287,13 +287,6 @@ def orders_obeyed(questions: Sequence[Attempt], own: LineSettings, *, crc: bool)
             waiting.extend(left - begun)
             begun |= left
     return obeyed
-
-
-@pytest.mark.parametrize("own", OWN, ids=lambda own: own.text())
-def test_no_probe_sequence_forms_a_motor_command(own: LineSettings) -> None:
-    # One stop bit more is only a longer rest behind a byte; two bytes have one between them.
-    for crc in (False, True) if own.detection is Detection.NONE else (False,):
-        assert not orders_obeyed(list(attempts()), own, crc=crc)
 
 
 @pytest.mark.slow

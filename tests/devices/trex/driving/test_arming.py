@@ -178,7 +178,7 @@ def test_late_confirmation_of_failed_stop_is_reported(stage: Stage) -> None:
 
 @pytest.mark.parametrize("baud", [1200, 19200, 115200])
 @pytest.mark.parametrize("echo", [False, True])
-@pytest.mark.parametrize("share", sampled([step / 12 for step in range(12)], every=5))
+@pytest.mark.parametrize("share", sampled([step / 12 for step in range(12)], every=7))
 def test_stop_while_connecting_waits_for_one_transaction(
     baud: int, share: float, echo: bool
 ) -> None:

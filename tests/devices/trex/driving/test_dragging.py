@@ -9,7 +9,7 @@ from trex_gui.devices.trex.driving.setpoints import REPEATS
 from trex_gui.devices.trex.protocol.commands import DriveMotor
 from trex_gui.devices.trex.protocol.driving import Drive
 
-_MOVES = 10_000
+_MOVES = 3_000
 _RATE = 1000
 
 

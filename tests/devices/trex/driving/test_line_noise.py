@@ -1,6 +1,7 @@
 """On a line that damages bytes no motor goes on that was let go, or stopped."""
 
 from functools import partial
+from itertools import product
 
 import pytest
 
@@ -15,6 +16,7 @@ from tests.devices.trex.session.helpers import (
     seen_at,
     staged,
 )
+from tests.support.matrix import sampled
 from tests.support.virtual import Stage
 from trex_gui.core.errors import NoReply
 from trex_gui.core.timing import Timeouts
@@ -50,8 +52,9 @@ def is_braked(stage: Stage) -> bool:
     return stage.board.motors[0].direction is MotorDirection.BRAKE
 
 
-@pytest.mark.parametrize("noise", [0.01, 0.02, 0.05])
-@pytest.mark.parametrize("seed", [13, 19, 40, 74, 93, 117])
+@pytest.mark.parametrize(
+    ("seed", "noise"), sampled(product([13, 19, 40, 74, 93, 117], [0.01, 0.02, 0.05]), every=4)
+)
 def test_released_motor_does_not_keep_running_on_noisy_line(noise: float, seed: int) -> None:
     stage, _ = staged()
     stage.line.faults._random.seed(seed)
@@ -159,8 +162,7 @@ def test_risky_polls_are_omitted_while_motors_may_move() -> None:
 # --- Stops ------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("seed", range(4))
-@pytest.mark.parametrize("noise", [0.01, 0.05])
+@pytest.mark.parametrize(("seed", "noise"), sampled(product(range(4), [0.01, 0.05]), every=3))
 def test_stop_holds_on_noisy_line(noise: float, seed: int) -> None:
     stage, _ = staged()
     stage.line.faults._random.seed(seed)

@@ -42,7 +42,7 @@ BY_WAY_OF_FACTORY = Case(
 SLOWEST = line_and_polynomial(wire(1200, Detection.CRC7, 2), 0x33, FAST, 0x44)
 
 CLOSED = {
-    "everything": Case(everything("1.2")[-10:], CALIBRATIONS[:2]),
+    "everything": Case(everything("1.2")[-6:], CALIBRATIONS[:1]),
     "CRC off": CASES["CRC off"],
     "by way of the factory's line": BY_WAY_OF_FACTORY,
 }
@@ -198,7 +198,7 @@ def stopped_first(attempt: Attempt, moment: float) -> Writing:
 
 def test_close_stops_motors_before_remaining_writes() -> None:
     case = CLOSED["everything"]
-    for moment in moments(case)[20::5]:
+    for moment in moments(case)[10::5]:
         attempt = driven(case, moment)
         writing = stopped_first(attempt, moment)
         assert writing.reports[-1][1] == Closed(None, may_move=False)
@@ -207,7 +207,7 @@ def test_close_stops_motors_before_remaining_writes() -> None:
 
 def test_close_sends_one_confirmed_stop() -> None:
     case = CLOSED["everything"]
-    attempt = driven(case, moments(case)[40])
+    attempt = driven(case, moments(case)[20])
     run(attempt)
     sent = moving(attempt.stage.transport.sent)
     stops = [command for command in sent if command in STOP]

@@ -49,7 +49,7 @@ INTERVAL = 0.25
 
 
 @pytest.mark.parametrize(
-    ("baud", "detection"), sampled(itertools.product(baud_rates(), Detection), every=5)
+    ("baud", "detection"), sampled(itertools.product(baud_rates(), Detection), every=9)
 )
 def test_100_ms_timeout_never_fires_while_armed(baud: int, detection: Detection) -> None:
     stage, settings = staged(baud, detection)
@@ -102,9 +102,7 @@ def test_timeout_written_while_connected_applies_at_once() -> None:
     assert [one for one in samples(reports, Raw) if one.time > start + 1.2] == []
 
 
-@pytest.mark.parametrize(
-    ("baud", "tenths"), [(1200, 1), (1200, 5), (2400, 1), (2400, 2), (19200, 1), (115200, 1)]
-)
+@pytest.mark.parametrize(("baud", "tenths"), [(1200, 1), (2400, 2), (115200, 1)])
 def test_lost_reply_fires_timeout_only_where_predicted(baud: int, tenths: int) -> None:
     stage, settings = staged(baud)
     stage.transport.latency = latency_of("/dev/ttyUSB0")

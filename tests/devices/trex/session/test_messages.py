@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from tests.devices.trex.recording.samples import polled
 from tests.devices.trex.session.helpers import among, run_for, staged
-from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable, StudioError
+from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.core.session import Close, Closed, Outcome, Progress
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.client.client import Counters
@@ -38,7 +38,7 @@ from trex_gui.devices.trex.protocol.commands import (
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.driving import Drive
-from trex_gui.devices.trex.protocol.errors import ErrorCode, Rejected, ResultCode
+from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.raw_packets import packets_of
 from trex_gui.devices.trex.session.messages import (
@@ -79,15 +79,6 @@ REQUESTS: list[Request] = [
     Close(),
 ]
 
-ERRORS: list[StudioError] = [
-    StudioError("a"),
-    BadRequest("b"),
-    PortUnavailable("c"),
-    NoReply("d"),
-    BadReply("e"),
-    Rejected("Serial Timeout", ResultCode.NOT_SERIAL_MODE),
-]
-
 REPORTS: list[Report] = [
     Progress(1, 2, "x"),
     ProbeProgress(1, 2, "x"),
@@ -126,21 +117,6 @@ def test_every_command_survives_pickling() -> None:
         data = b"\x00" * (cls.data_size - 2) + b"\x55\x2a" if 0xA0 <= opcode <= 0xAF else None
         command = cls.from_packet(opcode, data or b"\x01" * cls.data_size)
         assert there_and_back(RunCommand(1, command)) == RunCommand(1, command)
-
-
-@pytest.mark.parametrize("error", ERRORS, ids=lambda error: type(error).__name__)
-def test_pickled_error_keeps_type_and_message(error: StudioError) -> None:
-    for message in (Outcome(1, error=error), Closed(error), WriteResult("motor_mode", error=error)):
-        arrived = there_and_back(message).error
-        assert arrived is not None
-        assert type(arrived) is type(error)
-        assert str(arrived) == str(error)
-        assert arrived.args == error.args
-
-
-def test_pickled_rejection_keeps_its_code() -> None:
-    copy = there_and_back(Rejected("Serial Timeout", ResultCode.BAD_VALUE))
-    assert (copy.what, copy.result) == ("Serial Timeout", ResultCode.BAD_VALUE)
 
 
 def test_error_with_cause_can_be_pickled() -> None:

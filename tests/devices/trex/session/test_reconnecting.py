@@ -132,7 +132,7 @@ def test_board_reconnects_at_every_line_setting(orders: list[str]) -> None:
         a_board_is_found_again_at(line, orders)
 
 
-@pytest.mark.parametrize("line", sampled(EACH_ONCE, every=3), ids=lambda line: line.text())
+@pytest.mark.parametrize("line", sampled(EACH_ONCE, every=6), ids=lambda line: line.text())
 def test_board_reconnects_at_expected_line_settings(line: LineSettings, orders: list[str]) -> None:
     a_board_is_found_again_at(line, orders)
 
@@ -157,7 +157,7 @@ def a_board_is_found_again_at(line: LineSettings, orders: list[str]) -> None:
             ),
             EVERYWHERE[::17],
         ),
-        every=3,
+        every=5,
     ),
     ids=lambda line: line.text(),
 )
@@ -170,7 +170,7 @@ def test_board_reconnects_from_various_old_line_settings(
     assert not orders
 
 
-@pytest.mark.parametrize("polynomial", [0x80, 0x91, 0xA6, 0xFF])
+@pytest.mark.parametrize("polynomial", [0x80, 0xFF])
 def test_board_reconnects_with_new_polynomial(polynomial: int) -> None:
     old = replace(OLD, line=CRC)
     new = replace(old, polynomial=polynomial)
@@ -319,7 +319,7 @@ def test_requests_are_rejected_while_reconnecting() -> None:
 
 some_or_all_lines = pytest.mark.parametrize(
     "lines",
-    [EVERYWHERE[::6], pytest.param(EVERYWHERE, marks=pytest.mark.slow)],
+    [EVERYWHERE[::12], pytest.param(EVERYWHERE, marks=pytest.mark.slow)],
     ids=["some lines", "all lines"],
 )
 
@@ -374,11 +374,11 @@ def test_stop_retry_at_old_settings_starts_no_motor(
         place.go(ConnectionSettings("virtual", CRC), new=ConnectionSettings("virtual", line))
         place.script.at(ON, partial(setattr, place.line.faults, "mute", True))
         seen: list[bool] = []
-        for step in range(400):
+        for step in range(200):
             place.script.at(ON + step / 100, partial(look, place, seen))
-        place.end(6.5)
+        place.end(4.5)
         assert bytes(place.transport.sent).count(STOPS[0]) > 5
-        assert len(seen) == 400
+        assert len(seen) == 200
         assert not any(seen), line.text()
 
 

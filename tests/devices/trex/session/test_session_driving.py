@@ -20,13 +20,10 @@ from tests.support.virtual import Stage
 from trex_gui.core.errors import NoReply
 from trex_gui.core.session import Closed
 from trex_gui.devices.trex.client.telemetry import Control
-from trex_gui.devices.trex.driving.requests import Arm, SetAuxiliary, SetMotor, Stop
-from trex_gui.devices.trex.driving.setpoints import REPEATS
+from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetMotor, Stop
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.commands import (
     STOP,
-    DriveAuxiliary,
-    DriveBoth,
     DriveMotor,
     GetMode,
     GetSignature,
@@ -52,30 +49,6 @@ def test_setpoint_reaches_its_motor(stage: Stage) -> None:
     run_for(stage, 1.2)
     assert speeds == [80]
     assert moving(stage.transport.sent)[0] == DriveMotor(2, Drive.at(-80))
-
-
-def test_setpoints_of_two_motors_share_one_packet(stage: Stage) -> None:
-    stage.script.at(1.0, SetMotor(2, Drive.at(20), accelerate=True))
-    stage.script.at(1.0, SetMotor(1, Drive.at(10), accelerate=True))
-    stage.script.at(1.0, SetAuxiliary(30))
-    run_for(stage, 1.1)
-    driven = moving(stage.transport.sent)[:2]
-    assert driven == [
-        DriveBoth(Drive.at(10), Drive.at(20), accelerate=True),
-        DriveAuxiliary(30),
-    ]
-
-
-@pytest.mark.parametrize("baud", [1200, 19200, 115200])
-def test_fast_setpoints_do_not_flood_line(baud: int) -> None:
-    stage, settings = staged(baud)
-    for step in range(500):
-        stage.script.at(4.0 + step / 500, SetMotor(1, Drive.at(step % 100)))
-    speeds = seen_at(stage, 5.5, lambda: stage.board.motors[0].speed)
-    run_for(stage, 5.5, settings)
-    packets = [one for one in moving(stage.transport.sent) if one not in STOP]
-    assert len(packets) <= 1.0 / 0.02 + 2 + len(REPEATS)
-    assert speeds == [499 % 100]
 
 
 def test_last_setpoint_acts_immediately_on_fast_line() -> None:
@@ -127,13 +100,6 @@ def test_stop_is_confirmed_by_status_reply(stage: Stage) -> None:
     sent = commands(stage.transport.sent)
     begin = sent.index(STOP[0])
     assert sent[begin : begin + 6] == [*STOP, GetStatus(), *STOP, GetStatus()]
-
-
-def test_stop_is_sent_without_earlier_setpoint(stage: Stage) -> None:
-    stage.script.at(1.0, Stop(1))
-    run_for(stage, 2.0)
-    assert STOP_PACKETS in stage.transport.sent
-    assert outcomes(stage.reports)[1].error is None
 
 
 @pytest.mark.parametrize(("baud", "within"), [(1200, 0.35), (9600, 0.05), (115200, 0.01)])
@@ -202,31 +168,11 @@ def test_stop_overtakes_queued_requests(stage: Stage) -> None:
     assert next(iter(outcomes(stage.reports))) == 20
 
 
-def test_stop_while_connecting_stops_motors(stage: Stage) -> None:
-    stage.script.at(0.1, Stop(1))
-    run_for(stage, 1.0)
-    assert outcomes(stage.reports)[1].error is None
-    assert is_stopped(stage.board)
-
-
 def test_simultaneous_stops_share_packets_and_get_outcomes(stage: Stage) -> None:
     stage.script.at(1.0, Stop(1)).at(1.0, Stop(2)).at(1.0, Stop(3))
     run_for(stage, 2.0)
     assert sorted(outcomes(stage.reports)) == [1, 2, 3]
     assert moving(stage.transport.sent) == [*STOP, *STOP]
-
-
-def test_setpoints_before_stop_are_discarded(stage: Stage) -> None:
-    stage.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.0, SetAuxiliary(9)).at(1.0, Stop(1))
-    run_for(stage, 2.0)
-    assert moving(stage.transport.sent) == [*STOP, *STOP]
-
-
-def test_setpoint_after_stop_and_arming_is_sent(stage: Stage) -> None:
-    stage.script.at(1.0, Stop(1)).at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(100)))
-    speeds = seen_at(stage, 1.5, lambda: stage.board.motors[0].speed)
-    run_for(stage, 2.0)
-    assert speeds == [100]
 
 
 def test_stop_in_rc_mode_is_confirmed() -> None:
@@ -237,7 +183,7 @@ def test_stop_in_rc_mode_is_confirmed() -> None:
     assert outcomes(stage.reports)[1].error is None
 
 
-@pytest.mark.parametrize("lost", [1, 3, 5, 7, 12])
+@pytest.mark.parametrize("lost", [1, 5, 12])
 def test_stop_with_lost_bytes_is_resent(stage: Stage, lost: int) -> None:
     def lose() -> None:
         stage.line.faults.to_drop_sent = lost
@@ -250,31 +196,13 @@ def test_stop_with_lost_bytes_is_resent(stage: Stage, lost: int) -> None:
 
 
 @pytest.mark.parametrize("seed", range(5))
-@pytest.mark.parametrize("detection", [Detection.NONE, Detection.CRC7])
-def test_stop_succeeds_on_noisy_line(seed: int, detection: Detection) -> None:
-    """Without a CRC what is asked behind it may arrive as a motor command.
-
-    `line_quality` says how often; nobody has driven here, so nothing is repeated against that.
-    """
-    stage, settings = staged(detection=detection)
+def test_stop_succeeds_on_noisy_line_with_crc(seed: int) -> None:
+    stage, settings = staged(detection=Detection.CRC7)
     stage.line.faults._random.seed(seed)
-
-    def corrupt() -> None:
-        stage.line.faults.noise = 0.05
-
-    def look() -> None:
-        seen.append(is_stopped(stage.board))
-
-    seen: list[bool] = []
-    stage.script.at(1.0, corrupt).at(1.0, Stop(1))
-    for step in range(50):
-        stage.script.at(1.0 + step / 100, look)
+    stage.script.at(1.0, lambda: setattr(stage.line.faults, "noise", 0.05)).at(1.0, Stop(1))
     run_for(stage, 1.5, settings)
-    seen.append(is_stopped(stage.board))
-    is_confirmed = outcomes(stage.reports)[1].error is None
-    assert is_confirmed or detection is Detection.NONE, "with a CRC nothing goes by unnoticed"
-    assert any(seen)
-    assert seen[-1] or detection is Detection.NONE
+    assert outcomes(stage.reports)[1].error is None
+    assert is_stopped(stage.board)
 
 
 def test_unanswered_stop_is_repeated_and_then_reported(stage: Stage) -> None:
@@ -359,7 +287,7 @@ def test_unconfirmed_stop_on_close_is_reported(stage: Stage) -> None:
     assert is_stopped(stage.board)
 
 
-@pytest.mark.parametrize("lost", [1, 3, 5, 7, 9, 11])
+@pytest.mark.parametrize("lost", [1, 5, 11])
 def test_stop_on_close_with_lost_bytes_is_resent(stage: Stage, lost: int) -> None:
     def lose() -> None:
         stage.line.faults.to_drop_sent = lost

@@ -109,7 +109,7 @@ def test_close_does_not_wait_for_queued_requests(stage: Stage) -> None:
     assert all("closed before this was done" in str(found[id_].error) for id_ in (2, 3))
 
 
-@pytest.mark.parametrize("after", [0.0, 0.05, 0.3, 1.0])
+@pytest.mark.parametrize("after", [0.0, 0.3, 1.0])
 @pytest.mark.parametrize("drives", [True, False])
 def test_unanswered_stop_delays_close_by_less_than_a_second(
     stage: Stage, after: float, *, drives: bool
@@ -186,13 +186,6 @@ def test_each_request_has_one_outcome_when_port_is_lost(
     assert stage.transport.closed
 
 
-@pytest.mark.parametrize("calls", [0, 1, 10, 100, 150, 200, 300])
-def test_port_loss_is_reported_at_once(calls: int) -> None:
-    stage = stage_that_fails(calls, GONE, [])
-    assert stage.run()[-1] == Closed(GONE)
-    assert stage.line.now < 3.0
-
-
 def test_requests_fail_with_error_of_lost_port(stage: Stage) -> None:
     def unplug() -> None:
         stage.transport.fail = GONE
@@ -207,7 +200,7 @@ def test_requests_fail_with_error_of_lost_port(stage: Stage) -> None:
 # --- A mistake of ours ------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("calls", [0, 5, 50, 150, 250])
+@pytest.mark.parametrize("calls", [0, 150])
 def test_internal_error_ends_session_and_closes_port(
     calls: int, caplog: pytest.LogCaptureFixture
 ) -> None:

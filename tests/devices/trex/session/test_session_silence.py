@@ -43,8 +43,7 @@ def off_and_on(stage: Stage, off: float, on: float) -> None:
 # --- Falling silent ---------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("latency", [0.005, 0.06])
-@pytest.mark.parametrize("baud", [9600, 19200, 115200])
+@pytest.mark.parametrize(("baud", "latency"), [(9600, 0.06), (115200, 0.005), (115200, 0.06)])
 def test_power_loss_is_detected_within_500_ms(baud: int, latency: float) -> None:
     stage, settings = staged(baud)
     stage.transport.latency = latency
@@ -95,17 +94,16 @@ def test_unresponsive_board_is_polled_slowly(cut_off: tuple[Stage, dict[float, i
 # --- Coming back ------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("seconds", [0.6, 8.0])
-def test_returning_board_is_read_again(stage: Stage, seconds: float) -> None:
-    off_and_on(stage, 1.0, 1.0 + seconds)
-    run_for(stage, 2.5 + seconds)
+def test_returning_board_is_read_again(stage: Stage) -> None:
+    off_and_on(stage, 1.0, 1.6)
+    run_for(stage, 3.1)
     first, second = among(stage.reports, Connected)
     assert first.occasion is ReadReason.OPENED
     assert second.occasion is ReadReason.RETURNED
     assert second.occasion.power_cycled
     kinds = [type(report) for report in stage.reports]
     assert kinds.index(NotResponding) < len(kinds) - 1 - kinds[::-1].index(Connected)
-    assert max(one.time for one in samples(stage.reports, Currents)) > 2.4 + seconds
+    assert max(one.time for one in samples(stage.reports, Currents)) > 3.0
 
 
 def test_returning_board_is_found_within_one_second(stage: Stage) -> None:

@@ -61,8 +61,7 @@ def rates_seen(stage: Stage, seconds: float) -> dict[Topic, float]:
     }
 
 
-@pytest.mark.parametrize("mode", ["serial", "analog"])
-@pytest.mark.parametrize("baud", [19200, 115200])
+@pytest.mark.parametrize(("baud", "mode"), [(19200, "serial"), (115200, "analog")])
 def test_every_new_value_is_sampled_from_19200_baud_on(baud: int, mode: str) -> None:
     stage, settings = staged(baud, mode=mode)
     run_for(stage, 6.0, settings)
@@ -113,12 +112,11 @@ def test_status_is_polled_ten_times_a_second(undisturbed: Stage) -> None:
     assert looks == pytest.approx(50, abs=4)
 
 
-@pytest.mark.parametrize(("baud", "seconds"), [(1200, 20.0), (9600, 6.0)])
-def test_slow_line_starves_no_topic(baud: int, seconds: float) -> None:
-    stage, settings = staged(baud)
-    run_for(stage, seconds + 5.0, settings)
+def test_slow_line_starves_no_topic() -> None:
+    stage, settings = staged(1200)
+    run_for(stage, 25.0, settings)
     wanted = rates(InputSource.RC)
-    shares = [rate / wanted[topic] for topic, rate in rates_seen(stage, seconds).items()]
+    shares = [rate / wanted[topic] for topic, rate in rates_seen(stage, 20.0).items()]
     assert min(shares) > max(shares) / 3
 
 
@@ -136,10 +134,9 @@ def test_fast_line_is_idle_between_polls() -> None:
     assert len(stage.transport.sent) + received < 5 * wanted + 340  # with what is stored
 
 
-@pytest.mark.parametrize("baud", [1200, 19200, 115200])
-def test_batches_do_not_exceed_display_rate(baud: int) -> None:
-    stage, settings = staged(baud)
-    stage.script.at(5.0, Close())
+def test_batches_do_not_exceed_display_rate() -> None:
+    stage, settings = staged(115200)
+    stage.script.at(3.0, Close())
     moments = [at for at, report in timed_run(stage, settings) if isinstance(report, Batch)]
     moments.pop()  # what is left is delivered at the end
     gaps = [later - sooner for sooner, later in itertools.pairwise(moments)]
@@ -201,17 +198,6 @@ def test_fault_is_reported_once_each_time_it_is_latched(stage: Stage) -> None:
         (Status.MOTOR1_FAULT, UartError(0)),
     ]
     assert [round(one.time, 1) for one in news] == pytest.approx([1.0, 1.5], abs=0.11)
-
-
-def test_uart_error_is_reported_with_its_bits(stage: Stage) -> None:
-    def corrupt() -> None:
-        stage.board.report_error(UartError.FRAMING)
-        stage.board.report_error(UartError.PARITY)
-
-    stage.script.at(1.0, corrupt)
-    (news,) = samples(run_for(stage, 2.0), LatchedStatus)
-    assert news.status == Status.UART_ERROR
-    assert news.uart == UartError.FRAMING | UartError.PARITY
 
 
 def test_simultaneous_faults_are_reported_together(stage: Stage) -> None:
@@ -386,7 +372,6 @@ def reset_unnoticed(stage: Stage, **changes: int) -> Callable[[], None]:
 @pytest.mark.parametrize(
     ("key", "baud"),
     [
-        ("serial_timeout", 1200),
         ("serial_timeout", 115200),
         ("uart_error_shutdown", 19200),
         ("motor1_current_limit", 19200),
