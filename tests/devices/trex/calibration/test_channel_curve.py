@@ -1,8 +1,11 @@
 """The curve that is drawn is what the board does, at every raw count."""
 
+from itertools import product
+
 import pytest
 
 from tests.devices.trex.oracle import remapping as oracle
+from tests.support.matrix import sampled
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED, Calibration
 from trex_gui.devices.trex.simulator.channel_control import ChannelSetup
@@ -18,20 +21,23 @@ CALIBRATIONS = (
 )
 
 
-@pytest.mark.parametrize("calibration", CALIBRATIONS, ids=str)
+OPTIONS = (
+    (False, False, False),
+    (True, False, False),
+    (False, True, False),
+    (True, True, False),
+    (True, True, True),
+)
+"""Reversed, parabolic, ignored."""
+
+
 @pytest.mark.parametrize(
-    ("reversed_", "parabolic", "ignored"),
-    [
-        (False, False, False),
-        (True, False, False),
-        (False, True, False),
-        (True, True, False),
-        (True, True, True),
-    ],
+    ("calibration", "options"), sampled(product(CALIBRATIONS, OPTIONS), every=4), ids=str
 )
 def test_curve_matches_board_remapping_at_every_raw_count(
-    calibration: Calibration, reversed_: bool, parabolic: bool, ignored: bool
+    calibration: Calibration, options: tuple[bool, bool, bool]
 ) -> None:
+    reversed_, parabolic, ignored = options
     curve = ChannelCurve(calibration, reversed_, parabolic, ignored)
     setup = ChannelSetup(
         (calibration,) * 5,
@@ -70,9 +76,10 @@ def test_drawn_corners_reproduce_every_output(
     assert drawn == list(outputs[:-1])
 
 
-@pytest.mark.parametrize("channel", [4, 5])
-@pytest.mark.parametrize("reversed_", [False, True])
-@pytest.mark.parametrize("ignored", [False, True])
+@pytest.mark.parametrize(
+    ("channel", "reversed_", "ignored"),
+    sampled(product((4, 5), (False, True), (False, True)), every=3),
+)
 def test_switch_threshold_matches_the_board(channel: int, reversed_: bool, ignored: bool) -> None:
     for calibration in CALIBRATIONS:
         curve = ChannelCurve(calibration, reversed_, ignored=ignored)

@@ -3,10 +3,11 @@
 from random import Random
 
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from tests.devices.trex.calibration.measure import neutral_of
+from tests.support.matrix import examples
 from tests.support.transmitter import RATE, Stick
 from trex_gui.devices.trex.calibration.neutral import Sample, measure_neutral
 from trex_gui.devices.trex.calibration.problems import ProblemKind
@@ -15,7 +16,7 @@ from trex_gui.devices.trex.calibration.travel import TASKS, WINDOW, Task, Travel
 from trex_gui.devices.trex.model.learning.problem_text import problem_text
 from trex_gui.devices.trex.protocol.flags import InputSource
 
-unhurried = settings(deadline=None)
+modest = examples(40)
 
 Moves = tuple[tuple[float, float], ...]
 
@@ -59,7 +60,7 @@ def furthest_inside(length: float, stick: Stick) -> float:
     return (0.02 + 0.01) * length + (6 + 4 + 3) * deviation + 2
 
 
-@unhurried
+@modest
 @example(  # turns at the end in 23 ms, so slowly that the samples agree within their tolerance
     stick=Stick(rest=1400, low=900, high=1850, noise=2, forward_is_down=True),
     rate=25.0,
@@ -91,7 +92,7 @@ def test_learned_ends_match_true_ends_at_every_rate(
     assert abs(high - found.maximum) <= furthest_inside(high - neutral, stick)
 
 
-@unhurried
+@modest
 @given(stick=sticks, rate=rates, seed=st.integers(0, 2**32))
 def test_holding_for_requested_time_is_enough(stick: Stick, rate: float, seed: int) -> None:
     agreeing = 3 if rate < 20 else 6  # samples in a row

@@ -1,10 +1,11 @@
 """Where a stick rests, and what is wrong when it does not."""
 
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from tests.devices.trex.calibration.measure import learn, neutral_of
+from tests.support.matrix import examples
 from tests.support.transmitter import Stick
 from trex_gui.devices.trex.calibration.neutral import (
     LIMITS,
@@ -16,7 +17,7 @@ from trex_gui.devices.trex.calibration.problems import ProblemKind
 from trex_gui.devices.trex.model.learning.problem_text import problem_text
 from trex_gui.devices.trex.protocol.flags import InputSource
 
-unhurried = settings(deadline=None)
+modest = examples(40)
 
 ANALOG = InputSource.ANALOG
 
@@ -25,7 +26,7 @@ def kinds(stick: Stick, seed: int = 1) -> set[ProblemKind]:
     return {problem.kind for problem in neutral_of(stick, seed).problems}
 
 
-@unhurried
+@modest
 @given(
     rest=st.floats(1100, 1900),
     noise=st.floats(0, 15),
@@ -48,7 +49,7 @@ def test_stick_rest_is_measured_within_half_its_noise(
     assert abs(found.value - rest * 2.5) <= max(1, found.noise / 2) + abs(drift) * 2.5
 
 
-@unhurried
+@modest
 @given(rest=st.floats(1.5, 3.5), noise=st.floats(0, 0.05), seed=st.integers(0, 2**32))
 def test_analog_rest_is_measured_within_half_its_noise(
     rest: float, noise: float, seed: int
@@ -58,7 +59,7 @@ def test_analog_rest_is_measured_within_half_its_noise(
     assert abs(found.value - rest * 204.6) <= max(1, found.noise / 2)
 
 
-@unhurried
+@modest
 @given(noise=st.floats(0.4, 15), seed=st.integers(0, 2**32))
 def test_noise_is_measured_within_factor_of_two(noise: float, seed: int) -> None:
     found = neutral_of(Stick(noise=noise), seed)
@@ -66,7 +67,7 @@ def test_noise_is_measured_within_factor_of_two(noise: float, seed: int) -> None
     assert noise * 2.5 / 2 <= found.deviation <= noise * 2.5 * 2 + rounding
 
 
-@unhurried
+@modest
 @given(
     twitch=st.one_of(st.floats(60, 400), st.floats(-400, -60)),
     noise=st.floats(0, 2),
@@ -76,7 +77,7 @@ def test_twitch_is_reported_as_movement(twitch: float, noise: float, seed: int) 
     assert kinds(Stick(twitches=twitch, noise=noise), seed) == {ProblemKind.MOVED}
 
 
-@unhurried
+@modest
 @example(drift=-14.0, seed=113877)
 @given(drift=st.one_of(st.floats(8, 200), st.floats(-200, -8)), seed=st.integers(0, 2**32))
 def test_drift_is_reported_as_movement_with_direction(drift: float, seed: int) -> None:
@@ -195,7 +196,7 @@ def test_excessive_noise_is_reported_with_its_size() -> None:
     assert text.startswith("At rest its noise is ±62.8 µs:")
 
 
-@unhurried
+@modest
 @example(noise=20.0, seed=312)
 @given(noise=st.floats(0, 20), seed=st.integers(0, 2**32))
 def test_deadband_covers_noise_and_never_falls_below_floor(noise: float, seed: int) -> None:

@@ -3,10 +3,11 @@
 from dataclasses import replace
 
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from tests.devices.trex.calibration.measure import check, learn, neutral_of, travel_of
+from tests.support.matrix import examples
 from tests.support.transmitter import HOLD, Stick
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.calibration.neutral import Sample
@@ -18,7 +19,7 @@ from trex_gui.devices.trex.model.learning.problem_text import problem_text
 from trex_gui.devices.trex.protocol.calibration import Calibration, remap
 from trex_gui.devices.trex.protocol.flags import InputSource
 
-unhurried = settings(deadline=None)
+modest = examples(40)
 
 # A wild pulse is not told from an end that is held where the pulses behind it are lost: the board
 # repeats the last value. So a stick has one of both.
@@ -51,7 +52,7 @@ def bound(stick: Stick) -> float:
     return 0.01 * (high - low) + 5 * max(1.0, stick.noise * stick.source.counts_per_unit)
 
 
-@unhurried
+@modest
 @given(stick=sticks, seed=st.integers(0, 2**32))
 def test_ends_are_found_within_one_percent_of_travel(stick: Stick, seed: int) -> None:
     found = learned(stick, seed=seed).calibration
@@ -63,7 +64,7 @@ def test_ends_are_found_within_one_percent_of_travel(stick: Stick, seed: int) ->
     assert abs(found.neutral - neutral) <= max(1.0, 2.5 * stick.noise)
 
 
-@unhurried
+@modest
 @given(stick=sticks, seed=st.integers(0, 2**32))
 def test_calibration_gives_full_output_at_ends_and_zero_at_rest(stick: Stick, seed: int) -> None:
     proposal = learned(stick, seed=seed)
@@ -76,7 +77,7 @@ def test_calibration_gives_full_output_at_ends_and_zero_at_rest(stick: Stick, se
     assert remap(round(neutral - noise), proposal.calibration) == 0
 
 
-@unhurried
+@modest
 @given(stick=sticks, now=st.booleans(), seed=st.integers(0, 2**32))
 def test_reversed_is_suggested_when_forward_is_down(stick: Stick, now: bool, seed: int) -> None:
     proposal = learned(stick, seed=seed, reversed_now=now)
@@ -88,7 +89,7 @@ def test_reversed_is_suggested_when_forward_is_down(stick: Stick, now: bool, see
     assert bool(proposal.reversed_reason) is (stick.forward_is_down != now)
 
 
-@unhurried
+@modest
 @given(low=st.floats(0.2, 1.5), high=st.floats(3.5, 4.8), seed=st.integers(0, 2**32))
 def test_analog_ends_are_found_within_one_percent_of_travel(
     low: float, high: float, seed: int
@@ -101,7 +102,7 @@ def test_analog_ends_are_found_within_one_percent_of_travel(
     assert 0 < maximum - found.maximum <= bound(stick)
 
 
-@unhurried
+@modest
 @given(
     stick=st.builds(
         Stick,
@@ -300,7 +301,7 @@ def test_analog_throttle_calibration_extends_beyond_its_rest() -> None:
     assert remap(1023, found) < 127
 
 
-@unhurried
+@modest
 @given(rest=st.floats(600, 2400), seed=st.integers(0, 2**32))
 def test_throttle_output_stays_low_just_beyond_its_rest(rest: float, seed: int) -> None:
     far = 2400.0 if rest < 1500 else 600.0
@@ -393,7 +394,7 @@ def test_switch_resting_at_its_switching_point_is_reported() -> None:
 # --- A hand on the stick, a trim that moves ---------------------------------------------
 
 
-@unhurried
+@modest
 @given(off=st.floats(0.1, 0.3), up=st.booleans(), seed=st.integers(0, 2**32))
 def test_stick_held_off_rest_while_sampled_is_reported(off: float, up: bool, seed: int) -> None:
     stick = Stick(noise=0.5)

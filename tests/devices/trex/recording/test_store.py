@@ -41,7 +41,7 @@ def ten_seconds(folder: Path) -> tuple[bytes, list[Record]]:
     return (folder / "ten.trexrec").read_bytes(), what
 
 
-@examples(40)
+@examples(20)
 @given(what=st.lists(records, max_size=60), step=st.integers(1, 20))
 def test_every_record_is_read_as_written(folder: Path, what: list[Record], step: int) -> None:
     path = folder / "any.trexrec"
@@ -117,7 +117,7 @@ def test_committed_records_survive_a_crash(tmp_path: Path) -> None:
     writer.close()
 
 
-@examples(30)
+@examples(15)
 @given(share=st.floats(0, 1))
 def test_power_failure_keeps_records_up_to_the_last_sync(folder: Path, share: float) -> None:
     """The log may end anywhere; the main file is complete up to the last sync."""
@@ -212,7 +212,7 @@ def test_device_files_are_not_replaced(name: str) -> None:
 # --- Damaged and foreign files ------------------------------------------------------------
 
 
-@examples(40)
+@examples(20)
 @given(share=st.floats(0, 1))
 def test_cut_file_is_read_as_far_as_possible(
     folder: Path, ten_seconds: tuple[bytes, list[Record]], share: float
@@ -240,7 +240,7 @@ def test_cut_file_keeps_its_intact_samples(
     assert len(found) > len(what) // 4
 
 
-@examples(100)
+@examples(40)
 @given(share=st.floats(0, 1), bits=st.integers(1, 255), second=st.floats(0, 1))
 def test_flipped_bytes_raise_only_recording_errors(
     folder: Path,

@@ -25,7 +25,7 @@ from trex_gui.devices.trex.settings.notes import note_lines
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import calibration_text, parameter_text, write_settings
 
-thorough = examples(20, phases=[Phase.generate])
+thorough = examples(12, phases=[Phase.generate])
 RC_1 = CalibrationKey.RC_CHANNEL_1
 
 
@@ -398,7 +398,7 @@ def test_edited_file_reads_as_new_settings_and_keeps_comments(
     amendment: tuple[Settings, Written, Settings],
 ) -> None:
     old, written, new = amendment
-    assert read_settings(written.text)[0] == old
+    assert amend(written.text, old) == written.text
     after = amend(written.text, new)
     assert read_settings(after)[0] == new
     assert amend(after, new) == after
@@ -429,13 +429,6 @@ def test_unchanged_entries_stay_byte_for_byte(
                 == parameter_text(new.specs[key], wire, new)
             )
         assert not is_same or piece in after
-
-
-@thorough
-@given(data=st.data(), given_settings=any_settings())
-def test_same_settings_leave_text_unchanged(data: st.DataObject, given_settings: Settings) -> None:
-    text = data.draw(any_written(given_settings)).text
-    assert amend(text, given_settings) == text
 
 
 @thorough

@@ -11,6 +11,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.support.matrix import examples
 from trex_gui.core.files import SettingsError
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.device_table import device_table
@@ -352,6 +353,7 @@ def test_file_in_place_of_folder_is_reported(tmp_path: Path) -> None:
         take(SettingsHistory(tmp_path / "snapshots"))
 
 
+@examples(25)
 @given(adapter=st.text(max_size=80), reason=st.text(max_size=80))
 def test_snapshot_accepts_any_adapter_and_reason(
     tmp_path_factory: pytest.TempPathFactory, adapter: str, reason: str

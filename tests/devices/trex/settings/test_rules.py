@@ -17,7 +17,7 @@ from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.rules import RULES, Context, LintFinding, lint
 
-thorough = examples(40, phases=[Phase.generate])
+thorough = examples(20, phases=[Phase.generate])
 NOTHING_ELSE = Context()
 DRIVING = Context(drives_from_computer=True)
 

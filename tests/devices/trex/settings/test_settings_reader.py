@@ -236,11 +236,6 @@ def test_repeated_setting_is_reported_with_first_line() -> None:
     assert only_finding(text) == "line 4: serial_timeout: was given in line 2 already"
 
 
-def test_repeated_product_is_reported() -> None:
-    text = "product: TReX\nproduct: TReX Jr\n"
-    assert only_finding(text) == "line 2: product: was given in line 1 already"
-
-
 @pytest.mark.parametrize(
     ("text", "sentence"),
     [

@@ -44,9 +44,5 @@ def test_device_state_is_saved_and_read_back() -> None:
     assert read_settings(write_settings(settings)) == (settings, ())
 
 
-def test_parameters_follow_table_order() -> None:
-    assert list(settings_of(state_of()).parameters) == list(factory("trexjr").parameters)
-
-
 def test_snapshot_keeps_invalid_value() -> None:
     assert settings_of(state_of(uart_settings=15)).parameters["uart_settings"] == 15

@@ -98,7 +98,7 @@ def test_exported_text_is_short_ascii_lines_without_gaps(
         assert max(map(len, text.splitlines())) <= LONGEST_LINE
 
 
-@examples(30)
+@examples(15)
 @given(settings=any_settings(), line=any_link())
 def test_exported_python_parses_in_3_8_and_has_all_values(
     settings: Settings, line: ConnectionSettings
