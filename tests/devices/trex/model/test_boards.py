@@ -14,7 +14,6 @@ from tests.support.simulator import StartSimulator
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.virtual_time import VirtualQtBot
 from trex_gui.devices.trex.bench.run import Plan, Profile
-from trex_gui.devices.trex.discovery import NUMBERS
 from trex_gui.devices.trex.model.apply_to_boards import ApplyToBoards, BoardStep
 from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.devices.trex.model.boards import BoardList, Presence
@@ -92,11 +91,11 @@ class Stand:
 def make(
     start_simulator: StartSimulator, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> Iterator[Callable[..., Stand]]:
-    """Put boards with these numbers on a line, of which a scan asks for the first `numbers`."""
+    """Put boards with these numbers, which are below 16, on a line."""
     devices: list[Device] = []
 
-    def make(*boards: str, numbers: int = 16) -> Stand:
-        monkeypatch.setattr("trex_gui.devices.trex.model.boards.NUMBERS", numbers)
+    def make(*boards: str) -> Stand:
+        monkeypatch.setattr("trex_gui.devices.trex.model.boards.NUMBERS", 16)
         options = [word for board in boards for word in ("--device", board)]
         simulator = start_simulator("--unpaced", *options)
         assert isinstance(simulator, VirtualSimulator)
@@ -116,14 +115,14 @@ Make = Callable[..., Stand]
 
 
 def test_scan_finds_each_board_by_number(make: Make) -> None:
-    stand = make("3", "7", "127:trexjr", numbers=NUMBERS)
+    stand = make("3", "7", "12:trexjr")
     stand.connect(7)
     assert not stand.boards.has_several
     stand.scan()
     assert stand.presences == {
         3: Presence.RESPONDING,
         7: Presence.SELECTED,
-        127: Presence.RESPONDING,
+        12: Presence.RESPONDING,
     }
     assert [str(one.signature) for one in stand.boards.boards] == [
         "TReX 1.2",
@@ -131,8 +130,12 @@ def test_scan_finds_each_board_by_number(make: Make) -> None:
         "TReX Jr 1.2",
     ]
     assert stand.infos == ["3 boards on this line."]
-    assert not stand.device.board.quality.is_noisy
-    # One that is switched off is noticed, and is noticed again.
+    assert not stand.device.quality.is_noisy
+
+
+def test_board_that_is_switched_off_and_on_is_noticed(make: Make) -> None:
+    stand = make("3", "7")
+    stand.connect_known(7, 3)
     stand.simulator.do("@3 power off")
     stand.wait(lambda: stand.presences[3] is Presence.SILENT)
     stand.simulator.do("@3 power on")
@@ -140,15 +143,22 @@ def test_scan_finds_each_board_by_number(make: Make) -> None:
     stand.device.disconnect_line()
     stand.wait(lambda: stand.device.link is ConnectionState.DISCONNECTED)
     assert set(stand.presences.values()) == {Presence.UNKNOWN}
-    # They are known again when the program is started the next time.
+
+
+def test_boards_of_a_scan_are_known_at_the_next_start(make: Make) -> None:
+    stand = make("3", "7")
+    stand.connect(7)
+    stand.scan()
     stand.boards = BoardList(stand.device)
-    stand.connect(127)
-    known = {3: Presence.UNKNOWN, 7: Presence.UNKNOWN, 127: Presence.SELECTED}
-    assert stand.presences == known
-    stand.wait(lambda: Presence.UNKNOWN not in stand.presences.values())
-    # Whoever addresses no board expects a single one, which can be driven.
+    stand.connect(3)
+    assert stand.presences == {3: Presence.SELECTED, 7: Presence.UNKNOWN}
+    stand.wait(lambda: stand.presences[7] is Presence.RESPONDING)
+
+
+def test_connection_without_a_number_expects_a_single_board(make: Make) -> None:
+    stand = make("3", "7")
+    stand.connect_known(7, 3)
     stand.simulator.do("@3 power off")
-    stand.simulator.do("@7 power off")
     stand.connect(None)
     assert not stand.presences
     assert stand.device.motors.can_arm
@@ -193,12 +203,12 @@ def test_nothing_reaches_several_boards_that_a_scan_has_found(make: Make) -> Non
     stand.boards.cancel_scan()
     stand.wait(lambda: stand.boards.can_scan)
     assert not device.motors.can_arm
-    assert not device.writer.can_apply
-    device.writer.set_serial_timeout(2)
+    assert not device.can_apply
+    device.set_serial_timeout(2)
     device.parameters.edit("motor1_acceleration", 9)
-    device.writer.apply()
-    device.writer.reset_to_factory()
-    assert not device.writer.running
+    device.apply()
+    device.reset_to_factory()
+    assert not device.applying
     stand.wait(lambda: len(stand.errors) == 3)
     assert all("it would reach several boards" in one for one in stand.errors)
     # The same file for all is written to one after the other, each with its number.
@@ -207,7 +217,7 @@ def test_nothing_reaches_several_boards_that_a_scan_has_found(make: Make) -> Non
     assert device.settings is not None
     assert device.settings.device_number == 7
     stand.wait(lambda: device.motors.can_arm)
-    assert device.writer.can_apply
+    assert device.can_apply
 
 
 def test_scan_asks_for_every_number_whatever_was_asked_before(make: Make) -> None:
@@ -320,25 +330,25 @@ def test_edits_and_counts_of_each_board_return(make: Make) -> None:
     device.parameters.edit("serial_timeout", 5)
     device.parameters.edit("crc7_polynomial", 0x11)
     stand.line.boards[0].serial.report(UartError.FORMAT, shut_down=False)
-    stand.wait(lambda: any(one.count for one in device.board.errors.entries))
+    stand.wait(lambda: any(one.count for one in device.errors.entries))
     stand.select(9)
     assert device.draft.pending == 0
     assert not device.draft.undo.canUndo()
-    assert not any(one.count for one in device.board.errors.entries)
+    assert not any(one.count for one in device.errors.entries)
     device.parameters.edit("serial_timeout", 9)
     stand.select(7)
-    assert dict(device.parameters.values.pending) == {"serial_timeout": 5, "crc7_polynomial": 0x11}
-    assert any(one.count for one in device.board.errors.entries)
+    assert dict(device.parameters.pending) == {"serial_timeout": 5, "crc7_polynomial": 0x11}
+    assert any(one.count for one in device.errors.entries)
     # What waits for the next start waits still.
-    device.writer.apply()
-    stand.wait(lambda: device.draft.pending == 0 and not device.writer.running)
-    waiting = device.parameters.values.waiting_for_power
+    device.apply()
+    stand.wait(lambda: device.draft.pending == 0 and not device.applying)
+    waiting = device.parameters.waiting_for_power
     assert waiting
     stand.select(9)
-    assert dict(device.parameters.values.pending) == {"serial_timeout": 9}
-    assert not device.parameters.values.waiting_for_power
+    assert dict(device.parameters.pending) == {"serial_timeout": 9}
+    assert not device.parameters.waiting_for_power
     stand.select(7)
-    assert device.parameters.values.waiting_for_power == waiting
+    assert device.parameters.waiting_for_power == waiting
     assert device.edit_backup.offer is None
     assert any("returns" in one or "return when" in one for one in stand.infos)
 
@@ -350,12 +360,12 @@ def test_board_gets_a_free_number(make: Make) -> None:
     stand = make("7", "9")
     stand.connect(7)
     stand.scan()
-    stand.device.writer.set_device_number(9)
+    stand.device.set_device_number(9)
     stand.wait(lambda: any("has the device number 9" in one for one in stand.errors))
-    assert not stand.device.writer.running
+    assert not stand.device.applying
     assert stand.show(7)["parameters"]["device_number"] == 7
-    stand.device.writer.set_device_number(12)
-    stand.wait(lambda: stand.boards.selected == 12 and not stand.device.writer.running)
+    stand.device.set_device_number(12)
+    stand.wait(lambda: stand.boards.selected == 12 and not stand.device.applying)
     assert stand.line.boards[0].eeprom["device_number"] == 12
     assert stand.presences == {9: Presence.RESPONDING, 12: Presence.SELECTED}
     stand.select(9)
@@ -419,8 +429,8 @@ def test_settings_are_written_to_several_boards(make: Make) -> None:
     ]
     assert stored == [(3, 5), (7, 5), (9, 0), (12, 0)]
     assert {board.eeprom["uart_settings"] for board in stand.line.boards} == {5}
-    assert dict(stand.device.parameters.values.pending) == {"motor1_acceleration": 9}
-    history = stand.device.writer.history
+    assert dict(stand.device.parameters.pending) == {"motor1_acceleration": 9}
+    history = stand.device.history
     kept = [history.load(snapshot) for snapshot in history.snapshots()]
     numbers = {settings.parameters["device_number"] for settings in kept}
     assert numbers == {3, 7}
@@ -477,7 +487,7 @@ def test_work_is_cancelled_between_boards(make: Make) -> None:
     work.reviewed(wanted(serial_timeout=5), 3, 7, 9)
 
     def cancel() -> None:
-        if work.steps[3] is BoardStep.WRITING and not stand.device.writer.is_saving_snapshot:
+        if work.steps[3] is BoardStep.WRITING and not stand.device.is_saving_snapshot:
             work.cancel()
 
     stand.device.link_changed.connect(cancel)
@@ -502,7 +512,7 @@ def test_stop_ends_the_work_and_leaves_no_board_half_written(make: Make) -> None
         work.write((3, 7, 9))
         stand.wait(is_due)
         stand.device.motors.press_stop()
-        stand.wait(lambda: not work.is_running and not stand.device.writer.running)
+        stand.wait(lambda: not work.is_running and not stand.device.applying)
 
     write_and_stop(lambda: stand.boards.is_selecting and work.steps[3] is BoardStep.READING)
     assert set(work.steps.values()) == {BoardStep.SKIPPED}

@@ -173,15 +173,6 @@ def test_power_cycle_is_visible_and_runs_once(board: OverheardBoard) -> None:
     assert any(off)
 
 
-def test_mode_jumper_takes_effect_at_next_power_up(board: OverheardBoard) -> None:
-    board.set_mode_jumper("rc")
-    board.wait(lambda: seen(board).jumpers.mode == "rc")
-    assert seen(board).active_mode_jumper == "serial"
-    board.power_cycle()
-    board.wait(lambda: seen(board).mode is Mode.RC)
-    assert seen(board).safe_start
-
-
 def test_held_stick_keeps_its_position(board: OverheardBoard) -> None:
     board.hold_stick(2, 1850)
     assert board.automatic == {1, 3, 4, 5}

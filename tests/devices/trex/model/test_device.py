@@ -118,13 +118,6 @@ def test_connecting_reads_state_and_enables_arming(connected: RecorderOfBoard) -
     assert connected.failures == []
 
 
-def test_echo_of_the_rs232_side_is_detected(
-    recorder: RecorderOfBoard, start_simulator: StartSimulator
-) -> None:
-    recorder.connect(start_simulator("--echo").url)
-    assert recorder.device.connection.echo
-
-
 def test_missing_port_is_reported(recorder: RecorderOfBoard) -> None:
     recorder.device.connect_to(ConnectionSettings("/dev/ttyNothing9"))
     recorder.until_link(ConnectionState.DISCONNECTED)
@@ -347,17 +340,6 @@ def test_last_of_several_chosen_ports_is_connected(
     connected.connect(other.url, again=True)
     assert connected.device.settings == ConnectionSettings(other.url)
     assert connected.failures == []
-
-
-def test_missing_port_chosen_while_connected_is_reported(connected: RecorderOfBoard) -> None:
-    connected.device.connect_to(ConnectionSettings("/dev/ttyNothing9"))
-    connected.until_link(ConnectionState.DISCONNECTED)
-    assert "There is no port" in connected.failures[0]
-
-
-def test_shutdown_without_a_connection_is_immediate(recorder: RecorderOfBoard) -> None:
-    assert recorder.device.shut_down()
-    assert recorder.links == []
 
 
 def test_device_does_not_change_after_shutdown(connected: RecorderOfBoard, qtbot: QtBot) -> None:

@@ -202,13 +202,6 @@ def test_recording_is_committed_every_second(session: RecorderSetup, tmp_path: P
     session.end_recording()
 
 
-def test_missing_folder_is_reported(session: RecorderSetup, tmp_path: Path) -> None:
-    with session.qtbot.waitSignal(session.recorder.failed) as failed:
-        session.recorder.start(tmp_path / "none" / "a.trexrec")
-    assert "No such file" in failed.args[0]
-    session.wait(lambda: session.recorder.can_record)
-
-
 class Kept:
     """The recordings of faults and stops of a device, and the events in each of them."""
 

@@ -117,17 +117,6 @@ def test_speed_out_of_range_is_rejected(armed: RequestRecorder, speed: int) -> N
     assert armed.requests == []
 
 
-def test_brake_out_of_range_is_rejected(armed: RequestRecorder) -> None:
-    with pytest.raises(BadRequest, match="0 to 127"):
-        armed.motors.set_brake(1, 128)
-
-
-def test_arming_twice_keeps_setpoints(armed: RequestRecorder) -> None:
-    armed.motors.set_speed(1, 50)
-    armed.motors.arm()
-    assert armed.motors.drive(1) == Drive.at(50)
-
-
 def test_rearmed_motors_have_no_setpoint(armed: RequestRecorder) -> None:
     armed.motors.set_speed(1, 50)
     armed.motors.stop()
@@ -343,13 +332,6 @@ def test_linking_idle_or_equal_motors_sends_nothing(armed: RequestRecorder) -> N
         armed.motors.set_linked(False)
 
 
-def test_linking_twice_keeps_motors_linked(armed: RequestRecorder) -> None:
-    armed.motors.set_linked(True)
-    armed.motors.set_speed(1, 40)
-    armed.motors.set_linked(True)
-    assert armed.motors.linked
-
-
 # --- Controls that must be held ---------------------------------------------------------
 
 
@@ -405,11 +387,6 @@ def test_setpoint_after_release_is_dropped(armed: RequestRecorder) -> None:
     assert armed.motors.drive(1) == Drive.brake(127)
 
 
-def test_unarmed_motors_cannot_be_held(recorder: RequestRecorder) -> None:
-    recorder.motors.set_available(True)
-    assert not recorder.motors.acquire("pad")
-
-
 def test_losing_the_holding_control_stops_and_disarms(armed: RequestRecorder) -> None:
     armed.motors.acquire("gamepad")
     armed.motors.set_speed(1, 20, "gamepad")
@@ -455,9 +432,3 @@ def test_unchanged_setpoint_is_not_sent_with_the_other(armed: RequestRecorder) -
     armed.motors.set_speeds(50, 60)
     armed.motors.set_speeds(50, 60)
     assert armed.requests[1:] == [SetMotor(2, Drive.at(60), True)]
-
-
-def test_speed_out_of_range_is_rejected_for_both(armed: RequestRecorder) -> None:
-    with pytest.raises(BadRequest, match="-127 to 127"):
-        armed.motors.set_speeds(50, 128)
-    assert armed.requests == []

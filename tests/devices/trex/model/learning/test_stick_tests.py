@@ -75,12 +75,6 @@ def sticks(connect: Callable[..., Device]) -> Callable[..., Sticks]:
 # --- A throttle -------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("reversed_", [False, True])
-def test_trim_side_of_a_throttle_is_idle(reversed_: bool) -> None:
-    trimmed = remap(2600, THROTTLE, reversed_=reversed_)
-    assert idle_side(THROTTLE, reversed_=reversed_) == (1 if trimmed > 0 else -1)
-
-
 def test_throttle_passes_with_full_output_on_its_travel_side() -> None:
     test = StickTest(3)
     idle = idle_side(THROTTLE, reversed_=False)

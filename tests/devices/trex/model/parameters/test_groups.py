@@ -318,24 +318,6 @@ def test_left_out_parameter_counts_as_pending(qtbot: QtBot) -> None:
 # --- In words ---------------------------------------------------------------------------
 
 
-def test_values_are_shown_in_physical_units(model: ParameterModel) -> None:
-    for key, wire, text in (
-        ("motor1_current_limit", 25, "2 A"),
-        ("motor1_acceleration", 4, "3.2 s to full speed"),
-        ("motor1_acceleration", 127, "0.1 s to full speed"),
-        ("motor1_acceleration", 0, "no ramp"),
-        ("aux_pwm_maximum", 63, "127"),
-        ("motor1_brake_duration", 12, "120 ms"),
-        ("motor1_deadband_brake_pwm", 127, "100 %"),
-        ("serial_timeout", 15, "1.5 s"),
-        ("uart_settings", 5, "19200 baud, no error detection, 1 stop bit"),
-        ("crc7_polynomial", 9, "0x89"),
-        ("required_channels", 5, "channels 1, 3"),
-    ):
-        model.edit(key, wire)
-        assert said(model, key) == text
-
-
 def test_side_panel_explains_wire_value_default_and_source(model: ParameterModel) -> None:
     about = model.text.about
     for key, reports in (

@@ -203,7 +203,7 @@ def test_missing_folder_is_reported_and_keeps_the_path(rover: Path, tmp_path: Pa
     assert document.path == rover
 
 
-@examples(20, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@examples(10, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(before=any_settings(), after=any_settings())
 def test_edited_document_text_parses_to_its_settings(
     qapp: QApplication, before: Settings, after: Settings

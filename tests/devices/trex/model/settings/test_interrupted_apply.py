@@ -36,7 +36,7 @@ WANTED = {
 STEPS = range(len(WANTED) + 2)
 """Before the calibration, before each parameter, and when all are written."""
 
-every_step = pytest.mark.parametrize("step", sampled(STEPS, every=2))
+every_step = pytest.mark.parametrize("step", sampled(STEPS, every=4))
 
 
 class InterruptedApply:
