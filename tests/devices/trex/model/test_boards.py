@@ -130,7 +130,7 @@ def test_scan_finds_each_board_by_number(make: Make) -> None:
         "TReX Jr 1.2",
     ]
     assert stand.infos == ["3 boards on this line."]
-    assert not stand.device.quality.is_noisy
+    assert not stand.device.board.quality.is_noisy
 
 
 def test_board_that_is_switched_off_and_on_is_noticed(make: Make) -> None:
@@ -203,12 +203,12 @@ def test_nothing_reaches_several_boards_that_a_scan_has_found(make: Make) -> Non
     stand.boards.cancel_scan()
     stand.wait(lambda: stand.boards.can_scan)
     assert not device.motors.can_arm
-    assert not device.can_apply
-    device.set_serial_timeout(2)
+    assert not device.writer.can_apply
+    device.writer.set_serial_timeout(2)
     device.parameters.edit("motor1_acceleration", 9)
-    device.apply()
-    device.reset_to_factory()
-    assert not device.applying
+    device.writer.apply()
+    device.writer.reset_to_factory()
+    assert not device.writer.running
     stand.wait(lambda: len(stand.errors) == 3)
     assert all("it would reach several boards" in one for one in stand.errors)
     # The same file for all is written to one after the other, each with its number.
@@ -217,7 +217,7 @@ def test_nothing_reaches_several_boards_that_a_scan_has_found(make: Make) -> Non
     assert device.settings is not None
     assert device.settings.device_number == 7
     stand.wait(lambda: device.motors.can_arm)
-    assert device.can_apply
+    assert device.writer.can_apply
 
 
 def test_scan_asks_for_every_number_whatever_was_asked_before(make: Make) -> None:
@@ -330,25 +330,25 @@ def test_edits_and_counts_of_each_board_return(make: Make) -> None:
     device.parameters.edit("serial_timeout", 5)
     device.parameters.edit("crc7_polynomial", 0x11)
     stand.line.boards[0].serial.report(UartError.FORMAT, shut_down=False)
-    stand.wait(lambda: any(one.count for one in device.errors.entries))
+    stand.wait(lambda: any(one.count for one in device.board.errors.entries))
     stand.select(9)
     assert device.draft.pending == 0
     assert not device.draft.undo.canUndo()
-    assert not any(one.count for one in device.errors.entries)
+    assert not any(one.count for one in device.board.errors.entries)
     device.parameters.edit("serial_timeout", 9)
     stand.select(7)
-    assert dict(device.parameters.pending) == {"serial_timeout": 5, "crc7_polynomial": 0x11}
-    assert any(one.count for one in device.errors.entries)
+    assert dict(device.parameters.values.pending) == {"serial_timeout": 5, "crc7_polynomial": 0x11}
+    assert any(one.count for one in device.board.errors.entries)
     # What waits for the next start waits still.
-    device.apply()
-    stand.wait(lambda: device.draft.pending == 0 and not device.applying)
-    waiting = device.parameters.waiting_for_power
+    device.writer.apply()
+    stand.wait(lambda: device.draft.pending == 0 and not device.writer.running)
+    waiting = device.parameters.values.waiting_for_power
     assert waiting
     stand.select(9)
-    assert dict(device.parameters.pending) == {"serial_timeout": 9}
-    assert not device.parameters.waiting_for_power
+    assert dict(device.parameters.values.pending) == {"serial_timeout": 9}
+    assert not device.parameters.values.waiting_for_power
     stand.select(7)
-    assert device.parameters.waiting_for_power == waiting
+    assert device.parameters.values.waiting_for_power == waiting
     assert device.edit_backup.offer is None
     assert any("returns" in one or "return when" in one for one in stand.infos)
 
@@ -360,12 +360,12 @@ def test_board_gets_a_free_number(make: Make) -> None:
     stand = make("7", "9")
     stand.connect(7)
     stand.scan()
-    stand.device.set_device_number(9)
+    stand.device.writer.set_device_number(9)
     stand.wait(lambda: any("has the device number 9" in one for one in stand.errors))
-    assert not stand.device.applying
+    assert not stand.device.writer.running
     assert stand.show(7)["parameters"]["device_number"] == 7
-    stand.device.set_device_number(12)
-    stand.wait(lambda: stand.boards.selected == 12 and not stand.device.applying)
+    stand.device.writer.set_device_number(12)
+    stand.wait(lambda: stand.boards.selected == 12 and not stand.device.writer.running)
     assert stand.line.boards[0].eeprom["device_number"] == 12
     assert stand.presences == {9: Presence.RESPONDING, 12: Presence.SELECTED}
     stand.select(9)
@@ -429,8 +429,8 @@ def test_settings_are_written_to_several_boards(make: Make) -> None:
     ]
     assert stored == [(3, 5), (7, 5), (9, 0), (12, 0)]
     assert {board.eeprom["uart_settings"] for board in stand.line.boards} == {5}
-    assert dict(stand.device.parameters.pending) == {"motor1_acceleration": 9}
-    history = stand.device.history
+    assert dict(stand.device.parameters.values.pending) == {"motor1_acceleration": 9}
+    history = stand.device.writer.history
     kept = [history.load(snapshot) for snapshot in history.snapshots()]
     numbers = {settings.parameters["device_number"] for settings in kept}
     assert numbers == {3, 7}
@@ -487,7 +487,7 @@ def test_work_is_cancelled_between_boards(make: Make) -> None:
     work.reviewed(wanted(serial_timeout=5), 3, 7, 9)
 
     def cancel() -> None:
-        if work.steps[3] is BoardStep.WRITING and not stand.device.is_saving_snapshot:
+        if work.steps[3] is BoardStep.WRITING and not stand.device.writer.is_saving_snapshot:
             work.cancel()
 
     stand.device.link_changed.connect(cancel)
@@ -512,7 +512,7 @@ def test_stop_ends_the_work_and_leaves_no_board_half_written(make: Make) -> None
         work.write((3, 7, 9))
         stand.wait(is_due)
         stand.device.motors.press_stop()
-        stand.wait(lambda: not work.is_running and not stand.device.applying)
+        stand.wait(lambda: not work.is_running and not stand.device.writer.running)
 
     write_and_stop(lambda: stand.boards.is_selecting and work.steps[3] is BoardStep.READING)
     assert set(work.steps.values()) == {BoardStep.SKIPPED}

@@ -9,9 +9,9 @@ from pytestqt.qtbot import QtBot
 from tests.support.simulator import SimulatedDevice
 from tests.support.transmitter import Stick, Transmitter
 from trex_gui.core.errors import NoReply
+from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.calibration.problems import ProblemKind
 from trex_gui.devices.trex.client.telemetry import Control
-from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning, LearningStep
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
@@ -88,8 +88,8 @@ class LearningSetup:
         self.learning.next()
 
     def write(self) -> None:
-        self.device.apply()
-        self.until(lambda: not self.device.applying)
+        self.device.writer.apply()
+        self.until(lambda: not self.device.writer.running)
 
     def hold(self) -> None:
         """Wait for as many measurements as make an end."""
@@ -122,7 +122,7 @@ def test_learning_two_channels_is_one_undo_step(setup: LearningSetup) -> None:
     second = setup.device.calibrations.shown(2)
     assert second is not None
     assert abs(second.neutral - 3800) <= 2
-    assert setup.device.parameters.value_of("reversed_channels") == 0b10
+    assert setup.device.parameters.values.value_of("reversed_channels") == 0b10
     assert setup.device.draft.pending == 3
     assert "Learn channels" in setup.device.draft.undo.undoText()
     setup.device.draft.undo.undo()
@@ -191,7 +191,9 @@ def test_joint_mode_motor_stays_stopped_while_sticks_move(setup: LearningSetup) 
     setup.simulator.do("power off")
     setup.until(lambda: setup.device.link is ConnectionState.NOT_RESPONDING)
     setup.simulator.do("power on")
-    setup.until(lambda: setup.device.link is ConnectionState.CONNECTED and setup.device.is_joint)
+    setup.until(
+        lambda: setup.device.link is ConnectionState.CONNECTED and setup.device.board.is_joint
+    )
     setup.until(lambda: setup.device.motors.is_available)
     setup.device.motors.arm()
     setup.device.motors.set_speed(1, 60)
@@ -319,7 +321,7 @@ def test_written_values_request_a_test(setup: LearningSetup) -> None:
     setup.push_all()
     setup.learning.next()
     setup.learning.use_values()
-    setup.device.apply()
+    setup.device.writer.apply()
     setup.until(lambda: bool(stored))
     setup.learning.begin_test(setup.learning.numbers)
     setup.until_step(LearningStep.TEST)
@@ -355,7 +357,7 @@ def test_dropped_values_do_not_request_a_test(setup: LearningSetup, how: str) ->
     (draft.undo.undo if how == "undo" else draft.discard_edits)()
     setup.device.parameters.edit("serial_timeout", 9)
     setup.write()
-    assert setup.device.parameters.stored_of("serial_timeout") == 9
+    assert setup.device.parameters.values.stored_of("serial_timeout") == 9
     assert setup.requested_tests == []
 
 
@@ -389,8 +391,8 @@ def test_requesting_a_test_does_not_stop_running_motors(setup: LearningSetup) ->
 def test_each_written_channel_requests_its_own_test(setup: LearningSetup) -> None:
     setup.to_review(1, 2)
     setup.learning.use_values()
-    setup.device.apply({"rc_channel_2"})
-    setup.until(lambda: not setup.device.applying)
+    setup.device.writer.apply({"rc_channel_2"})
+    setup.until(lambda: not setup.device.writer.running)
     assert setup.requested_tests == [(2,)]
     setup.write()
     assert setup.requested_tests == [(2,), (1,)]

@@ -8,7 +8,7 @@ from pytestqt.modeltest import ModelTester
 from pytestqt.qtbot import QtBot
 
 from trex_gui.core.errors import BadReply, NoReply
-from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel, Role
 from trex_gui.devices.trex.model.parameters.text import (
     ParameterColumn,
@@ -145,11 +145,11 @@ def test_edit_is_shown_and_pending(model: ParameterModel, qtbot: QtBot) -> None:
     with qtbot.waitSignal(model.pending_changed) as pending:
         assert edit(model, "serial_timeout", 15)
     assert pending.args == [1]
-    assert model.pending == (("serial_timeout", 15),)
+    assert model.values.pending == (("serial_timeout", 15),)
     assert text(model, "serial_timeout") == "1.5 s"
     assert of(model, "serial_timeout", Role.DIRTY) is True
-    assert model.value_of("serial_timeout") == 15
-    assert model.stored_of("serial_timeout") == SPECS["serial_timeout"].default
+    assert model.values.value_of("serial_timeout") == 15
+    assert model.values.stored_of("serial_timeout") == SPECS["serial_timeout"].default
 
 
 def test_edit_announces_only_its_row(model: ParameterModel, qtbot: QtBot) -> None:
@@ -164,7 +164,7 @@ def test_invalid_wire_value_is_rejected_with_a_reason(model: ParameterModel, qtb
         with qtbot.waitSignal(model.rejected) as refused:
             assert not edit(model, key, wire)
         assert refused.args[0].startswith(SPECS[key].name)
-    assert model.pending == ()
+    assert model.values.pending == ()
 
 
 @pytest.mark.parametrize("nonsense", ["abc", "", None, []])
@@ -173,7 +173,7 @@ def test_non_numeric_value_is_rejected(
 ) -> None:
     with qtbot.waitSignal(model.rejected):
         assert not edit(model, "serial_timeout", nonsense)
-    assert model.pending == ()
+    assert model.values.pending == ()
 
 
 def test_name_is_not_editable(model: ParameterModel) -> None:
@@ -186,7 +186,7 @@ def test_edit_needs_a_valid_index_and_the_edit_role(model: ParameterModel) -> No
     assert not model.setData(QModelIndex(), 9)
     index = model.index_of("serial_timeout")
     assert not model.setData(index, 9, Qt.ItemDataRole.DisplayRole)
-    assert model.pending == ()
+    assert model.values.pending == ()
 
 
 def test_discard_drops_all_edits(model: ParameterModel) -> None:
@@ -196,7 +196,7 @@ def test_discard_drops_all_edits(model: ParameterModel) -> None:
     model.pending_changed.connect(reports.append)
     model.discard_edits()
     assert reports[-1] == 0
-    assert model.pending == ()
+    assert model.values.pending == ()
     assert of(model, "motor_mode", Role.DIRTY) is False
 
 
@@ -208,7 +208,7 @@ def test_written_value_is_stored_and_not_pending(model: ParameterModel, qtbot: Q
     with qtbot.waitSignal(model.pending_changed) as pending:
         model.note_stored({"serial_timeout": 9})
     assert pending.args == [0]
-    assert model.stored_of("serial_timeout") == 9
+    assert model.values.stored_of("serial_timeout") == 9
 
 
 def test_failed_write_stays_pending_with_a_reason(model: ParameterModel) -> None:
@@ -218,7 +218,7 @@ def test_failed_write_stays_pending_with_a_reason(model: ParameterModel) -> None
     model.note_results(
         [WriteResult("serial_timeout", 9), WriteResult("motor_mode", error=NoReply("No answer."))]
     )
-    assert model.pending == (("motor_mode", 1),)
+    assert model.values.pending == (("motor_mode", 1),)
     assert of(model, "motor_mode", Role.PROBLEM) == "No answer."
     assert of(model, "serial_timeout", Role.PROBLEM) is None
 
@@ -234,16 +234,16 @@ def test_results_of_other_keys_are_ignored(model: ParameterModel) -> None:
     model.note_results(
         [WriteResult(CalibrationKey.RC_CHANNEL_1, error=NoReply("x")), WriteResult("nonsense", 1)]
     )
-    assert model.pending == ()
+    assert model.values.pending == ()
 
 
 # --- Stored and active ------------------------------------------------------------------
 
 
 def test_parameters_waiting_for_a_power_cycle_are_named(model: ParameterModel) -> None:
-    assert not model.waiting_for_power
+    assert not model.values.waiting_for_power
     model.note_stored({"motor_mode": 1, "serial_timeout": 9})
-    assert model.waiting_for_power == ("Motor Mode",)
+    assert model.values.waiting_for_power == ("Motor Mode",)
     assert of(model, "motor_mode", Role.WAITING) is not None
     assert of(model, "serial_timeout", Role.WAITING) is None
 
@@ -256,7 +256,7 @@ def test_edit_is_dropped_for_another_model(model: ParameterModel, qtbot: QtBot) 
     with qtbot.waitSignal(model.pending_changed) as pending:
         load(model, factory(JUNIOR), JUNIOR)
     assert pending.args == [0]
-    assert model.pending == ()
+    assert model.values.pending == ()
 
 
 def test_cell_carries_its_key_and_number(model: ParameterModel) -> None:
