@@ -92,6 +92,9 @@ def test_panel_shows_servo_positions_before_robot_reports_them(panel: DemoRobotP
     panel.wait_for_text("aracnaDemoState", "Idle")
 
 
+# --- Power ------------------------------------------------------------------------------
+
+
 def test_led_text_shows_blinking_during_boot(panel: DemoRobotPanel) -> None:
     view = panel.find_only(DemoRobotView)
     for state, led, text in (
@@ -105,9 +108,6 @@ def test_led_text_shows_blinking_during_boot(panel: DemoRobotPanel) -> None:
         lamp = panel.find(Lamp, "aracnaDemoLed")
         assert lamp.lit is led, state
         assert lamp.accessibleName() == text, state
-
-
-# --- Power ------------------------------------------------------------------------------
 
 
 def test_board_can_be_restarted_and_switched_off(panel: DemoRobotPanel) -> None:
@@ -149,20 +149,6 @@ def test_unplugged_cable_is_reported_until_plugged_in(panel: DemoRobotPanel) -> 
         lambda: panel.text("aracnaDemoState") == "The cable is plugged in again. Press Connect."
     )
     window.press_connect()
-
-
-def test_robot_moves_again_after_cut_reply(panel: DemoRobotPanel) -> None:
-    window, robot = panel.window, panel.robot
-    window.move()
-    panel.begin_to_move()
-    panel.choose("aracnaDemoLoss", "cut 6")
-    panel.click("aracnaDemoLose")
-    panel.wait(lambda: robot.state.moving is None)
-    assert None in robot.state.present
-    assert "positions are not known" in window.text("aracnaReport")
-    window.wait_until_up()
-    window.move()
-    assert None not in robot.state.present
 
 
 def test_all_faults_are_cleared_at_once(panel: DemoRobotPanel) -> None:

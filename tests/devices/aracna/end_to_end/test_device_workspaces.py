@@ -6,7 +6,6 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.pages.robot import RobotWindow
 from tests.support.program import aracna, trex
-from tests.support.simulator import SimulatedDevice
 from trex_gui.ui.devices.connection import ConnectionState
 
 TREX_MENUS = ["File", "Edit", "Device", "Window", "Help"]
@@ -81,16 +80,3 @@ def test_escape_stops_robot_from_each_page(connected_window: RobotWindow) -> Non
     assert window.has("aracna_startPanel")
     assert not window.button("aracnaMoveButton").isVisible()
     window.choose_demo()
-
-
-def test_newest_device_choice_wins(window: RobotWindow, quick_simulator: SimulatedDevice) -> None:
-    program = window.program
-    port = program.ports.add_typed(quick_simulator.url)
-    finder = program.device_manager.scanner
-    finder.start([port])
-    program.device_manager.connect_to(port)  # waits for the end of the search
-    program.connect_to_demo("aracna")
-    window.wait_until_up()
-    window.wait(lambda: not finder.running)
-    assert window.device.link is ConnectionState.DISCONNECTED
-    window.press_disconnect()

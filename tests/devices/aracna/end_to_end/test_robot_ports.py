@@ -10,7 +10,6 @@ from tests.support.simulator import SimulatedDevice
 from tests.support.window import LEFT
 from trex_gui import app
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.devices.ports import Ports
 from trex_gui.ui.widgets.behaviour import ConfirmButton
 
 DEMO_TREX, DEMO_ARACNA = "Demo TReX (no hardware)", "Demo Aracna (no hardware)"
@@ -55,50 +54,6 @@ def test_connect_uses_selected_demo(computer: list[ListPortInfo], window: RobotW
     assert window.robot.link is ConnectionState.DISCONNECTED
     window.press_disconnect()
     window.press_connect("trex")
-
-
-def test_connect_uses_last_connected_robot(
-    window: RobotWindow, robot: SimulatedDevice, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    ports = window.program.ports
-    port = ports.lead_to(ports.add_typed(robot.url), "aracna")
-    ports.lead_to(port, "aracna", "settings")
-    ports.lead_to(ports.demo_of("trex"), "trex", "settings")  # none that a user would want next
-    assert Ports(ports.plugins).preferred == port
-    ports.changed.emit()
-    assert window.port == f"Aracna: {robot.url}"
-    window.press_connect()
-    assert window.has("aracnaTabs")
-    window.press_disconnect()
-    window.press_connect()
-
-    command: tuple[str, list[str]] = ("/nothing/here", [])
-    monkeypatch.setattr("trex_gui.ui.devices.simulator.simulator_command", lambda: command)
-    window.connect_port(ports.demo_of("aracna"))
-    window.wait_for_text("bannerText", "does not start")
-    window.wait(window.is_idle)
-    assert window.robot.link is ConnectionState.DISCONNECTED, "it was left for the simulator"
-    assert not window.robot.move((512,) * 8)
-
-
-def test_port_keeps_device_given_last(window: RobotWindow, robot: SimulatedDevice) -> None:
-    program = window.program
-    program.connect_to_port(robot.url, "aracna")
-    window.wait_until_up()
-    assert window.port == f"Aracna: {robot.url}"
-    window.press_disconnect()
-    window.press_connect()
-    window.press_disconnect()
-
-    url = "/dev/ttyNothing8"
-    program.ports.lead_to(program.ports.add_typed(url), "aracna")
-    program.connect_to_port(url)
-    assert program.device_manager.current.plugin.key == "aracna"
-    program.connect_to_port(url, "trex")
-    window.wait(lambda: program.device_manager.current.plugin.key == "trex")
-    found = program.ports.find(url)
-    assert found is not None
-    assert found.device == "trex"
 
 
 @pytest.mark.qt_log_ignore("This plugin does not support")  # offscreen opens no list

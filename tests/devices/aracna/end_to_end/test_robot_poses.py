@@ -1,14 +1,12 @@
 """Poses are captured and gone to, and gaits are played, with a robot connected."""
 
 from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
 from PySide6.QtWidgets import QApplication, QPushButton
 from pytestqt.qtbot import QtBot
 
 from tests.support.causes import watched
-from tests.support.documents import save_now
 from tests.support.pages.robot import POSES_PAGE, ROBOT_PAGE, RobotWindow
 from tests.support.program import aracna
 from trex_gui.devices.aracna.session.messages import Moving
@@ -21,40 +19,6 @@ def window(connected_window: RobotWindow) -> Iterator[RobotWindow]:
     aracna(
         connected_window.program
     ).library.new()  # else the window asks whether to save when it closes
-
-
-def test_pose_is_captured_renamed_and_moved_to(window: RobotWindow, tmp_path: Path) -> None:
-    library, robot = aracna(window.program).library, window.robot
-    window.show_page(POSES_PAGE)
-    assert not window.is_enabled("aracnaCapture"), "positions are not known yet"
-    window.show_page(ROBOT_PAGE)
-    window.drag("aracnaSlider0", 300)
-    window.move()
-    there = robot.state.present
-
-    window.trigger("aracna_capture")
-    window.type_into_row("aracnaPoses", "wave")
-    window.wait(lambda: library.project.pose("wave") is not None)
-    pose = library.project.pose("wave")
-    assert pose is not None
-    assert pose.positions == there
-
-    window.show_page(ROBOT_PAGE)
-    window.click("aracnaCentreButton")
-    window.move()
-    assert robot.state.present != there
-    window.show_page(POSES_PAGE)
-    window.choose_row("aracnaPoses", "wave")
-    window.click("aracnaGoTo")
-    window.wait(lambda: robot.state.moved is not None and robot.state.goals == there)
-    save_now(library, library.content, tmp_path / "mine.ppr")
-    assert "Pose=wave:" in (tmp_path / "mine.ppr").read_text(encoding="utf-8")
-
-    library.set_positions("stand", (512, 680) * 4)
-    window.choose_row("aracnaPoses", "stand")
-    window.click("aracnaGoTo")
-    window.wait(lambda: robot.state.goals == (512, 550) * 4)
-    assert "instead of 680" in window.text("bannerText"), "it goes as far as the limits allow"
 
 
 def test_gait_plays_until_stopped(window: RobotWindow, qapp: QApplication, qtbot: QtBot) -> None:

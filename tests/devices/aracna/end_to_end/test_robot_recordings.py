@@ -7,9 +7,8 @@ import pytest
 from PySide6.QtWidgets import QFileDialog
 
 from tests.devices.aracna import recordings
-from tests.devices.trex.recording import samples
 from tests.support.pages.robot import RobotWindow
-from tests.support.program import aracna, trex
+from tests.support.program import aracna
 from tests.support.window import WidgetDriver
 from trex_gui.devices.aracna.views.playback import RobotPlaybackWindow
 
@@ -24,16 +23,6 @@ def close_recordings(window: RobotWindow) -> None:
     for each in tuple(opened(window)):
         each.close()
     assert opened(window) == []
-
-
-def assert_of_another_device(window: RobotWindow, device: str) -> None:
-    assert opened(window) == []
-    assert trex(window.program).workspace.recordings.windows == []
-    assert window.has("banner")
-    message = window.text("bannerText")
-    assert f"a recording of another device: {device}. It opens where" in message
-    assert "choose its port or its demo in the list of ports" in message
-    window.click("bannerDismiss")
 
 
 def test_session_is_recorded_and_opened_from_menu(
@@ -103,38 +92,3 @@ def test_open_recording_is_not_overwritten_and_can_stop_robot(
     manager.open_file(tmp_path / "late.trexrec")
     window.window.close()
     assert opened(window) == []
-
-
-def test_dropped_recording_opens_only_with_its_device(window: RobotWindow, tmp_path: Path) -> None:
-    walk = tmp_path / "walk.trexrec"
-    board, table = tmp_path / "board.trexrec", tmp_path / "board.csv"
-    recordings.write(walk, list(recordings.session(3)))
-    samples.write(board, list(samples.an_hour(1)))
-    assert window.drop(walk)
-    window.wait_for_files()
-    assert_of_another_device(window, "Aracna")
-
-    window.choose_demo()
-    window.press_disconnect()
-    assert window.drop(board)
-    window.wait_for_files()
-    assert_of_another_device(window, "TReX 1.2")
-    table.write_text("time_s,sample\n", encoding="utf-8")
-    assert window.drop(table)
-    window.wait_for_files()
-    window.wait_for_text("bannerText", "A CSV file is an export")
-    assert opened(window) == []
-    window.click("bannerDismiss")
-    assert window.drop(walk)
-    window.wait_for_files()
-    [playback] = opened(window)
-    window.wait(lambda: playback.playback.is_loaded)
-    assert trex(window.program).workspace.recordings.windows == []
-    close_recordings(window)
-
-    window.choose_demo("trex")
-    assert window.drop(board)
-    window.wait_for_files()
-    [of_board] = trex(window.program).workspace.recordings.windows
-    window.wait(lambda: of_board.playback.is_loaded)
-    of_board.close()

@@ -267,19 +267,6 @@ def test_rejected_servo_speed_is_reported(robot: Robot, harness: RobotHarness) -
     assert "Motor 5 did not accept speed" in str(robot.state.speed_error)
 
 
-def test_stuck_motor_is_named_until_it_answers(robot: Robot, harness: RobotHarness) -> None:
-    harness.move((512,) * 8)
-    harness.lose_motor_3((500,) * 8)
-    harness.wait(lambda: robot.state.stuck is not None)
-    stuck = robot.state.stuck
-    assert stuck is not None
-    assert stuck.motor == 3
-    assert any("is waiting for motor 3" in event.text for event in robot.events.all)
-    harness.simulator.do("servo 3 alive")
-    harness.wait(lambda: robot.state.moved is not None)
-    assert robot.state.stuck is None
-
-
 def test_remaining_motion_time_counts_down(robot: Robot, harness: RobotHarness) -> None:
     harness.move((512,) * 8)
     robot.set_speeds((25,) * 8)
@@ -306,21 +293,6 @@ def test_cropped_steps_of_a_sequence_are_reported(robot: Robot, harness: RobotHa
     assert harness.messages == ["Cropped to the limits of the joints: 2 steps."]
     harness.wait(lambda: robot.state.play is None)
     assert [robot.limits.crop(goals) for goals in harness.sent] == harness.sent
-
-
-def test_changed_limits_apply_to_next_steps_of_playback(
-    robot: Robot, harness: RobotHarness
-) -> None:
-    harness.move(LOW)
-    robot.play(Play(0, steps(HIGH, LOW), rounds=0))
-    harness.wait(lambda: robot.state.step is not None and robot.state.step.round >= 1)
-    for motor in range(robot.state.motors):
-        robot.limits.set(motor, 340, 360)
-    harness.wait(lambda: (360,) * 8 in harness.sent and (340,) * 8 in harness.sent)
-    first = min(harness.sent.index((goal,) * 8) for goal in (340, 360))
-    assert set(harness.sent[first:]) == {(340,) * 8, (360,) * 8}
-    robot.halt()
-    harness.wait(lambda: robot.state.play is None and robot.state.moving is None)
 
 
 def test_halt_ends_playback_and_holds_reported_positions(

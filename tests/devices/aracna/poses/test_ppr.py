@@ -1,6 +1,5 @@
 """Pose files: read as PyPose reads them, written as it writes them, and nothing lost."""
 
-import time
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -8,6 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.support.matrix import examples
 from trex_gui.core.files import Finding, Severity
 from trex_gui.core.resource_files import resource
 from trex_gui.devices.aracna.poses.ppr import read_file, read_ppr, write_ppr
@@ -221,6 +221,7 @@ def projects(draw: st.DrawFn) -> Project:
     )
 
 
+@examples(40)
 @given(projects())
 def test_written_project_is_read_back_equal(project: Project) -> None:
     found, findings = read_ppr(write_ppr(project))
@@ -234,6 +235,7 @@ _LINES = st.one_of(
 )
 
 
+@examples(40)
 @given(st.lists(_LINES, max_size=6).map("\n".join))
 def test_unusable_lines_are_written_back_unchanged(text: str) -> None:
     project, findings = read_ppr(text)
@@ -252,11 +254,9 @@ def test_sample_file_matches_pypose_format() -> None:
     assert write_ppr(project) == text
 
 
-def test_long_file_is_read_quickly() -> None:
+def test_long_file_is_read_within_the_time_limit_of_a_test() -> None:
     lines = "a:1\nSeq=a: b|1\nnothing\n"
     text = HEAD + lines * (256 * 1024 // len(lines))
-    began = time.process_time()
     project, findings = read_ppr(text)
-    assert time.process_time() - began < 5
     assert len(findings) >= text.count("\n") - 2
     assert len(project.poses + project.sequences) + len(project.rest) == text.count("\n") - 1

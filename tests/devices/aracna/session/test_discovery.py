@@ -110,13 +110,6 @@ def test_silent_port_is_reported_with_hint_within_3_s() -> None:
     assert "power" in result.diagnoses[0].text
 
 
-def test_unknown_reply_is_shown_in_diagnosis() -> None:
-    stage = AracnaStage()
-    stage.do("power off")
-    stage.line.inject(b"\r\nERR 7\r\n")
-    assert "not like an Aracna: ERR 7" in diagnosis(stage)
-
-
 def test_robot_that_boots_but_never_answers_is_reported() -> None:
     stage = AracnaStage()
     stage.do("power off")

@@ -54,7 +54,7 @@ def described(session: ScriptedSession) -> list[tuple[str, int, int]]:
 # --- Timing ---------------------------------------------------------------------------------
 
 
-@examples(60)
+@examples(40)
 @given(
     seconds=st.lists(st.floats(0.3, 2.0), min_size=1, max_size=4),
     positions=st.lists(st.integers(0, 1023), min_size=4, max_size=4),

@@ -8,7 +8,7 @@ from tests.devices.trex.discovery.test_prober import BOARDS, OWN, State, Wire, h
 from tests.devices.trex.simulator.ports import a_board
 from tests.support.aracna import AracnaStage
 from tests.support.matrix import sampled
-from trex_gui.core.discovery.prober import FLUSH_BYTE, FLUSH_LINE, ScanProgress
+from trex_gui.core.discovery.prober import FLUSH_BYTE, FLUSH_LINE
 from trex_gui.core.discovery.scan import PortScan, scan_port
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
@@ -32,15 +32,6 @@ def search(wire: Transport, first: str | None = None) -> PortScan:
 # --- What is found, and how soon ------------------------------------------------------------
 
 
-@pytest.mark.parametrize("baud", [19200, 115200, 9600, 38400, 57600])
-def test_trex_at_likely_rate_is_found_before_aracna_probe(baud: int) -> None:
-    wire = Wire(TrexLine([a_board(settings=LineSettings(baud).to_wire())]))
-    result = search(wire)
-    assert (result.device, result.found[0].name) == ("trex", "TReX 1.2")
-    assert PROBE not in bytes(wire.sent)
-    assert wire.line.now < 2.0
-
-
 def test_aracna_is_found_before_long_trex_search() -> None:
     stage = AracnaStage()
     begun = stage.now
@@ -48,14 +39,6 @@ def test_aracna_is_found_before_long_trex_search() -> None:
     assert (result.device, result.found[0].name) == ("aracna", "Aracna 1")
     assert stage.now - begun < 3.0
     assert stage.transport.closed
-
-
-def test_port_of_earlier_aracna_is_probed_for_aracna_first() -> None:
-    stage = AracnaStage()
-    begun = stage.now
-    assert search(stage.transport, "aracna").device == "aracna"
-    assert stage.now - begun < 0.7
-    assert b"\x81" not in bytes(stage.transport.sent)
 
 
 def test_trex_is_found_on_port_of_earlier_aracna() -> None:
@@ -85,16 +68,6 @@ def test_found_aracna_answers_first_query() -> None:
     assert stage.ask(b".q\n") == b".q1,8\r\n"
 
 
-def test_progress_names_probed_device() -> None:
-    stage = AracnaStage()
-    stage.do("power off")
-    steps: list[ScanProgress] = []
-    scan_port(VIRTUAL, PROBERS, progress=steps.append, open_wire=lambda _settings: stage.transport)
-    assert [step.kind for step in steps] == ["TReX"] * 5 + ["Aracna"] * 5 + ["TReX"] * 92
-    assert [step.done for step in steps] == list(range(102))
-    assert {step.total for step in steps} == {102}
-
-
 # --- Messages if nothing was found ------------------------------------------------------------
 
 
@@ -115,15 +88,6 @@ def test_echo_is_reported_for_both_devices() -> None:
     assert "RS-232 side" in trex
     assert aracna.startswith("No Aracna responds on virtual at 38400 baud")
     assert "everything sent comes back" in aracna
-
-
-def test_aracna_hello_is_reported_before_missing_trex() -> None:
-    stage = AracnaStage()
-    stage.do("power off")
-    stage.line.inject(b".h\r\n")
-    aracna, trex = search(stage.transport).lines
-    assert "reports that it starts, but does not respond" in aracna
-    assert "it sent 2E 68 0D 0A at 38400 baud" in trex
 
 
 def test_reply_to_aracna_probe_is_reported_first() -> None:

@@ -47,14 +47,6 @@ def test_host_at_other_baud_rate_gets_no_valid_reply(baud: int, paced: bool) -> 
     assert stage.ask(b".q\n") == VERSION
 
 
-def test_host_at_other_baud_rate_receives_garbage(stage: AracnaStage) -> None:
-    stage.line.host = SerialFormat(19200)
-    stage.do("reset")
-    garbage = stage.ask(b"", 2)
-    assert garbage
-    assert garbage != b".h\r\n"
-
-
 def test_board_receives_garbage_from_host_at_other_baud_rate(stage: AracnaStage) -> None:
     stage.line.host = SerialFormat(9600)
     stage.ask(b".l1\n" * 4)

@@ -59,15 +59,6 @@ def test_open_asks_about_unsaved_edits(
     assert driver.pose_names() == ["only"]
 
 
-def test_open_reports_findings_with_line_numbers(driver: StagedPageDriver, tmp_path: Path) -> None:
-    path = tmp_path / "odd.ppr"
-    path.write_text("Aracna:2:1024:1024\nPose=a:1, x\n", encoding="utf-8")
-    driver.page.files.open_file(path)
-    driver.wait_for_files()
-    assert "line 2" in driver.messages[-1]
-    assert "'x'" in driver.messages[-1]
-
-
 def test_save_asks_before_overwriting_external_change(
     driver: StagedPageDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -87,22 +87,6 @@ def test_loop_without_blending_plays_only_steps_endlessly(driver: StagedPageDriv
     assert driver.plays[0].blend_in == driver.plays[0].blend_out == ()
 
 
-def test_sequence_for_more_motors_is_said_to_lose_positions(driver: StagedPageDriver) -> None:
-    driver.library.add_pose((512,) * 18, "long")
-    driver.library.add_sequence("bob", [SequenceStep("long", 500)])
-    driver.choose_row("aracnaMotions", "bob")
-    assert "18 motors, the robot has 8" in driver.text("aracnaPlaySummary")
-
-
-def test_changed_limits_clamp_played_steps(driver: StagedPageDriver) -> None:
-    driver.connect()
-    for motor in range(8):
-        driver.robot.limits.set(motor, 290, 310)
-    driver.choose_row("aracnaMotions", "push-ups (built in)")
-    driver.click("aracnaPlay")
-    assert driver.plays[0].steps[0].goals == (310, 290) * 4
-
-
 def test_late_motors_are_named_at_their_step(driver: StagedPageDriver) -> None:
     driver.library.add_sequence("hasty", [SequenceStep("flat", 3000), SequenceStep("stand", 100)])
     driver.choose_row("aracnaMotions", "hasty")
