@@ -5,9 +5,12 @@ from collections.abc import Callable, Collection
 from pathlib import Path
 
 from tests.devices.trex.recording.samples import read_file
+from tests.fault_matrix.cases import timeout_needs_shutdown
 from tests.fault_matrix.faults import FAULTS, Effect, Fault
 from tests.fault_matrix.moments import APPLYING, DRIVING, MOMENTS
 from tests.fault_matrix.scene import Scene, Stored
+from tests.support.simulator import StartSimulator
+from tests.support.window import WindowDriver
 from trex_gui.core.errors import StudioError
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.ui.devices.connection import ConnectionState
@@ -146,9 +149,23 @@ def always(begin: float, end: float) -> float:
     return end - begin
 
 
-def run_case(scene: Scene, fault_name: str, moment_name: str, starved: Starved = never) -> None:
+def run_case(
+    fault_name: str,
+    moment_name: str,
+    window: WindowDriver,
+    start: StartSimulator,
+    folder: Path,
+    starved: Starved = never,
+) -> None:
     """Let something go wrong at a moment; fail if anything falls short."""
     fault, moment = FAULTS[fault_name], MOMENTS[moment_name]
+    scene = Scene(
+        window,
+        start,
+        folder,
+        other_boards=fault.other_boards,
+        needs_shutdown=timeout_needs_shutdown(fault_name, moment_name),
+    )
 
     def inject() -> None:
         scene.begin_to_watch()

@@ -6,10 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.fault_matrix.cases import CASES, name_of, timeout_needs_shutdown
+from tests.fault_matrix.cases import CASES, name_of
 from tests.fault_matrix.check import run_case
-from tests.fault_matrix.faults import FAULTS
-from tests.fault_matrix.scene import Scene
 from tests.soak.ruler import Ruler
 from tests.support.simulator import StartSimulator
 from tests.support.window import WindowDriver
@@ -37,11 +35,4 @@ def test_real_fault(
     tmp_path: Path,
     ruler: Ruler,
 ) -> None:
-    scene = Scene(
-        window,
-        start_simulator,
-        tmp_path,
-        other_boards=FAULTS[fault].other_boards,
-        needs_shutdown=timeout_needs_shutdown(fault, moment),
-    )
-    run_case(scene, fault, moment, starved=ruler.starved)
+    run_case(fault, moment, window, start_simulator, tmp_path, starved=ruler.starved)
