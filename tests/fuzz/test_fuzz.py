@@ -31,6 +31,9 @@ from trex_gui.devices.trex.protocol.commands import GetRawChannels, GetSignature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.framing import PacketParser
 from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
+from trex_gui.devices.trex.settings.document import factory_settings
+from trex_gui.devices.trex.settings.edit_in_place import amend
+from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
 
@@ -55,10 +58,14 @@ def test_input_that_failed_once_is_taken(qtbot: QtBot, target: Target, path: Pat
         pytest.fail(str(finding))
 
 
-def test_settings_file_of_many_lines_is_taken(qtbot: QtBot) -> None:
-    (settings,) = (target for target in TARGETS if target.name == "settings")
+def test_settings_file_of_many_lines_is_read_and_edited() -> None:
+    def check(data: bytes, folder: Path) -> None:
+        read, _ = read_settings(data)
+        factory = factory_settings(read.product, read.firmware)
+        assert "motor_mode: 0" in amend(data.decode(), factory)
+
     lines = b"product: TReX\nmotor_mode: 1\n" + b"\n" * 100_000
-    if finding := attempt(settings, lines, "100,000 lines"):
+    if finding := attempt(Target("settings", lambda _random: b"", check), lines, "100,000 lines"):
         pytest.fail(str(finding))
 
 
