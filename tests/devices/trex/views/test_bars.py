@@ -1,7 +1,7 @@
 from collections.abc import Callable
 
 import pytest
-from PySide6.QtGui import QColor, QImage
+from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
@@ -51,25 +51,6 @@ def named(name: str) -> str:
     return theme().color(name).name()
 
 
-def test_value_below_neutral_fills_to_the_left(bar: ChannelBar) -> None:
-    bar.set_raw(2800)
-    edge = bar.x_of(RC.neutral - RC.deadband)
-    assert colours(bar, bar.x_of(2800), edge) == {named("bar_negative")}
-    assert named("bar") not in colours(bar, bar.x_of(2000), bar.x_of(5500))
-
-
-def test_value_above_neutral_fills_to_the_right(bar: ChannelBar) -> None:
-    bar.set_raw(4700)
-    edge = bar.x_of(RC.neutral + RC.deadband)
-    assert colours(bar, edge, bar.x_of(4700)) == {named("bar")}
-    assert named("bar_negative") not in colours(bar, bar.x_of(2000), bar.x_of(5500))
-
-
-def test_track_beyond_the_value_is_not_filled(bar: ChannelBar) -> None:
-    bar.set_raw(4000)
-    assert colours(bar, bar.x_of(4000), bar.x_of(RC.maximum)) == {named("track")}
-
-
 def test_fill_within_the_deadband_is_neutral(bar: ChannelBar) -> None:
     wide = Calibration(2500, 3750, 5000, 500)
     bar.set_calibration(wide)
@@ -78,31 +59,6 @@ def test_fill_within_the_deadband_is_neutral(bar: ChannelBar) -> None:
     shown = colours(bar, bar.x_of(2000), bar.x_of(5500))
     assert shown.isdisjoint({named("bar"), named("bar_negative")})
     assert spoken_state(bar) == "1680 µs, neutral"
-
-
-def test_deadband_above_neutral_is_shaded(bar: ChannelBar) -> None:
-    bar.set_calibration(Calibration(2500, 3750, 5000, 500))
-    bar.set_raw(2600)
-    assert colours(bar, bar.x_of(3750), bar.x_of(4250)) == {named("deadband")}
-
-
-def test_value_has_a_pointer(bar: ChannelBar) -> None:
-    bar.set_raw(3000)
-    x = round(bar.x_of(3000))
-    picture = bar.grab().toImage()
-    assert picture.pixelColor(x, bar._track().center().y()) == theme().color("pointer")
-    under = bar._track().bottom() + 4
-    assert picture.pixelColor(x, under).lightness() < theme().color("window").lightness() / 2
-
-
-def test_minimum_neutral_and_maximum_are_marked(bar: ChannelBar) -> None:
-    bar.set_raw(3000)
-    picture = bar.grab().toImage()
-    y = bar._track().top() - 2
-    for count in (RC.minimum, RC.neutral, RC.maximum):
-        x = round(bar.x_of(count))
-        near = [picture.pixelColor(x + d, y) for d in (-1, 0, 1)]
-        assert theme().color("mark") in near
 
 
 @pytest.mark.parametrize("raw", [None, 3000])
@@ -197,19 +153,6 @@ def test_bar_is_painted_at_any_width_and_calibration(
 
 
 @pytest.mark.parametrize("make", [ChannelBar, OutputBar, CurrentBar])
-def test_bar_follows_the_theme(qtbot: QtBot, make: Callable[[], Bar]) -> None:
-    widget = make()
-    qtbot.addWidget(widget)
-    widget.resize(300, widget.sizeHint().height())
-    widget.grab()
-    theme().set_scheme("dark")
-    middle = widget._track().center()
-    assert QColor(widget.grab().toImage().pixel(middle.x() // 2, middle.y())) == theme().color(
-        "track_off"
-    )
-
-
-@pytest.mark.parametrize("make", [ChannelBar, OutputBar, CurrentBar])
 def test_bar_grows_with_the_font(qtbot: QtBot, make: Callable[[], Bar]) -> None:
     widget = make()
     qtbot.addWidget(widget)
@@ -219,26 +162,6 @@ def test_bar_grows_with_the_font(qtbot: QtBot, make: Callable[[], Bar]) -> None:
     widget.setFont(font)
     assert widget.sizeHint().height() > before.height() * 1.5
     assert widget.sizeHint().width() > before.width() * 1.5
-
-
-def test_bar_without_its_number_is_longer(bar: ChannelBar) -> None:
-    before = bar._track().width()
-    bar.set_value_shown(False)
-    assert bar._track().width() > before
-    bar.set_raw(3000)
-    bar.grab()
-
-
-def test_output_bar_fills_to_the_side_of_its_sign(output: OutputBar) -> None:
-    for value, left, right in (
-        (-100, "bar_negative", "track"),
-        (100, "track", "bar"),
-        (0, "track", "track"),
-    ):
-        output.set_value(value)
-        low, high = min(value, 0) or -127, max(value, 0) or 127
-        assert colours(output, output.x_of(low), output.x_of(0)) == {named(left)}
-        assert colours(output, output.x_of(0), output.x_of(high)) == {named(right)}
 
 
 @pytest.mark.parametrize(
@@ -254,17 +177,6 @@ def test_output_without_signal_has_no_value(output: OutputBar) -> None:
     assert output.state is BarState.NO_SIGNAL
     assert output.value is None
     output.grab()
-
-
-def test_auxiliary_output_fills_from_the_left(qtbot: QtBot) -> None:
-    auxiliary = OutputBar(bipolar=False)
-    qtbot.addWidget(auxiliary)
-    auxiliary.resize(400, auxiliary.sizeHint().height())
-    auxiliary.set_connected(True)
-    auxiliary.set_value(60)
-    assert auxiliary.x_of(0) == auxiliary._track().left()
-    assert colours(auxiliary, auxiliary.x_of(0), auxiliary.x_of(60)) == {named("bar")}
-    assert colours(auxiliary, auxiliary.x_of(60), auxiliary.x_of(127)) == {named("track")}
 
 
 def test_current_has_a_line_at_its_limit(qtbot: QtBot) -> None:

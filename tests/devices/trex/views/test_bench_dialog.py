@@ -203,14 +203,14 @@ def test_speed_is_limited_to_the_ceiling(dialog: BenchTestDialog) -> None:
     assert dialog.find(QSpinBox, "benchSpeed").maximum() == 50
 
 
+READINGS = [(index / 80, 12.0 if index < 10 else 4.0) for index in range(160)]
+GENTLER = [(index / 80, 6.0 if index < 10 else 4.0) for index in range(160)]
+
+
 def test_plan_is_plotted_before_it_runs(dialog: BenchTestDialog) -> None:
     plot = dialog.plot
     dialog.find(QDoubleSpinBox, "benchDuration").setValue(9.4)
     dialog.wait(lambda: plot.seconds == pytest.approx(10))
-
-
-READINGS = [(index / 80, 12.0 if index < 10 else 4.0) for index in range(160)]
-GENTLER = [(index / 80, 6.0 if index < 10 else 4.0) for index in range(160)]
 
 
 def test_result_is_shown_beside_the_previous_one(dialog: BenchTestDialog) -> None:
@@ -299,17 +299,6 @@ def test_run_is_saved_as_a_picture_of_its_plot(dialog: BenchTestDialog, tmp_path
     assert "test.png was not saved" in dialog.note
 
 
-def test_failed_save_is_reported(dialog: BenchTestDialog, tmp_path: Path) -> None:
-    dialog.files.save(run_of(READINGS), tmp_path / "nowhere" / "test.csv")
-    dialog.wait_for_files()
-    assert "test.csv was not saved" in dialog.note
-
-
-def test_escape_closes_the_dialog(dialog: BenchTestDialog) -> None:
-    dialog.press_escape()
-    assert not dialog.root.isVisible()
-
-
 def test_plot_shows_values_under_the_mouse(dialog: BenchTestDialog) -> None:
     dialog.bench.add_run(run_of(READINGS))
     plot = dialog.plot
@@ -327,10 +316,3 @@ def test_plot_shows_values_under_the_mouse(dialog: BenchTestDialog) -> None:
     )
     QCoreApplication.sendEvent(viewport, event)
     assert dialog.text("benchValues").endswith("+40  4.00 A")
-
-
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_dialog_is_drawn_in_both_schemes(dialog: BenchTestDialog, scheme: str) -> None:
-    theme().set_scheme("dark" if scheme == "dark" else "light")
-    dialog.bench.add_run(run_of(READINGS))
-    assert not dialog.root.grab().isNull()

@@ -1,7 +1,6 @@
 """The page on which channels are calibrated, by itself, on a simulated board."""
 
 from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QEvent, Qt
@@ -112,20 +111,6 @@ def test_impossible_values_are_rejected_with_a_note(page: CalibrationPage) -> No
 
 
 # --- The handles ------------------------------------------------------------------------
-
-
-def test_blocked_handle_shows_the_reason(page: CalibrationPage) -> None:
-    page.drag_handle(Handle.MAXIMUM, 7000, release=False)
-    assert page.note == "A pulse cannot be longer than 2500 µs."
-    assert page.plot.handles.message == page.note
-    page.release_handle()
-    assert page.shown().maximum == 6250
-    assert "cannot" not in page.note
-    page.drag_handle(Handle.MINIMUM, 4100, release=False)
-    assert page.note == "Minimum cannot pass neutral."
-    assert page.marked_handle == "minimum"
-    page.release_handle()
-    assert page.plot.handles.message == ""
 
 
 def test_disconnected_page_is_read_only(page: CalibrationPage) -> None:
@@ -249,25 +234,6 @@ def test_calibration_is_copied_made_symmetric_and_reset(page: CalibrationPage) -
     undo.undo()
     assert page.shown() == edited
     assert page.button("reversedBox").isChecked()
-
-
-def test_calibrations_are_saved_to_a_file_and_loaded(page: CalibrationPage, tmp_path: Path) -> None:
-    path, files = tmp_path / "mine.txt", page.widget.files
-    page.type_into("minimumEdit", "1100")
-    edited = page.shown()
-    files.save_file(path)
-    page.wait_for_files()
-    page.device.draft.discard_edits()
-    with page.qtbot.waitSignal(page.device.notifier.info) as notice:
-        files.load_file(path)
-        page.wait_for_files()
-    assert notice.args[0].startswith("Calibrations loaded from mine.txt as edits: 1.")
-    assert page.shown() == edited
-
-    with page.qtbot.waitSignal(page.device.notifier.error) as notice:
-        files.load_file(tmp_path / "none.txt")
-        page.wait_for_files()
-    assert "none.txt could not be loaded" in notice.args[0]
 
 
 # --- Sources and modes ------------------------------------------------------------------

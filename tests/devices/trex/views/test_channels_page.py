@@ -4,7 +4,6 @@ import math
 from collections.abc import Iterator
 
 import pytest
-from PySide6.QtGui import QImage
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice
@@ -14,7 +13,6 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.views.pages.channels import STRIP_SECONDS, ChannelsPage, InputStrip
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.theme.theme import theme
 
 
 class ChannelsDriver(WidgetDriver):
@@ -124,21 +122,3 @@ def test_strip_keeps_no_more_than_it_shows(qtbot: QtBot) -> None:
     points = [point for line in strip.lines for point in line.toList()]
     assert min(point.x() for point in points) >= 59.98 - STRIP_SECONDS
     assert len(points) == 491
-
-
-def test_line_of_a_strip_is_one_logical_pixel_wide(qtbot: QtBot) -> None:
-    strip = InputStrip()
-    qtbot.addWidget(strip)
-    strip.resize(100, 40)
-    strip.set_scale((0, 5000), None)
-    strip.add_samples([step / 50 for step in range(500)], 500 * [3750.0])
-    assert rows_of(strip, 2) == 2 * rows_of(strip, 1) == 2
-
-
-def rows_of(strip: InputStrip, ratio: int) -> int:
-    """Return how many pixels high the line is on a screen of this scale factor."""
-    picture = QImage(100 * ratio, 40 * ratio, QImage.Format.Format_RGB32)
-    picture.setDevicePixelRatio(ratio)
-    strip.render(picture)
-    line = theme().color("pointer").rgb()
-    return sum(picture.pixel(50 * ratio, y) == line for y in range(picture.height()))

@@ -6,7 +6,7 @@ from functools import partial
 import pytest
 from PySide6.QtCore import QRect, Qt
 from PySide6.QtGui import QFontMetrics
-from PySide6.QtWidgets import QCheckBox, QTableView
+from PySide6.QtWidgets import QTableView
 from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.settings.samples import factory
@@ -87,11 +87,6 @@ def test_longest_rows_are_readable(driver: ComparisonDialog) -> None:
     assert cut_short(driver.table) == []
 
 
-def test_matching_rows_are_readable(driver: ComparisonDialog) -> None:
-    driver.find(QCheckBox, "showEqualBox").setChecked(True)
-    assert cut_short(driver.table) == []
-
-
 def test_rejection_reasons_are_readable(view: ComparisonView, driver: ComparisonDialog) -> None:
     why = "The board refused it: Channels 1, 2 and 3 drive the motors, but not in this mode."
     view.table.set_outcomes({row.key: why for row in view.table.comparison.rows})
@@ -104,28 +99,3 @@ def test_rows_stay_readable_when_a_column_is_narrowed(driver: ComparisonDialog) 
     table = driver.table
     table.setColumnWidth(ComparisonColumn.AFTER, 90)
     assert cut_short(driver.table) == []
-
-
-def test_rows_grow_when_the_view_is_narrowed(
-    view: ComparisonView, driver: ComparisonDialog
-) -> None:
-    before = driver.table.verticalHeader().length()
-    view.resize(640, 400)
-    assert driver.table.verticalHeader().length() > before
-    assert cut_short(driver.table) == []
-
-
-def test_renewed_comparison_is_readable(view: ComparisonView, driver: ComparisonDialog) -> None:
-    view.show_comparison(compare(BEFORE, BEFORE), "Now", "File")
-    view.renew(worst())
-    assert cut_short(driver.table) == []
-
-
-def test_calibration_has_a_line_for_each_field(driver: ComparisonDialog) -> None:
-    model = driver.table.model()
-    row = next(r for r in range(model.rowCount()) if "RC channel 2" in model.index(r, 0).data())
-    after = str(model.index(row, ComparisonColumn.AFTER).data())
-    wire = str(model.index(row, ComparisonColumn.WIRE).data())
-    assert after.splitlines()[0] == "minimum 1040 µs"
-    assert wire.splitlines()[0] == "2500 → 2600"
-    assert len(after.splitlines()) == len(wire.splitlines()) == 4

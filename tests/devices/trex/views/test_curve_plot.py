@@ -2,9 +2,8 @@
 
 from dataclasses import replace
 
-import numpy as np
 import pytest
-from PySide6.QtCore import QLocale, QPoint, Qt
+from PySide6.QtCore import QLocale, QPoint
 from PySide6.QtGui import QFontMetrics
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
@@ -18,7 +17,7 @@ from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.calibration_moves import Handle
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot, InputTrace
+from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
 from trex_gui.ui.plotting.canvas import PlotCanvas
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.translations import LANGUAGES
@@ -204,24 +203,6 @@ def test_rejected_value_is_explained_beside_its_handle(driver: CurvePlotDriver) 
     assert driver.plot.handles.message_at is None
 
 
-def test_trace_is_tall_enough_and_its_labels_are_legible(driver: CurvePlotDriver) -> None:
-    driver.plot.resize(driver.plot.width(), driver.plot.minimumSizeHint().height())
-    picture = driver.plot.grab().toImage()
-    trace = driver.find_only(InputTrace)
-    line = trace.fontMetrics().height()
-    frame = trace.frame
-    assert frame.height() >= 4.5 * line
-    top = trace.mapTo(driver.plot, frame.topLeft().toPoint())
-    background, capital = picture.pixelColor(1, 1), driver.plot.fontMetrics().capHeight()
-    written = [
-        y
-        for y in range(top.y() - line, top.y() + line)
-        if any(picture.pixelColor(x, y) != background for x in range(2, top.x() - 3))
-    ]
-    assert written[-1] - written[0] + 1 >= 0.8 * capital, "as high as a capital letter"
-    assert picture.pixelColor(top.x() // 2, written[0] - 1) == background
-
-
 def test_click_moves_no_handle(plot: CurvePlot, driver: CurvePlotDriver, qtbot: QtBot) -> None:
     with qtbot.assertNotEmitted(plot.edited):
         for handle in Handle:
@@ -259,14 +240,6 @@ def test_nearby_handles_are_distinguished_by_height(driver: CurvePlotDriver) -> 
     assert edited[1].deadband > 200
 
 
-def test_mouse_cursor_shows_draggable_handles(driver: CurvePlotDriver) -> None:
-    driver.move(QPoint(1, 1))  # or it was there already and does not move
-    driver.move(driver.place(Handle.NEUTRAL))
-    assert driver.viewport.cursor().shape() is Qt.CursorShape.SizeHorCursor
-    driver.move(driver.place(Handle.NEUTRAL) + QPoint(60, 20))
-    assert driver.viewport.cursor().shape() is Qt.CursorShape.ArrowCursor
-
-
 def test_axis_widens_for_the_calibration(plot: CurvePlot) -> None:
     assert plot.axis == (2000, 5500)
     wide = ChannelCurve(Calibration(1500, 3750, 6000, 75))
@@ -284,27 +257,6 @@ def test_missing_signal_hides_the_dot(plot: CurvePlot) -> None:
         plot.set_raw(raw)
         dots.append(plot.dot)
     assert dots == [None, (5000, 127), None]
-
-
-def test_complete_plot_is_drawn_in_both_schemes(plot: CurvePlot) -> None:
-    times = np.arange(0, 20, 0.02)
-    counts = 3750 + 900 * np.sin(times)
-    counts[100:150] = np.nan
-    for channel in (4, 5):
-        for scheme in ("light", "dark"):
-            theme().set_scheme(scheme)
-            QApplication.processEvents()  # the palette reaches widgets with the next events
-            edited = ChannelCurve(Calibration(2600, 3700, 5100, 90), channel == 5, True)
-            plot.show_channel(channel, InputSource.RC, USUAL, edited, editable=True)
-            plot.set_raw(4000)
-            plot.trace.set_samples(times, counts, 20.0)
-            picture = plot.grab().toImage()
-            assert picture.pixelColor(1, 1) == theme().color("window")
-            colours = {
-                picture.pixelColor(x, y).name() for x in range(0, 700, 2) for y in range(0, 420, 3)
-            }
-            for name in ("motor1", "motor2", "limit", "mark", "plot_background"):
-                assert theme().color(name).name() in colours, (scheme, name)
 
 
 def test_names_and_least_heights_follow_the_font_size(plot: CurvePlot) -> None:

@@ -15,11 +15,9 @@ from tests.support.accessible_names import spoken_state
 from tests.support.keyboard import check_keyboard
 from tests.support.pads import PAD, HeldPads
 from tests.support.pages.gamepad_panel import GamepadPanelPage, Y
-from tests.support.window import WidgetDriver
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.views.pages.motors.gamepad_dialog import GamepadDialog, PartBar
 from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
-from trex_gui.gamepad.pads import SdlPads
 from trex_gui.gamepad.profile import Axis, Style
 from trex_gui.ui.widgets.leds import Lamp
 
@@ -112,19 +110,6 @@ def test_bar_shows_the_gamepad_setpoint(active_panel: Panel) -> None:
     active_panel.wait(lambda: spoken_state(bar) == "+100 %")
 
 
-def test_missing_pygame_shows_how_to_install_it(
-    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setitem(__import__("sys").modules, "pygame", None)
-    panel = GamepadPanel(Device(), source=SdlPads())
-    qtbot.addWidget(panel)
-    driver = WidgetDriver(panel, qtbot)
-    box = driver.find(QCheckBox, "gamepadBox")
-    box.setChecked(True)
-    assert not box.isChecked()
-    assert "pip install pygame-ce" in driver.text("gamepadState")
-
-
 def test_every_control_works_with_the_keyboard(set_up: Panel) -> None:
     check_keyboard(set_up.find_only(GamepadDialog))
     check_keyboard(set_up.root.window())
@@ -184,16 +169,6 @@ def test_axis_bar_and_button_lamp_follow_the_gamepad(set_up: Panel) -> None:
     set_up.wait(lambda: lamp.lit)
     assert spoken_state(bar) == "−50 %"
     assert lamp.accessibleDescription() == "pressed"
-
-
-def test_set_up_blocks_driving_but_not_the_stop_button(set_up: Panel) -> None:
-    set_up.motors.arm()
-    set_up.pads.press(HOLD)
-    set_up.pads.move(Y, -1.0)
-    set_up.wait_for_state("being set up")
-    set_up.pads.press(STOP)
-    set_up.wait(lambda: not set_up.motors.armed)
-    assert set_up.motors.drive(1) is None
 
 
 def test_opening_the_set_up_while_driving_stops_the_motors(active_panel: Panel) -> None:

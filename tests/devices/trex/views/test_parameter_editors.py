@@ -113,13 +113,16 @@ def enter(editor: WidgetDriver, spec: ParameterSpec, wire: int) -> None:
             type_number(editor.root, spec.text(wire))
 
 
-@pytest.mark.parametrize(
+on_each_board = pytest.mark.parametrize(
     ("model_key", "firmware"),
     [
         *(pytest.param(*board, marks=pytest.mark.slow) for board in BOARDS[:-1]),
         BOARDS[-1],
     ],
 )
+
+
+@on_each_board
 def test_each_parameter_takes_its_extreme_values(
     qtbot: QtBot, model_key: str, firmware: str
 ) -> None:
@@ -138,7 +141,7 @@ def test_each_parameter_takes_its_extreme_values(
     assert not parameters.rejected
 
 
-@pytest.mark.parametrize(("model_key", "firmware"), BOARDS)
+@on_each_board
 def test_each_number_out_of_range_is_rejected_with_its_limits(
     qtbot: QtBot, model_key: str, firmware: str
 ) -> None:
@@ -235,15 +238,6 @@ def test_arrows_of_acceleration_step_through_the_times(parameters: ParametersDri
         editor.setValue(start)
         editor.stepBy(steps)
         assert editor.value() == wire, (start, steps)
-
-
-def test_acceleration_has_one_spelling(parameters: ParametersDriver) -> None:
-    key = "motor1_acceleration"
-    parameters.model.edit(key, 25)
-    editor = parameters.open_with_keys(key)
-    assert isinstance(editor, AccelerationEditor)
-    assert editor.text() == parameters.model.index_of(key).data() == "0.5 s to full speed"
-    assert "Range: 0.1 to 12.7 s to full speed, or no ramp" in parameters.text("parameterHelp")
 
 
 def test_frequency_takes_what_is_nearest(parameters: ParametersDriver) -> None:

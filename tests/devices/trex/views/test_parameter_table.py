@@ -10,15 +10,11 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QLineEdit, QMenu, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.views.parameters import ParametersDriver
-from tests.support.window import LEFT, WidgetDriver
-from trex_gui.devices.trex.model.linter import SettingsLinter
+from tests.support.window import LEFT
 from trex_gui.devices.trex.model.parameters.parameters import Role
 from trex_gui.devices.trex.model.parameters.text import ParameterColumn
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.protocol.parameters import parameters_of
-from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
-from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
-from trex_gui.ui.theme.theme import theme
 
 SPECS = parameters_of("trexjr", "1.2")
 OLDER = parameters_of("trexjr", "1.0")
@@ -59,14 +55,6 @@ def test_first_value_is_selected_once_a_board_is_read(qtbot: QtBot) -> None:
     assert parameters.view.verticalScrollBar().value() == 0, "the first heading is in sight"
 
 
-def test_all_rows_are_visible_on_a_large_screen(parameters: ParametersDriver) -> None:
-    parameters.table.resize(1400, 830)  # what a page has of 1920×1080
-    view = parameters.view
-    last = parameters.rows.index(parameters.rows.rowCount() - 1, 0)
-    assert view.viewport().rect().contains(view.visualRect(last))
-    assert view.horizontalScrollBar().maximum() == 0
-
-
 @pytest.mark.parametrize("width", [706, 1200, 3800])  # that of 1024×600 beside the demo first
 def test_no_value_is_cut(parameters: ParametersDriver, width: int) -> None:
     parameters.table.resize(width, 350)
@@ -105,16 +93,6 @@ def test_width_that_the_user_gives_a_column_stays(
     later.resize(1900, 400)
     assert later.columnWidth(ParameterColumn.NAME) == wide
     assert later.columnWidth(ParameterColumn.MOTOR1) > narrow
-
-
-def test_motors_are_side_by_side_and_other_values_span_both(parameters: ParametersDriver) -> None:
-    view = parameters.view
-    first, second = (view.visualRect(parameters.cell(f"motor{n}_current_limit")) for n in (1, 2))
-    assert (first.y(), first.right() < second.left()) == (second.y(), True)
-    whole = view.visualRect(parameters.cell("serial_timeout"))
-    assert whole.width() >= first.width() + second.width()
-    for heading in parameters.headings:
-        assert view.visualRect(heading).width() >= view.viewport().width() - 1
 
 
 def test_search_keeps_what_was_selected(parameters: ParametersDriver) -> None:
@@ -161,20 +139,6 @@ def test_search_shows_how_many_rows_match(parameters: ParametersDriver) -> None:
         assert parameters.rows.shown == shown
         assert parameters.has("parameterCount") is bool(count)
         assert not count or parameters.text("parameterCount") == count
-
-
-def test_group_and_check_boxes_filter_rows(parameters: ParametersDriver) -> None:
-    group = parameters.combo("parameterGroup")
-    group.setCurrentIndex(group.findData("serial"))
-    assert parameters.rows.shown == sum(spec.task == "serial" for spec in SPECS.readable)
-    parameters.model.edit("serial_timeout", 7)
-    parameters.model.edit("motor_mode", 1)
-    parameters.click("modifiedOnly")
-    assert parameters.rows.shown == 1
-    group.setCurrentIndex(0)
-    assert parameters.rows.shown == 2
-    parameters.click("notDefaultOnly")
-    assert parameters.rows.shown == 2
 
 
 def test_board_of_older_firmware_lacks_parameters(parameters: ParametersDriver) -> None:
@@ -294,16 +258,6 @@ def test_arrow_keys_bring_the_first_heading_into_sight(parameters: ParametersDri
     assert parameters.view.verticalScrollBar().value() == 0
 
 
-def test_first_heading_is_in_sight_in_a_table_that_is_opened_later(
-    parameters: ParametersDriver, qtbot: QtBot
-) -> None:
-    table = ParameterTable(parameters.draft, SettingsLinter(parameters.draft))
-    qtbot.addWidget(table)
-    table.resize(900, 300)
-    table.show()
-    assert WidgetDriver(table, qtbot).find_only(ParameterView).verticalScrollBar().value() == 0
-
-
 def test_name_leads_to_the_value(parameters: ParametersDriver) -> None:
     for key in ("serial_timeout", "motor1_current_limit"):
         parameters.open_with_mouse(key, ParameterColumn.NAME)
@@ -406,20 +360,6 @@ def test_menu_edits_resets_restores_and_copies(parameters: ParametersDriver) -> 
     assert parameters.is_editing("serial_timeout")
 
 
-@with_menu
-def test_menu_leaves_a_parameter_out_of_a_file(parameters: ParametersDriver) -> None:
-    parameters.open_file(SPECS, serial_timeout=5, motor1_current_limit=10)
-    actions = menu_of(parameters, "serial_timeout")
-    assert actions["leaveOutParameter"].text() == "Leave out of the file"
-    actions["leaveOutParameter"].trigger()
-    assert parameters.rows.index_of("serial_timeout").data() == "not given"
-    assert parameters.draft.pending == 1
-    assert not menu_of(parameters, "serial_timeout")["copyParameter"].isEnabled()
-    assert "leaveOutParameter" not in menu_of(parameters, "serial_timeout")
-    parameters.draft.undo.undo()
-    assert parameters.rows.index_of("serial_timeout").data() == "0.5 s"
-
-
 # --- Both motors ------------------------------------------------------------------------
 
 
@@ -443,27 +383,6 @@ def test_both_motors_are_edited_as_one(parameters: ParametersDriver, qtbot: QtBo
 
 
 # --- Help and painting ------------------------------------------------------------------
-
-
-def test_help_follows_the_parameter_and_its_edits(parameters: ParametersDriver) -> None:
-    parameters.go_to("motor1_current_limit")
-    for text in ("0x13", "off to 10.16 A", "Default: 0 (off)", "The board rejects any value"):
-        assert text in help_text(parameters)
-    assert "Motor 2" not in help_text(parameters)
-    assert "Wire value: 0." in help_text(parameters)
-    parameters.model.edit("motor2_current_limit", 25)
-    assert "Motor 2 differs: 2 A." in help_text(parameters)
-
-    parameters.go_to("motor_mode")
-    assert "switched off and on" in help_text(parameters)
-    parameters.model.edit("motor_mode", 1)
-    assert "Stored: 0 (independent)" in help_text(parameters)
-
-    light = theme().color("link").name()
-    assert f"color:{light}" in help_text(parameters)
-    theme().set_scheme("dark")
-    assert f"color:{theme().color('link').name()}" in help_text(parameters)
-    assert light not in help_text(parameters)
 
 
 def test_rows_of_every_kind_are_painted(parameters: ParametersDriver) -> None:

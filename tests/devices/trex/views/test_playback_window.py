@@ -77,12 +77,17 @@ class RecordingWindow(WidgetDriver):
         return self.playback.playing
 
 
+@pytest.fixture(scope="module")
+def minute(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A recording, which no test changes."""
+    path = tmp_path_factory.mktemp("recording") / "minute.trexrec"
+    write(path, _minute())
+    return path
+
+
 @pytest.fixture
-def window(tmp_path: Path, qtbot: QtBot) -> RecordingWindow:
-    write(tmp_path / "minute.trexrec", _minute())
-    window = RecordingWindow.open(
-        loading(Playback(open_recording(tmp_path / "minute.trexrec"))), qtbot
-    )
+def window(minute: Path, qtbot: QtBot) -> RecordingWindow:
+    window = RecordingWindow.open(loading(Playback(open_recording(minute))), qtbot)
     window.wait(lambda: window.playback.is_loaded)
     return window
 
@@ -231,10 +236,10 @@ def test_reading_shows_progress_and_can_be_cancelled(tmp_path: Path, qtbot: QtBo
     assert not window.playback.is_loaded
 
 
-def test_missing_part_of_a_recording_is_reported(tmp_path: Path, qtbot: QtBot) -> None:
-    path = tmp_path / "long.trexrec"
-    write(path, _minute())
-    playback = Playback(open_recording(path), max_rows=4100)
+def test_missing_part_of_a_recording_is_reported(
+    minute: Path, tmp_path: Path, qtbot: QtBot
+) -> None:
+    playback = Playback(open_recording(minute), max_rows=4100)
     playback.start_loading()
     window = RecordingWindow.open(playback, qtbot)
     window.wait(lambda: playback.is_loaded)
