@@ -214,11 +214,6 @@ class TestPseudoTerminal:
         assert is_silent(sim, "82", baudrate=19200)
         assert ask(sim.url, "85", 1, baudrate=baud) == noticed  # 1200 is too slow for that
 
-    def test_pty_follows_host_stop_bits(self, start: Start) -> None:
-        sim = start()
-        assert is_silent(sim, "82", stopbits=2)
-        assert ask(sim.url, "85", 1) == b"\x10"
-
     def test_host_without_line_settings_gets_reply(self, start: Start) -> None:
         sim = start()
         terminal = os.open(sim.url, os.O_RDWR | os.O_NOCTTY)
@@ -227,22 +222,6 @@ class TestPseudoTerminal:
             assert os.read(terminal, 1) == b"r"
         finally:
             os.close(terminal)
-
-    def test_echo_option_returns_sent_bytes(self, start: Start) -> None:
-        sim = start("--echo")
-        assert ask(sim.url, "82", 2) == b"\x82r"
-
-    def test_several_boards_share_one_line(self, start: Start) -> None:
-        sim = start("--device", "7", "--device", "9:trexjr", "--firmware", "1.0")
-        assert ask(sim.url, "80 07 01", 7) == b"TReX1.0"
-        assert ask(sim.url, "80 09 01", 9) == b"TReXJr1.0"
-        assert sim.control("@9 power off") == "ok power off"
-        assert sim.show("@7")["power"] is True
-        with serial.Serial(sim.url, 19200, timeout=LONG_TIMEOUT) as port:
-            port.write(b"\x81")
-            assert port.read(7) == b"TReX1.0"
-            port.timeout = 0.2
-            assert port.read(1) == b""
 
     def test_unplug_is_detected_and_plug_restores_link(self, start: Start, tmp_path: Path) -> None:
         link = tmp_path / "trex"

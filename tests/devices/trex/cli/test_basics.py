@@ -24,12 +24,6 @@ def test_list_prints_port_and_board(trexcmd: RunCommand, quick_simulator: Simula
     assert result.stdout == f"{quick_simulator.url}\tTReX 1.2\n"
 
 
-def test_list_moves_no_motor(trexcmd: RunCommand, quick_simulator: SimulatedDevice) -> None:
-    before = quick_simulator.show()["motors"]
-    trexcmd("list")
-    assert quick_simulator.show()["motors"] == before
-
-
 def test_status_json_contains_product_and_parameters(trexcmd: RunCommand) -> None:
     report = json.loads(trexcmd("status", "--json").stdout)
     assert report["product"] == "TReX"
@@ -205,16 +199,6 @@ def test_wrong_usage_exits_with_2_before_a_port_is_opened(words: str, sentence: 
     assert sentence in result.stderr
     assert result.exit_code == 2
     assert "Traceback" not in result.stderr
-
-
-def test_set_in_rc_mode_explains_the_rejection(
-    trexcmd: RunCommand, quick_simulator: SimulatedDevice
-) -> None:
-    quick_simulator.do("jumper mode rc")
-    quick_simulator.do("power cycle")
-    result = trexcmd("set", "serial_timeout", "5")
-    assert result.exit_code == 1
-    assert "not in serial mode" in result.stderr
 
 
 def test_stop_brakes_running_motors(trexcmd: RunCommand, quick_simulator: SimulatedDevice) -> None:

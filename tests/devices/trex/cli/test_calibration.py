@@ -57,23 +57,3 @@ def test_calibration_set_rejects_invalid_values(
     result = trexcmd("calibration", "set", "1", *words)
     assert result.exit_code == code
     assert sentence in result.stderr
-
-
-@pytest.mark.parametrize(
-    "words",
-    [("6", "1", "2", "3", "4"), ("1", "x", "2", "3", "4"), ("1", "1.5", "2", "3", "4"), ("1", "2")],
-)
-def test_malformed_calibration_is_a_usage_error(
-    trexcmd: RunCommand, words: tuple[str, ...]
-) -> None:
-    assert trexcmd("calibration", "set", *words).exit_code == 2
-
-
-def test_calibration_set_requires_serial_mode(
-    trexcmd: RunCommand, quick_simulator: SimulatedDevice
-) -> None:
-    quick_simulator.do("jumper mode rc")
-    quick_simulator.do("power cycle")
-    result = trexcmd("calibration", "set", "1", "2400", "3700", "5100", "60")
-    assert result.exit_code == 1
-    assert "not in serial mode" in result.stderr

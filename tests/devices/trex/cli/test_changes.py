@@ -1,6 +1,5 @@
 """Messages and snapshots of every command that changes a board."""
 
-import itertools
 from collections.abc import Callable
 from pathlib import Path
 
@@ -12,7 +11,6 @@ from tests.support.virtual_devices import VirtualSimulator, VirtualTransport
 from trex_gui.core.files import data_folder
 from trex_gui.devices.trex.settings.history import SettingsHistory
 
-SET_PARAMETER = 0xAF
 CALIBRATION = ("calibration", "set", "2", "2400", "3700", "5100", "60")
 
 one_setting = pytest.mark.parametrize(
@@ -50,22 +48,6 @@ def test_changing_one_setting_shows_and_snapshots_old_value(
     assert kept.parameters["serial_timeout"] == 0
     assert len(kept.parameters) == 28
     assert {found.minimum for found in kept.calibrations.values()} == {2500}
-
-
-@one_setting
-def test_snapshot_restores_one_changed_setting(
-    trexcmd: RunCommand,
-    words: tuple[str, ...],
-    shown: str,
-    reason: str,
-) -> None:
-    del shown, reason
-    before = memory(trexcmd)
-    assert trexcmd(*words).exit_code == 0
-    assert memory(trexcmd) != before
-    (snapshot,) = SettingsHistory().snapshots()
-    assert trexcmd("set-settings", str(snapshot.path)).exit_code == 0
-    assert memory(trexcmd) == before
 
 
 @one_setting
@@ -137,31 +119,6 @@ def test_set_warns_of_conflicting_settings(trexcmd: RunCommand) -> None:
     assert "Warning: No effect in joint mode: Motor 1 Current Limit" in result.stderr
 
 
-def test_calibration_with_excessive_deadband_prints_warning(trexcmd: RunCommand) -> None:
-    result = trexcmd("calibration", "set", "1", "2400", "3700", "5100", "1400")
-    assert result.exit_code == 0
-    assert "Warning: The deadband of RC channel 1 reaches" in result.stderr
-
-
-def test_set_prints_options_that_reach_board_after_restart(
-    trexcmd: RunCommand, quick_simulator: SimulatedDevice
-) -> None:
-    result = trexcmd("set", "uart_settings", "0x48")
-    assert result.exit_code == 0, result.stderr
-    url = quick_simulator.url
-    assert "UART Settings: takes effect when the board is switched off and on." in result.stderr
-    later = (
-        f"After it is switched off and on, reach it with --port {url} --baud 57600 --parity even\n"
-    )
-    assert later in result.stderr
-
-
-def test_set_prints_option_for_new_device_number(trexcmd: RunCommand) -> None:
-    result = trexcmd("set", "device_number", "9", "--protocol", "expanded")
-    assert result.exit_code == 0, result.stderr
-    assert "--protocol expanded --device 9 from now on" in result.stderr
-
-
 def test_set_rejects_factory_reset(trexcmd: RunCommand, quick_simulator: SimulatedDevice) -> None:
     assert trexcmd("set", "serial_timeout", "15").exit_code == 0
     before = memory(trexcmd)
@@ -175,18 +132,6 @@ def test_set_rejects_factory_reset(trexcmd: RunCommand, quick_simulator: Simulat
 
 
 # --- A file -----------------------------------------------------------------------------
-
-
-def test_set_settings_prints_old_and_new_values(trexcmd: RunCommand, tmp_path: Path) -> None:
-    file = tmp_path / "wanted.txt"
-    file.write_text("product: TReX\nmotor_mode: 0\nserial_timeout: 15\n", encoding="utf-8")
-    result = trexcmd("set-settings", str(file))
-    assert result.exit_code == 0, result.stderr
-    assert result.stdout == ""
-    lines = result.stderr.splitlines()
-    (row,) = [number for number, line in enumerate(lines) if "→" in line]
-    assert lines[row].split() == ["serial_timeout", "0", "→", "15", "off", "→", "1.5", "s"]
-    assert "Snapshot of the previous settings" in lines[row + 1]
 
 
 def test_diff_reports_settings_for_different_models(trexcmd: RunCommand, tmp_path: Path) -> None:
@@ -336,33 +281,6 @@ def test_board_that_replaced_the_one_in_the_snapshot_is_not_written_to(
     for board in boards:
         board.do("power cycle")  # completes a reset to the defaults
     assert [everything(board) for board in boards] == before
-
-
-def test_board_that_replaces_a_silent_one_during_set_settings_is_not_written_to(
-    trexcmd: RunCommand,
-    quick_simulator: VirtualSimulator,
-    start_simulator: StartSimulator,
-    tmp_path: Path,
-) -> None:
-    nothing, other = (start_simulator("--unpaced", "--model", "trexjr") for _ in range(2))
-    assert isinstance(nothing, VirtualSimulator)
-    assert isinstance(other, VirtualSimulator)
-    nothing.do("power off")
-    before = everything(other)
-    file = tmp_path / "wanted.txt"
-    lines = [f"{key}: 9" for key in ("motor1_acceleration", "motor2_acceleration")]
-    file.write_text("\n".join(["product: TReX", *lines, ""]), encoding="utf-8")
-    writes, lost = itertools.count(), itertools.count()
-    exchange_at(
-        quick_simulator, nothing, lambda data: data[0] == SET_PARAMETER and next(writes) == 1
-    )
-    exchange_at(nothing, other, lambda _data: next(lost) == 1)
-    result = trexcmd("set-settings", str(file))
-    assert result.exit_code == 1
-    assert "Another board responds now: TReX Jr 1.2." in result.stderr
-    assert next(writes) == 2
-    assert quick_simulator.show()["parameters"]["motor1_acceleration"] == 9
-    assert everything(other) == before
 
 
 def everything(board: SimulatedDevice) -> tuple[dict[str, int], dict[str, object]]:

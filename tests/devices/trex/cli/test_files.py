@@ -50,18 +50,6 @@ def test_dash_writes_to_standard_output(trexcmd: RunCommand, saved: Path) -> Non
     assert trexcmd("get-settings", "-").stdout == saved.read_text(encoding="utf-8")
 
 
-def test_get_settings_replaces_existing_file(trexcmd: RunCommand, saved: Path) -> None:
-    saved.write_text("old", encoding="utf-8")
-    assert trexcmd("get-settings", str(saved)).exit_code == 0
-    assert saved.read_text(encoding="utf-8").startswith("product: TReX\n")
-
-
-def test_get_settings_to_missing_folder_fails(trexcmd: RunCommand, tmp_path: Path) -> None:
-    result = trexcmd("get-settings", str(tmp_path / "missing" / "board.txt"))
-    assert result.exit_code == 1
-    assert "there is no folder" in result.stderr
-
-
 def test_set_settings_writes_only_differences(
     trexcmd: RunCommand, saved: Path, quick_simulator: SimulatedDevice
 ) -> None:
@@ -95,13 +83,6 @@ def test_set_settings_reads_standard_input(
     text = changed(saved, serial_timeout=15).read_text(encoding="utf-8")
     assert trexcmd("set-settings", "-", stdin=text).exit_code == 0
     assert stored(quick_simulator, "serial_timeout") == 15
-
-
-def test_set_settings_reports_pending_power_cycle(trexcmd: RunCommand, saved: Path) -> None:
-    result = trexcmd("set-settings", str(changed(saved, uart_settings=10)))
-    assert result.exit_code == 0
-    assert "UART Settings: takes effect when the board is switched off and on" in result.stderr
-    assert "115200 baud" in result.stderr  # the advice
 
 
 @pytest.mark.parametrize(
@@ -163,25 +144,6 @@ def test_conflicting_settings_print_a_warning(trexcmd: RunCommand, saved: Path) 
     file = changed(saved, motor_mode=1, motor1_current_limit=20)
     assert "No effect in joint mode" in trexcmd("check-settings", str(file)).stderr
     assert "No effect in joint mode" in trexcmd("set-settings", str(file)).stderr
-
-
-def test_unplugging_during_set_settings_fails_without_traceback(
-    start: StartCommand, trexcmd: RunCommand, saved: Path, start_simulator: StartSimulator
-) -> None:
-    motors = {f"motor{n}_{what}": 7 for n in (1, 2) for what in ("acceleration", "current_limit")}
-    channels = {
-        f"rc_channel_{n}": "{minimum: 2400, neutral: 3700, maximum: 5100, deadband: 60}"
-        for n in range(1, 6)
-    }
-    file = changed(saved, **motors, **channels)
-    slow = start_simulator()
-    command = start("set-settings", str(file), url=slow.url)
-    assert becomes(lambda: slow.show()["counters"]["bytes_received"] > 100, True)
-    slow.do("line unplug")
-    _, errors = command.communicate()
-    assert command.returncode == 1
-    assert "gone" in errors
-    assert "Traceback" not in errors
 
 
 def test_check_settings_of_valid_file_prints_nothing(trexcmd: RunCommand, saved: Path) -> None:

@@ -77,6 +77,7 @@ def test_snapshot_is_shown_by_number_and_by_path(trexcmd: RunCommand) -> None:
     shown = trexcmd("history", "show", "2")
     assert shown.stdout == path.read_text(encoding="utf-8")
     assert trexcmd("history", "show", str(path)).stdout == shown.stdout
+    assert trexcmd("history", "path", "2").stdout == f"{path}\n"
     report = json.loads(trexcmd("history", "show", "2", "--json").stdout)
     assert report["parameters"]["serial_timeout"] == 5
 
@@ -116,23 +117,6 @@ def test_history_diff_compares_snapshot_with_board(
     assert result.exit_code == 1, result.stderr
     rows = {row["key"]: row for row in json.loads(result.stdout)["differing"]}
     assert (rows["serial_timeout"]["before"], rows["serial_timeout"]["after"]) == (7, 5)
-
-
-def test_set_settings_change_is_reverted_from_history(
-    trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path
-) -> None:
-    def stored() -> int:
-        return int(quick_simulator.show()["parameters"]["serial_timeout"])
-
-    before = stored()
-    wanted = tmp_path / "wanted.txt"
-    wanted.write_text("product: TReX\nserial_timeout: 9\n", encoding="utf-8")
-    assert trexcmd("set-settings", str(wanted)).exit_code == 0
-    assert stored() == 9
-    path = trexcmd("history", "path", "1").stdout.strip()
-    assert trexcmd("set-settings", path).exit_code == 0
-    assert stored() == before
-    assert len(SettingsHistory().snapshots()) == 2
 
 
 @pytest.mark.parametrize("word", ["first", "-1", "1.5", "./1"])

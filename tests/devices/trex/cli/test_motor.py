@@ -77,13 +77,12 @@ def test_every_terminating_signal_stops_motor(
 
 @pytest.mark.realtime
 @pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
-@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM"])
 def test_signal_to_process_stops_motor(
-    name: str, start_process: StartProcess, quick_simulator: SimulatedDevice
+    start_process: StartProcess, quick_simulator: SimulatedDevice
 ) -> None:
     process = start_process("motor", "1", "60")
     assert comes_true(lambda: outputs(quick_simulator) == [60, 0, 0])
-    process.send_signal(getattr(signal, name))
+    process.terminate()
     _, errors = process.communicate(timeout=60)
     assert (process.returncode, "Stopped." in errors) == (0, True)
     assert "Traceback" not in errors
@@ -392,7 +391,7 @@ def test_missing_guardian_is_reported_where_nothing_else_stops_the_motor(
     assert "computer fails, and also if this program is killed." in errors
 
 
-@pytest.mark.parametrize("moment", [0.61, 0.75, 0.83, 1.0, 1.17, 1.2])
+@pytest.mark.parametrize("moment", [0.61, 0.83, 1.2])
 def test_board_that_restarts_ends_the_command(
     start: StartCommand,
     start_simulator: StartSimulator,

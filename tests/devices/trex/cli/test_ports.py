@@ -105,12 +105,6 @@ def test_find_without_board_prints_hints(
     assert "an LED is lit" in result.stderr
 
 
-def test_find_rejects_missing_port(trexcmd: RunCommand) -> None:
-    result = trexcmd("find", "--port", "/dev/ttyNOTHERE")
-    assert result.exit_code == 1
-    assert "There is no port" in result.stderr
-
-
 # --- A line that swallows bytes ---------------------------------------------------------
 
 

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from tests.devices.trex.cli.conftest import StartProcess, becomes, measured
-from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_command import RunCommand, StartCommand, VirtualCommand
 
 
@@ -120,40 +120,29 @@ def test_closed_output_ends_stream_without_traceback(start_process: StartProcess
     assert "Exception" not in errors
 
 
-def test_unplugging_keeps_rows_streamed_so_far(
-    start: StartCommand, start_simulator: StartSimulator, tmp_path: Path
+@pytest.mark.parametrize(
+    ("lines", "why"),
+    [
+        (["line unplug"], "is gone"),
+        (["power off"], "stopped responding"),
+        (["jumper mode analog", "power cycle"], "mode has changed"),
+    ],
+)
+def test_stream_that_ends_early_keeps_its_rows_and_says_why(
+    start: StartCommand,
+    quick_simulator: SimulatedDevice,
+    tmp_path: Path,
+    lines: list[str],
+    why: str,
 ) -> None:
-    simulator = start_simulator("--unpaced")
     file = tmp_path / "log.csv"
-    command = begin_to_stream(start, file, simulator)
-    simulator.do("line unplug")
+    command = begin_to_stream(start, file, quick_simulator)
+    for line in lines:
+        quick_simulator.do(line)
     _, errors = command.communicate()
     assert command.returncode == 1
-    assert "is gone" in errors
+    assert why in errors
     assert len(rows_of(file.read_text(encoding="utf-8"))) > 5
-
-
-def test_unpowered_board_ends_the_stream(
-    start: StartCommand, quick_simulator: SimulatedDevice, tmp_path: Path
-) -> None:
-    file = tmp_path / "log.csv"
-    command = begin_to_stream(start, file, quick_simulator)
-    quick_simulator.do("power off")
-    _, errors = command.communicate()
-    assert command.returncode == 1
-    assert "stopped responding" in errors
-
-
-def test_mode_change_ends_the_stream(
-    start: StartCommand, quick_simulator: SimulatedDevice, tmp_path: Path
-) -> None:
-    file = tmp_path / "log.csv"
-    command = begin_to_stream(start, file, quick_simulator)
-    quick_simulator.do("jumper mode analog")
-    quick_simulator.do("power cycle")
-    _, errors = command.communicate()
-    assert command.returncode == 1
-    assert "mode has changed" in errors
 
 
 def test_old_csv_file_is_replaced_once_a_board_answers(

@@ -1,68 +1,13 @@
-"""Every command with output that is redirected, in any encoding, and closed."""
+"""Output that cannot be written, and files of users that cannot be opened."""
 
-from functools import partial
-from itertools import product
 from pathlib import Path
 
 import pytest
 from click import ClickException
-from click.testing import CliRunner
 
-from tests.support import virtual_command
-from tests.support.matrix import sampled
 from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_command import RunCommand
-from trex_gui.cli.program import COMMANDS
 from trex_gui.core.command_io import _Output
-
-WORDS = {
-    "stream": ("--limit", "2"),
-    "get": ("serial_timeout",),
-    "set": ("serial_timeout", "7"),
-    "get-settings": ("-",),
-    "set-settings": ("µ.txt", "--dry-run"),
-    "check-settings": ("µ.txt", "-"),
-    "diff": ("µ.txt",),
-    "audit": ("µ.txt",),
-    "calibration": ("get",),
-    "export": ("--as", "c", "-"),
-    "restore-defaults": ("--yes",),
-    "motor": ("1", "20", "--seconds", "0.2"),
-    "raw": ("81",),
-    "decode": ("AF 07 0F 55 2A",),
-    "report": ("-",),
-    "survey": ("survey.toml",),
-    "replay": ("µ.log",),
-    "aracna": ("query",),
-    "completion": ("bash",),
-}
-ENCODINGS = ("cp1252", "cp437", "cp850", "cp932", "ascii")
-
-
-@pytest.mark.parametrize(("command", "encoding"), sampled(product(COMMANDS, ENCODINGS), every=3))
-def test_redirected_output_is_utf_8(
-    trexcmd: RunCommand,
-    quick_simulator: SimulatedDevice,
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    command: str,
-    encoding: str,
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    quick_simulator.do("eeprom motor1_acceleration 9")
-    note = "# Note on serial_timeout: 5 → 7 µs …"
-    Path("µ.txt").write_text(f"product: TReX\n{note}\nserial_timeout: 7\n", encoding="utf-8")
-    if command == "replay":
-        assert trexcmd("get", "serial_timeout", "--traffic", "µ.log").exit_code == 0
-    words = (command, *WORDS.get(command, ()))
-    plain = trexcmd(*words)
-    monkeypatch.setattr(virtual_command, "CliRunner", partial(CliRunner, charset=encoding))
-    redirected = trexcmd(*words)
-    assert redirected.exit_code == plain.exit_code
-    assert redirected.exception is None or isinstance(redirected.exception, SystemExit)
-    shown = redirected.stdout_bytes.decode("utf-8")
-    assert len(shown.splitlines()) >= len(plain.stdout.splitlines()) - 2
-    assert redirected.stderr_bytes.decode("utf-8") or not plain.stderr
 
 
 def test_reply_that_cannot_be_printed_stops_the_motors(
