@@ -57,9 +57,8 @@ def test_parameters_and_numbers_follow_the_language() -> None:
 def test_every_shown_value_can_be_typed_back() -> None:
     trex, junior = (parameters_of(model, "1.2").readable for model in ("trex", "trexjr"))
     for spec in (*trex, *(spec for spec in junior if spec not in trex)):
-        assert {wire: spec.wire(spec.text(wire)) for wire in spec.valid} == {
-            wire: wire for wire in spec.valid
-        }
+        some = {min(spec.valid), spec.default, max(spec.valid), *sorted(spec.valid)[::9]}
+        assert {wire: spec.wire(spec.text(wire)) for wire in some} == {wire: wire for wire in some}
 
 
 @pytest.mark.usefixtures("german")

@@ -49,11 +49,6 @@ LIBEGL_ONLY = listing(("installed", "libegl1", ""))
 # --- Debian's packages
 
 
-def test_installed_packages_are_listed() -> None:
-    lines = "installed\tlibegl1\t\ninstalled\tlibgl1\t\n"
-    assert bootstrap.packages_in(lines) == {"libegl1", "libgl1"}
-
-
 def test_removed_package_with_configuration_is_not_listed() -> None:
     assert bootstrap.packages_in("config-files\tlibegl1\t\n") == set()
 
@@ -61,14 +56,6 @@ def test_removed_package_with_configuration_is_not_listed() -> None:
 def test_renamed_library_is_listed_under_provided_name() -> None:
     lines = "installed\tlibglib2.0-0t64\tlibglib2.0-0 (= 2.84.4-3), libglib2.0-x\n"
     assert bootstrap.packages_in(lines) == {"libglib2.0-0t64", "libglib2.0-0", "libglib2.0-x"}
-
-
-def test_missing_packages_keep_their_order() -> None:
-    debian = bootstrap.Debian(Script(dpkg_query=LIBEGL_ONLY), is_root=True)
-    assert debian.missing(["libxkbcommon0", "libegl1", "libdbus-1-3"]) == [
-        "libxkbcommon0",
-        "libdbus-1-3",
-    ]
 
 
 def test_package_is_missing_when_dpkg_fails() -> None:
@@ -198,23 +185,10 @@ def test_unopenable_display_is_explained(monkeypatch: pytest.MonkeyPatch) -> Non
 STAMP = bootstrap.Stamp("3.11 /usr", "/home/ada/trex", "f00d")
 
 
-def test_stamp_is_read_back_unchanged(tmp_path: Path) -> None:
-    bootstrap.write_stamp(tmp_path / "stamp.json", STAMP)
-    assert bootstrap.read_stamp(tmp_path / "stamp.json") == STAMP
-
-
 @pytest.mark.parametrize("text", ["", "{", "[]", "{}", '{"interpreter": "3.11"}', '{"x": 1}'])
 def test_damaged_stamp_is_ignored(tmp_path: Path, text: str) -> None:
     (tmp_path / "stamp.json").write_text(text, encoding="utf-8")
     assert bootstrap.read_stamp(tmp_path / "stamp.json") is None
-
-
-def test_missing_stamp_reads_as_none(tmp_path: Path) -> None:
-    assert bootstrap.read_stamp(tmp_path / "stamp.json") is None
-
-
-def test_changed_requirements_keep_environment() -> None:
-    assert STAMP.can_keep_venv(bootstrap.Stamp("3.11 /usr", "/home/ada/trex", "beef"))
 
 
 @pytest.mark.parametrize(
@@ -452,13 +426,6 @@ def test_ctrl_c_ends_quietly(
     monkeypatch.setattr(bootstrap, "set_up", interrupted)
     assert bootstrap.main(["setup"]) == 130
     assert capsys.readouterr() == ("", "")
-
-
-def test_arguments_after_dashes_are_passed_to_pytest() -> None:
-    assert bootstrap.split_arguments(["test", "--", "-k", "a", "--", "b"]) == (
-        ["test"],
-        ["-k", "a", "--", "b"],
-    )
 
 
 @pytest.mark.parametrize(

@@ -103,7 +103,7 @@ def user_errors(modules: Iterable[ast.Module]) -> set[str]:
     bases = {
         node.name: set(map(name_of, node.bases))
         for module in modules
-        for node in ast.walk(module)
+        for node in module.body
         if isinstance(node, ast.ClassDef)
     }
     errors = {"StudioError"}
@@ -129,16 +129,17 @@ def unmarked(node: ast.AST) -> Iterator[str]:
 
 def untranslatable(module: ast.Module, errors: set[str]) -> Iterator[str]:
     """Yield texts of errors, given at once or by a name, and of tables, that are not marked."""
+    nodes = list(ast.walk(module))
     given = [
         argument
-        for node in ast.walk(module)
+        for node in nodes
         if isinstance(node, ast.Call) and name_of(node.func) in errors | USER_TEXTS
         for argument in [*node.args, *(word.value for word in node.keywords)]
     ]
     names = {node.id for value in given for node in ast.walk(value) if isinstance(node, ast.Name)}
     given += [
         node.value
-        for node in ast.walk(module)
+        for node in nodes
         if isinstance(node, ast.Assign) and {*map(name_of, node.targets)} & names
     ]
     for node in module.body:

@@ -391,14 +391,6 @@ def test_invalid_url_is_rejected_with_message(url: str) -> None:
     assert refusal(url)
 
 
-@pytest.mark.skipif(
-    not hasattr(os, "geteuid") or os.geteuid() == 0, reason="root may open everything"
-)
-def test_port_without_permission_is_reported(terminal: tuple[int, str]) -> None:
-    Path(terminal[1]).chmod(0)
-    assert "Permission denied for" in refusal(terminal[1])
-
-
 # --- The sentences ----------------------------------------------------------------------
 
 
@@ -476,16 +468,6 @@ def test_unplugged_cable_is_detected_at_once(
         act[action]()
     assert time.monotonic() - begun < 30.0
     assert quick_simulator.url in str(caught.value)
-
-
-def test_unplugged_cable_is_detected_by_request(
-    quick_simulator: SimulatedDevice, opened: Open
-) -> None:
-    client = patient(opened(quick_simulator.url), quick_simulator.url)
-    client.request(GetMode())
-    quick_simulator.do("line unplug")
-    with pytest.raises(PortUnavailable):
-        client.request(GetMode())
 
 
 def test_lost_network_connection_is_detected(start_simulator: Start, opened: Open) -> None:

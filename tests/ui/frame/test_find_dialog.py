@@ -54,11 +54,6 @@ def dialog(qtbot: QtBot, ports: Ports) -> Iterator[FindBoardDialog]:
     manager.shut_down()
 
 
-def test_every_local_port_is_checked(dialog: FindBoardDialog) -> None:
-    assert dialog.rows() == {"/dev/ttyUSB0  (An adapter)": True}
-    assert dialog.is_enabled("findStartButton")
-
-
 def test_network_addresses_are_listed_but_not_checked(
     dialog: FindBoardDialog, ports: Ports
 ) -> None:

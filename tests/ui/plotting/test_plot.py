@@ -160,12 +160,6 @@ def drag(plot: TracePlot, times: tuple[float, float], modifiers: Qt.KeyboardModi
 # --- Curves -----------------------------------------------------------------------------
 
 
-def test_curves_are_drawn_in_their_colours(plot: TracePlot) -> None:
-    assert count(plot, "motor1") > 400
-    assert count(plot, "motor2") > 400
-    assert count(plot, "good") == 0
-
-
 def test_curves_are_one_logical_pixel_wide_with_a_thin_pen(plot: TracePlot) -> None:
     def drawn(ratio: int) -> int:
         picture = QImage(plot.size() * ratio, QImage.Format.Format_RGB32)
@@ -222,30 +216,6 @@ def test_value_near_its_limit_has_a_sign(panel: TracePanelDriver, source: Source
         assert cell.data() == text
         assert cell.data(roles.AccessibleTextRole) == spoken
         assert cell.data(roles.ForegroundRole) == color
-
-
-def test_limit_is_drawn_unless_out_of_range(plot: TracePlot, source: Source) -> None:
-    before = count(plot, "motor1")
-    source.limits["motor1"] = 2.0
-    plot.draw()
-    assert count(plot, "motor1") > before + 200
-    source.limits["motor1"] = 200.0  # beyond what is shown
-    plot.draw()
-    assert count(plot, "motor1") == before
-
-
-def test_plot_follows_the_theme(plot: TracePlot) -> None:
-    theme().set_scheme("dark")
-    assert count(plot, "plot_background") > 10_000
-    assert count(plot, "motor1") > 400
-
-
-def test_gap_in_samples_interrupts_the_line(plot: TracePlot, source: Source) -> None:
-    whole = count(plot, "motor1")
-    last = source.history.times[-1]
-    source.history.append(last + 15, 1.0, 3.0, 0.0)
-    plot.draw()
-    assert 100 < count(plot, "motor1") < 0.7 * whole
 
 
 # --- What part is shown -----------------------------------------------------------------
@@ -498,27 +468,6 @@ def test_cursor_shows_values_and_difference_from_the_mark(panel: TracePanelDrive
     assert panel.cell("motor1", TraceColumn.DIFFERENCE) == "8.00 A"
     assert "Motor 1: 9.00 A" in panel.text("cursorReadout")
     assert "from the mark" in panel.text("cursorReadout")
-
-
-@pytest.mark.parametrize("width", [860, 1040])
-def test_table_fits_beside_the_events_without_scrolling(
-    panel: TracePanelDriver, width: int, qtbot: QtBot
-) -> None:
-    panel.root.show()
-    panel.root.resize(width, 500)
-    panel.plot.set_cursor(30)
-    panel.plot.set_mark(20)
-    if width > 1000:
-        panel.source.limits["motor1"] = 5.0
-        panel.button("holdPeaksButton").click()
-    view = panel.table
-    qtbot.waitUntil(lambda: not view.horizontalScrollBar().isVisible())
-    last = max(column for column in TraceColumn if not view.isColumnHidden(column))
-    assert view.columnViewportPosition(last) + view.columnWidth(last) <= view.viewport().width()
-    assert panel.events.width() > 60
-    assert view.viewport().height() >= 4 * view.rowHeight(0), "four curves"
-    panel.root.resize(width - 100, 500)
-    assert panel.events.x() >= view.geometry().right(), "one lies over the other"
 
 
 def test_optional_columns_are_hidden_until_needed(panel: TracePanelDriver) -> None:

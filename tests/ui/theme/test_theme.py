@@ -203,26 +203,6 @@ def test_tinted_button_has_its_hue_and_enough_contrast(
     assert contrast(middle, theme().color(f"{name}_text")) >= needed(4.5, scheme)
 
 
-def test_tinted_button_looks_different_when_pressed(qtbot: QtBot) -> None:
-    button = QPushButton()
-    qtbot.addWidget(button)
-    tint(button, "stop")
-    button.resize(100, 30)
-    up = painted(button)
-    button.setDown(True)
-    assert painted(button) != up
-
-
-def test_disabled_tinted_button_looks_like_a_plain_one(qtbot: QtBot) -> None:
-    plain, tinted = QPushButton(), QPushButton()
-    tint(tinted, "stop")
-    for button in (plain, tinted):
-        qtbot.addWidget(button)
-        button.resize(100, 30)
-        button.setEnabled(False)
-    assert painted(plain) == painted(tinted)
-
-
 def test_second_tint_replaces_the_first(qtbot: QtBot) -> None:
     button = QPushButton()
     qtbot.addWidget(button)

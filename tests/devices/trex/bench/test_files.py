@@ -6,6 +6,7 @@ from hypothesis import strategies as st
 
 from tests.devices.trex.bench.runs import run_of
 from tests.devices.trex.bench.test_profile import PROFILES
+from tests.support.matrix import examples
 from trex_gui.devices.trex.bench.files import BenchFileError, from_csv, to_csv
 from trex_gui.devices.trex.bench.run import End, Profile, Run
 
@@ -38,6 +39,7 @@ def runs(draw: st.DrawFn) -> Run:
     )
 
 
+@examples(40)
 @given(run=runs())
 def test_saved_run_is_read_back_equal(run: Run) -> None:
     assert from_csv(to_csv(run)) == run
