@@ -186,7 +186,7 @@ def check_robot_replies(data: bytes, folder: Path) -> None:
     _disturb(session.stage.transport, Disturbance(data))
     for time, request in ROBOT_REQUESTS:
         session.at(time, request)
-    reports = session.until(6.0).run()
+    reports = session.until(6.0).run().reports
     late = [request for _, request in session._actions]
     taken = [one for _, one in ROBOT_REQUESTS if one not in late]
     _check_session(reports, taken, RobotErrorCode.INTERNAL)

@@ -12,13 +12,13 @@ from trex_gui.devices.aracna.session.session import AracnaSession
 
 KindT = TypeVar("KindT")
 
-Action = Request | Callable[[], object]
+Action = Request | Callable[[], object] | str
 
 
 class ScriptedSession:
     """Runs a session with a simulated robot, and actions at times since its start, then closes it.
 
-    An action is a request, or a function to call, such as one that causes a fault.
+    An action is a request, a control line of the robot, or a function to call.
     """
 
     def __init__(self, *, booted: bool = True, **options: Any) -> None:
@@ -48,12 +48,12 @@ class ScriptedSession:
         self._end = max(self._end, self.begun + time)
         return self
 
-    def run(self) -> list[Report]:
-        """Run the script to its end; return all reports."""
+    def run(self) -> "ScriptedSession":
+        """Run the script to its end."""
         AracnaSession(
             PortSettings("virtual"), self, self._record, lambda _settings: self.stage.transport
         ).run()
-        return self.reports
+        return self
 
     def of(self, kind: type[KindT]) -> list[KindT]:
         """Return the reports of a kind."""
@@ -91,7 +91,9 @@ class ScriptedSession:
             self._do(action)
 
     def _do(self, action: Action) -> None:
-        if callable(action):
+        if isinstance(action, str):
+            self.stage.do(action)
+        elif callable(action):
             action()
         else:
             self._now.append(action)

@@ -54,18 +54,14 @@ def _assert_goes_on_after_a_restart(session: ScriptedSession, *, voided: bool) -
 
 
 def test_restart_while_idle_is_reported_and_robot_reconnects() -> None:
-    session = ScriptedSession().at(1.0, lambda: session.stage.do("reset")).until(4.0)
-    session.run()
+    session = ScriptedSession().at(1.0, "reset").until(4.0).run()
     _assert_goes_on_after_a_restart(session, voided=False)
 
 
 @pytest.mark.parametrize("delay", [0.0005, 0.005, 0.02, 0.04])
 def test_restart_voids_speed_command(delay: float) -> None:
     session = ScriptedSession().at(0.5, SetSpeeds(1, SLOW))
-    session.at(0.5 + delay, lambda: session.stage.do("reset")).at(4.0, SetSpeeds(2, SLOW)).until(
-        5.0
-    )
-    session.run()
+    session.at(0.5 + delay, "reset").at(4.0, SetSpeeds(2, SLOW)).until(5.0).run()
     _assert_goes_on_after_a_restart(session, voided=True)
     outcomes = {outcome.id: outcome for outcome in session.of(Outcome)}
     assert code(outcomes[1].error) is ErrorCode.RESTARTED
@@ -77,8 +73,7 @@ def test_restart_voids_move_while_servos_keep_moving(delay: float) -> None:
     session = (
         ScriptedSession().at(0.2, SetSpeeds(9, SLOW)).at(0.5, Move(1, THERE)).at(0.5, Move(2, HERE))
     )
-    session.at(0.5, Drag(HERE)).at(0.5 + delay, lambda: session.stage.do("reset")).until(5.0)
-    session.run()
+    session.at(0.5, Drag(HERE)).at(0.5 + delay, "reset").until(5.0).run()
     _assert_goes_on_after_a_restart(session, voided=True)
     outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
     assert code(outcomes[1]) is ErrorCode.RESTARTED
@@ -92,8 +87,7 @@ def test_restart_voids_move_while_servos_keep_moving(delay: float) -> None:
 @pytest.mark.parametrize("delay", [0.0, 0.03, 0.3, 0.7, 1.0, 1.7])
 def test_restart_ends_playback(delay: float) -> None:
     session = ScriptedSession().at(0.5, Play(1, STEPS, rounds=0))
-    session.at(0.52 + delay, lambda: session.stage.do("reset")).until(6.0)
-    session.run()
+    session.at(0.52 + delay, "reset").until(6.0).run()
     _assert_goes_on_after_a_restart(session, voided=True)
     [ended] = session.of(PlayEnded)
     assert ended.why is Ending.RESTARTED
@@ -104,15 +98,14 @@ def test_restart_ends_playback(delay: float) -> None:
 
 
 def test_restart_while_connecting_only_delays_connection() -> None:
-    session = ScriptedSession(booted=False).at(0.7, lambda: session.stage.do("reset")).until(5.0)
-    session.run()
+    session = ScriptedSession(booted=False).at(0.7, "reset").until(5.0).run()
     assert session.kinds == ["Connected", "Closed"]
 
 
 def test_session_reconnects_once_after_repeated_restarts() -> None:
     session = ScriptedSession()
     for time in (1.0, 1.6, 2.2, 2.8):
-        session.at(time, lambda: session.stage.do("reset"))
+        session.at(time, "reset")
     session.until(6.0).run()
     assert len(session.of(Restarted)) == 4
     assert len(session.of(Connected)) == 2
@@ -120,8 +113,7 @@ def test_session_reconnects_once_after_repeated_restarts() -> None:
 
 
 def test_session_awaited_motor_boot_loader_after_restart() -> None:
-    session = ScriptedSession(boot_loader=3.0).at(1.0, lambda: session.stage.do("reset")).until(9.0)
-    session.run()
+    session = ScriptedSession(boot_loader=3.0).at(1.0, "reset").until(9.0).run()
     assert len(session.of(Connected)) == 2
     assert session.line.station.firmware.boots == 2
 
@@ -133,13 +125,12 @@ def _stuck_session() -> ScriptedSession:
     session = (
         ScriptedSession().at(0.2, SetSpeeds(1, SLOW)).at(0.4, Move(2, HERE)).at(0.6, Move(3, THERE))
     )
-    return session.at(0.8, lambda: session.stage.do("servo 3 dead"))
+    return session.at(0.8, "servo 3 dead")
 
 
 def test_servo_failing_in_motion_is_reported_stuck_once() -> None:
     session = _stuck_session()
-    session.at(8.0, Move(4, HERE)).until(60.0)
-    session.run()
+    session.at(8.0, Move(4, HERE)).until(60.0).run()
     [stuck] = session.of(Stuck)
     assert stuck.motor == 3
     # 88 units at 100 a quarter longer, a second, and what the wire may take
@@ -160,9 +151,7 @@ def test_recovered_servo_ends_move_and_starts_nothing_else() -> None:
     session = _stuck_session()
     session.at(0.9, Move(4, HERE)).at(0.9, Drag((400,) * 8))  # both wait
     session.at(3.0, Drag((410,) * 8)).at(3.1, Move(5, HERE)).at(3.2, Play(6, STEPS))
-    session.at(9.0, lambda: session.stage.do("servo 3 alive"))
-    session.at(10.5, Move(7, HERE)).until(14.0)
-    session.run()
+    session.at(9.0, "servo 3 alive").at(10.5, Move(7, HERE)).until(14.0).run()
     assert len(session.of(Stuck)) == 1
     assert [moved.present[3] for moved in session.of(Moved)] == [512, 600, 512]
     assert session.when(Moving)[2] > 10.4, "only what was requested after the robot had answered"
@@ -174,10 +163,8 @@ def test_recovered_servo_ends_move_and_starts_nothing_else() -> None:
 
 
 def test_unreadable_position_is_reported_as_unknown() -> None:
-    session = ScriptedSession().at(0.1, SetSpeeds(3, SLOW))
-    session.at(0.2, lambda: session.stage.do("servo 2 lose position"))
-    session.at(0.3, Move(1, THERE)).at(2.0, Move(2, HERE)).until(6.0)
-    session.run()
+    session = ScriptedSession().at(0.1, SetSpeeds(3, SLOW)).at(0.2, "servo 2 lose position")
+    session.at(0.3, Move(1, THERE)).at(2.0, Move(2, HERE)).until(6.0).run()
     assert session.of(Moved)[0].present[2] == -1
     assert session.of(Moving)[1].starts[2] is None
     assert session.of(Moving)[1].expected == pytest.approx(512 / 228)
@@ -188,17 +175,14 @@ def test_slightly_slow_servo_is_not_reported_stuck(load: float) -> None:
     session = (
         ScriptedSession(positions=(0,) * 8).at(0.1, SetSpeeds(1, SLOW)).at(0.2, Move(2, (0,) * 8))
     )
-    session.at(0.4, lambda: session.stage.do(f"servo 7 load {load}")).at(0.5, Move(3, (1000,) * 8))
-    session.until(10.0).run()
+    session.at(0.4, f"servo 7 load {load}").at(0.5, Move(3, (1000,) * 8)).until(10.0).run()
     assert len(session.of(Moved)) == 2
     assert not session.of(Stuck)
 
 
 def test_stuck_motor_ends_playback() -> None:
-    session = ScriptedSession().at(0.2, Play(1, STEPS, rounds=0))
-    session.at(4.0, lambda: session.stage.do("servo 6 block"))
-    session.at(12.0, lambda: session.stage.do("servo 6 free")).until(14.0)
-    session.run()
+    session = ScriptedSession().at(0.2, Play(1, STEPS, rounds=0)).at(4.0, "servo 6 block")
+    session.at(12.0, "servo 6 free").until(14.0).run()
     assert [ended.why for ended in session.of(PlayEnded)] == [Ending.STUCK]
     assert session.of(Stuck)[0].motor == 6
     assert "motor 6" in str(session.of(Outcome)[0].error)
@@ -215,10 +199,7 @@ def test_command_after_truncated_reply_succeeds(
     lost: int,
 ) -> None:
     session = ScriptedSession().at(0.2, SetSpeeds(1, SLOW)).at(0.5, Move(2, THERE))
-    session.at(0.7, lambda: session.stage.do(f"line drop {lost}")).at(7.0, Move(3, HERE)).until(
-        14.0
-    )
-    session.run()
+    session.at(0.7, f"line drop {lost}").at(7.0, Move(3, HERE)).until(14.0).run()
     outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
     assert outcomes[3] is None
     if outcomes[2] is not None:
@@ -228,13 +209,8 @@ def test_command_after_truncated_reply_succeeds(
 
 
 def test_damaged_speed_reply_fails_in_1_s_and_robot_stays() -> None:
-    session = (
-        ScriptedSession()
-        .at(0.5, lambda: session.stage.do("line drop 5"))
-        .at(0.5, SetSpeeds(1, SLOW))
-    )
-    session.at(3.0, SetSpeeds(2, SLOW)).until(4.0)
-    session.run()
+    session = ScriptedSession().at(0.5, "line drop 5").at(0.5, SetSpeeds(1, SLOW))
+    session.at(3.0, SetSpeeds(2, SLOW)).until(4.0).run()
     first, second = session.of(Outcome)
     assert isinstance(first.error, BadReply)
     assert second.error is None
@@ -247,9 +223,8 @@ def test_lost_sent_bytes_do_not_prevent_later_move(
     dropped: int,
 ) -> None:
     session = ScriptedSession().at(0.2, SetSpeeds(9, SLOW)).at(0.5, Move(8, HERE))
-    session.at(0.7, lambda: session.stage.do(f"line drop {dropped} sent"))
-    session.at(0.7, Move(1, THERE)).at(12.0, Move(2, HERE)).until(16.0)
-    session.run()
+    session.at(0.7, f"line drop {dropped} sent")
+    session.at(0.7, Move(1, THERE)).at(12.0, Move(2, HERE)).until(16.0).run()
     outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
     assert set(outcomes) == {1, 2, 8, 9}
     assert outcomes[2] is None
@@ -258,15 +233,13 @@ def test_lost_sent_bytes_do_not_prevent_later_move(
 
 @pytest.mark.parametrize("seed", range(6))
 def test_session_survives_noise_and_every_request_has_outcome(seed: int) -> None:
-    session = ScriptedSession(seed=seed).at(0.2, SetSpeeds(99, SLOW))
-    session.at(0.4, lambda: session.stage.do("line noise 0.02"))
+    session = ScriptedSession(seed=seed).at(0.2, SetSpeeds(99, SLOW)).at(0.4, "line noise 0.02")
     for number in range(20):
         session.at(0.5 + number * 2, Move(number, THERE if number % 2 else HERE))
-    session.at(41.0, lambda: session.stage.do("line noise 0"))
+    session.at(41.0, "line noise 0")
     for servo in session.line.servos:
         servo.speed = 500
-    session.at(60.0, lambda: None).until(61.0)
-    session.run()
+    session.at(60.0, lambda: None).until(61.0).run()
     assert session.reports[-1].error is None  # type: ignore[union-attr]  # it is Closed
     assert sorted(one.id for one in session.of(Outcome)) == [*range(20), 99]
 
@@ -275,9 +248,7 @@ def test_robot_mute_since_mid_motion_is_reported_silent() -> None:
     session = (
         ScriptedSession().at(0.2, SetSpeeds(1, SLOW)).at(0.4, Move(2, HERE)).at(0.6, Move(3, THERE))
     )
-    session.at(0.6, lambda: session.stage.do("line mute on"))
-    session.at(12.0, lambda: session.stage.do("line mute off")).until(16.0)
-    session.run()
+    session.at(0.6, "line mute on").at(12.0, "line mute off").until(16.0).run()
     assert session.of(Stuck)[0].motor is None
     assert len(session.of(NotResponding)) == 1
     assert len(session.of(Connected)) == 2
@@ -287,9 +258,7 @@ def test_robot_mute_since_mid_motion_is_reported_silent() -> None:
 
 def test_second_failed_servo_is_reported_stuck_too() -> None:
     session = _stuck_session()
-    session.at(6.0, lambda: session.stage.do("servo 5 dead"))
-    session.at(8.0, lambda: session.stage.do("servo 3 alive")).until(20.0)
-    session.run()
+    session.at(6.0, "servo 5 dead").at(8.0, "servo 3 alive").until(20.0).run()
     assert [stuck.motor for stuck in session.of(Stuck)] == [3, 5]
 
 
@@ -298,7 +267,7 @@ def test_move_sent_right_after_lost_reply_succeeds() -> None:
     session = (
         ScriptedSession().at(0.2, SetSpeeds(1, SLOW)).at(0.4, Move(2, HERE)).at(0.6, Move(3, THERE))
     )
-    session.at(0.7, lambda: session.stage.do("line cut 8"))
+    session.at(0.7, "line cut 8")
     session.on(lambda report: isinstance(report, Moved) and -1 in report.present, Move(4, HERE))
     session.until(10.0).run()
     assert len(session.of(Stuck)) == 1
@@ -310,17 +279,14 @@ def test_move_sent_right_after_lost_reply_succeeds() -> None:
 
 def test_speeds_requested_while_stuck_are_never_sent() -> None:
     session = _stuck_session()
-    session.at(5.0, SetSpeeds(9, (0,) * 8))
-    session.at(30.0, lambda: session.stage.do("servo 3 alive")).until(40.0)
-    session.run()
+    session.at(5.0, SetSpeeds(9, (0,) * 8)).at(30.0, "servo 3 alive").until(40.0).run()
     outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
     assert code(outcomes[9]) is ErrorCode.STUCK
     assert (0,) * 8 not in [held.requested for held in session.of(SpeedsHeld)]
 
 
 def test_requested_speeds_are_restored_after_sequence() -> None:
-    session = ScriptedSession()
-    session.at(0.5, Move(1, HERE, SLOW)).at(1.0, Move(2, (400,) * 8, SLOW))
+    session = ScriptedSession().at(0.5, Move(1, HERE, SLOW)).at(1.0, Move(2, (400,) * 8, SLOW))
     session.at(1.1, SetSpeeds(3, (20,) * 8)).at(1.15, Play(4, (Step((420,) * 8, 1.0),))).until(10.0)
     session.run()
     assert session.stage.speeds == (20,) * 8

@@ -19,15 +19,13 @@ def last(session: ScriptedSession) -> LineStats:
 
 
 def test_counters_are_reported_soon_after_connecting() -> None:
-    session = ScriptedSession().until(0.5)
-    session.run()
+    session = ScriptedSession().until(0.5).run()
     assert last(session).replies == last(session).requests == 1
     assert session.when(LineStats)[0] - session.when(Connected)[0] < 0.1
 
 
 def test_unanswered_queries_during_boot_are_not_counted() -> None:
-    session = ScriptedSession(booted=False).until(4.0)
-    session.run()
+    session = ScriptedSession(booted=False).until(4.0).run()
     assert last(session).timeouts == last(session).restarts == 0
     assert last(session).slowest < 0.1
 
@@ -51,8 +49,7 @@ def test_unchanged_counters_are_not_reported_again() -> None:
 
 
 def test_slowest_reply_time_excludes_motions() -> None:
-    session = ScriptedSession(positions=(100,) * 8)
-    session.at(0.5, Move(1, THERE, (100,) * 8)).until(12.0)
+    session = ScriptedSession(positions=(100,) * 8).at(0.5, Move(1, THERE, (100,) * 8)).until(12.0)
     session.run()
     counters = last(session)
     assert counters.replies >= 3
@@ -60,9 +57,7 @@ def test_slowest_reply_time_excludes_motions() -> None:
 
 
 def test_unanswered_queries_are_counted_as_silence() -> None:
-    session = ScriptedSession()
-    session.at(1.0, lambda: session.stage.do("line mute on")).until(12.0)
-    session.run()
+    session = ScriptedSession().at(1.0, "line mute on").until(12.0).run()
     assert last(session).timeouts >= 3
     assert last(session).corrupted == 0
 
@@ -74,14 +69,11 @@ def test_invalid_reply_is_counted_as_damaged_and_strange() -> None:
         session.stage.do("power off")
         session.line.inject(b".v,what\r\n")
 
-    session.at(1.0, SetSpeeds(1, (100,) * 8)).at(1.001, garble).until(4.0)
-    session.run()
+    session.at(1.0, SetSpeeds(1, (100,) * 8)).at(1.001, garble).until(4.0).run()
     assert last(session).corrupted == 1
     assert last(session).unrecognized >= 1
 
 
 def test_restart_is_counted() -> None:
-    session = ScriptedSession()
-    session.at(1.0, lambda: session.stage.do("reset")).until(5.0)
-    session.run()
+    session = ScriptedSession().at(1.0, "reset").until(5.0).run()
     assert last(session).restarts == 1

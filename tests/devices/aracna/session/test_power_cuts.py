@@ -43,8 +43,7 @@ def watched(session: ScriptedSession, begin: float, seconds: float) -> list[floa
 def test_move_after_power_cut_in_motion_keeps_requested_speed(cut: float) -> None:
     session = ScriptedSession(positions=[100] * 8)
     session.at(0.5, Move(1, (110,) * 8, SLOW)).at(3.0, Move(2, (600,) * 8, SLOW))
-    session.at(4.0, lambda: session.stage.do("servo power off"))
-    session.at(4.0 + cut, lambda: session.stage.do("servo power on"))
+    session.at(4.0, "servo power off").at(4.0 + cut, "servo power on")
     session.at(4.7 + cut, Move(3, (600,) * 8, SLOW))
     seen = watched(session, 4.72 + cut, 2.0)
     session.until(16.0).run()
@@ -56,8 +55,7 @@ def test_move_after_power_cut_in_motion_keeps_requested_speed(cut: float) -> Non
 def test_speeds_are_resent_after_long_motion_but_not_short_one() -> None:
     session = ScriptedSession(positions=[500] * 8)
     session.at(0.5, Move(1, (520,) * 8, SLOW)).at(1.0, Drag((540,) * 8, SLOW))
-    session.at(1.5, Drag((800,) * 8, SLOW)).at(6.0, Drag((810,) * 8, SLOW)).until(8.0)
-    session.run()
+    session.at(1.5, Drag((800,) * 8, SLOW)).at(6.0, Drag((810,) * 8, SLOW)).until(8.0).run()
     assert len(session.of(Moving)) == 4
     held = session.when(SpeedsHeld)
     assert len(held) == 2
@@ -69,8 +67,7 @@ def test_speed_is_limited_again_soon_after_power_cut_near_goal(cut: float, secon
     session = ScriptedSession(positions=[300] * 8)
     steps = (Step((300,) * 8, 1.5), Step((500,) * 8, 1.5))
     session.at(0.5, Move(1, (300,) * 8, (100,) * 8)).at(1.5, Play(2, steps, 0))
-    session.at(cut, lambda: session.stage.do("servo power off"))
-    session.at(cut + seconds, lambda: session.stage.do("servo power on"))
+    session.at(cut, "servo power off").at(cut + seconds, "servo power on")
     seen = watched(session, cut + seconds + TRUST, 5.0)
     session.until(14.0).run()
     assert 0 < max(seen) < 300, "200 units in 1.4 s"
@@ -78,10 +75,8 @@ def test_speed_is_limited_again_soon_after_power_cut_near_goal(cut: float, secon
 
 @pytest.mark.parametrize("cut", [1.5, 1.8, 2.3])
 def test_move_after_power_cut_near_goal_keeps_requested_speed(cut: float) -> None:
-    session = ScriptedSession(positions=[300] * 8)
-    session.at(0.5, Move(1, (390,) * 8, SLOW))
-    session.at(cut, lambda: session.stage.do("servo power off"))
-    session.at(cut + 0.3, lambda: session.stage.do("servo power on"))
+    session = ScriptedSession(positions=[300] * 8).at(0.5, Move(1, (390,) * 8, SLOW))
+    session.at(cut, "servo power off").at(cut + 0.3, "servo power on")
     session.at(cut + 0.8, Move(2, (900,) * 8, SLOW))
     seen = watched(session, cut + 0.82, 1.5)
     session.until(14.0).run()
@@ -92,9 +87,7 @@ def test_sequence_does_not_resume_when_power_returns() -> None:
     session = ScriptedSession(positions=[300] * 8)
     steps = (Step((300,) * 8, 2.0, "A"), Step((500,) * 8, 2.0, "B"))
     session.at(0.5, Move(1, (300,) * 8, (100,) * 8)).at(1.5, Play(2, steps, 0))
-    session.at(5.8, lambda: session.stage.do("servo power off"))
-    session.at(7.3, lambda: session.stage.do("servo power on")).until(20.0)
-    session.run()
+    session.at(5.8, "servo power off").at(7.3, "servo power on").until(20.0).run()
     [ended] = session.of(PlayEnded)
     assert ended.why is Ending.MISSED
     assert not [when for when in session.when(Moving) if when > 7.3]
@@ -107,6 +100,5 @@ def test_single_unreadable_position_does_not_end_sequence() -> None:
     session = ScriptedSession(positions=[300] * 8)
     steps = (Step((300,) * 8, 0.6), Step((400,) * 8, 0.6))
     session.at(0.5, Move(1, (300,) * 8, (100,) * 8)).at(1.5, Play(2, steps, 3))
-    session.at(2.3, lambda: session.stage.do("servo 2 lose position 1")).until(12.0)
-    session.run()
+    session.at(2.3, "servo 2 lose position 1").until(12.0).run()
     assert [ended.why for ended in session.of(PlayEnded)] == [Ending.DONE]

@@ -1,7 +1,6 @@
 """Random requests and faults in any order: every request gets its outcome."""
 
 from collections.abc import Callable
-from functools import partial
 
 from hypothesis import Phase, given
 from hypothesis import strategies as st
@@ -66,16 +65,15 @@ def test_every_request_has_one_outcome_and_robot_recovers(
     for number, (pause, act) in enumerate(acts):
         time += pause
         if isinstance(act, str):
-            session.at(time, partial(session.stage.do, act))
+            session.at(time, act)
         else:
             request = act(number)
             numbers |= {number} if hasattr(request, "id") else set()
             session.at(time, request)
     for line in MENDING:
-        session.at(time, partial(session.stage.do, line))
+        session.at(time, line)
     session.at(time + 1.0, Halt()).at(time + 60.0, SetSpeeds(98, (500,) * 8))
-    session.at(time + 61.0, Move(99, (444,) * 8)).until(time + 70.0)
-    session.run()
+    session.at(time + 61.0, Move(99, (444,) * 8)).until(time + 70.0).run()
     assert session.reports[-1] == Closed(None)
     assert sorted(outcome.id for outcome in session.of(Outcome)) == [*sorted(numbers), 98, 99]
     last = {outcome.id: outcome.error for outcome in session.of(Outcome)}

@@ -27,8 +27,7 @@ SLOW = (100,) * 8
 
 
 def test_connecting_sends_only_version_query() -> None:
-    session = ScriptedSession().until(1.0)
-    session.run()
+    session = ScriptedSession().until(1.0).run()
     assert session.kinds == ["Connected", "Closed"]
     [connected] = session.of(Connected)
     assert (connected.version, connected.motors) == (1, 8)
@@ -39,8 +38,7 @@ def test_connecting_sends_only_version_query() -> None:
 
 @pytest.mark.parametrize("boot_loader", [0.0, 1.0, 3.0])
 def test_robot_reset_by_opening_port_connects_after_boot(boot_loader: float) -> None:
-    session = ScriptedSession(booted=False, boot_loader=boot_loader).until(boot_loader + 3.0)
-    session.run()
+    session = ScriptedSession(booted=False, boot_loader=boot_loader).until(boot_loader + 3.0).run()
     assert session.kinds == ["Connected", "Closed"]
     assert session.when(Connected)[0] == pytest.approx(boot_loader + BOOT_TIME, abs=0.6)
     assert session.line.station.firmware.boots == 1
@@ -79,8 +77,7 @@ def test_motor_count_is_reported_or_derived_from_version(
 def test_silent_line_closes_session_after_boot_loader_time() -> None:
     session = ScriptedSession().until(30.0)
     session.stage.do("line mute on")
-    session.at(0.1, Move(1, THERE))
-    session.run()
+    session.at(0.1, Move(1, THERE)).run()
     closed = session.reports[-1]
     assert isinstance(closed, Closed)
     assert isinstance(closed.error, NoReply)
@@ -94,8 +91,7 @@ def test_silent_line_closes_session_after_boot_loader_time() -> None:
 def test_reply_of_other_device_is_shown_in_error() -> None:
     session = ScriptedSession().until(30.0)
     session.stage.do("power off")
-    session.at(0.2, lambda: session.line.inject(b"\r\nTReX2\r\n"))
-    session.run()
+    session.at(0.2, lambda: session.line.inject(b"\r\nTReX2\r\n")).run()
     [closed] = session.of(Closed)
     assert isinstance(closed.error, BadReply)
     assert "not like an Aracna" in str(closed.error)
@@ -103,8 +99,7 @@ def test_reply_of_other_device_is_shown_in_error() -> None:
 
 
 def test_move_reports_each_arrival_and_then_completion() -> None:
-    session = ScriptedSession().at(0.2, SetSpeeds(1, SLOW)).at(0.5, Move(2, THERE)).until(3.0)
-    session.run()
+    session = ScriptedSession().at(0.2, SetSpeeds(1, SLOW)).at(0.5, Move(2, THERE)).until(3.0).run()
     [held] = session.of(SpeedsHeld)
     assert held.requested == held.held == SLOW
     [moving] = session.of(Moving)
@@ -120,8 +115,7 @@ def test_move_reports_each_arrival_and_then_completion() -> None:
 
 def test_second_move_starts_from_known_positions() -> None:
     session = ScriptedSession().at(0.2, SetSpeeds(1, SLOW)).at(0.4, Move(2, THERE))
-    session.at(2.0, Move(3, HERE)).until(4.0)
-    session.run()
+    session.at(2.0, Move(3, HERE)).until(4.0).run()
     assert session.of(Moving)[1].starts == (600,) * 8
     assert session.of(Moving)[1].expected == pytest.approx(88 / 228)
 
@@ -139,8 +133,7 @@ def test_next_move_is_sent_only_after_reply() -> None:
 
 @pytest.mark.parametrize("request_", [Move(1, (5,)), Move(1, (1024,) * 8), SetSpeeds(1, (-1,) * 8)])
 def test_invalid_positions_and_speeds_are_rejected(request_: Move | SetSpeeds) -> None:
-    session = ScriptedSession().at(0.2, request_).at(0.2, Drag((1, 2))).until(1.0)
-    session.run()
+    session = ScriptedSession().at(0.2, request_).at(0.2, Drag((1, 2))).until(1.0).run()
     [outcome] = session.of(Outcome)
     assert isinstance(outcome.error, BadRequest)
     assert not session.of(Moving)
@@ -162,8 +155,7 @@ def test_halt_drops_queued_moves_and_reports_motion_end() -> None:
     session = (
         ScriptedSession().at(0.1, SetSpeeds(9, SLOW)).at(0.4, Move(1, THERE)).at(0.5, Move(2, HERE))
     )
-    session.at(0.5, Drag(HERE)).at(0.5, SetSpeeds(3, SLOW)).at(0.6, Halt()).until(4.0)
-    session.run()
+    session.at(0.5, Drag(HERE)).at(0.5, SetSpeeds(3, SLOW)).at(0.6, Halt()).until(4.0).run()
     outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
     assert outcomes[1] is None
     assert "Stopped" in str(outcomes[2])
@@ -206,8 +198,7 @@ def test_move_succeeds_after_truncated_command(stump: bytes, size: int) -> None:
     session = (
         ScriptedSession().at(0.3, lambda: session.line.send(stump[:size])).at(0.4, Move(1, THERE))
     )
-    session.at(8.0, Move(2, THERE)).until(12.0)
-    session.run()
+    session.at(8.0, Move(2, THERE)).until(12.0).run()
     outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
     assert set(outcomes) == {1, 2}
     assert outcomes[2] is None
@@ -215,9 +206,8 @@ def test_move_succeeds_after_truncated_command(stump: bytes, size: int) -> None:
 
 
 def test_silent_robot_is_polled_until_it_answers() -> None:
-    session = ScriptedSession().at(1.0, lambda: session.stage.do("line mute on"))
-    session.at(6.0, Move(1, THERE)).at(10.0, lambda: session.stage.do("line mute off")).until(13.0)
-    session.run()
+    session = ScriptedSession().at(1.0, "line mute on")
+    session.at(6.0, Move(1, THERE)).at(10.0, "line mute off").until(13.0).run()
     assert session.kinds == ["Connected", "NotResponding", "Outcome", "Connected", "Closed"]
     assert session.when(NotResponding)[0] < 5.0
     assert session.when(Connected)[1] < 12.0

@@ -45,10 +45,9 @@ def errors(session: ScriptedSession) -> dict[int, str]:
 
 
 def test_move_needs_servo_power_and_keeps_requested_speed() -> None:
-    session = ScriptedSession().at(0.1, lambda: session.stage.do("servo power off"))
+    session = ScriptedSession().at(0.1, "servo power off")
     session.at(0.2, SetSpeeds(1, SLOW)).at(0.5, Move(2, THERE, SLOW))
-    session.at(2.0, lambda: session.stage.do("servo power on")).at(2.1, Move(3, THERE, SLOW))
-    session.until(8.0).run()
+    session.at(2.0, "servo power on").at(2.1, Move(3, THERE, SLOW)).until(8.0).run()
     assert "Check the servo power" in errors(session)[2]
     assert errors(session)[3] == ""
     [moved] = session.of(Moved)
@@ -57,9 +56,8 @@ def test_move_needs_servo_power_and_keeps_requested_speed() -> None:
 
 
 def test_motor_rejecting_its_speed_is_named_and_none_moves() -> None:
-    session = ScriptedSession().at(0.1, lambda: session.stage.do("servo 3 dead"))
-    session.at(0.2, Move(1, THERE, SLOW)).at(1.0, Drag(THERE, SLOW)).until(3.0)
-    session.run()
+    session = ScriptedSession().at(0.1, "servo 3 dead")
+    session.at(0.2, Move(1, THERE, SLOW)).at(1.0, Drag(THERE, SLOW)).until(3.0).run()
     assert errors(session)[1] == "Motor 3 did not accept speed 30: it does not respond."
     [dropped] = session.of(DragDropped)
     assert str(dropped.error) == errors(session)[1]
@@ -68,11 +66,8 @@ def test_motor_rejecting_its_speed_is_named_and_none_moves() -> None:
 
 @pytest.mark.parametrize("lost", ["line drop 5", "line drop 5 sent"])
 def test_lost_speed_reply_prevents_motion(lost: str) -> None:
-    session = (
-        ScriptedSession().at(0.2, lambda: session.stage.do(lost)).at(0.2, Move(1, THERE, SLOW))
-    )
-    session.at(6.0, Move(2, THERE, SLOW)).until(10.0)
-    session.run()
+    session = ScriptedSession().at(0.2, lost).at(0.2, Move(1, THERE, SLOW))
+    session.at(6.0, Move(2, THERE, SLOW)).until(10.0).run()
     assert errors(session)[1]
     assert errors(session)[2] == ""
     assert len(session.of(Moving)) == 1
@@ -81,8 +76,7 @@ def test_lost_speed_reply_prevents_motion(lost: str) -> None:
 
 def test_drag_does_not_resend_confirmed_speeds() -> None:
     session = ScriptedSession().at(0.2, Move(1, THERE, FAST)).at(1.5, Move(2, HERE, FAST))
-    session.at(3.0, Drag(THERE, FAST)).until(5.0)
-    session.run()
+    session.at(3.0, Drag(THERE, FAST)).until(5.0).run()
     assert lines(session, "v") == ["700", "700"], (
         "before a move, and not again for a drag behind it"
     )
@@ -93,12 +87,9 @@ def test_drag_does_not_resend_confirmed_speeds() -> None:
     "fault", ["servo 2 lose position", "line drop 11", "reset", "power cycle", "line mute on"]
 )
 def test_speeds_are_resent_after_fault(fault: str) -> None:
-    session = (
-        ScriptedSession().at(0.2, Move(1, THERE, FAST)).at(4.0, lambda: session.stage.do(fault))
-    )
-    session.at(4.0, Move(2, HERE, FAST)).at(13.0, lambda: session.stage.do("line mute off"))
-    session.at(17.0, Move(3, THERE, FAST)).until(20.0)
-    session.run()
+    session = ScriptedSession().at(0.2, Move(1, THERE, FAST)).at(4.0, fault)
+    session.at(4.0, Move(2, HERE, FAST)).at(13.0, "line mute off")
+    session.at(17.0, Move(3, THERE, FAST)).until(20.0).run()
     assert lines(session, "v")[-1] == "700"
     assert len(lines(session, "v")) >= 2
     assert session.when(SpeedsHeld)[-1] > 17.0
@@ -107,10 +98,8 @@ def test_speeds_are_resent_after_fault(fault: str) -> None:
 
 def test_speeds_are_resent_after_stuck_servo() -> None:
     session = ScriptedSession().at(0.2, Move(1, HERE, FAST)).at(1.1, Move(2, THERE, FAST))
-    session.at(1.18, lambda: session.stage.do("servo 3 dead"))
-    session.at(8.0, lambda: session.stage.do("servo 3 alive"))
-    session.at(9.0, Move(3, HERE, FAST)).until(11.0)
-    session.run()
+    session.at(1.18, "servo 3 dead").at(8.0, "servo 3 alive")
+    session.at(9.0, Move(3, HERE, FAST)).until(11.0).run()
     assert len(session.of(Stuck)) == 1
     assert session.when(SpeedsHeld)[-1] > 9.0
     assert session.of(Moved)[-1].goals == HERE
@@ -118,8 +107,7 @@ def test_speeds_are_resent_after_stuck_servo() -> None:
 
 def test_halt_during_speed_command_prevents_motion() -> None:
     session = ScriptedSession().at(0.2, Move(1, THERE, SLOW)).at(0.21, Halt())
-    session.at(1.0, Drag(THERE, FAST)).at(1.01, Halt()).until(3.0)
-    session.run()
+    session.at(1.0, Drag(THERE, FAST)).at(1.01, Halt()).until(3.0).run()
     assert lines(session, "v") == ["30", "700"]
     assert not lines(session, "c")
     assert "Stopped" in errors(session)[1]
@@ -127,10 +115,7 @@ def test_halt_during_speed_command_prevents_motion() -> None:
 
 def test_rejected_step_speed_ends_playback() -> None:
     session = ScriptedSession().at(0.1, Move(1, HERE, FAST))
-    session.at(2.0, lambda: session.stage.do("servo 5 dead")).at(
-        2.0, Play(2, (Step(THERE, 1.0),), 0)
-    )
-    session.until(5.0).run()
+    session.at(2.0, "servo 5 dead").at(2.0, Play(2, (Step(THERE, 1.0),), 0)).until(5.0).run()
     assert [ended.why for ended in session.of(PlayEnded)] == [Ending.SPEEDS]
     assert "Motor 5 did not accept speed" in errors(session)[2]
     assert lines(session, "c") == ["512"]
@@ -142,8 +127,7 @@ def test_rejected_step_speed_ends_playback() -> None:
 def test_latest_speed_applies_to_next_motion() -> None:
     session = ScriptedSession().at(0.2, Move(1, HERE, FAST)).at(3.0, Move(2, THERE, (100,) * 8))
     session.at(3.15, Drag(HERE, (100,) * 8))
-    session.at(3.2, SetSpeeds(3, FAST)).at(3.2, SetSpeeds(4, (20,) * 8)).until(8.0)
-    session.run()
+    session.at(3.2, SetSpeeds(3, FAST)).at(3.2, SetSpeeds(4, (20,) * 8)).until(8.0).run()
     assert lines(session, "v") == ["700", "100", "20"]
     assert lines(session, "c") == ["512", "600", "512"]
     assert session.of(Moved)[-1].seconds > 1.8, "86 units at 20 are 1.89 s"
@@ -153,8 +137,7 @@ def test_latest_speed_applies_to_next_motion() -> None:
 
 def test_newer_move_replaces_older_drag() -> None:
     session = ScriptedSession().at(0.2, Move(1, THERE, SLOW)).at(0.5, Drag((300,) * 8, SLOW))
-    session.at(0.6, Move(2, HERE, SLOW)).until(6.0)
-    session.run()
+    session.at(0.6, Move(2, HERE, SLOW)).until(6.0).run()
     assert lines(session, "c") == ["600", "512"]
 
 
