@@ -355,11 +355,12 @@ def timeouts() -> Timeouts:
 
 @pytest.fixture
 def program(qtbot: QtBot, qapp: QApplication, timeouts: Timeouts) -> Iterator[Program]:
-    """The window on its models; nothing is connected, and no thread may outlive it."""
+    """The window on its models; nothing is connected, and no thread may outlive it.
+
+    A page is made when it is shown or sought.
+    """
     theme().install(qapp)
     program = build(timeouts)
-    program.complete()
-    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     program.window.show()
     yield program
     trex(program).device.draft.discard_edits()

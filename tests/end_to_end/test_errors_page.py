@@ -114,6 +114,6 @@ def test_names_and_meanings_of_errors_are_translated(window: WindowDriver) -> No
     try:
         page = window.open_page("errorsPage")
         cells = row(page, "<Format error>")
-        assert cells["What it means, and what to do"].startswith("<A packet had")
+        assert cells["<What it means, and what to do>"].startswith("<A packet had")
     finally:
         QCoreApplication.removeTranslator(translator)

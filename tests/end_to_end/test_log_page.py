@@ -13,6 +13,7 @@ from trex_gui.ui.plotting.export import ExportButton
 def test_log_keeps_what_happened_over_disconnects(
     window: WindowDriver, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
+    window.program.complete()
     window.program.make_plots()
     device, url = window.device, quick_simulator.url
     window.connect(url)

@@ -33,6 +33,7 @@ class AskingWindow(WindowDriver):
         super().__init__(window.program, window.qtbot)
         self.simulator = simulator
         self.may_store = True
+        self.program.complete()  # each page counts
 
     @property
     def question(self) -> InlinePrompt:

@@ -20,6 +20,7 @@ def test_noisy_line_is_named_and_crc_is_set_up(
     def top_of_page() -> int:
         return window.window.pages.mapTo(window.window, QPoint()).y()
 
+    window.program.complete()  # each page counts
     window.window.resize(window.window.minimumSizeHint())
     window.wait_for_files()
     top = top_of_page()

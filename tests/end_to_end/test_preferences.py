@@ -27,6 +27,7 @@ def test_windows_fit_a_small_screen_in_large_fonts(
     for kind, stop in (("trex", "stopButton"), ("aracna", "aracnaStopButton")):
         dialog.select("fontSizeBox", 150)
         window.connect_to_demo(kind)
+        window.program.complete()  # each page counts
         if kind == "trex":
             window.device.parameters.edit("serial_timeout", 15)
             window.motors.arm()

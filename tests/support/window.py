@@ -33,6 +33,7 @@ from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.ports import Port
 from trex_gui.ui.files import background
+from trex_gui.ui.frame.workspace import Menu, entries_of
 from trex_gui.ui.program import Program
 from trex_gui.ui.widgets.behaviour import ConfirmButton
 
@@ -200,6 +201,17 @@ class WindowDriver(WidgetDriver):
         self.device = trex(program).device
         self.motors = trex(program).device.motors
 
+    def find(self, kind: type[ObjectT], name: str) -> ObjectT:
+        """Return the widget or action with this object name, also on a page not yet shown."""
+        if self.root.findChild(kind, name) is None:
+            self.program.complete()
+        return super().find(kind, name)
+
+    def find_all(self, kind: type[ObjectT]) -> list[ObjectT]:
+        """Return all objects of a type, also on pages not yet shown."""
+        self.program.complete()
+        return super().find_all(kind)
+
     @property
     def robot(self) -> Robot:
         """The Aracna, which is loaded for it."""
@@ -249,14 +261,11 @@ class WindowDriver(WidgetDriver):
 
     def open_page(self, name: str) -> WidgetDriver:
         """Turn to the page with this object name; return what is on it."""
-        tabs = self.window.pages
-        for index in range(tabs.count()):
-            area = tabs.widget(index)
-            page = area.findChild(QWidget, name) if area is not None else None
-            if page is not None:
-                tabs.setCurrentIndex(index)
-                return WidgetDriver(page, self.qtbot)
-        raise AssertionError(f"no page {name}")
+        workspace = self.program.workspace(self.program.device_manager.current.plugin.key)
+        entries = entries_of({Menu.WINDOW: workspace.page_entries()})
+        keys = [entry.key.removeprefix(f"{workspace.key}_") for entry in entries]
+        workspace.show_page(next(key for key in keys if name.lower().endswith(f"{key}page")))
+        return WidgetDriver(self.find(QWidget, name), self.qtbot)
 
     def dialog(self, name: str) -> WidgetDriver:
         """Return the dialog with this object name."""

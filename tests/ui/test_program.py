@@ -89,6 +89,13 @@ def test_window_is_first_shown_with_current_page_only(started: Program) -> None:
     assert tabs.currentIndex() == 3
 
 
+def test_pages_of_a_device_are_made_once_the_window_is_painted(started: Program) -> None:
+    started.connect_to_demo("trex")
+    assert _pages(started) == {"statusPage"}
+    started.complete()
+    assert _pages(started) == {"statusPage", "motorsPage", "parametersPage"}
+
+
 def test_plots_are_made_before_their_pages_are_shown(started: Program) -> None:
     started.complete()
     assert started.window.findChild(QWidget, "curvePlot") is None

@@ -38,9 +38,10 @@ class Program:
         }
         self.device_manager = manager = DeviceManager(makers, scanner)
         # Before the window is told: it wants the workspace of the device.
-        manager.changed.connect(self.complete)
-        manager.current_changed.connect(self.complete)
+        manager.changed.connect(self._use_current)
+        manager.current_changed.connect(self._use_current)
         self._workspaces: dict[str, Workspace] = {}
+        self._is_complete = False
         self.window = MainWindow(manager, self.ports, notifier, lambda: self.workspaces)
         self._add_workspace(manager.current)
 
@@ -65,12 +66,20 @@ class Program:
         return added
 
     def complete(self) -> None:
-        """Build what the window does not show at first of the kind of device in use.
+        """Make the pages that were not shown yet, from now on of each kind of device in use.
 
-        Call it once the window is painted; it is also called as soon as a device is used.
+        Call it once the window is painted.
         """
-        if self._workspaces:  # the window itself is there: making it chooses line settings
-            self.workspace(self.device_manager.current.plugin.key).make_pages()
+        self._is_complete = True
+        self._use_current()
+
+    def _use_current(self) -> None:
+        """Add the workspace of the kind of device in use."""
+        if not self._workspaces:  # the window is being made: that chooses line settings
+            return
+        workspace = self.workspace(self.device_manager.current.plugin.key)
+        if self._is_complete:
+            workspace.make_pages()
 
     def make_plots(self) -> None:
         """Make the plots of pages that were not shown yet, so that showing one takes no longer."""

@@ -101,8 +101,8 @@ class MotorsPage(WindowDriver):
             for motor, (target, wanted) in enumerate(
                 zip(self.targets(), (first, second), strict=True), 1
             ):
-                said = self.text(f"motor{motor}Setpoint"), self.text("motorsReason")
-                assert wanted in (None, target), (case, *said)
+                said = f"motor{motor}Setpoint", "motorsReason"
+                assert wanted in (None, target), (case, *map(self.text, said))
 
         self.qtbot.waitUntil(check, timeout=20_000)
 

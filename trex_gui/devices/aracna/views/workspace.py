@@ -99,6 +99,7 @@ class AracnaWorkspace(Workspace):
                 PageInfo("transcript", tr("&Traffic"), lambda: traffic),
             )
         )
+        self.make_pages()  # those that are there already would cover the first
         self.recordings = AracnaRecordings(robot, self)
         self.recordings.accept_drops(frame, self)
         frame.seen_changed.connect(traffic.set_window_seen)
