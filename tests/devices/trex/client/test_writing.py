@@ -459,6 +459,12 @@ def test_write_continues_with_new_device_number(stage: Stage) -> None:
     assert stage.board.eeprom["motor_mode"] == 1
 
 
+def test_new_device_number_is_used_despite_lost_reply(stage: Stage) -> None:
+    client = stage.client(ConnectionSettings("virtual", device_number=7))
+    stage.line.faults.to_drop = 1
+    assert write_parameter(client.request, SPECS["device_number"], 42) == 42
+
+
 def test_empty_write_sends_nothing(stage: Stage) -> None:
     assert write_all(stage.client().request, SPECS, []) == ()
     assert stage.transport.sent == b""

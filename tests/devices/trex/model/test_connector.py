@@ -109,6 +109,7 @@ def test_stored_number_of_another_device_opens_no_port(
         ("line/settings", 15, 19200),
         ("line/device_number", 300, 57600),
         ("line/polynomial", "", 57600),
+        ("line/polynomial", 3, 19200),
         ("line/reserved", "0;1", 19200),
     ],
 )
@@ -220,9 +221,12 @@ def test_running_simulator_is_not_started_twice(demo: Simulator, qtbot: QtBot) -
 
 
 def test_stopped_simulator_can_be_restarted(demo: Simulator, qtbot: QtBot) -> None:
+    failures: list[str] = []
+    demo.failed.connect(failures.append)
     with qtbot.waitSignal(demo.ready):
         demo.start()
     demo.stop()
+    assert failures == []
     assert demo.url == ""
     with qtbot.waitSignal(demo.ready):
         demo.start()

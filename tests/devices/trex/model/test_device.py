@@ -17,7 +17,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.runtime import now
+from trex_gui.ui.runtime import now, runtime
 
 LEARNED = Calibration(2400, 3700, 5100, 80)
 
@@ -194,6 +194,16 @@ def test_apply_without_edits_writes_nothing(connected: RecorderOfBoard) -> None:
     assert connected.results == []
 
 
+def test_apply_without_a_board_does_not_lock_apply(connected: RecorderOfBoard) -> None:
+    connected.edit("serial_timeout", 9)
+    connected.device.disconnect_line()
+    connected.until_link(ConnectionState.DISCONNECTED)
+    connected.device.apply()
+    assert not connected.device.applying
+    connected.connect(connected.simulator.url)
+    assert connected.apply()[0].error is None
+
+
 def test_reload_without_a_board_is_rejected(recorder: RecorderOfBoard) -> None:
     recorder.device.reload()
     assert recorder.failures == ["No board is connected."]
@@ -297,6 +307,23 @@ def test_disconnecting_reports_no_failure(connected: RecorderOfBoard) -> None:
     assert connected.device.status == "Not connected."
     assert connected.device.telemetry.raw is None
     assert connected.device.parameters.rowCount() > 0  # still to be looked at
+
+
+def test_closing_connection_is_never_reported_connected(
+    simulator: SimulatedDevice, qtbot: QtBot
+) -> None:
+    recorder = RecorderOfBoard(simulator, qtbot)
+    recorder.device.connect_to(ConnectionSettings(simulator.url))
+    while simulator.show()["counters"]["packets"] < 45:
+        runtime().sleep(0.001)  # the window hangs meanwhile; `Connected` waits in its queue
+    recorder.device.disconnect_line()
+    recorder.until_link(ConnectionState.DISCONNECTED)
+    assert recorder.links == [
+        ConnectionState.CONNECTING,
+        ConnectionState.DISCONNECTING,
+        ConnectionState.DISCONNECTED,
+    ]
+    qtbot.waitUntil(recorder.device.shut_down)
 
 
 def test_unplugged_cable_is_reported_within_half_a_second(connected: RecorderOfBoard) -> None:

@@ -176,3 +176,11 @@ def test_wait_ends_when_topic_is_due(*, times: list[float]) -> None:
             assert schedule.next(now + wait + 1e-9) is not None
         else:
             schedule.polled(topic, now)
+
+
+@pytest.mark.parametrize("baud", [1200, 4800, 9600])
+def test_slow_line_is_shared_fairly(baud: int) -> None:
+    wanted = rates(InputSource.RC)
+    polled = simulate(wanted, on_line(baud), 100.0)
+    shares = [polled[topic] / rate for topic, rate in wanted.items()]
+    assert min(shares) > 0.9 * max(shares)

@@ -23,6 +23,7 @@ from trex_gui.devices.trex.protocol.errors import BoardElsewhere
 from trex_gui.devices.trex.protocol.flags import Mode
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.session.messages import (
+    Batch,
     Connected,
     ReadReason,
     Reload,
@@ -60,16 +61,12 @@ def test_last_report_is_closed(stage: Stage) -> None:
     assert stage.transport.closed
 
 
-@pytest.mark.parametrize(
-    ("baud", "detection", "echo"),
-    [
-        (1200, Detection.NONE, True),
-        (19200, Detection.EVEN, False),
-        (38400, Detection.ODD, True),
-        (115200, Detection.CRC7, False),
-    ],
-)
-def test_session_connects_at_settings_of_board(baud: int, detection: Detection, echo: bool) -> None:
+@pytest.mark.parametrize("baud", [1200, 115200])
+@pytest.mark.parametrize("detection", list(Detection))
+@pytest.mark.parametrize("echo", [False, True])
+def test_session_connects_at_settings_of_board(
+    baud: int, detection: Detection, *, echo: bool
+) -> None:
     stage, settings = staged(baud, detection, echo=echo)
     run_for(stage, 0.1 + 5000 / baud, settings)
     report = connected(stage)
@@ -77,11 +74,53 @@ def test_session_connects_at_settings_of_board(baud: int, detection: Detection, 
     assert report.state.parameters["uart_settings"] == settings.line.to_wire()
 
 
+@pytest.mark.parametrize(("model", "firmware"), [("trex", "1.0"), ("trexjr", "1.2")])
+def test_every_kind_of_board_is_identified(model: str, firmware: str) -> None:
+    stage, settings = staged(model=model, firmware=firmware)
+    run_for(stage, 1.0, settings)
+    signature = connected(stage).state.signature
+    assert (signature.model.key, signature.firmware) == (model, firmware)
+
+
+def test_board_is_reached_by_its_device_number(stage: Stage) -> None:
+    run_for(stage, 1.0, ConnectionSettings("virtual", device_number=7))
+    assert connected(stage).state.parameters["device_number"] == 7
+    assert bytes.fromhex("80 07 1F 00") in stage.transport.sent
+
+
+def test_reading_reports_progress(stage: Stage) -> None:
+    steps = among(run_for(stage, 1.0), Progress)
+    assert [step.done for step in steps] == sorted(step.done for step in steps)
+    assert steps[-1].done == steps[-1].total
+    assert len({step.total for step in steps[1:]}) == 1
+
+
+def test_board_is_read_over_noisy_line() -> None:
+    stage, settings = staged(detection=Detection.CRC7)
+    stage.line.faults.noise = 0.005
+    run_for(stage, 1.0, settings)
+    assert among(stage.reports, Connected)[0].state.parameters == stage.board.memory.stored()
+    assert stage.line.faults.counters["corrupted"] > 0
+
+
 def test_setpoint_before_board_is_read_is_sent(stage: Stage) -> None:
     stage.script.at(0.0, SetMotor(1, Drive.at(30)))
     run_for(stage, 1.0)
     assert len(among(stage.reports, Connected)) == 1
     assert moving(stage.transport.sent)
+
+
+def test_echo_is_detected_with_device_number(board: Board) -> None:
+    stage = Stage(board, echo=True)
+    run_for(stage, 1.0, ConnectionSettings("virtual", device_number=7))
+    assert connected(stage).echo
+
+
+def test_echo_is_detected_despite_lost_byte(board: Board) -> None:
+    stage = Stage(board, echo=True)
+    stage.line.faults.to_drop = 1
+    run_for(stage, 1.0)
+    assert connected(stage).echo
 
 
 # --- When there is no board -------------------------------------------------------------
@@ -197,7 +236,7 @@ def test_unknown_device_is_reported(stage: Stage) -> None:
 
 
 @pytest.mark.parametrize("echo", [False, True])
-@pytest.mark.parametrize("count", [1, 40])
+@pytest.mark.parametrize("count", [1, 7, 20, 40])
 def test_session_connects_on_line_that_swallows_bytes(
     board: Board, count: int, *, echo: bool
 ) -> None:
@@ -210,7 +249,7 @@ def test_session_connects_on_line_that_swallows_bytes(
     assert report.state.unread == {}
 
 
-@pytest.mark.parametrize("moment", sampled([number / 200 for number in range(30)], every=6))
+@pytest.mark.parametrize("moment", sampled([number / 200 for number in range(30)], every=3))
 def test_bytes_swallowed_while_reading_cost_no_connection(stage: Stage, moment: float) -> None:
     stage.script.at(moment, lambda: setattr(stage.line.faults, "to_drop", 40))
     run_for(stage, 2.5)
@@ -257,3 +296,23 @@ def test_requests_fail_when_no_board_is_found(stage: Stage) -> None:
     found = outcomes(stage.reports)
     assert sorted(found) == [1, 3, 4]
     assert all(outcome.error is closed.error for outcome in found.values())
+
+
+def test_no_samples_are_reported_without_board(stage: Stage) -> None:
+    stage.board.power_off()
+    end(stage)
+    assert not among(stage.reports, Batch)
+
+
+@pytest.mark.parametrize(
+    "settings",
+    [
+        ConnectionSettings("x", device_number=300),
+        ConnectionSettings("x", LineSettings(detection=Detection.CRC7), polynomial=3),
+    ],
+    ids=str,
+)
+def test_invalid_settings_release_the_port(stage: Stage, settings: ConnectionSettings) -> None:
+    reports = run_for(stage, 1.0, settings)
+    assert isinstance(reports[-1], Closed)
+    assert stage.transport.closed or not stage.transport.sent

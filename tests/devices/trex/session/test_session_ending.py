@@ -13,6 +13,7 @@ from tests.devices.trex.session.helpers import (
     moving,
     outcomes,
     run_for,
+    samples,
     staged,
 )
 from tests.support.matrix import examples
@@ -20,6 +21,7 @@ from tests.support.virtual import Stage
 from trex_gui.core.errors import PortUnavailable, StudioError
 from trex_gui.core.session import Close, Closed
 from trex_gui.core.transport.serial_port import latency_of
+from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetMotor, Stop
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.commands import (
@@ -31,6 +33,7 @@ from trex_gui.devices.trex.protocol.commands import (
     GetStatus,
 )
 from trex_gui.devices.trex.protocol.driving import Drive
+from trex_gui.devices.trex.protocol.flags import Status
 from trex_gui.devices.trex.session.messages import (
     Connected,
     ReadReason,
@@ -197,6 +200,22 @@ def test_requests_fail_with_error_of_lost_port(stage: Stage) -> None:
     assert {one.id: one.error for one in outcomes(reports).values()} == {1: GONE, 2: GONE, 3: GONE}
 
 
+def test_status_read_before_line_loss_is_reported(stage: Stage) -> None:
+    stage.script.at(1.0, SetMotor(1, Drive.at(1)))  # a stop is due at the end
+    stage.script.at(1.2, lambda: stage.board.set_fault(1, fault=True))
+    stage.script.at(1.2, lambda: stage.board.set_fault(1, fault=False))
+    send = stage.transport.write
+
+    def write(data: bytes) -> None:
+        if not stage.board.serial.status and stage.line.now > 1.2:
+            stage.transport.fail = GONE  # right after the status was read
+        send(data)
+
+    stage.transport.write = write  # type: ignore[method-assign]  # the wire fails just then
+    run_for(stage, 2.0)
+    assert Status.MOTOR1_FAULT in [one.status for one in samples(stage.reports, LatchedStatus)]
+
+
 # --- A mistake of ours ------------------------------------------------------------------
 
 
@@ -249,6 +268,24 @@ def test_internal_error_stops_driven_motors(stage: Stage, caplog: pytest.LogCapt
     assert stage.board.motors[0].direction is MotorDirection.BRAKE
 
 
+@pytest.mark.parametrize(
+    "request_",
+    [RunCommand(1, GetMode()), Reload(1), Write(1, (("serial_timeout", 1),)), Stop(1)],
+    ids=str,
+)
+def test_internal_error_completes_the_current_request(
+    stage: Stage, request_: Request, caplog: pytest.LogCaptureFixture
+) -> None:
+    def break_() -> None:
+        stage.transport.fail = RuntimeError("a bug")
+
+    stage.script.at(1.0, break_).at(1.0, request_)
+    with caplog.at_level(logging.CRITICAL):
+        reports = run_for(stage, 2.0)
+    assert set(outcomes(reports)) == {1}
+    assert isinstance(reports[-1], Closed)
+
+
 # --- Answers ----------------------------------------------------------------------------
 
 
@@ -286,3 +323,9 @@ def test_unanswered_request_gets_an_outcome(stage: Stage) -> None:
     found = outcomes(run_for(stage, 2.0))
     assert "No reply to 9F 60" in str(found[1].error)
     assert found[2].error is None
+
+
+@pytest.mark.parametrize("setpoint", [SetAuxiliary(300), SetMotor(3, Drive.at(5))], ids=str)
+def test_invalid_setpoint_does_not_end_session(stage: Stage, setpoint: Request) -> None:
+    stage.script.at(1.0, setpoint).at(1.2, RunCommand(1, GetMode()))
+    assert run_for(stage, 1.5)[-1] == Closed(None)

@@ -253,3 +253,10 @@ def test_silence_while_reading_new_mode_is_reported(stage: Stage) -> None:
     reports = run_for(stage, 5.0)
     assert len(among(reports, NotResponding)) == 1
     assert reports[-1] == Closed(None)
+
+
+def test_reload_after_power_loss_counts_as_power_cycle(stage: Stage) -> None:
+    off_and_on(stage, 1.0, 3.0)
+    stage.script.at(3.0, Reload(1))
+    run_for(stage, 4.0)
+    assert [one.occasion for one in among(stage.reports, Connected)][1].power_cycled

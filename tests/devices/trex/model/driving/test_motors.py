@@ -114,6 +114,8 @@ def test_repeated_setpoint_is_sent_once(armed: RequestRecorder) -> None:
 def test_speed_out_of_range_is_rejected(armed: RequestRecorder, speed: int) -> None:
     with pytest.raises(BadRequest, match="-127 to 127"):
         armed.motors.set_speed(1, speed)
+    with pytest.raises(BadRequest):
+        armed.motors.set_auxiliary(speed)
     assert armed.requests == []
 
 
