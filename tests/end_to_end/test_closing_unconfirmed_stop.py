@@ -61,29 +61,17 @@ def running(window: WindowDriver, quick_simulator: VirtualSimulator) -> Unconfir
     return UnconfirmedStopWindow(window, quick_simulator)
 
 
-def test_closing_warns_to_cut_power_if_stop_is_unconfirmed(
-    running: UnconfirmedStopWindow,
-) -> None:
+def test_closing_warns_until_it_is_repeated(running: UnconfirmedStopWindow) -> None:
     assert not running.window.close()
     assert running.is_shown()
     assert running.prompt == WARNING
-    running.click("closeUnstopped")
-    assert not running.is_shown()
-
-
-def test_second_close_closes_the_window(running: UnconfirmedStopWindow) -> None:
-    assert not running.window.close()
-    assert running.window.close()
-    assert not running.is_shown()
-
-
-def test_cancelled_warning_is_shown_again_at_next_close(running: UnconfirmedStopWindow) -> None:
-    running.window.close()
     running.click("questionCancel")
     assert running.prompt == ""
     assert running.is_shown()
     assert not running.window.close()
     assert running.prompt == WARNING
+    assert running.window.close()
+    assert not running.is_shown()
 
 
 def test_unapplied_edits_are_confirmed_once_before_warning(running: UnconfirmedStopWindow) -> None:
@@ -122,16 +110,6 @@ def test_logging_out_closes_without_a_warning(running: UnconfirmedStopWindow) ->
     running.find_only(UnconfirmedStopWarning).note_log_out()
     assert running.window.close()
     assert running.device.may_move
-
-
-def test_window_with_confirmed_stop_closes_without_a_warning(
-    running: UnconfirmedStopWindow,
-) -> None:
-    running.simulator.do("line mute off")
-    running.motors.press_stop()
-    running.wait(lambda: not running.device.may_move)
-    assert running.window.close()
-    assert running.prompt == ""
 
 
 @pytest.mark.realtime

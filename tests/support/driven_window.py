@@ -3,8 +3,8 @@
 Run as `python -m tests.support.driven_window URL`; takes lines on stdin. At `drive` it drives all
 motors, again whenever they were stopped, and prints `driving` once they do; `only_watch` ends that.
 Every other line is the name of something that goes wrong. With `usual` behind the URL it waits no
-longer for its own window than the program does by itself. A third argument is the baud rate, a
-fourth the device number of one of several boards. What hangs prints `hanging` before.
+longer for its own window than the program does by itself. A third argument is the baud rate. What
+hangs prints `hanging` before.
 """
 
 import os
@@ -16,7 +16,7 @@ from contextlib import suppress
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QObject, QSocketNotifier, QTimer, qFatal
+from PySide6.QtCore import QEvent, QObject, QSocketNotifier, QTimer
 from PySide6.QtGui import QAction, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
@@ -24,7 +24,6 @@ from tests.support.patient import PATIENT
 from tests.support.program import trex
 from trex_gui import app, composition
 from trex_gui.core.timing import Timeouts
-from trex_gui.devices.trex.model.boards import BoardList
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.session import session
@@ -104,10 +103,6 @@ class Driver(QObject):
         self._has_driven = False
         self._timer.start()
 
-    def select_board_9(self) -> None:
-        """Select another board on the line, as a click in the list does."""
-        BoardList(trex(self._program).device, self).select(9, lambda _error: self._say("selected"))
-
     def only_watch(self) -> None:
         self._say("watching")
 
@@ -144,23 +139,11 @@ class Driver(QObject):
 
         Dying()
 
-    def mistake_in_the_line(self) -> None:
-        def poll(*_: object) -> None:
-            raise_error(ZeroDivisionError)
-
-        setattr(session, "poll", poll)  # noqa: B010 - not the name's own module
-
     def end_of_the_line_thread(self) -> None:
         def collect(*_: object) -> None:
             raise SystemExit("on purpose")  # which no handler of errors catches
 
         setattr(session.TrexSession, "_collect", collect)  # noqa: B010 - on purpose
-
-    def exit_at_once(self) -> None:
-        os._exit(3)
-
-    def fail_in_qt(self) -> None:
-        qFatal("on purpose")
 
     def close_the_descriptor(self) -> None:
         """Close the port, as a fault somewhere else in the process can."""
@@ -210,16 +193,14 @@ class Driver(QObject):
 WATCHES: list[QObject] = []
 
 
-def main(url: str, extra_time: str = "", baud: str = "19200", number: str = "") -> int:
+def main(url: str, extra_time: str = "", baud: str = "19200") -> int:
     """Run the program until it is ended."""
     build = composition.build
 
     def build_and_drive(timeouts: Timeouts | None = None) -> Program:
         del timeouts
         program = build(Timeouts() if extra_time == "usual" else PATIENT)
-        line, device_number = LineSettings(int(baud)), int(number) if number else None
-        settings = ConnectionSettings("", line, device_number=device_number)
-        trex(program).controller.set_settings(settings)
+        trex(program).controller.set_settings(ConnectionSettings("", LineSettings(int(baud))))
         Driver(program)
         from PySide6.QtCore import QCoreApplication
 
