@@ -1,7 +1,5 @@
 """Bench tests in the window: the motor runs only while the button is held."""
 
-from collections.abc import Callable
-
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -85,22 +83,6 @@ def test_each_stop_cause_in_dialog_ends_run_and_disarms(
     dialog.hold()
     dialog.release()
     dialog.wait_for_end()
-
-
-@pytest.mark.parametrize(
-    "leave",
-    [WindowDriver.disconnect, lambda window: window.window.close()],
-    ids=["disconnect", "close"],
-)
-def test_disconnecting_or_closing_window_stops_bench_test(
-    dialog: BenchTestDialog,
-    connected_window: WindowDriver,
-    leave: Callable[[WindowDriver], object],
-) -> None:
-    dialog.hold()
-    leave(connected_window)
-    dialog.wait_for_end()
-    assert dialog.bench.runs[-1].end is End.ABORTED
 
 
 def test_bench_dialog_edits_and_applies_settings(

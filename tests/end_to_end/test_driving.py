@@ -1,31 +1,24 @@
 """A simulated board is driven with mouse, keys and a finger on the Motors page."""
 
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtCore import QEvent, QPoint, Qt
 from PySide6.QtGui import QKeyEvent, QPointingDevice
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QApplication,
     QCheckBox,
     QLabel,
-    QListView,
     QMenu,
     QSlider,
     QSpinBox,
     QTableView,
-    QWidget,
 )
 
 from tests.devices.trex.session.helpers import moving
 from tests.support.accessible_names import spoken_state
 from tests.support.pages.motors import BRAKE, FULL, Gesture, MotorsPage
 from tests.support.virtual_devices import VirtualSimulator
-from tests.support.window import WidgetDriver, WindowDriver
-from trex_gui.devices.trex.model.motors import Motors
-from trex_gui.devices.trex.protocol.commands import Command, DriveAuxiliary, DriveBoth, DriveMotor
-from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.driving import Drive
-from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from tests.support.window import WindowDriver
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.preferences import Preferences
 
@@ -150,77 +143,6 @@ def test_return_to_zero_slider_brakes_at_every_release(armed: MotorsPage) -> Non
     assert armed.target(1) == BRAKE
 
 
-def test_only_motors_with_equal_setpoints_can_be_linked(armed: MotorsPage) -> None:
-    box = armed.find(QCheckBox, "linkMotors")
-    armed.drag("motor1Slider", 50)
-    armed.wait_for_targets(("forward", 50), None)
-    assert not box.isEnabled()
-    assert "run differently" in box.toolTip()
-    QTest.mouseClick(box, Qt.MouseButton.LeftButton, pos=QPoint(8, box.height() // 2))
-    assert not box.isChecked()
-    armed.click("motor1Brake")
-    armed.wait_for_targets(BRAKE, None)
-    armed.click("linkMotors")
-    assert box.isChecked()
-    assert armed.motors.linked
-    assert armed.motors.drive(2) is None, "linking is no setpoint"
-
-    armed.drag("motor1Slider", 33)
-    armed.wait_for_targets(("forward", 33), ("forward", 33))
-    armed.drag("motor2Slider", -50)
-    armed.wait_for_targets(("reverse", 50), ("reverse", 50))
-    armed.hold_pad(1.0, 0.5)
-    armed.wait_for_targets(FULL, FULL)
-    armed.release_pad()
-    armed.wait_for_brake()
-
-
-def test_shared_controls_send_one_packet_for_both_motors(armed: MotorsPage) -> None:
-    """Otherwise one wheel would start, or brake, a packet before the other."""
-
-    def hold_key() -> None:
-        armed.pad.setFocus()
-        armed.press_key(Qt.Key.Key_Up)
-
-    sent = bytearray()
-    armed.simulator.on_write = sent.extend  # type: ignore[attr-defined]
-    controls: dict[str, tuple[Gesture, Gesture]] = {
-        "pad": (lambda: armed.hold_pad(1, 0), armed.release_pad),
-        "key": (hold_key, lambda: armed.release_key(Qt.Key.Key_Up)),
-        "slider": (
-            lambda: armed.hold_slider("motor2Slider", 127),
-            lambda: armed.release_slider("motor2Slider"),
-        ),
-    }
-    for name, (hold, release) in controls.items():
-        if name == "slider":
-            armed.click("returnToZero")
-            armed.click("linkMotors")
-        sent.clear()
-        rounds = 3
-        for _ in range(rounds):
-            hold()
-            armed.wait_for_targets(FULL, FULL, name)
-            release()
-            armed.wait_for_brake(name)
-        commands = moving(sent)
-        assert sum(isinstance(each, DriveBoth) for each in commands) >= 2 * rounds, name
-        check_that_no_motor_moves_alone(commands)
-
-
-def check_that_no_motor_moves_alone(commands: list[Command[object]]) -> None:
-    """A packet for one motor may only repeat what that motor does already."""
-    drives = dict.fromkeys((1, 2), Drive.brake())
-    for command in commands:
-        match command:
-            case DriveBoth(motor1=first, motor2=second):
-                drives = {1: first, 2: second}
-            case DriveMotor(motor=motor, drive=drive):
-                assert drives[motor] == drive
-            case DriveAuxiliary(speed=speed):
-                assert speed == 0
-
-
 # --- Leave and stop ---------------------------------------------------------------------
 
 
@@ -290,7 +212,10 @@ def test_focus_goes_from_run_to_stop_where_arrow_keys_change_nothing(page: Motor
 
     facts = page.find(QLabel, "motorsStored")
     assert facts.isEnabled()
-    assert "href" in facts.text()
+    facts.linkActivated.emit("motor2_current_limit")
+    view = page.find(QTableView, "parametersView")
+    assert view.isVisible()
+    assert "Current Limit" in str(view.currentIndex().siblingAtColumn(0).data())
     page.disconnect()
     assert not facts.isEnabled(), "the next board may store something else"
     assert "no ramp" in facts.text()
@@ -353,60 +278,7 @@ def test_held_control_needs_new_press_after_stop(keys: MotorsPage) -> None:
     assert not keys.is_armed()
 
 
-def test_lockout_after_stop_is_set_on_page_and_saved(armed: MotorsPage) -> None:
-    entry = armed.find(QSpinBox, "lockoutEntry")
-    assert entry.text() == "3 s"
-    assert "Run motor" in entry.toolTip()
-    assert "Seconds" in entry.accessibleName()
-
-    armed.type_into("lockoutEntry", "0")
-    assert entry.text() == "none (0 s)"
-    armed.press_escape()
-    assert not armed.is_armed()
-    armed.arm()
-    assert armed.is_armed()
-
-    armed.type_into("lockoutEntry", "3")
-    armed.click("stopButton")
-    assert "locked for" in armed.text("motorsReason")
-    assert not armed.is_enabled("motorsRunButton")
-
-    armed.type_into("lockoutEntry", "8")
-    armed.press_escape()
-    assert 3 < armed.motors.locked_for <= 8, "not the three seconds from before"
-    assert Motors().lockout == 8
-
-
 # --- The ceiling ------------------------------------------------------------------------
-
-
-def test_no_control_exceeds_the_ceiling(armed: MotorsPage) -> None:
-    armed.type_into("ceilingEntry", "50")
-    armed.hold_slider("motor1Slider", 127)
-    armed.wait_for_targets(("forward", 50), None)
-    assert armed.slider_value("motor1Slider") == 50
-    armed.release_slider("motor1Slider")
-    armed.hold_pad(-1, 0)
-    armed.wait_for_targets(("reverse", 50), ("reverse", 50))
-    armed.move_pad(1, 0)
-    armed.wait_for_targets(("forward", 50), ("forward", 50))
-
-    armed.motors.set_ceiling(127)
-    QTest.mouseMove(armed.pad, armed.place_in_pad(1, 0) - QPoint(0, 1))
-    armed.let_nothing_happen(0.05)
-    assert armed.target(1) == ("forward", 50), "a held pad does not become faster"
-    armed.release_pad()
-    armed.wait_for_brake()
-    armed.hold_pad(1, 0)
-    armed.wait_for_targets(FULL, FULL)
-    armed.release_pad()
-
-    armed.motors.set_speed(1, 120)
-    armed.wait_for_targets(("forward", 120), None)
-    armed.find(QSlider, "ceilingSlider").setValue(64)
-    armed.wait_for_targets(("forward", 64), None)
-    assert armed.find(QSpinBox, "motor1Entry").maximum() == 64
-    assert armed.find(QSpinBox, "ceilingEntry").text() == "64 (50 %)"
 
 
 def test_half_typed_ceiling_changes_no_speed(armed: MotorsPage) -> None:
@@ -522,35 +394,6 @@ def test_keys_drive_in_pad_and_if_enabled_elsewhere(armed: MotorsPage) -> None:
     armed.wait_for_brake()
 
 
-def test_pad_shows_held_keys_only(keys: MotorsPage) -> None:
-    def shown() -> str:
-        return spoken_state(keys.pad).split(".")[0]
-
-    keys.motors.lockout = 0
-    ends: dict[str, Gesture] = {
-        "key": lambda: keys.release_key(Qt.Key.Key_W),
-        "stop": lambda: keys.click("stopButton"),
-        "Esc": keys.press_escape,
-    }
-    for name, end in ends.items():
-        keys.press_key(Qt.Key.Key_W)
-        assert shown() == "forward 100\u00a0%, right 0\u00a0%", name
-        end()
-        assert shown() == "At rest", name
-        keys.release_key(Qt.Key.Key_W)
-        keys.wait_for_brake(name)
-        if not keys.is_armed():
-            keys.arm()
-        assert shown() == "At rest", name
-
-    keys.press_key(Qt.Key.Key_W)
-    keys.press_key(Qt.Key.Key_D)
-    keys.release_key(Qt.Key.Key_W)
-    assert shown() == "forward 0\u00a0%, right 100\u00a0%"
-    keys.release_key(Qt.Key.Key_D)
-    assert shown() == "At rest"
-
-
 def test_keys_with_another_function_do_not_drive(keys: MotorsPage) -> None:
     window = keys.window.windowHandle()
     QTest.keyPress(window, Qt.Key.Key_Right, Qt.KeyboardModifier.ControlModifier)
@@ -635,51 +478,6 @@ def test_keys_are_released_when_they_cannot_be_tracked(keys: MotorsPage) -> None
 # --- Modes ------------------------------------------------------------------------------
 
 
-def led_words(status: WidgetDriver) -> list[str]:
-    """Return what is written beside the LEDs that the board shows."""
-    words = [label.text() for label in status.find(QWidget, "statusLeds").findChildren(QLabel)]
-    return [text for text in words if text]
-
-
-def test_page_shows_channel_commands_in_rc_mode(page: MotorsPage) -> None:
-    page.simulator.do("jumper mode rc")
-    page.simulator.do("channel 2 1800us")
-    page.simulator.do("power cycle")
-    page.wait_for_text("motorsReason", "RC channels control the motors")
-    page.wait_for_text("motorsReason", "<b>Channel 2 is 300 µs above neutral.</b>")
-    assert ':400">The RC channels control' in page.text("motorsReason"), "only the worst is bold"
-    assert page.simulator.show()["safe_start"]
-
-    status = page.open_page("statusPage")
-    status.wait_for_text("motorsReason1", "Channel 2 is 300 µs above neutral.")
-    assert "Safe-start holds the motors until" in status.text("motorsReason1")
-    assert "RC channels control the motors" in status.text("motorsReason2")
-    page.wait(lambda: page.simulator.show()["leds"]["green"] == "fast flash")
-    assert led_words(status) == ["Red: flickers with each packet", "Green: flashes fast"]
-    assert status.has("statusLedsNote"), "safe-start is only inferred"
-    page.simulator.do("channel 2 1500us")
-    page.wait(lambda: not page.simulator.show()["safe_start"])
-    status.wait_for_text("motorsReason1", "RC channels control the motors")
-    assert not status.has("motorsReason2")
-    assert led_words(status) == ["Red: flickers with each packet", "Green: on"]
-    assert not status.has("statusLedsNote")
-    page.show_page()
-    page.wait(lambda: "Channel 2" not in page.text("motorsReason"))
-
-    page.simulator.do("channel 2 1800us")
-    page.wait_for_text("motor2Setpoint", "Channel 2: forward")
-    page.let_nothing_happen(0.1)
-    assert "above neutral" not in page.text("motorsReason"), "current flows"
-    assert not page.has("motor2Slider")
-    assert not page.pad.isVisible()
-    assert page.has("motor2Channel")
-    assert not page.is_enabled("motorsRunButton")
-    page.simulator.do("channel 2 1500us")
-
-    page.simulator.do("channel 1 silent")
-    page.wait_for_text("motorsReason", "Channel 1 is required but has no signal")
-
-
 def test_page_drives_while_override_switch_is_on(page: MotorsPage) -> None:
     page.wait_for_text("motor1Reported", "serial in control")
     assert "waits" not in page.text("motor1Reported"), "in serial mode channels drive nothing"
@@ -724,63 +522,3 @@ def test_joint_mode_drives_one_motor_and_ignores_turning(page: MotorsPage) -> No
     page.wait_for_targets(FULL, None)
     page.release_pad()
     page.wait_for_targets(BRAKE, None)
-
-
-# --- Facts ------------------------------------------------------------------------------
-
-
-def test_fault_is_shown_and_stored_value_links_to_parameter(armed: MotorsPage) -> None:
-    armed.motors.set_speed(1, 60)
-    armed.simulator.do("fault 1 on")
-    armed.wait_for_text("motorsReason", "Motor 1 has no drive")
-    armed.simulator.do("fault 1 off")
-    armed.wait_for_text("motorsReason", "armed")
-
-    facts = armed.find(QLabel, "motorsStored")
-    assert "no ramp" in facts.text()
-    facts.linkActivated.emit("motor2_current_limit")
-    view = armed.find(QTableView, "parametersView")
-    assert view.isVisible()
-    assert "Current Limit" in str(view.currentIndex().siblingAtColumn(0).data())
-
-
-def test_controls_have_names_and_page_fits_small_window(page: MotorsPage) -> None:
-    content = page.open_page("motorsPage")
-    for widget in content.find_all(QWidget):
-        is_part = "qt_" in widget.objectName() or isinstance(widget, QListView)
-        is_silent = isinstance(widget, QLabel) and not widget.text()
-        if is_part or is_silent or widget.focusPolicy() is Qt.FocusPolicy.NoFocus:
-            continue
-        named = widget.accessibleName() or getattr(widget, "text", str)()
-        assert named, f"{type(widget).__name__} {widget.objectName()}"
-        assert widget.objectName(), named
-
-    page.window.resize(900, 600)
-    for motor in (1, 2):  # as much as the board can report at once
-        page.find(QLabel, f"motor{motor}Reported").setText("Board: serial in control, " * 4)
-    QApplication.processEvents()
-    root = content.root
-    area = root.parentWidget()
-    assert area is not None
-    assert root.minimumSizeHint().width() <= area.width()
-    assert QPointF(root.width(), 0).x() <= area.width()
-
-
-def test_timeout_too_short_for_baud_rate_is_set_with_a_click(
-    window: WindowDriver, simulator: VirtualSimulator
-) -> None:
-    simulator.do("eeprom uart_settings 0")  # 1200 baud
-    simulator.do("eeprom serial_timeout 1")
-    simulator.do("power cycle")
-    device = window.device
-    device.connect_to(ConnectionSettings(simulator.url, LineSettings(1200)))
-    window.wait(lambda: device.link is ConnectionState.CONNECTED)
-    assert window.has("timeoutNotice")
-    assert "0.1 s is short for 1200 baud" in window.text("timeoutLabel")
-    assert "faster baud rate" in window.text("timeoutLabel")
-    button = window.button("timeoutButton")
-    assert button.accessibleName() == "Write a serial timeout of 0.5 s"
-    with window.qtbot.waitSignal(device.applied, timeout=20_000):
-        window.click("timeoutButton")
-    assert device.serial_timeout_s == pytest.approx(0.5)
-    assert not window.has("timeoutNotice")

@@ -57,23 +57,6 @@ def page(connected_window: WindowDriver, quick_simulator: SimulatedDevice) -> It
     page.panel.gamepad.switch_off()
 
 
-def test_gamepad_drives_while_hold_button_is_pressed(page: GamepadPage) -> None:
-    page.gamepad.press(HOLD)
-    page.gamepad.move(Y, -1.0)
-    page.wait(lambda: page.panel.gamepad.state is not None)
-    page.motors.arm()
-    page.panel.wait_for_state("Release")
-    page.let_nothing_happen(0.1)
-    assert all(page.target(motor)[0] == "brake" for motor in (1, 2)), "held before Run motor"
-    page.motors.stop()
-    page.release()
-
-    page.drive()
-    page.gamepad.press(HOLD, down=False)
-    page.wait_for_motors("brake")
-    assert page.is_armed()
-
-
 def test_motors_stop_when_gamepad_control_ends(page: GamepadPage) -> None:
     page.drive()
     page.gamepad.press(STOP)
