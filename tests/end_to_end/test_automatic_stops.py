@@ -48,24 +48,6 @@ def wait_for_banner(window: WindowDriver, causes: Causes, text: str) -> None:
     window.qtbot.waitUntil(check, timeout=TIMEOUT_MS)
 
 
-def test_banner_reports_stop_of_demo_board_once_confirmed(
-    window: WindowDriver, causes: Causes
-) -> None:
-    window.connect_to_demo()
-    for cause, reason in (
-        (causes.lock_the_screen, LOCKED),
-        (causes.make_a_mistake, MISTAKEN),
-    ):
-        drive(window)
-        causes.reports.clear()
-        cause()
-        wait_for_banner(window, causes, stopped(reason))
-        assert not window.device.may_move, reason
-        first, *_, last = causes.reports
-        assert first == f"{reason}. The stop was sent, and is not confirmed yet."
-        assert last == causes.banner
-
-
 def test_window_shows_stop_reason_and_can_arm_again(
     connected_window: WindowDriver, causes: Causes, quick_simulator: SimulatedDevice
 ) -> None:

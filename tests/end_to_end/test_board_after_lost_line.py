@@ -62,38 +62,6 @@ def test_pages_warn_of_motors_behind_a_lost_line(
         assert not page.has("statusLost")
 
 
-def test_stop_of_second_board_warns_about_first_board(
-    window: WindowDriver, start_simulator: StartSimulator
-) -> None:
-    first, second = start_simulator(), start_simulator()
-    window.connect(first.url)
-    failures: list[str] = []
-    window.device.notifier.error.connect(failures.append)
-
-    lose(window, first)
-    failures.clear()
-    window.connect(first.do("line plug").split()[-1])
-    window.wait(lambda: not window.device.may_move)
-    assert first.show()["motors"][0]["direction"] == "brake"
-    assert failures == [], "the board itself has confirmed its stop"
-
-    url = window.device.settings.url if window.device.settings is not None else ""
-    lose(window, first)
-    failures.clear()
-    window.connect(second.url)
-    window.wait(lambda: not window.device.may_move and failures)
-    (failure,) = failures
-    assert url in failure
-    assert "cut the power of the first" in failure
-    window.wait_for_text("bannerText", failure)
-    assert window.has("bannerText")
-
-    window.disconnect()
-    window.connect(second.url)
-    window.wait(lambda: not window.device.may_move)
-    assert failures == [failure], "once"
-
-
 def test_another_model_at_the_line_warns_until_the_window_is_closed(
     window: WindowDriver, start_simulator: StartSimulator
 ) -> None:

@@ -1,7 +1,5 @@
 """The Demo TReX is operated on its panel, and the program shows it."""
 
-from dataclasses import replace
-
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAccessible
@@ -12,7 +10,6 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QDockWidget,
-    QLabel,
     QWidget,
 )
 
@@ -21,8 +18,7 @@ from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import LEFT, WidgetDriver, WindowDriver
 from trex_gui.devices.trex.model.demo import DemoSnapshot
-from trex_gui.devices.trex.protocol.flags import CHANNELS, Mode
-from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets.sliders import StickSlider
 
@@ -90,11 +86,6 @@ def panel(window: WindowDriver) -> DemoPanel:
     return panel
 
 
-def error_counts(window: WindowDriver) -> dict[str, int]:
-    """Return the count of each error by its name."""
-    return {entry.name: entry.count for entry in window.device.board.errors.entries}
-
-
 def test_stick_sliders_set_channel_inputs(window: WindowDriver, panel: DemoPanel) -> None:
     telemetry = window.device.telemetry
     window.wait(lambda: telemetry.raw is not None)
@@ -127,91 +118,6 @@ def test_stick_sliders_set_channel_inputs(window: WindowDriver, panel: DemoPanel
     slider = panel.find(StickSlider, "demoInput1")
     before = slider.value()
     panel.wait(lambda: slider.value() != before)
-
-
-def test_faults_of_the_panel_are_counted(window: WindowDriver, panel: DemoPanel) -> None:
-    panel.click("demoFault2")
-    window.wait(lambda: error_counts(window)["Motor 2 fault"] > 0)
-    assert error_counts(window)["Motor 1 fault"] == 0
-    assert list(error_counts(window))[:6] == [
-        "Motor 1 fault",
-        "Motor 1 over current limit",
-        "Motor 2 fault",
-        "Motor 2 over current limit",
-        "UART error",
-        "Serial timeout",
-    ]
-    window.open_page("currentsPage")
-    state = window.find(QLabel, "motorStateLabel")
-    window.wait(lambda: state.text().startswith("Motor 2 has no drive"))
-    panel.click("demoFault2")
-    window.wait(lambda: "shut down" not in state.text())
-    for error, name in (("framing", "Framing error"), ("overrun", "Data overrun")):
-        assert error_counts(window)[name] == 0
-        panel.choose("demoByteError", error)
-        panel.click("demoCorrupt")
-        window.wait(lambda name=name: error_counts(window)[name] > 0)  # type: ignore[misc]
-
-    panel.drag_stick("demoNoise", 1)
-    panel.wait(lambda: panel.board.line.noise == pytest.approx(0.05))
-    counters = window.device.board.counters
-    window.wait(lambda: window.device.board.counters != counters)
-    panel.drag_stick("demoNoise", 0)
-    panel.wait(lambda: panel.board.line.noise == 0)
-    panel.wait_for(ConnectionState.CONNECTED)
-
-    panel.click("demoMute")
-    panel.wait_for(ConnectionState.NOT_RESPONDING)
-    panel.click("demoMute")
-    panel.wait_for(ConnectionState.CONNECTED)
-
-
-def test_mode_jumper_takes_effect_at_power_cycle(window: WindowDriver, panel: DemoPanel) -> None:
-    panel.click("demoPower")
-    panel.wait_for(ConnectionState.NOT_RESPONDING)
-    assert "stopped responding" in window.text("statusLabel")
-    panel.wait_for_text("demoState", "power is off")
-    panel.click("demoPower")
-    panel.wait_for(ConnectionState.CONNECTED)
-
-    panel.click("demoCentre")
-    panel.choose("demoMode", "rc")
-    panel.wait(lambda: panel.text("demoHint") == "Power cycle to enter RC mode.")
-    page = window.open_page("statusPage")
-    assert page.text("modeValue").startswith("Serial mode")
-    panel.click("demoPowerCycle")
-    panel.wait(lambda: panel.board.mode is Mode.RC)
-    page.wait(lambda: page.text("modeValue").startswith("RC mode"))
-    panel.wait(lambda: "enter" not in panel.text("demoHint"))
-
-    panel.drag_stick("demoInput1", 1)
-    panel.click("demoPowerCycle")
-    panel.wait_for_text("demoState", "Safe-start")
-    panel.wait(lambda: panel.board.leds.green == "fast flash")
-    panel.click("demoCentre")
-    panel.wait_for_text("demoState", "The sticks control")
-
-
-def test_panel_guides_learning_and_resets_to_factory_state(panel: DemoPanel) -> None:
-    panel.choose("demoMode", "rc")
-    panel.click("demoMix")
-    panel.click("demoSoGround")
-    panel.wait(lambda: panel.text("demoHint") == "Power cycle to learn the inputs.")
-    panel.click("demoPowerCycle")
-    panel.wait_for_text("demoState", "remove the Mix jumper")
-    panel.click("demoMix")
-    panel.wait_for_text("demoState", "leave the sticks")
-
-    panel.choose("demoMode", "analog")
-    panel.click("demoPowerCycle")
-    panel.drag_stick("demoInput4", 0.1)
-    panel.click("demoNoSignal5")
-    panel.wait(lambda: not panel.board.channels[4].has_signal)
-    panel.click("demoFactory")
-    panel.wait(lambda: panel.board.mode is Mode.SERIAL_RC)
-    panel.wait(lambda: panel.board.channels[4].has_signal)
-    assert panel.combo("demoMode").currentData() == "serial"
-    panel.wait_for(ConnectionState.CONNECTED)
 
 
 def test_motors_draw_current_and_keep_running_when_unplugged(
@@ -309,16 +215,3 @@ def test_moving_sticks_come_to_rest_when_learning_begins(
     assert panel.board_automatic == frozenset()
     learning.click("learnNextButton")
     learning.wait_for_text("learnHead", "Push every stick")
-
-
-def test_line_button_shows_the_line_settings_of_the_demo(
-    window: WindowDriver, panel: DemoPanel
-) -> None:
-    window.wait(lambda: window.device.telemetry.raw is not None)
-    assert window.button("lineButton").text().startswith("19200")
-    window.device.parameters.edit("uart_settings", replace(LineSettings(), baud=38400).to_wire())
-    window.trigger("apply")
-    window.dialog("reviewDialog").click("writeButton")
-    window.wait(lambda: window.device.parameters.values.waiting_for_power)
-    panel.click("demoPowerCycle")
-    window.wait(lambda: window.button("lineButton").text().startswith("38400"))

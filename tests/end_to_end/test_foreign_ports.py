@@ -7,7 +7,6 @@ from collections.abc import Iterator
 import pytest
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
-from tests.support.virtual_time import VirtualRuntime
 from tests.support.window import WindowDriver
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
@@ -105,38 +104,3 @@ def test_program_that_may_take_the_replies_is_named(
     window.click("bannerReconnect")
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
     assert not window.text("bannerText")
-
-
-def test_wrong_baud_rate_is_named_in_the_message(
-    window: WindowDriver, simulator: SimulatedDevice
-) -> None:
-    window.device.connect_to(ConnectionSettings(simulator.url, LineSettings(9600)))
-    window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
-    assert "9600 baud" in window.text("bannerText")
-
-
-def test_addressed_board_with_echo_connects(
-    window: WindowDriver, start_simulator: StartSimulator
-) -> None:
-    simulator = start_simulator("--echo", "--device", "9")
-    window.device.connect_to(ConnectionSettings(simulator.url, device_number=9))
-    window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
-    assert window.device.connection.echo
-
-
-def test_driving_continues_over_a_damaged_echo(
-    window: WindowDriver, start_simulator: StartSimulator, virtual_time: VirtualRuntime
-) -> None:
-    simulator = start_simulator("--echo")
-    window.device.connect_to(ConnectionSettings(simulator.url))
-    window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
-    window.device.motors.arm()
-    simulator.do("line noise 0.01")
-    for speed in range(1, 60):
-        window.device.motors.set_speed(1, speed)
-        virtual_time.advance(0.01)
-    simulator.do("line noise 0")
-    assert window.device.link is not ConnectionState.DISCONNECTED
-    window.device.motors.stop()
-    window.wait(lambda: not window.device.may_move)
-    assert simulator.show()["motors"][0]["direction"] == "brake"
