@@ -155,17 +155,3 @@ def test_reviewed_values_are_kept_when_learning_is_reopened(
         learning.hold()
         assert learning.can_click("learnUseButton"), name
     learning.assert_nothing_changed()
-
-
-def test_learning_does_not_start_in_rc_or_analog_mode(
-    connected_window: WindowDriver, learning: LearningDialog
-) -> None:
-    for mode in ("rc", "analog"):
-        start_in(learning, mode)
-        for action in ("learn", "test_sticks"):
-            connected_window.trigger(action)
-            learning.wait_for_head("remove the mode jumper")
-            learning.click("learnCancelButton")
-    start_in(learning, "serial")
-    connected_window.trigger("test_sticks")
-    learning.wait_for_head("Push every stick")

@@ -10,7 +10,7 @@ from importlib import import_module
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import Qt, QThread, QTimer
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog
 
@@ -108,16 +108,6 @@ def test_recording_dropped_onto_window_opens_unless_it_is_none(
     opened.close()
 
 
-def test_recording_is_complete_after_window_closes(
-    connected_window: WindowDriver, tmp_path: Path, assert_complete: Callable[[Path], None]
-) -> None:
-    path = tmp_path / "a.trexrec"
-    trex(connected_window.program).workspace.recordings.record(path)
-    wait_for_samples(connected_window, 100)
-    connected_window.window.close()
-    assert_complete(path)
-
-
 @pytest.fixture
 def assert_complete() -> Callable[[Path], None]:
     """Fail if a recording is not complete."""
@@ -199,24 +189,6 @@ def test_native_file_dialogs_are_disabled() -> None:
     assert result.returncode == 7
 
 
-def test_stop_reaches_board_while_recording_to_full_disk(
-    connected_window: WindowDriver,
-    quick_simulator: SimulatedDevice,
-    tmp_path: Path,
-    full_disk: None,
-) -> None:
-    window, device = connected_window, connected_window.device
-    trex(window.program).workspace.recordings.record(tmp_path / "a.trexrec")
-    device.motors.arm()
-    device.motors.accelerate = False
-    device.motors.set_speed(1, 60)
-    window.wait(lambda: quick_simulator.show()["motors"][0]["target_speed"] == 60)
-    device.motors.press_stop()
-    window.wait(lambda: quick_simulator.show()["motors"][0]["direction"] == "brake")
-    window.wait(lambda: "cannot be written: No space left" in window.text("bannerText"))
-    assert not indicator(window).isVisible()
-
-
 @pytest.mark.realtime
 @pytest.mark.slow
 @pytest.mark.timeout(240)
@@ -256,21 +228,6 @@ def test_motor_keeps_running_while_hour_is_opened(
     assert trex(window.program).workspace.recordings.windows == []
     motors.press_stop()
     window.wait(lambda: quick_simulator.show()["motors"][0]["direction"] == "brake")
-
-
-@pytest.mark.realtime
-def test_shutdown_while_recording_loads_ends_its_thread(
-    window: WindowDriver, tmp_path: Path
-) -> None:
-    write_an_hour(tmp_path / "hour.trexrec", 10)
-    trex(window.program).workspace.recordings.open_file(tmp_path / "hour.trexrec")
-    window.wait_for_files()
-    (opened,) = trex(window.program).workspace.recordings.windows
-    thread = WidgetDriver(opened, window.qtbot).find_only(QThread)
-    window.wait(lambda: opened.playback.share > 0)
-    assert thread.isRunning()
-    assert window.program.shut_down()
-    assert thread.isFinished()
 
 
 @pytest.mark.realtime

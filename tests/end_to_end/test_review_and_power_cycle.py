@@ -8,7 +8,6 @@ from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog, QSpinBox, QWidget
 
-from tests.support.held_line import before_storing
 from tests.support.keyboard import check_keyboard
 from tests.support.pages.settings import (
     ComparisonDialog,
@@ -16,7 +15,6 @@ from tests.support.pages.settings import (
     SettingsFiles,
     SimulatedPower,
 )
-from tests.support.simulator import StartSimulator
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import LEFT, WidgetDriver, WindowDriver
 from trex_gui.devices.trex.model.linter import BoardLinter
@@ -27,7 +25,6 @@ from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.settings.rules import LintFinding
 from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter
 from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
-from trex_gui.ui.devices.connection import ConnectionState
 
 LINES = (
     LineSettings(115200),
@@ -84,7 +81,7 @@ def test_review_shows_edits_and_writes_only_checked_ones(
     review.close()
     assert stored(simulator, "serial_timeout") == 0
     assert device.draft.pending == 2
-    assert device.writer.history.snapshots() == ()
+    assert device.history.snapshots() == ()
 
     review.open()
     review.toggle("Serial Timeout")
@@ -101,9 +98,9 @@ def test_review_shows_edits_and_writes_only_checked_ones(
     review.toggle("Serial Timeout")
     assert review.button("writeButton").text() == "&Write 1 setting"
     review.click("writeButton")
-    review.wait(lambda: stored(simulator, "motor1_acceleration") == 5 and not device.writer.running)
+    review.wait(lambda: stored(simulator, "motor1_acceleration") == 5 and not device.applying)
     assert stored(simulator, "serial_timeout") == 0
-    assert device.parameters.values.pending == (("serial_timeout", 15),)
+    assert device.parameters.pending == (("serial_timeout", 15),)
 
 
 def test_review_reports_stored_and_failed_settings(
@@ -124,14 +121,14 @@ def test_review_reports_stored_and_failed_settings(
     review.open()  # it was not closed
     focused: object = review.root.focusWidget()  # `None` is possible, against Qt's stubs
     QTest.keyClick(focused if isinstance(focused, QWidget) else review.root, Qt.Key.Key_Return)
-    review.wait(lambda: stored(simulator, "serial_timeout") == 14 and not device.writer.running)
+    review.wait(lambda: stored(simulator, "serial_timeout") == 14 and not device.applying)
     review.close()
 
     edit(window, serial_timeout=16)
     device.calibrations.edit(CalibrationKey.RC_CHANNEL_3, CALIBRATION)
     review.open()
     review.click("writeButton")
-    review.wait(lambda: device.writer.running and not device.writer.is_saving_snapshot)
+    review.wait(lambda: device.applying and not device.is_saving_snapshot)
     review.close()
     assert "written and verified" not in window.text("bannerText")
     window.wait_for_text("bannerText", "written and verified")
@@ -178,9 +175,7 @@ def test_board_decides_about_values_beyond_inferred_limits(
         assert review.text("questionText").startswith("Ignored Channels 63: beyond a limit")
         assert stored(simulator, key) == 0, "a question comes first"
         review.click("writeAnyway")
-        review.wait(
-            lambda: not device.writer.running and len(review.rows()[0]) == len(ComparisonColumn)
-        )
+        review.wait(lambda: not device.applying and len(review.rows()[0]) == len(ComparisonColumn))
 
     try_wire(63)
     review.open()
@@ -196,7 +191,7 @@ def test_board_decides_about_values_beyond_inferred_limits(
     simulator.do("accept ignored_channels 127 31")
     write_anyway()
     assert "reads back channels 1, 2, 3, 4, 5" in review.rows()[0][-1]
-    assert device.parameters.values.stored_of(key) == 31
+    assert device.parameters.stored_of(key) == 31
     review.close()
     edit(window, ignored_channels=0)
     simulator.do("accept ignored_channels 127")
@@ -221,8 +216,8 @@ def test_board_decides_about_values_beyond_inferred_limits(
     window.disconnect()
     window.connect(simulator.url)
     window.wait_for_files()
-    assert not device.parameters.values.is_doubtful(key, 63), "nor after connecting again"
-    assert device.parameters.values.is_doubtful(key, 62)
+    assert not device.parameters.is_doubtful(key, 63), "nor after connecting again"
+    assert device.parameters.is_doubtful(key, 62)
 
     file = SettingsFiles(window).load(
         tmp_path / "any.txt", "product: TReX\nreversed_channels: 63\n"
@@ -232,36 +227,6 @@ def test_board_decides_about_values_beyond_inferred_limits(
     review.open()
     review.click("writeButton")
     assert review.text("questionText").startswith("Reversed Channels 63: beyond a limit")
-
-
-def test_interrupted_write_keeps_unwritten_settings_pending(
-    connected_window: WindowDriver, review: ReviewDialog, simulator: VirtualSimulator
-) -> None:
-    window, device = connected_window, connected_window.device
-    edit(window, serial_timeout=15, motor1_acceleration=15, motor2_acceleration=15)
-    review.open()
-    simulator.do("line mute on")
-    review.click("writeButton")
-    review.wait_for_text("reviewHead", "could not be verified")
-    assert "not attempted" in [row[-1] for row in review.rows()]
-    assert "the default" in review.head
-    simulator.do("line mute off")
-    window.wait(lambda: device.link is ConnectionState.CONNECTED)
-    device.draft.discard_edits()
-
-    keys = [key for key in device.parameters.values.all_stored if key.startswith("motor")][:12]
-    edit(window, **{key: 1 - min(1, device.parameters.values.all_stored[key]) for key in keys})
-    count = device.draft.pending
-    review.open()
-    before_storing(simulator, 3, lambda: simulator.do("line unplug"))
-    review.click("writeButton")
-    window.wait(lambda: device.link is ConnectionState.DISCONNECTED)
-    review.wait(lambda: review.button("reviewCloseButton").text() == "Close")
-    assert "could not be verified" in review.head
-    assert count > device.draft.pending > 0
-    assert review.rows()[0][-1] == "stored"
-    assert any("gone" in row[-1] for row in review.rows())
-    assert review.rows()[-1][-1] == "not attempted"
 
 
 # --- The power cycle --------------------------------------------------------------------
@@ -284,7 +249,7 @@ def test_power_cycle_is_followed_until_settings_are_active(
     review.wait_for_text("powerCycleResult", "Waiting for it to respond again")
     power.on()
     review.wait_for_text("powerCycleResult", "all stored settings are active")
-    assert device.parameters.values.active_of("motor_mode") == 1
+    assert device.parameters.active_of("motor_mode") == 1
 
     review.close()
     edit(window, motor_mode=0)
@@ -303,22 +268,6 @@ def test_power_cycle_is_followed_until_settings_are_active(
     assert not window.has("makeActiveButton")
 
 
-def test_board_is_reconnected_at_its_new_line_settings(
-    connected_window: WindowDriver, review: ReviewDialog, power: SimulatedPower
-) -> None:
-    device = connected_window.device
-    for line in LINES:
-        edit(connected_window, uart_settings=line.to_wire())
-        review.write()
-        assert line.text() in review.text("powerCycleStep2")
-        power.cycle()
-        assert device.settings is not None
-        assert device.settings.line == line
-        assert "all stored settings are active" in review.text("powerCycleResult")
-        assert device.parameters.values.waiting_for_power == ()
-        review.close()
-
-
 def test_disconnect_does_not_count_as_power_cycle(
     connected_window: WindowDriver, review: ReviewDialog, simulator: VirtualSimulator
 ) -> None:
@@ -329,10 +278,10 @@ def test_disconnect_does_not_count_as_power_cycle(
     review.wait_for_text("powerCycleResult", "The line was closed")
     device.connect_to(ConnectionSettings(simulator.url))
     review.wait_for_text("powerCycleResult", "cannot detect")
-    assert list(device.parameters.values.waiting_for_power) == ["Motor Mode"]
+    assert list(device.parameters.waiting_for_power) == ["Motor Mode"]
     review.click("powerCycleDone")
     assert "all stored settings are active" in review.text("powerCycleResult")
-    assert list(device.parameters.values.waiting_for_power) == []
+    assert list(device.parameters.waiting_for_power) == []
 
 
 def test_slow_power_cycle_shows_hints(
@@ -363,7 +312,7 @@ def test_defaults_are_compared_and_reviewed_before_writing(
     defaults = ComparisonDialog(window.dialog("defaultsDialog").root, window.qtbot)
     assert [row[0] for row in defaults.rows()] == ["UART Settings"]
     defaults.click("takeDefaultsButton")
-    assert device.parameters.values.pending == (("uart_settings", LineSettings().to_wire()),)
+    assert device.parameters.pending == (("uart_settings", LineSettings().to_wire()),)
     review.click("writeButton")
     review.wait_for_text("reviewHead", "written and verified")
     review.close()
@@ -374,7 +323,7 @@ def test_defaults_are_compared_and_reviewed_before_writing(
     assert device.draft.pending == 2
     assert "serial_timeout" in [key for one in found(window) for key in one.keys]
     review.close()
-    assert device.parameters.values.pending == (("motor2_acceleration", 9),)
+    assert device.parameters.pending == (("motor2_acceleration", 9),)
     window.trigger("discard")
 
     window.trigger("defaults")
@@ -384,7 +333,7 @@ def test_defaults_are_compared_and_reviewed_before_writing(
     assert stored(simulator, "motor1_acceleration") == 5
     assert review.root.isVisible()
     review.click("writeButton")
-    review.wait(lambda: stored(simulator, "motor1_acceleration") == 0 and not device.writer.running)
+    review.wait(lambda: stored(simulator, "motor1_acceleration") == 0 and not device.applying)
     assert stored(simulator, "serial_timeout") == 15
 
 
@@ -409,22 +358,22 @@ def test_pending_reset_blocks_writing_until_power_cycle(
     guide = window.dialog("powerCycleDialog")
     guide.wait(guide.root.isVisible)
     window.wait(lambda: device.draft.reset_pending)
-    assert len(device.writer.history.snapshots()) == 2
+    assert len(device.history.snapshots()) == 2
     guide.click("powerCycleCloseButton")
 
     edit(window, motor1_acceleration=5)
     review.open()
     assert "will reset itself" in review.head
     assert not review.is_enabled("writeButton")
-    device.writer.apply()
-    assert not device.writer.running
+    device.apply()
+    assert not device.applying
     review.close()
 
     window.trigger("power")
     power.cycle()
     assert not device.draft.reset_pending
     assert stored(simulator, "serial_timeout") == 0
-    assert device.parameters.values.stored_of("serial_timeout") == 0
+    assert device.parameters.stored_of("serial_timeout") == 0
     assert device.settings is not None
     assert device.settings.line == LineSettings()
     review.open()
@@ -434,56 +383,3 @@ def test_pending_reset_blocks_writing_until_power_cycle(
 
 
 # --- Edits that cannot be written -------------------------------------------------------
-
-
-def test_pending_edits_survive_a_disconnect(
-    connected_window: WindowDriver, start_simulator: StartSimulator, simulator: VirtualSimulator
-) -> None:
-    window, device = connected_window, connected_window.device
-    edit(window, device_number=9)
-    window.disconnect()
-    assert window.action("save").isEnabled()
-    window.connect(simulator.url)
-    window.wait_for_text("bannerText", "1 earlier change still pending")
-
-    junior = start_simulator("--unpaced", "--model", "trexjr")
-    device.connect_to(ConnectionSettings(junior.url))
-    window.wait(lambda: "TReX Jr" in device.status and device.link is ConnectionState.CONNECTED)
-    assert device.draft.pending == 0
-    assert device.writer.history.snapshots() == (), "no board has ever stored that"
-    window.wait_for_text("bannerText", "1 edit not applied to the previous TReX 1.2: kept")
-
-    device.connect_to(ConnectionSettings(simulator.url))
-    window.wait(lambda: window.window.question.text != "")
-    window.click("restoreEdits")
-    assert dict(device.parameters.values.pending) == {"device_number": 9}
-
-
-def test_calibration_of_inactive_input_source_stays_pending(
-    connected_window: WindowDriver,
-    review: ReviewDialog,
-    simulator: VirtualSimulator,
-    power: SimulatedPower,
-) -> None:
-    device = connected_window.device
-    device.calibrations.edit(CalibrationKey.RC_CHANNEL_2, CALIBRATION)
-    edit(connected_window, channel_input_source=1)
-    review.open()
-    review.toggle("Calibration of RC channel 2")
-    review.click("writeButton")
-    review.wait_for_text("reviewHead", "written and verified")
-    power.cycle()
-    assert list(device.calibrations.pending) == []
-    assert device.draft.pending == 1
-    review.close()
-
-    review.open()
-    assert "RC channel 2" in review.text("reviewFoot")
-    assert not review.is_enabled("writeButton")
-    edit(connected_window, channel_input_source=0)
-    review.click("writeButton")
-    review.wait(
-        lambda: stored(simulator, "channel_input_source") == 0 and not device.writer.running
-    )
-    power.cycle()
-    assert list(device.calibrations.pending) == [(CalibrationKey.RC_CHANNEL_2, CALIBRATION)]

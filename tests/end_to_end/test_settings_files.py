@@ -8,10 +8,8 @@ from PySide6.QtWidgets import QDialog, QMessageBox, QTableWidget
 from tests.support.bad_files import BAD_FILES
 from tests.support.keyboard import check_keyboard
 from tests.support.pages.settings import ComparisonDialog, SettingsFiles, answer_questions
-from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
-from trex_gui.core.code import Language
-from trex_gui.devices.trex.protocol.calibration import Calibration
 
 ROVER = """product: TReX
 serial_timeout: 5
@@ -28,7 +26,7 @@ def files(connected_window: WindowDriver) -> SettingsFiles:
 
 
 def apply(window: WindowDriver) -> None:
-    window.device.writer.apply()
+    window.device.apply()
     window.wait(lambda: window.device.draft.pending == 0)
 
 
@@ -88,32 +86,15 @@ def test_checked_rows_become_edits_and_a_snapshot_reverts_them(
     assert stored is not None
     assert (stored.minimum, stored.deadband) == (2600, 60)
 
-    (snapshot,) = device.writer.history.snapshots()
+    (snapshot,) = device.history.snapshots()
     files.files.open_file(snapshot.path)
     window.wait_for_files()
     check_keyboard(files.load_dialog().root)
     files.load_dialog().click("takeChangesButton")
-    assert device.parameters.values.pending == (("serial_timeout", 0),)
+    assert device.parameters.pending == (("serial_timeout", 0),)
     apply(window)
     assert quick_simulator.show()["parameters"]["serial_timeout"] == 0
-    assert len(device.writer.history.snapshots()) == 2
-
-
-def test_edits_of_every_page_are_undone_from_the_menu(connected_window: WindowDriver) -> None:
-    window, device = connected_window, connected_window.device
-    undo = window.action("undo")
-    assert not undo.isEnabled()
-    device.parameters.edit("serial_timeout", 5)
-    device.calibrations.edit(2, Calibration(2600, 3700, 4900, 60))
-    assert undo.text().endswith("Calibration of channel 2")
-    window.trigger("undo")
-    assert undo.text().endswith("Serial Timeout")
-    window.trigger("undo")
-    assert device.draft.pending == 0
-    assert not undo.isEnabled()
-    window.trigger("redo")
-    window.trigger("redo")
-    assert device.draft.pending == 2
+    assert len(device.history.snapshots()) == 2
 
 
 def test_invalid_files_change_nothing_and_findings_name_lines(
@@ -142,20 +123,6 @@ def test_invalid_files_change_nothing_and_findings_name_lines(
     files.files.open_file(tmp_path / "nowhere.txt")
     connected_window.wait_for_files()
     assert "nowhere.txt was not opened" in connected_window.text("bannerText")
-
-
-def test_load_dialog_explains_mismatches_with_the_board(
-    connected_window: WindowDriver, files: SettingsFiles, tmp_path: Path
-) -> None:
-    text = "product: TReX\nfirmware: 1.0\nserial_timeout: 5\n"
-    dialog = files.load(tmp_path / "older.txt", text)
-    assert "with firmware 1.0; the board has" in dialog.text("loadHead")
-    assert dialog.text("comparisonSummary") == "1 parameter: 1 will change, 0 match."
-
-    dialog = files.load(tmp_path / "analog.txt", f"product: TReX\n{ANALOG}")
-    assert "analog calibrations are left out" in dialog.text("comparisonLeftOut")
-
-    dialog.root.close()
 
 
 JUNIOR = """# small rover
@@ -189,10 +156,7 @@ def test_file_of_the_other_model_opens_with_what_was_converted(
     assert [timeout[3], calibration[3]] == ["Carried over."] * 2
     check_keyboard(dialog.root)
     dialog.click("takeChangesButton")
-    assert dict(device.parameters.values.pending) == {
-        "motor1_current_limit": 16,
-        "serial_timeout": 5,
-    }
+    assert dict(device.parameters.pending) == {"motor1_current_limit": 16, "serial_timeout": 5}
     assert device.draft.pending == 3
 
     files.files.edit_file(path)
@@ -214,19 +178,6 @@ def test_file_of_the_other_model_opens_with_what_was_converted(
     assert "motor1_current_limit: 16  # measured" in new.document.text
     assert old.document.text == JUNIOR == path.read_text(encoding="utf-8")
     files.files.close_all()
-
-
-def test_settings_unknown_to_firmware_are_left_out(
-    window: WindowDriver, start_simulator: StartSimulator, tmp_path: Path
-) -> None:
-    window.connect(start_simulator("--firmware", "1.0", "--unpaced").url)
-    text = "product: TReX\nfirmware: 1.2\nuart_response_delay: 1\nserial_timeout: 5\n"
-    dialog = SettingsFiles(window).load(tmp_path / "newer.txt", text)
-    assert "with firmware 1.2; the board has 1.0" in dialog.text("loadHead")
-    assert "1 left out" in dialog.text("conversionSummary")
-    assert "firmware 1.0 does not have it" in conversion(dialog)[0][3]
-    dialog.click("takeChangesButton")
-    assert window.device.parameters.values.pending == (("serial_timeout", 5),)
 
 
 def test_editor_compares_with_the_board_and_sends_to_it(
@@ -287,27 +238,3 @@ def test_saving_keeps_comments_and_asks_before_replacing(
         answer_questions(monkeypatch, QMessageBox.StandardButton.Yes)
         files.save(path)
         assert "motor_mode: 0" in path.read_text(encoding="utf-8"), text
-
-
-def test_settings_are_exported_as_code_and_printed(
-    connected_window: WindowDriver, files: SettingsFiles, tmp_path: Path
-) -> None:
-    window = connected_window
-    window.device.parameters.edit("serial_timeout", 5)
-    for language in Language:
-        path = tmp_path / f"board{language.suffix}"
-        files.files.shown.export_file(path, language)
-        window.wait_for_files()
-        text = path.read_text(encoding="utf-8")
-        assert "Serial Timeout" in text, language
-        assert "0.5 s" in text, language
-        assert f"{path} applies and checks" in window.text("bannerText")
-    files.files.shown.export_file(tmp_path / "missing" / "board.py", Language.PYTHON)
-    window.wait_for_files()
-    assert "was not written" in window.text("bannerText")
-
-    window.trigger("print")
-    if window.has("printPreviewDialog"):
-        window.dialog("printPreviewDialog").root.close()
-    else:
-        assert "printing is not installed" in window.text("bannerText")

@@ -10,7 +10,6 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialogButtonBox, QListView, QMessageBox
 from shiboken6 import isValid
 
-from tests.support.bad_files import BAD_FILES
 from tests.support.pages.settings import SettingsFiles, answer_questions
 from tests.support.window import LEFT, WindowDriver
 from trex_gui.core.resource_files import resource
@@ -75,27 +74,6 @@ def test_file_is_opened_edited_saved_and_closed(
     editor.action("Close").trigger()
     window.wait(lambda: not isValid(editor.root))
     assert [each.document.name for each in files.files.editors] == ["other.txt"]
-
-
-def test_invalid_file_opens_as_text_or_is_rejected(
-    window: WindowDriver, files: SettingsFiles, tmp_path: Path
-) -> None:
-    path = tmp_path / "bad.txt"
-    for bad in BAD_FILES:
-        path.write_bytes(bad.data)
-        files.files.open_file(path)
-        window.wait_for_files()
-        if bad.is_text:
-            findings = files.editor().document.findings
-            assert any(bad.words in each.message and each.line == bad.line for each in findings), (
-                bad.name
-            )
-            files.files.close_all()
-        else:
-            assert not files.files.editors, bad.name
-            assert "bad.txt was not opened" in window.text("bannerText"), bad.name
-            assert bad.words in window.text("bannerText"), bad.name
-        assert path.read_bytes() == bad.data, bad.name
 
 
 def test_new_file_starts_with_chosen_settings(
