@@ -68,7 +68,7 @@ def test_session_addresses_one_board_in_every_packet(
     reports = run_for(stage, 9.0, settings)
     assert addressed(stage.wire.sent) == {7}
     assert {*stage.wire.tuned} == {settings.line}, "at no other rate"
-    assert addressed(stage.client(settings).stop_sequence().packets) == {7}, "by the guardian"
+    assert addressed(stage.client(settings).stop_sequence("TReX").packets) == {7}, "by the guardian"
     refused = outcomes(reports)[1].error
     assert isinstance(refused, TrexRequestError)
     assert refused.code is ErrorCode.NUMBER_TAKEN

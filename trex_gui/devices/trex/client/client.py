@@ -11,6 +11,7 @@ from typing import Protocol
 from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.core.guardian.guardian import StopSequence
 from trex_gui.core.texts import hex_text
+from trex_gui.core.transport.driven import driven_note
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.protocol.commands import (
     STOP,
@@ -82,7 +83,7 @@ class TrexClient:
         self.settings = settings  # how the line was opened, with the board's present number
         self._free_at = transport.clock()
         self._is_unanswered = False
-        self._stop_sequence: tuple[ConnectionSettings, bool, StopSequence] | None = None
+        self._stop_sequence: tuple[ConnectionSettings, bool, str, StopSequence] | None = None
         self._unanswered = 0  # missing replies since one was matched to its request
 
     def request(self, command: Command[ReplyT_co]) -> ReplyT_co:
@@ -256,19 +257,20 @@ class TrexClient:
         seconds = self.settings.line.seconds(len(packet)) + self._allowance
         return self.transport.read(len(packet), seconds)
 
-    def stop_sequence(self) -> StopSequence:
-        """Return how the guardian has to stop the motors at present."""
+    def stop_sequence(self, board: str) -> StopSequence:
+        """Return how the guardian has to stop the motors at present; `board` names their board."""
         known = self._stop_sequence
-        if known is None or known[:2] != (self.settings, self.echo):
+        if known is None or known[:3] != (self.settings, self.echo, board):
             framing, line = self.settings.framing, self.settings.line
             packets = b"".join(map(framing.encode, STOP))
             query = framing.encode(GetStatus())
             size = GetStatus().reply_size() + framing.crc_size
             bytes_both_ways = len(packets) + len(query) + size
             seconds = line.seconds(bytes_both_ways) + self._allowance
-            stop = StopSequence(packets, query, size, Status.UART_ERROR, self.echo, seconds)
-            known = self._stop_sequence = (self.settings, self.echo, stop)
-        return known[2]
+            note = driven_note(board, self.settings)
+            stop = StopSequence(packets, query, size, Status.UART_ERROR, self.echo, seconds, note)
+            known = self._stop_sequence = (self.settings, self.echo, board, stop)
+        return known[3]
 
     def drain(self) -> None:
         self.transport.wait(self._free_at - self.transport.clock())
