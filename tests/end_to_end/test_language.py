@@ -16,7 +16,7 @@ import sys
 from trex_gui import app
 from trex_gui.ui.translations import choose_language
 
-begin, languages = app.begin, iter(["de", "fr"])
+begin, languages = app.begin, iter(["de"])
 
 def begin_and_choose(program, arguments):
     def connected():
@@ -81,7 +81,9 @@ def test_window_that_stays_open_is_not_opened_again(connected_window: WindowDriv
 
 
 @pytest.mark.realtime
-def test_program_opens_again_in_each_language(simulator: SimulatedDevice, tmp_path: Path) -> None:
+def test_program_opens_again_in_another_language(
+    simulator: SimulatedDevice, tmp_path: Path
+) -> None:
     done = subprocess.run(
         [sys.executable, "-c", _REOPEN, simulator.url],
         env={**os.environ, "XDG_CONFIG_HOME": str(tmp_path)},  # remembers the language
@@ -92,4 +94,4 @@ def test_program_opens_again_in_each_language(simulator: SimulatedDevice, tmp_pa
     )
     assert done.returncode == 0, done.stderr
     titles = [line.split() for line in done.stdout.splitlines()]
-    assert titles == [[title, simulator.url] for title in ("&File", "&Datei", "&Fichier")]
+    assert titles == [[title, simulator.url] for title in ("&File", "&Datei")]

@@ -55,7 +55,10 @@ class Findings:
         self.cut.update(f"{window.objectName()}: {cut}" for cut in cut_texts(window))
 
 
-@pytest.fixture(params=[(100, (1366, 728)), (200, (3840, 2080))], ids=["100 %", "200 %"])
+@pytest.fixture(
+    params=[(100, (1366, 728)), pytest.param((200, (3840, 2080)), marks=pytest.mark.slow)],
+    ids=["100 %", "200 %"],
+)
 def pseudo_window(
     request: pytest.FixtureRequest, qapp: QApplication, monkeypatch: pytest.MonkeyPatch
 ) -> Iterator[WindowDriver]:

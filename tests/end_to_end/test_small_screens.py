@@ -31,7 +31,11 @@ FRAME = QSize(16, 48)
 
 
 @pytest.fixture(
-    params=[("en", 1024, 600), ("de", 1366, 728), ("fr", 1366, 728)],
+    params=[
+        ("en", 1024, 600),
+        ("de", 1366, 728),
+        pytest.param(("fr", 1366, 728), marks=pytest.mark.slow),
+    ],
     ids="{0[0]} {0[1]}×{0[2]}".format,
 )
 def screen(
