@@ -136,24 +136,10 @@ def test_boards_on_one_line(
         if (item := table.item(row, 0)) is not None:
             item.setCheckState(Qt.CheckState.Unchecked)
     assert fleet.button("writeBoardsButton").text() == "&Write to boards"
-    # Closing the dialog ends the work after the board that is being read.
-    once = Qt.ConnectionType.SingleShotConnection
-    window.device.draft.loaded.connect(fleet.root.close, once)
-    window.trigger("to_boards")
-    window.wait(lambda: "not tried" in results()[2][1])
-    window.wait(lambda: rows(window)[2][1] == "selected")
-    assert not window.has("applyToBoardsDialog")
+    # Closing the dialog ends the work after the present board, and the window says so.
     window.trigger("to_boards")
     window.wait(lambda: fleet.is_enabled("writeBoardsButton"))
-    # So does Stop, and what became of each board is said, in the window if the dialog is closed.
-    fleet.click("writeBoardsButton")
-    QTest.mousePress(fleet.button("boardsStopButton"), Qt.MouseButton.LeftButton)
-    QTest.mouseRelease(fleet.button("boardsStopButton"), Qt.MouseButton.LeftButton)
-    window.wait(lambda: "Stop was pressed" in fleet.text("applyToBoardsNote"))
-    assert boards.show("@3")["parameters"]["serial_timeout"] == 0
-    window.trigger("to_boards")
-    window.wait(lambda: fleet.is_enabled("writeBoardsButton"))
-    window.device.applied.connect(fleet.root.close, once)
+    window.device.applied.connect(fleet.root.close, Qt.ConnectionType.SingleShotConnection)
     fleet.click("writeBoardsButton")
     window.wait_for_text("bannerText", "Written to 1 board.")
     assert "Board 12: not tried." in window.text("bannerText")
@@ -185,38 +171,6 @@ def test_boards_on_one_line(
     assert not window.has("boardPanel")
 
 
-def test_boards_get_values_beyond_inferred_limits_after_a_question(
-    window: WindowDriver,
-    start_simulator: StartSimulator,
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    boards = start_simulator("--unpaced", "--device", "7", "--device", "9")
-    boards.do("@9 accept ignored_channels 127")
-    connect(window, boards.url, 7)
-    window.trigger("boards")
-    window.wait(lambda: len(rows(window)) == 2 and not window.has("boardsProgress"))
-    path = tmp_path / "fleet.txt"
-    save(path, "product: TReX\nignored_channels: 63\n")
-    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_a, **_k: (str(path), ""))
-    window.trigger("to_boards")
-    window.wait(lambda: window.has("applyToBoardsDialog"))
-    fleet = window.dialog("applyToBoardsDialog")
-    window.wait(lambda: fleet.is_enabled("writeBoardsButton"))
-    table = fleet.find(QTableWidget, "boardsToWrite")
-    if (item := table.item(0, 0)) is not None:
-        item.setCheckState(Qt.CheckState.Unchecked)
-    fleet.click("writeBoardsButton")
-    assert fleet.text("questionText").startswith("Ignored Channels 63: beyond a limit")
-    assert not boards.show("@9")["parameters"]["ignored_channels"]
-    check_keyboard(fleet.root)
-    fleet.click("writeAnyway")
-    window.wait(lambda: boards.show("@9")["parameters"]["ignored_channels"] == 63)
-    window.wait(
-        lambda: not window.device.writer.running and not fleet.is_enabled("endBoardsButton")
-    )
-
-
 def test_what_drives_one_board_drives_no_other(
     window: WindowDriver, start_simulator: StartSimulator
 ) -> None:
@@ -227,6 +181,7 @@ def test_what_drives_one_board_drives_no_other(
     window.wait(lambda: not window.has("boardsProgress"))
     page = MotorsPage(window, boards)
     page.motors.accelerate = False
+    page.motors.lockout = 0
 
     def moves(board: str) -> bool:
         return bool(boards.show(board)["motors"][0]["direction"] == "forward")
@@ -271,7 +226,6 @@ def test_what_drives_one_board_drives_no_other(
         assert is_stopped(boards, "@7")
         release()
         window.press_escape()
-        page.let_nothing_happen(4)
         switch(0)
 
     # Esc during the switch, and a line that is closed during it.
@@ -281,7 +235,7 @@ def test_what_drives_one_board_drives_no_other(
     choose(window, 1)
     window.press_escape()
     window.wait(lambda: rows(window)[1][1] == "selected")
-    page.let_nothing_happen(4)
+    page.let_nothing_happen(0.5)
     assert is_stopped(boards, "@7")
     assert not moves("@9")
 

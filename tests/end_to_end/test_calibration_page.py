@@ -10,9 +10,8 @@ from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
 from trex_gui.devices.trex.model.calibration_moves import Handle
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
-from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
+from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.views.pages.calibration import page as widgets
-from trex_gui.devices.trex.views.pages.calibration.curve_plot import InputTrace
 
 FACTORY = DEFAULT_CALIBRATION[InputSource.RC]
 
@@ -65,15 +64,3 @@ def test_calibration_is_dragged_undone_and_written(
     assert window.device.draft.pending == 0
     assert "edited" not in page.row(1)
     assert page.text("learnedLabel").startswith("learned")
-
-
-def test_input_trace_is_high_enough_in_a_small_window(
-    window: WindowDriver, page: CalibrationPage, quick_simulator: SimulatedDevice
-) -> None:
-    window.window.resize(900, 600)
-    window.connect(quick_simulator.url)
-    for channel in CHANNELS:
-        page.select_channel(channel)
-        page.widget.grab()  # lets the layout settle
-        trace = page.find(InputTrace, "inputTrace")
-        assert trace.frame.height() >= 4.5 * trace.fontMetrics().height(), channel

@@ -5,14 +5,14 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QApplication, QLabel, QListView, QTableView
+from PySide6.QtWidgets import QApplication, QLabel, QTableView
 from shiboken6 import Shiboken
 
 from tests.support.keyboard import check_keyboard
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
-from trex_gui.core.events import EventKind
 from trex_gui.devices.trex.views.pages.currents_panel import PlotWindow
+from trex_gui.ui.event_log import EventKind
 from trex_gui.ui.plotting.figures import TraceColumn
 from trex_gui.ui.plotting.panel import TracePanel
 
@@ -92,36 +92,3 @@ def test_plot_in_its_own_window_is_drawn_beside_another_page(
     assert again.panel.plot.span.length == 30
     page.window.close()  # closes it, too
     page.wait(lambda: not Shiboken.isValid(again))
-
-
-def test_stop_apply_fault_and_timeout_become_events(
-    page: CurrentsPage, quick_simulator: SimulatedDevice
-) -> None:
-    page.motors.press_stop()
-    page.wait_for_event(EventKind.STOP, "Stop")
-    page.device.parameters.edit("motor1_acceleration", 40)
-    page.device.parameters.edit("motor1_current_limit", 20)
-    page.device.writer.apply()
-    page.wait_for_event(EventKind.APPLY, "Motor 1 Acceleration")
-    source = page.panel.plot.source
-    assert source is not None
-    page.wait(lambda: source.limits.get("motor1_current") == pytest.approx(20 * 0.3))
-    quick_simulator.do("fault 1 on")
-    page.wait_for_event(EventKind.FAULT, "Motor 1 fault")
-    quick_simulator.do("fault 1 off")
-    page.wait(lambda: page.parts.find(QListView, "eventList").model().rowCount() >= 3)
-    page.wait(lambda: len(page.panel.plot._marks.marks) >= 3)
-    newest = page.device.telemetry.latest
-    for event in page.device.events.all:
-        assert newest - 60 < event.time < newest + 5, "not on the clock of the samples"
-
-    history = page.device.telemetry.currents
-    page.wait(lambda: len(history) > 20)
-    quick_simulator.do("line mute on")
-    page.wait_for_event(EventKind.LINK, "stopped responding")
-    quick_simulator.do("line mute off")
-    page.wait_for_event(EventKind.LINK, "responds again")
-    before = len(history)
-    page.wait(lambda: len(history) > before + 20)
-    start, end = history.span or (0.0, 0.0)
-    assert history.statistics(0, start, end).seconds < end - start - 0.5, "no gap"

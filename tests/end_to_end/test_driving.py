@@ -478,33 +478,6 @@ def test_keys_are_released_when_they_cannot_be_tracked(keys: MotorsPage) -> None
 # --- Modes ------------------------------------------------------------------------------
 
 
-def test_page_drives_while_override_switch_is_on(page: MotorsPage) -> None:
-    page.wait_for_text("motor1Reported", "serial in control")
-    assert "waits" not in page.text("motor1Reported"), "in serial mode channels drive nothing"
-    page.simulator.do("jumper mode rc")
-    page.simulator.do("power cycle")
-    page.wait_for_text("motorsReason", "RC channels")
-    page.wait_for_text("motor1Reported", "serial not in control")
-    page.wait_for_text("auxReported", "serial not in control")
-    page.wait(lambda: not page.simulator.show()["safe_start"])  # it wins over the override
-
-    page.simulator.do("channel 5 1000us")
-    page.wait_for_text("motorsReason", "Channel 5 overrides")
-    page.simulator.do("channel 2 1300us")
-    page.wait_for_text("motor2Reported", "channel 2 at −")
-    assert "serial in control" in page.text("motor2Reported")
-    page.simulator.do("channel 2 1500us")
-    page.arm()
-    page.hold_pad(1, 0)
-    page.wait_for_targets(FULL, FULL)
-
-    page.simulator.do("channel 5 2000us")
-    page.wait_for_text("motorsReason", "RC channels")
-    assert not page.is_armed()
-    assert not page.pad.isVisible()
-    page.simulator.do("channel 5 1500us")
-
-
 def test_joint_mode_drives_one_motor_and_ignores_turning(page: MotorsPage) -> None:
     page.device.parameters.edit("motor_mode", 1)
     page.device.writer.apply()

@@ -52,19 +52,6 @@ def test_edits_of_a_crashed_run_are_offered_and_restored(
     assert window.is_enabled("applyButton")
 
 
-@pytest.mark.usefixtures("crashed")
-def test_discarded_offer_is_not_made_again(
-    window: WindowDriver, quick_simulator: SimulatedDevice
-) -> None:
-    window.connect(quick_simulator.url)
-    window.wait(lambda: is_asked(window))
-    window.click("discardEdits")
-    window.wait(lambda: saved() == {})
-    window.disconnect()
-    window.connect(quick_simulator.url)
-    assert not is_asked(window)
-
-
 @pytest.mark.parametrize(
     ("answer", "kept"), [("keepAndClose", {"serial_timeout": 15}), ("closeYes", {})]
 )
@@ -92,19 +79,6 @@ def test_edits_made_after_closing_was_given_up_are_kept(
     workspace.prepare_to_close()
     workspace.finish()
     assert saved() == {"serial_timeout": 20}
-
-
-@pytest.mark.usefixtures("crashed")
-def test_closing_without_an_answer_keeps_the_offer(
-    window: WindowDriver, quick_simulator: SimulatedDevice
-) -> None:
-    window.connect(quick_simulator.url)
-    window.wait(lambda: is_asked(window))
-    window.device.parameters.edit("motor2_acceleration", 4)
-    assert not window.window.close()
-    window.click("closeYes")
-    assert not window.window.isVisible()
-    assert saved() == {"serial_timeout": 15, "motor1_acceleration": 3}
 
 
 def test_edits_are_kept_if_the_program_is_ended_from_outside(

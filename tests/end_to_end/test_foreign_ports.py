@@ -1,9 +1,5 @@
 """Ports that are remote, damaged, or lead to no TReX."""
 
-import socket
-import threading
-from collections.abc import Iterator
-
 import pytest
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
@@ -11,29 +7,6 @@ from tests.support.window import WindowDriver
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.ui.devices.connection import ConnectionState
-
-
-@pytest.fixture
-def unsolicited_sender() -> Iterator[str]:
-    """A device that sends unsolicited data, as a GPS receiver does."""
-    server = socket.create_server(("127.0.0.1", 0))
-    ending = threading.Event()
-
-    def talk() -> None:
-        connection, _ = server.accept()
-        with connection:
-            while not ending.is_set():
-                try:
-                    connection.sendall(b"$GPGGA,123519,4807.038,N\r\n" * 20)
-                except OSError:
-                    return
-
-    thread = threading.Thread(target=talk)
-    thread.start()
-    yield f"socket://127.0.0.1:{server.getsockname()[1]}"
-    ending.set()
-    server.close()
-    thread.join(5)
 
 
 @pytest.mark.parametrize("kind", ["--tcp", "--rfc2217"])
@@ -48,16 +21,6 @@ def test_network_board_connects_and_its_loss_is_reported(
     simulator.do("line unplug")
     window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
     assert "gone" in window.text("bannerText")
-
-
-@pytest.mark.realtime
-def test_device_sending_unsolicited_data_is_reported(
-    window: WindowDriver, unsolicited_sender: str
-) -> None:
-    window.device.connect_to(ConnectionSettings(unsolicited_sender))
-    window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
-    assert "not like a TReX" in window.text("bannerText")
-    assert window.device.shut_down()
 
 
 def test_port_without_a_board_is_reported(window: WindowDriver, simulator: SimulatedDevice) -> None:

@@ -57,37 +57,6 @@ def page(connected_window: WindowDriver, quick_simulator: SimulatedDevice) -> It
     page.panel.gamepad.switch_off()
 
 
-def test_motors_stop_when_gamepad_control_ends(page: GamepadPage) -> None:
-    page.drive()
-    page.gamepad.press(STOP)
-    page.wait_for_motors("brake")
-    assert not page.is_armed(), "its stop button"
-    page.release()
-
-    page.drive()
-    page.open_page("statusPage")
-    page.wait_for_motors("brake")
-    assert not page.is_armed(), "page left"
-    page.show_page()
-    page.release()
-
-    page.drive()
-    with page.another_window():
-        page.wait_for_motors("brake")
-    page.release()
-
-    page.drive()
-    page.gamepad.unplug()
-    page.wait_for_motors("brake")
-    page.panel.wait_for_state("was disconnected")
-    assert not page.is_armed(), "unplugged"
-
-    page.plug_in()
-    page.drive()
-    page.click("gamepadBox")
-    page.wait_for_motors("brake")
-
-
 def test_gamepad_stop_button_works_on_other_pages(page: GamepadPage) -> None:
     for name in ("statusPage", "currentsPage", "parametersPage"):
         page.open_page(name)

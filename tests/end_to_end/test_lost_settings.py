@@ -22,7 +22,7 @@ def apply(window: WindowDriver, **values: int) -> None:
     for key, value in values.items():
         window.device.parameters.edit(key, value)
     with window.qtbot.waitSignal(window.device.applied):
-        window.device.writer.apply()
+        window.device.apply()
 
 
 def test_settings_that_a_board_lost_are_shown_and_restored(
@@ -50,27 +50,6 @@ def test_settings_that_a_board_lost_are_shown_and_restored(
     assert lost.show()["parameters"]["serial_timeout"] == 15
     reconnect(window, lost.url)
     assert not asked(window)
-
-
-def test_other_settings_of_the_board_can_be_kept(
-    window: WindowDriver, quick_simulator: SimulatedDevice, start_simulator: StartSimulator
-) -> None:
-    lost = start_simulator()
-    window.connect(quick_simulator.url)
-    apply(window, serial_timeout=15)
-    reconnect(window, lost.url)
-    window.click("keepDiffering")
-    reconnect(window, lost.url)
-    assert not asked(window)
-    assert lost.show()["parameters"]["serial_timeout"] == 0
-
-    apply(window, serial_timeout=15)
-    window.device.writer.reset_to_factory()
-    window.wait(lambda: not window.device.writer.running)
-    lost.do("power cycle")
-    window.wait(lambda: not window.device.draft.reset_pending)
-    reconnect(window, lost.url)
-    assert not asked(window), "the program itself reset it"
 
 
 def test_snapshots_keep_the_calibrations_that_the_board_hides(

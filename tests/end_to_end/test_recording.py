@@ -6,7 +6,6 @@ import signal
 import subprocess
 import sys
 from collections.abc import Callable
-from importlib import import_module
 from pathlib import Path
 
 import pytest
@@ -14,13 +13,11 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog
 
-from tests.devices.trex.recording.samples import an_hour, read_file, write, write_an_hour
+from tests.devices.trex.recording.samples import an_hour, read_file, write
 from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
-from trex_gui.core.timing import Timeouts
 from trex_gui.ui.playback.manager import RecordIndicator
-from trex_gui.ui.runtime import now
 from trex_gui.ui.widgets.file_questions import remember_folder
 
 
@@ -156,8 +153,7 @@ def test_sigterm_while_recording_ends_program_cleanly(
         assert_complete(path)
 
 
-@pytest.mark.parametrize("choose", ["choose_and_open", "toggle"])
-def test_esc_in_file_dialog_stops_motors(connected_window: WindowDriver, choose: str) -> None:
+def test_esc_in_file_dialog_stops_motors(connected_window: WindowDriver) -> None:
     window = connected_window
     stops: list[str] = []
     window.device.motors.stop_requested.connect(lambda: stops.append("stop"))
@@ -172,92 +168,8 @@ def test_esc_in_file_dialog_stops_motors(connected_window: WindowDriver, choose:
             QTimer.singleShot(10, press_esc)
 
     QTimer.singleShot(100, press_esc)
-    getattr(trex(window.program).workspace.recordings, choose)()
+    trex(window.program).workspace.recordings.toggle()
     assert stops == ["stop"]
-
-
-@pytest.mark.realtime
-def test_native_file_dialogs_are_disabled() -> None:
-    script = (
-        "import sys; from PySide6.QtCore import Qt; from PySide6.QtWidgets import QApplication; "
-        "from trex_gui import app, composition; "
-        "native = Qt.ApplicationAttribute.AA_DontUseNativeDialogs; "
-        "composition.build = lambda *_: sys.exit(7 if QApplication.testAttribute(native) else 8); "
-        "app.main([])"
-    )
-    result = subprocess.run([sys.executable, "-c", script], timeout=40, check=False)
-    assert result.returncode == 7
-
-
-@pytest.mark.realtime
-@pytest.mark.slow
-@pytest.mark.timeout(240)
-def test_motor_keeps_running_while_hour_is_opened(
-    connected_window: WindowDriver, quick_simulator: SimulatedDevice, tmp_path: Path
-) -> None:
-    import_module("trex_gui.devices.trex.views.playback")  # the program does so at its start
-    write_an_hour(tmp_path / "hour.trexrec")
-    window, motors = connected_window, connected_window.device.motors
-    motors.accelerate = False
-
-    def turns() -> bool:
-        if not motors.armed:
-            motors.arm()
-            motors.set_speed(1, 60)
-        return bool(quick_simulator.show()["motors"][0]["target_speed"] == 60)
-
-    seen: list[tuple[bool, bool, bool, str]] = []
-
-    def turns_while_it_is_opened() -> bool:
-        window.wait(turns)
-        begin = now()
-        trex(window.program).workspace.recordings.open_file(tmp_path / "hour.trexrec")
-        window.wait_for_files()
-        (opened,) = trex(window.program).workspace.recordings.windows
-        # Longer than the silence of a window that stops armed motors.
-        window.wait(lambda: now() > begin + 2 * Timeouts().heartbeat)
-        was_opened_meanwhile = not opened.playback.is_loaded
-        opened.close()
-        motor = quick_simulator.show()["motors"][0]
-        goes_on = motor["target_speed"] == 60 and motor["direction"] != "brake"
-        seen.append((was_opened_meanwhile, motors.armed, goes_on, motors.stop_reason))
-        return was_opened_meanwhile and motors.armed and goes_on
-
-    # A computer with far too much to do may stop them by itself, but hardly each time.
-    assert any(turns_while_it_is_opened() for _ in range(6)), seen
-    assert trex(window.program).workspace.recordings.windows == []
-    motors.press_stop()
-    window.wait(lambda: quick_simulator.show()["motors"][0]["direction"] == "brake")
-
-
-@pytest.mark.realtime
-def test_pyqtgraph_is_loaded_soon_after_start(tmp_path: Path) -> None:
-    script = (
-        "import os, sys; from PySide6.QtCore import QTimer; from trex_gui import app, composition\n"
-        "build = composition.build\n"
-        "def built(*_):\n"
-        "    global timer, ticks\n"
-        "    program, ticks, timer = build(), 0, QTimer()\n"
-        "    def look():\n"
-        "        global ticks\n"
-        "        ticks += 1\n"
-        "        loaded = 'pyqtgraph' in sys.modules\n"
-        "        if loaded or ticks > 1000:\n"
-        "            timer.stop(); sys.stdout.write(f'{loaded}'); program.window.close()\n"
-        "    timer.timeout.connect(look); timer.start(20)\n"
-        "    assert 'pyqtgraph' not in sys.modules\n"
-        "    return program\n"
-        "composition.build = built; app.main([])"
-    )
-    result = subprocess.run(
-        [sys.executable, "-c", script],
-        env={**os.environ, "XDG_CONFIG_HOME": str(tmp_path)},
-        capture_output=True,
-        text=True,
-        timeout=40,
-        check=False,
-    )
-    assert (result.stdout, result.returncode) == ("True", 0), result.stderr
 
 
 def test_run_motor_starts_a_recording_and_a_stop_is_kept_and_opened(
@@ -306,3 +218,35 @@ def test_run_motor_starts_a_recording_and_a_stop_is_kept_and_opened(
     opened.close()
     window.trigger("keep_events")
     assert not recordings.events.is_on
+
+
+@pytest.mark.realtime
+def test_started_program_has_qt_file_dialogs_and_soon_its_plots(tmp_path: Path) -> None:
+    script = (
+        "import os, sys; from PySide6.QtCore import Qt, QTimer\n"
+        "from PySide6.QtWidgets import QApplication; from trex_gui import app, composition\n"
+        "build = composition.build\n"
+        "def built(*_):\n"
+        "    global timer, ticks\n"
+        "    assert QApplication.testAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)\n"
+        "    program, ticks, timer = build(), 0, QTimer()\n"
+        "    def look():\n"
+        "        global ticks\n"
+        "        ticks += 1\n"
+        "        loaded = 'pyqtgraph' in sys.modules\n"
+        "        if loaded or ticks > 1000:\n"
+        "            timer.stop(); sys.stdout.write(f'{loaded}'); program.window.close()\n"
+        "    timer.timeout.connect(look); timer.start(20)\n"
+        "    assert 'pyqtgraph' not in sys.modules\n"
+        "    return program\n"
+        "composition.build = built; app.main([])"
+    )
+    result = subprocess.run(
+        [sys.executable, "-c", script],
+        env={**os.environ, "XDG_CONFIG_HOME": str(tmp_path)},
+        capture_output=True,
+        text=True,
+        timeout=40,
+        check=False,
+    )
+    assert (result.stdout, result.returncode) == ("True", 0), result.stderr

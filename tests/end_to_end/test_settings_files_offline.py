@@ -4,10 +4,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
-from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDialogButtonBox, QListView, QMessageBox
+from PySide6.QtWidgets import QDialogButtonBox, QListView, QMessageBox
 from shiboken6 import isValid
 
 from tests.support.pages.settings import SettingsFiles, answer_questions
@@ -34,16 +33,6 @@ def rover(tmp_path: Path) -> Path:
     path = tmp_path / "rover.txt"
     path.write_text(TEXT, encoding="utf-8")
     return path
-
-
-def drop(window: WindowDriver, path: Path) -> None:
-    """Drag a file onto the window and drop it."""
-    data = QMimeData()
-    data.setUrls([QUrl.fromLocalFile(str(path))])
-    how = (Qt.DropAction.CopyAction, data, LEFT)
-    key = Qt.KeyboardModifier.NoModifier
-    QApplication.sendEvent(window.root, QDragEnterEvent(QPoint(5, 5), *how, key))
-    QApplication.sendEvent(window.root, QDropEvent(QPointF(5, 5), *how, key))
 
 
 def test_file_is_opened_edited_saved_and_closed(
@@ -113,14 +102,6 @@ def test_closing_the_program_asks_about_unsaved_files(
     assert window.window.close()
     assert not files.files.editors
     assert rover.read_text(encoding="utf-8") == TEXT
-
-
-def test_dropped_text_file_opens(window: WindowDriver, files: SettingsFiles, rover: Path) -> None:
-    drop(window, rover.with_name("rover.png"))
-    window.wait_for_text("bannerText", "rover.png was not opened")
-    assert files.files.editors == []
-    drop(window, rover)
-    window.wait(lambda: len(files.files.editors) == 1)
 
 
 def test_apply_and_undo_shortcuts_work_only_in_main_window(window: WindowDriver) -> None:

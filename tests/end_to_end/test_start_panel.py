@@ -73,21 +73,6 @@ def test_port_that_is_plugged_in_is_offered_and_connected(
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
 
 
-def test_port_that_is_unplugged_is_no_longer_offered(
-    computer: list[ListPortInfo], window: WindowDriver
-) -> None:
-    panel = window.find(QWidget, "startPanel")
-
-    def offered() -> list[str]:
-        buttons = panel.findChildren(QPushButton, "startPort")
-        return [button.toolTip() for button in buttons if button.isVisible()]
-
-    computer.append(ListPortInfo("/dev/ttyUSB7", skip_link_detection=True))
-    window.wait(lambda: any("ttyUSB7" in text for text in offered()))
-    computer.clear()
-    window.wait(lambda: not any("ttyUSB7" in text for text in offered()))
-
-
 def test_recent_files_are_offered_and_open(window: WindowDriver, tmp_path: Path) -> None:
     recent = window.window.files.recent
     group = window.find(QWidget, "startFiles")
