@@ -136,4 +136,4 @@ def test_board_in_rc_mode_rejects_settings_and_speeds(
     window.wait(lambda: window.is_enabled("applyButton"))
     assert parameters.is_enabled("parametersView")
     assert window.has("timeoutButton")
-    assert window.device.parameters.pending == (("serial_timeout", 15),)
+    assert window.device.parameters.values.pending == (("serial_timeout", 15),)

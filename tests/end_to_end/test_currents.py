@@ -11,8 +11,8 @@ from shiboken6 import Shiboken
 from tests.support.keyboard import check_keyboard
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
+from trex_gui.core.events import EventKind
 from trex_gui.devices.trex.views.pages.currents_panel import PlotWindow
-from trex_gui.ui.event_log import EventKind
 from trex_gui.ui.plotting.figures import TraceColumn
 from trex_gui.ui.plotting.panel import TracePanel
 

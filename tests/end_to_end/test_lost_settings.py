@@ -22,7 +22,7 @@ def apply(window: WindowDriver, **values: int) -> None:
     for key, value in values.items():
         window.device.parameters.edit(key, value)
     with window.qtbot.waitSignal(window.device.applied):
-        window.device.apply()
+        window.device.writer.apply()
 
 
 def test_settings_that_a_board_lost_are_shown_and_restored(

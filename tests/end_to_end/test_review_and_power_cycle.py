@@ -81,7 +81,7 @@ def test_review_shows_edits_and_writes_only_checked_ones(
     review.close()
     assert stored(simulator, "serial_timeout") == 0
     assert device.draft.pending == 2
-    assert device.history.snapshots() == ()
+    assert device.writer.history.snapshots() == ()
 
     review.open()
     review.toggle("Serial Timeout")
@@ -98,9 +98,9 @@ def test_review_shows_edits_and_writes_only_checked_ones(
     review.toggle("Serial Timeout")
     assert review.button("writeButton").text() == "&Write 1 setting"
     review.click("writeButton")
-    review.wait(lambda: stored(simulator, "motor1_acceleration") == 5 and not device.applying)
+    review.wait(lambda: stored(simulator, "motor1_acceleration") == 5 and not device.writer.running)
     assert stored(simulator, "serial_timeout") == 0
-    assert device.parameters.pending == (("serial_timeout", 15),)
+    assert device.parameters.values.pending == (("serial_timeout", 15),)
 
 
 def test_review_reports_stored_and_failed_settings(
@@ -121,14 +121,14 @@ def test_review_reports_stored_and_failed_settings(
     review.open()  # it was not closed
     focused: object = review.root.focusWidget()  # `None` is possible, against Qt's stubs
     QTest.keyClick(focused if isinstance(focused, QWidget) else review.root, Qt.Key.Key_Return)
-    review.wait(lambda: stored(simulator, "serial_timeout") == 14 and not device.applying)
+    review.wait(lambda: stored(simulator, "serial_timeout") == 14 and not device.writer.running)
     review.close()
 
     edit(window, serial_timeout=16)
     device.calibrations.edit(CalibrationKey.RC_CHANNEL_3, CALIBRATION)
     review.open()
     review.click("writeButton")
-    review.wait(lambda: device.applying and not device.is_saving_snapshot)
+    review.wait(lambda: device.writer.running and not device.writer.is_saving_snapshot)
     review.close()
     assert "written and verified" not in window.text("bannerText")
     window.wait_for_text("bannerText", "written and verified")
@@ -175,7 +175,9 @@ def test_board_decides_about_values_beyond_inferred_limits(
         assert review.text("questionText").startswith("Ignored Channels 63: beyond a limit")
         assert stored(simulator, key) == 0, "a question comes first"
         review.click("writeAnyway")
-        review.wait(lambda: not device.applying and len(review.rows()[0]) == len(ComparisonColumn))
+        review.wait(
+            lambda: not device.writer.running and len(review.rows()[0]) == len(ComparisonColumn)
+        )
 
     try_wire(63)
     review.open()
@@ -191,7 +193,7 @@ def test_board_decides_about_values_beyond_inferred_limits(
     simulator.do("accept ignored_channels 127 31")
     write_anyway()
     assert "reads back channels 1, 2, 3, 4, 5" in review.rows()[0][-1]
-    assert device.parameters.stored_of(key) == 31
+    assert device.parameters.values.stored_of(key) == 31
     review.close()
     edit(window, ignored_channels=0)
     simulator.do("accept ignored_channels 127")
@@ -216,8 +218,8 @@ def test_board_decides_about_values_beyond_inferred_limits(
     window.disconnect()
     window.connect(simulator.url)
     window.wait_for_files()
-    assert not device.parameters.is_doubtful(key, 63), "nor after connecting again"
-    assert device.parameters.is_doubtful(key, 62)
+    assert not device.parameters.values.is_doubtful(key, 63), "nor after connecting again"
+    assert device.parameters.values.is_doubtful(key, 62)
 
     file = SettingsFiles(window).load(
         tmp_path / "any.txt", "product: TReX\nreversed_channels: 63\n"
@@ -249,7 +251,7 @@ def test_power_cycle_is_followed_until_settings_are_active(
     review.wait_for_text("powerCycleResult", "Waiting for it to respond again")
     power.on()
     review.wait_for_text("powerCycleResult", "all stored settings are active")
-    assert device.parameters.active_of("motor_mode") == 1
+    assert device.parameters.values.active_of("motor_mode") == 1
 
     review.close()
     edit(window, motor_mode=0)
@@ -278,10 +280,10 @@ def test_disconnect_does_not_count_as_power_cycle(
     review.wait_for_text("powerCycleResult", "The line was closed")
     device.connect_to(ConnectionSettings(simulator.url))
     review.wait_for_text("powerCycleResult", "cannot detect")
-    assert list(device.parameters.waiting_for_power) == ["Motor Mode"]
+    assert list(device.parameters.values.waiting_for_power) == ["Motor Mode"]
     review.click("powerCycleDone")
     assert "all stored settings are active" in review.text("powerCycleResult")
-    assert list(device.parameters.waiting_for_power) == []
+    assert list(device.parameters.values.waiting_for_power) == []
 
 
 def test_slow_power_cycle_shows_hints(
@@ -312,7 +314,7 @@ def test_defaults_are_compared_and_reviewed_before_writing(
     defaults = ComparisonDialog(window.dialog("defaultsDialog").root, window.qtbot)
     assert [row[0] for row in defaults.rows()] == ["UART Settings"]
     defaults.click("takeDefaultsButton")
-    assert device.parameters.pending == (("uart_settings", LineSettings().to_wire()),)
+    assert device.parameters.values.pending == (("uart_settings", LineSettings().to_wire()),)
     review.click("writeButton")
     review.wait_for_text("reviewHead", "written and verified")
     review.close()
@@ -323,7 +325,7 @@ def test_defaults_are_compared_and_reviewed_before_writing(
     assert device.draft.pending == 2
     assert "serial_timeout" in [key for one in found(window) for key in one.keys]
     review.close()
-    assert device.parameters.pending == (("motor2_acceleration", 9),)
+    assert device.parameters.values.pending == (("motor2_acceleration", 9),)
     window.trigger("discard")
 
     window.trigger("defaults")
@@ -333,7 +335,7 @@ def test_defaults_are_compared_and_reviewed_before_writing(
     assert stored(simulator, "motor1_acceleration") == 5
     assert review.root.isVisible()
     review.click("writeButton")
-    review.wait(lambda: stored(simulator, "motor1_acceleration") == 0 and not device.applying)
+    review.wait(lambda: stored(simulator, "motor1_acceleration") == 0 and not device.writer.running)
     assert stored(simulator, "serial_timeout") == 15
 
 
@@ -358,22 +360,22 @@ def test_pending_reset_blocks_writing_until_power_cycle(
     guide = window.dialog("powerCycleDialog")
     guide.wait(guide.root.isVisible)
     window.wait(lambda: device.draft.reset_pending)
-    assert len(device.history.snapshots()) == 2
+    assert len(device.writer.history.snapshots()) == 2
     guide.click("powerCycleCloseButton")
 
     edit(window, motor1_acceleration=5)
     review.open()
     assert "will reset itself" in review.head
     assert not review.is_enabled("writeButton")
-    device.apply()
-    assert not device.applying
+    device.writer.apply()
+    assert not device.writer.running
     review.close()
 
     window.trigger("power")
     power.cycle()
     assert not device.draft.reset_pending
     assert stored(simulator, "serial_timeout") == 0
-    assert device.parameters.stored_of("serial_timeout") == 0
+    assert device.parameters.values.stored_of("serial_timeout") == 0
     assert device.settings is not None
     assert device.settings.line == LineSettings()
     review.open()

@@ -26,7 +26,7 @@ def files(connected_window: WindowDriver) -> SettingsFiles:
 
 
 def apply(window: WindowDriver) -> None:
-    window.device.apply()
+    window.device.writer.apply()
     window.wait(lambda: window.device.draft.pending == 0)
 
 
@@ -86,15 +86,15 @@ def test_checked_rows_become_edits_and_a_snapshot_reverts_them(
     assert stored is not None
     assert (stored.minimum, stored.deadband) == (2600, 60)
 
-    (snapshot,) = device.history.snapshots()
+    (snapshot,) = device.writer.history.snapshots()
     files.files.open_file(snapshot.path)
     window.wait_for_files()
     check_keyboard(files.load_dialog().root)
     files.load_dialog().click("takeChangesButton")
-    assert device.parameters.pending == (("serial_timeout", 0),)
+    assert device.parameters.values.pending == (("serial_timeout", 0),)
     apply(window)
     assert quick_simulator.show()["parameters"]["serial_timeout"] == 0
-    assert len(device.history.snapshots()) == 2
+    assert len(device.writer.history.snapshots()) == 2
 
 
 def test_invalid_files_change_nothing_and_findings_name_lines(
@@ -156,7 +156,10 @@ def test_file_of_the_other_model_opens_with_what_was_converted(
     assert [timeout[3], calibration[3]] == ["Carried over."] * 2
     check_keyboard(dialog.root)
     dialog.click("takeChangesButton")
-    assert dict(device.parameters.pending) == {"motor1_current_limit": 16, "serial_timeout": 5}
+    assert dict(device.parameters.values.pending) == {
+        "motor1_current_limit": 16,
+        "serial_timeout": 5,
+    }
     assert device.draft.pending == 3
 
     files.files.edit_file(path)

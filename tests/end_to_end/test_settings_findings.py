@@ -20,7 +20,7 @@ def test_arming_warns_about_the_serial_timeout(connected_window: WindowDriver) -
     window.wait(lambda: window.motors.is_available)
     window.motors.arm()
     window.click("parameterAccept0")
-    assert window.device.parameters.value_of("serial_timeout") == 5
+    assert window.device.parameters.values.value_of("serial_timeout") == 5
 
 
 def test_review_offers_findings_and_writes_what_is_accepted(

@@ -58,14 +58,14 @@ def test_apply_begins_once_the_snapshot_is_saved(
 ) -> None:
     device, begin = connected_window.device, now()
     review.wait(lambda: now() > begin + SECONDS / 2)
-    assert device.applying
+    assert device.writer.running
     assert "Saving the board's present settings" in review.head
     assert not connected_window.is_enabled("applyButton")
     assert stored(quick_simulator) == 0
     review.wait_for_text("reviewHead", "written and verified")
     assert now() >= begin + SECONDS
     assert stored(quick_simulator) == 15
-    (snapshot,) = device.history.folder.iterdir()
+    (snapshot,) = device.writer.history.folder.iterdir()
     assert "serial_timeout: 0 " in snapshot.read_text(encoding="utf-8")
 
 
@@ -75,10 +75,10 @@ def test_apply_is_cancelled_while_the_snapshot_is_saved(
     device = connected_window.device
     assert review.button("reviewCloseButton").text() == "Cancel"
     review.close()
-    assert not device.applying
+    assert not device.writer.running
     review.wait_for_files()
     assert stored(quick_simulator) == 0
-    assert device.parameters.pending == (("serial_timeout", 15),)
+    assert device.parameters.values.pending == (("serial_timeout", 15),)
     review.write()
     assert stored(quick_simulator) == 15
 
@@ -92,7 +92,7 @@ def test_board_that_goes_away_while_the_snapshot_is_saved_gets_nothing(
 ) -> None:
     device, begin = connected_window.device, now()
     quick_simulator.do(fault)
-    review.wait(lambda: not device.applying)
+    review.wait(lambda: not device.writer.running)
     assert now() < begin + SECONDS, "the snapshot was saved first"
     assert review.button("reviewCloseButton").text() == "Close"
     quick_simulator.do("line mute off" if "mute" in fault else "line plug")
@@ -108,7 +108,7 @@ def test_disconnecting_while_the_snapshot_is_saved_writes_nothing(
     device.connect_to(ConnectionSettings(quick_simulator.url))  # closes the line first
     review.wait(lambda: device.link is ConnectionState.CONNECTED)
     review.wait_for_files()
-    assert not device.applying
+    assert not device.writer.running
     assert stored(quick_simulator) == 0
     assert device.draft.pending == 1
 
@@ -234,8 +234,8 @@ def test_window_saves_nothing_itself(
     calibration = window.find_only(CalibrationFiles)
     recorder = workspace.recordings.recorder
     saves: dict[str, Callable[[Path], object]] = {
-        "code.c": lambda path: workspace.files.export_file(path, Language.C),
-        "board.txt": workspace.files.save_file,
+        "code.c": lambda path: workspace.files.shown.export_file(path, Language.C),
+        "board.txt": workspace.files.shown.save_file,
         "calibrations.txt": calibration.save_file,
         "a.trexrec": recorder.start,
     }

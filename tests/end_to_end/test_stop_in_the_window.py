@@ -208,7 +208,7 @@ def test_closing_with_edits_stops_before_it_asks(driving: DrivingWindow) -> None
     driving.wait_for_text("bannerText", "The window was to be closed, so the motors were stopped.")
     driving.click("applyFirst")
     driving.click("writeButton")
-    driving.wait(lambda: not driving.device.parameters.pending)
+    driving.wait(lambda: not driving.device.parameters.values.pending)
     assert driving.simulator.show()["parameters"]["serial_timeout"] == 9
     assert driving.window.close()
 
@@ -257,4 +257,4 @@ def test_disabled_serial_timeout_is_set_with_a_click(driving: DrivingWindow) -> 
     assert device.serial_timeout_s == pytest.approx(0.5)
     assert not driving.has("timeoutNotice")
     assert device.draft.pending == pending == 1, "other edits stay pending"
-    assert len(device.history.snapshots()) == 1
+    assert len(device.writer.history.snapshots()) == 1

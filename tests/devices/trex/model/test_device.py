@@ -198,8 +198,8 @@ def test_apply_without_a_board_does_not_lock_apply(connected: RecorderOfBoard) -
     connected.edit("serial_timeout", 9)
     connected.device.disconnect_line()
     connected.until_link(ConnectionState.DISCONNECTED)
-    connected.device.apply()
-    assert not connected.device.applying
+    connected.device.writer.apply()
+    assert not connected.device.writer.running
     connected.connect(connected.simulator.url)
     assert connected.apply()[0].error is None
 
