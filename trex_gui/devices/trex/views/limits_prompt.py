@@ -8,8 +8,6 @@ from trex_gui.ui.widgets.messages import InlinePrompt
 
 
 class LimitsPrompt(InlinePrompt):
-    """Asks about values of which only the board can tell whether it takes them."""
-
     def ask_before(self, write: Callable[[], object], doubts: Callable[[], Sequence[str]]) -> None:
         """Call `write`, after a question if there are doubts; `doubts` names the values."""
         named = doubts()

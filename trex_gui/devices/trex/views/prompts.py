@@ -57,14 +57,12 @@ class ClosePrompt(QObject):
 
         self._frame.activateWindow()
         if device.writer.running:
-            question.ask(
-                tr(
-                    "Settings are still being written. Close anyway? Unwritten settings are "
-                    "offered when the board is connected again."
-                ),
-                Answer("closeYes", tr("Close anyway"), keep),
-                still=lambda: device.writer.running,
+            text = tr(
+                "Settings are still being written. Close anyway? Unwritten settings are "
+                "offered when the board is connected again."
             )
+            answer = Answer("closeYes", tr("Close anyway"), keep)
+            question.ask(text, answer, still=lambda: device.writer.running)
         else:
             apply = Answer("applyFirst", tr("Review and apply…"), self._review.review)
             question.ask(

@@ -55,28 +55,14 @@ class Recordings(RecordingManager["PlaybackWindow"]):
 
     def entries(self) -> Entries:
         """Return the entries of the File menu."""
+        choose, with_run = self.choose_and_open, tr("Start recording &with Run motor")
+        keep_events = tr("&Keep 30 s around each fault and stop")
         return (
             Entry("record", tr("&Record…"), self.toggle, "Ctrl+Shift+R", "record"),
-            Entry(
-                "open_recording",
-                tr("Open recor&ding…"),
-                self.choose_and_open,
-                "Ctrl+Shift+O",
-                "plot",
-            ),
+            Entry("open_recording", tr("Open recor&ding…"), choose, "Ctrl+Shift+O", "plot"),
             Entry("open_kept", tr("Open fa&ult or stop…"), self._choose_and_open_kept),
-            Entry(
-                "record_with_run",
-                tr("Start recording &with Run motor"),
-                self._toggle_starts_with_run,
-                checkable=True,
-            ),
-            Entry(
-                "keep_events",
-                tr("&Keep 30 s around each fault and stop"),
-                self._toggle_keeps_events,
-                checkable=True,
-            ),
+            Entry("record_with_run", with_run, self._toggle_starts_with_run, checkable=True),
+            Entry("keep_events", keep_events, self._toggle_keeps_events, checkable=True),
         )
 
     def _toggle_starts_with_run(self) -> None:

@@ -29,7 +29,7 @@ from trex_gui.ui.widgets.builders import named, tab_order
 from trex_gui.ui.widgets.file_questions import SaveAnswer
 from trex_gui.ui.widgets.placement import keep_on_screen, resize_with_font
 
-SAMPLES = {
+SAMPLES = {  # the first comment of each sample says what it is for
     "autonomous_robot": tr_noop(
         "A robot without a driver: a computer on board drives it, and no one can catch it"
     ),
@@ -38,7 +38,6 @@ SAMPLES = {
     ),
     "tank_with_mix": tr_noop("A tank: two tracks, driven by radio with one stick"),
 }
-"""The first comment of each sample, which says what it is for, by the name of its file."""
 
 
 class SettingsFiles(QObject):
@@ -67,8 +66,7 @@ class SettingsFiles(QObject):
         self._ask_and(lambda path: self._open(path, use))
 
     def _ask_and(self, use: Callable[[Path], object]) -> None:
-        title = tr("Open settings file")
-        path = file_questions.ask_to_open(self._window, title)
+        path = file_questions.ask_to_open(self._window, tr("Open settings file"))
         if path is not None:
             use(path)
 
@@ -97,10 +95,11 @@ class SettingsFiles(QObject):
         """Yield what a new file can begin with, by title."""
         shown = self._device.draft.shown
         if shown is not None and self._device.state is not None:
-            text, title = tr("The board as shown: {0}, firmware {1}"), "As shown."
-            name = f"{shown.product.key}_settings.txt"
-            make = partial(SettingsDocument.of_settings, shown, name, title)
-            yield text.format(shown.product.name, shown.firmware), make
+            text = tr("The board as shown: {0}, firmware {1}")
+            yield (
+                text.format(shown.product.name, shown.firmware),
+                partial(_document, shown, "As shown."),
+            )
         text = tr("Factory defaults of a {0}, firmware {1}")
         for model in device_table().models:
             for firmware in reversed(model.firmware):
@@ -143,32 +142,27 @@ class SettingsFiles(QObject):
         return False
 
     def _open(self, path: Path, then: Callable[[SettingsDocument], object]) -> None:
-        in_background(
-            self,
-            partial(load, path),
-            partial(self._on_read, path, then),
-            partial(self._on_not_opened, path),
-        )
+        def on_failed(error: StudioError) -> None:
+            text = tr("{0} was not opened: {1}.")
+            self._notifier.error.emit(text.format(path.name, reason_of(error)))
 
-    def _on_read(self, path: Path, then: Callable[[SettingsDocument], object], data: bytes) -> None:
-        if not self._window.isVisible():  # closed meanwhile
-            return
-        try:
-            document = SettingsDocument.of_file(path, data)
-        except SettingsError as error:
-            self._on_not_opened(path, error)
-            return
-        self._note_used(path)
-        then(document)
+        def on_read(data: bytes) -> None:
+            if not self._window.isVisible():  # closed meanwhile
+                return
+            try:
+                document = SettingsDocument.of_file(path, data)
+            except SettingsError as error:
+                on_failed(error)
+                return
+            self._note_used(path)
+            then(document)
+
+        in_background(self, partial(load, path), on_read, on_failed)
 
     @Slot(object)
     def _note_used(self, path: Path) -> None:
         file_questions.remember_folder(path)
         self.used.emit(path)
-
-    def _on_not_opened(self, path: Path, error: StudioError) -> None:
-        text = tr("{0} was not opened: {1}.")
-        self._notifier.error.emit(text.format(path.name, reason_of(error)))
 
     @Slot(object)
     def open_editor(self, document: SettingsDocument) -> None:
@@ -206,8 +200,7 @@ class SettingsFiles(QObject):
         dialog.ended.connect(self._notifier.error)
         dialog.finished.connect(partial(self._on_offer_finished, dialog))
         self._loading = dialog
-        dialog.show()
-        dialog.activateWindow()
+        dialog.show_in_front()
         return dialog
 
     def _on_offer_finished(self, dialog: LoadDialog, _result: int) -> None:
@@ -231,7 +224,7 @@ class SettingsFiles(QObject):
         agreed, self._discarded = self._discarded, {}
         to_save: list[SettingsEditor] = []
         for editor in list(self.editors):
-            if editor in agreed and agreed[editor] == editor.document.text:
+            if agreed.get(editor) == editor.document.text:
                 continue
             match editor.answer():
                 case SaveAnswer.SAVE:
@@ -269,6 +262,9 @@ def _raise(editor: SettingsEditor) -> None:
 
 
 def _from_factory(model: Model, firmware: str) -> SettingsDocument:
-    settings = factory_settings(model, firmware)
-    name = f"{model.key}_settings.txt"
-    return SettingsDocument.of_settings(settings, name, "Factory defaults.")
+    return _document(factory_settings(model, firmware), "Factory defaults.")
+
+
+def _document(settings: Settings, title: str) -> SettingsDocument:
+    name = f"{settings.product.key}_settings.txt"
+    return SettingsDocument.of_settings(settings, name, title)

@@ -67,25 +67,21 @@ class ShownSettings(QObject):
         settings, link = self._device.draft.shown, self._device.settings
         if settings is None or link is None:
             return
+
+        def on_failed(error: StudioError) -> None:
+            self._notifier.error.emit(tr("{0} was not written: {1}").format(path.name, error))
+
+        def on_saved(_: object) -> None:
+            file_questions.remember_folder(path)
+            text = tr("{0} applies and checks the settings shown; read its first lines.")
+            self._notifier.info.emit(text.format(path))
+
         try:
             code = export_code(settings, link, language)
         except BadRequest as error:
-            self._on_not_exported(path, error)
-            return
-        in_background(
-            self,
-            partial(save, path, code),
-            lambda _: self._on_exported(path),
-            partial(self._on_not_exported, path),
-        )
-
-    def _on_not_exported(self, path: Path, error: StudioError) -> None:
-        self._notifier.error.emit(tr("{0} was not written: {1}").format(path.name, error))
-
-    def _on_exported(self, path: Path) -> None:
-        file_questions.remember_folder(path)
-        text = tr("{0} applies and checks the settings shown; read its first lines.")
-        self._notifier.info.emit(text.format(path))
+            on_failed(error)
+        else:
+            in_background(self, partial(save, path, code), on_saved, on_failed)
 
     def save_file(self, path: Path, then: Callable[[], object] = lambda: None) -> None:
         """Save the settings shown, edits included; call `then` once they are saved.
@@ -101,12 +97,9 @@ class ShownSettings(QObject):
             self._notifier.error.emit(text.format(path.name))
             return
         self.saving.add(path)
-        in_background(
-            self,
-            partial(_content_of, path),
-            partial(self._save_over, path, settings, then),
-            partial(self._on_not_saved, path),
-        )
+        save_over = partial(self._save_over, path, settings, then)
+        failed = partial(self._on_not_saved, path)
+        in_background(self, partial(_content_of, path), save_over, failed)
 
     def _save_over(
         self,
@@ -124,23 +117,19 @@ class ShownSettings(QObject):
         if text is None:
             self.saving.discard(path)
             return
-        in_background(
-            self,
-            partial(save, path, text),
-            lambda _: self._on_saved(path, kept, then),
-            partial(self._on_not_saved, path),
-        )
+
+        def on_saved(_: object) -> None:
+            self.saving.discard(path)
+            self.saved.emit(path)
+            news = tr("The settings shown were saved in {0}.").format(path)
+            self._notifier.info.emit(f"{news} {kept}".rstrip())
+            then()
+
+        in_background(self, partial(save, path, text), on_saved, partial(self._on_not_saved, path))
 
     def _on_not_saved(self, path: Path, error: StudioError) -> None:
         self.saving.discard(path)
         self._notifier.error.emit(tr("{0} was not saved: {1}").format(path.name, error))
-
-    def _on_saved(self, path: Path, kept: str, then: Callable[[], object]) -> None:
-        self.saving.discard(path)
-        self.saved.emit(path)
-        saved = tr("The settings shown were saved in {0}.").format(path)
-        self._notifier.info.emit(f"{saved} {kept}".rstrip())
-        then()
 
     def _text_for(
         self, path: Path, settings: Settings, content: bytes | SettingsError | None

@@ -1,7 +1,6 @@
 """What a snapshot would restore, compared with the board, another snapshot or a file."""
 
 from dataclasses import dataclass, replace
-from functools import partial
 from itertools import islice
 from pathlib import Path
 
@@ -33,10 +32,7 @@ _MOST_OFFERED = 100  # snapshots in the list; others are compared by selecting b
 
 
 class SnapshotPane(QWidget):
-    """One snapshot beside the present, or two beside each other, with a restore button.
-
-    The left side is the present, the right side the snapshot.
-    """
+    """A snapshot at the right of the present, or of a newer one, with a restore button."""
 
     restore_requested = Signal()  # settings of the snapshot are edits now; they are to be reviewed
 
@@ -67,16 +63,8 @@ class SnapshotPane(QWidget):
         )
 
         below = ui.row((self._note, 1), (self._restore, 0, Qt.AlignmentFlag.AlignTop))
-        ui.column(
-            self._title,
-            self._details,
-            self.choice,
-            (self._rows, 1),
-            below,
-            into=self,
-            margins=(6, 0, 0, 0),
-        )
-
+        above = self._title, self._details, self.choice, (self._rows, 1)
+        ui.column(*above, below, into=self, margins=(6, 0, 0, 0))
         self._rows.ticked_changed.connect(self._update_restore)
         self.show_chosen(())
 
@@ -133,12 +121,9 @@ class SnapshotPane(QWidget):
             self._rows.renew(comparison, summary, tick_new=all_ticked)
             return
         self._shown = shown
+        title, ticks = self.choice.title_of(snapshot), self._against_board
         self._rows.show_comparison(
-            comparison,
-            present.title,
-            tr("Snapshot of {0}").format(self._table.time_text(snapshot)),
-            with_ticks=self._against_board,
-            summary=summary,
+            comparison, present.title, title, with_ticks=ticks, summary=summary
         )
 
     def _content_of(self, snapshot: Snapshot) -> Settings | None:
@@ -173,11 +158,8 @@ class SnapshotPane(QWidget):
             text = tr("This snapshot has no differences to restore.")
         else:
             text = tr("The board, with the edits made here, matches this snapshot.")
-        if comparison.missing:
-            text += " " + tr(
-                "%n setting(s) not in the snapshot would stay.", "", comparison.missing
-            )
-        return text
+        missing = tr("%n setting(s) not in the snapshot would stay.", "", comparison.missing)
+        return f"{text} {missing}" if comparison.missing else text
 
     def _counts(self, comparison: Comparison, snapshot: Snapshot, present: "_Present") -> str:
         if present.key == "":
@@ -224,11 +206,10 @@ class SnapshotPane(QWidget):
         return ""
 
     def _restore_note(self, snapshot: Snapshot) -> str:
-        ticked = len(self._rows.table.ticked)
         text = tr(
             "%n setting(s) would become edits; nothing is written until you click Apply.",
             "",
-            ticked,
+            len(self._rows.table.ticked),
         )
         here = self._device.parameters.values.stored_of(ParameterKey.DEVICE_NUMBER)
         number = snapshot.device_number
@@ -244,13 +225,13 @@ class SnapshotPane(QWidget):
         if not self._restore.isEnabled():
             return
         when = self._table.time_text(self._chosen[0])
-        text = tr("Restore snapshot of {0}").format(when)
         try:
+            text = tr("Restore snapshot of {0}").format(when)
             self._device.draft.stage(self._rows.table.ticked, text)
         except BadRequest as error:
             self._notifier.error.emit(tr("Nothing was restored: {0}").format(error))
-            return
-        self.restore_requested.emit()
+        else:
+            self.restore_requested.emit()
 
 
 @dataclass(frozen=True, slots=True)
@@ -263,10 +244,7 @@ class _Present:
 
 
 class _PresentChoice(QWidget):
-    """`Compare with:` and a list; the user's choice stays for other snapshots.
-
-    By default it is the board, or without one the next snapshot.
-    """
+    """`Compare with:` and a list. By default it is the board, or without one the next snapshot."""
 
     chosen = Signal()
 
@@ -282,9 +260,8 @@ class _PresentChoice(QWidget):
         self._offered: tuple[str, _Present | None, list[Snapshot]] | None = None
 
         self._box = ui.combo_box(self, "compareWithCombo", "", on_activate=self._on_activated)
-        self._box.setSizeAdjustPolicy(
-            QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
-        )
+        adjust = QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        self._box.setSizeAdjustPolicy(adjust)
         self._box.setMinimumContentsLength(28)
         self._box.setMaxVisibleItems(20)
         self._box.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
@@ -310,8 +287,7 @@ class _PresentChoice(QWidget):
                 return self._of_snapshot(chosen)
         if not self.board_blocker(snapshot):
             return _Present(_BOARD, tr("Now, with edits"))
-        neighbour = self._table.neighbour(snapshot)
-        if neighbour is not None:
+        if (neighbour := self._table.neighbour(snapshot)) is not None:
             return self._of_snapshot(neighbour)  # if it turns out damaged, the next is tried
         return _Present("", "–", replace(settings, parameters={}, calibrations={}))
 
@@ -320,23 +296,20 @@ class _PresentChoice(QWidget):
         settings = self._table.content_of(snapshot)
         if not isinstance(settings, Settings):
             return None
-        title = tr("Snapshot of {0}").format(self._table.time_text(snapshot))
-        return _Present(str(snapshot.path), title, settings)
+        return _Present(str(snapshot.path), self.title_of(snapshot), settings)
+
+    def title_of(self, snapshot: Snapshot) -> str:
+        return tr("Snapshot of {0}").format(self._table.time_text(snapshot))
 
     def board_blocker(self, snapshot: Snapshot) -> str:
         """Return why a snapshot cannot be compared with the board; empty if it can."""
+        closed = {ConnectionState.DISCONNECTED, ConnectionState.DISCONNECTING}
         state = self._device.state
-        if state is None or self._device.link in {
-            ConnectionState.DISCONNECTED,
-            ConnectionState.DISCONNECTING,
-        }:
+        if state is None or self._device.link in closed:
             return tr("No board is connected. Connect one to restore a snapshot.")
         board = state.signature.model.name
-        if snapshot.product != board:
-            return tr(
-                "This snapshot is of a {0}, and the board here is a {1}: it cannot be restored."
-            ).format(snapshot.product, board)
-        return ""
+        text = tr("This snapshot is of a {0}, and the board here is a {1}: it cannot be restored.")
+        return "" if snapshot.product == board else text.format(snapshot.product, board)
 
     def clear(self) -> None:
         self._offered = None
@@ -346,12 +319,8 @@ class _PresentChoice(QWidget):
     def offer(self, snapshot: Snapshot, present: _Present) -> None:
         """Offer what this snapshot can be compared with; of the snapshots, the newest."""
         blocker = self.board_blocker(snapshot)
-        sound = (
-            other
-            for other in self._table.snapshots
-            if other.path != snapshot.path and not self._table.problem_of(other)
-        )
-        others = list(islice(sound, _MOST_OFFERED))
+        sound = (each for each in self._table.snapshots if not self._table.problem_of(each))
+        others = list(islice((e for e in sound if e.path != snapshot.path), _MOST_OFFERED))
         offered = (blocker, self._file, others)
         if offered != self._offered:  # a hundred take their time
             self._offered = offered
@@ -383,8 +352,7 @@ class _PresentChoice(QWidget):
 
     @Slot(int)
     def _on_activated(self, index: int) -> None:
-        key = str(self._box.itemData(index) or "")
-        if key:
+        if key := str(self._box.itemData(index) or ""):
             self._choice = key
         else:
             self._ask_for_file()
@@ -392,22 +360,18 @@ class _PresentChoice(QWidget):
 
     def _ask_for_file(self) -> None:
         """Let the user choose a settings file to compare with."""
-        title = tr("Compare with a settings file")
-        path = file_questions.ask_to_open(self, title)
-        if path is not None:
-            in_background(
-                self,
-                lambda: read_settings(load(path), path.name)[0],
-                partial(self._on_file_read, path),
-                partial(self._on_file_not_read, path),
-            )
+        path = file_questions.ask_to_open(self, tr("Compare with a settings file"))
+        if path is None:
+            return
 
-    def _on_file_read(self, path: Path, settings: Settings) -> None:
-        file_questions.remember_folder(path)
-        self._file = _Present(_FILE, path.name, settings)
-        self._choice = _FILE
-        self.chosen.emit()
+        def on_read(settings: Settings) -> None:
+            file_questions.remember_folder(path)
+            self._file = _Present(_FILE, path.name, settings)
+            self._choice = _FILE
+            self.chosen.emit()
 
-    def _on_file_not_read(self, path: Path, error: StudioError) -> None:
-        text = tr("{0} cannot be compared with: {1}")
-        self._notifier.error.emit(text.format(path.name, error))
+        def on_failed(error: StudioError) -> None:
+            text = tr("{0} cannot be compared with: {1}")
+            self._notifier.error.emit(text.format(path.name, error))
+
+        in_background(self, lambda: read_settings(load(path), path.name)[0], on_read, on_failed)

@@ -55,28 +55,15 @@ class DefaultsDialog(ReusedDialog):
             wrap=True,
         )
         self._taken = named(Note(2, self), "boardResetNumberTaken")
-        self._sure = button(
-            self,
-            "boardResetSureButton",
-            tr("Reset the &board"),
-            confirms=True,
-            on_click=self._on_sure_clicked,
-        )
-        self._take = button(
-            self, "takeDefaultsButton", default=True, on_click=self._on_take_clicked
-        )
+        text, reset = tr("Reset the &board"), self._on_sure_clicked
+        self._sure = button(self, "boardResetSureButton", text, confirms=True, on_click=reset)
+        take = self._on_take_clicked
+        self._take = button(self, "takeDefaultsButton", default=True, on_click=take)
         self._cancel = button(self, "defaultsCancelButton", tr("Cancel"), on_click=self.close)
 
         buttons = row(stop, self._reset, self._sure, 1, self._take, self._cancel)
-        column(
-            self._intro,
-            (self._rows, 1),
-            self._inferred,
-            self._question,
-            self._taken,
-            buttons,
-            into=self,
-        )
+        above = self._intro, (self._rows, 1), self._inferred, self._question, self._taken
+        column(*above, buttons, into=self)
 
         self._rows.ticked_changed.connect(self._describe)
         for changed in (device.draft.pending_changed, device.draft.loaded, device.link_changed):
@@ -101,9 +88,7 @@ class DefaultsDialog(ReusedDialog):
         self.setWindowTitle(title)
         self._intro.setText(intro)
         self._confirm_reset(False)
-        self._rows.show_comparison(
-            self._changes(), tr("Now"), tr("Factory default"), with_ticks=True
-        )
+        self._rows.show_comparison(self._changes(), tr("Now"), tr("Factory default"))
         self._describe()
         self.show_in_front()
 

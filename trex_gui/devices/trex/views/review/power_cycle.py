@@ -29,12 +29,8 @@ class PowerCyclePanel(QFrame):
 
         self._title = named(Note(1, self), "powerCycleTitle")
         self._result = named(Note(2, self), "powerCycleResult")
-        self._confirm = button(
-            self,
-            "powerCycleDone",
-            tr("I have &switched it off and on"),
-            on_click=cycle.confirm,
-        )
+        text = tr("I have &switched it off and on")
+        self._confirm = button(self, "powerCycleDone", text, on_click=cycle.confirm)
 
         layout = grid(self, margins=(12, 8, 12, 8), stretch=[(1, 1)])
         layout.addWidget(self._title, 0, 0, 1, 3)
@@ -68,19 +64,15 @@ class PowerCyclePanel(QFrame):
             name = "ok" if number < done else "run" if number == done else ""
             sign.show_sign("" if stage is PowerCycleStage.NONE else name)
             set_bold(step, number == done)
-        self._steps[1][1].setText(self._reconnect_text())
+        expected, text = self._cycle.expected, tr("Switch it on again.")
+        if expected is not None:
+            text = tr("Switch it on again. The program then reconnects at {0}.")
+            text = text.format(expected.line.text())
+        self._steps[1][1].setText(text)
         text, alarming = self._result_text()
         self._result.show_note(text, alarming=alarming)
-        self._confirm.setVisible(
-            stage is PowerCycleStage.UNSURE
-            or (stage is PowerCycleStage.OFF_WANTED and self._cycle.takes_long)
-        )
-
-    def _reconnect_text(self) -> str:
-        if self._cycle.expected is None:
-            return tr("Switch it on again.")
-        text = tr("Switch it on again. The program then reconnects at {0}.")
-        return text.format(self._cycle.expected.line.text())
+        is_long = stage is PowerCycleStage.OFF_WANTED and self._cycle.takes_long
+        self._confirm.setVisible(stage is PowerCycleStage.UNSURE or is_long)
 
     def _title_text(self) -> str:
         if self._cycle.stage is PowerCycleStage.BACK:
@@ -107,9 +99,8 @@ class PowerCyclePanel(QFrame):
                     "are fine, disconnect and press “Find…”, which tries every setting."
                 ), True
             case PowerCycleStage.ON_WANTED, False:
-                return tr(
-                    "The board has stopped responding. Waiting for it to respond again …"
-                ), False
+                text = tr("The board has stopped responding. Waiting for it to respond again …")
+                return text, False
             case PowerCycleStage.LOST, _:
                 return tr(
                     "The line was closed. Switch the board off and on, then connect again; "
@@ -141,11 +132,9 @@ class PowerCycleDialog(ReusedDialog):
 
         panel = PowerCyclePanel(self._cycle, self)
         stop = StopButton(device, "powerCycleStopButton", self)
-        close = button(
-            self, "powerCycleCloseButton", tr("Close"), default=True, on_click=self.close
-        )
+        text = tr("Close")
+        close = button(self, "powerCycleCloseButton", text, default=True, on_click=self.close)
         column((panel, 1), row(stop, 1, close), into=self)
-
         self.finished.connect(self._cycle.end)
 
     def guide(self) -> None:

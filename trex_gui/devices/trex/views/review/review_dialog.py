@@ -70,13 +70,7 @@ class ReviewDialog(ReusedDialog):
         )
         self._close = button(self, "reviewCloseButton", on_click=self.close)
 
-        buttons = row(
-            stop,
-            (self._progress, 1),
-            1,
-            self._write,
-            self._close,
-        )
+        buttons = row(stop, (self._progress, 1), 1, self._write, self._close)
         column(
             self._head,
             (self._rows, 2),
@@ -108,12 +102,8 @@ class ReviewDialog(ReusedDialog):
                 self.hide()  # its Close has the focus, and Enter is to write again
             self._problem = ""
             self._cycle.end()
-            self._rows.show_comparison(
-                self._changes(),
-                tr("In the board"),
-                tr("Will be written"),
-                summary=self._summary(),
-            )
+            before, after = tr("In the board"), tr("Will be written")
+            self._rows.show_comparison(self._changes(), before, after, summary=self._summary())
             self._enter(_Phase.REVIEW)
         self.show_in_front()
 
@@ -141,7 +131,7 @@ class ReviewDialog(ReusedDialog):
 
     @property
     def _can_write(self) -> bool:
-        """Whether the board accepts settings now and will keep them."""
+        """Whether the board accepts settings now and will store them."""
         return self._device.is_writable and not self._device.draft.reset_pending
 
     @property
@@ -211,9 +201,8 @@ class ReviewDialog(ReusedDialog):
         if self._phase is _Phase.WRITING and self._device.writer.running:
             self._progress.setRange(0, total)
             self._progress.setValue(done)
-            self._progress.setFormat(
-                tr("{0} of {1}: {2}").format(min(done + 1, total), total, what)
-            )
+            text = tr("{0} of {1}: {2}").format(min(done + 1, total), total, what)
+            self._progress.setFormat(text)
 
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
@@ -292,13 +281,10 @@ class ReviewDialog(ReusedDialog):
             self._findings.show_findings(self._linter.check(after))
         self._findings.set_can_accept(reviewing and self._device.is_writable)
         count = self._findings.count
-        self._findings_head.setVisible(count > 0)
-        self._findings_area.setVisible(count > 0)
-        self._findings_head.setText(
-            tr("%n finding(s). Accept a proposal, or leave the setting as it is.", "", count)
-            if reviewing
-            else tr("%n finding(s) left.", "", count)
-        )
+        for widget in (self._findings_head, self._findings_area):
+            widget.setVisible(count > 0)
+        text = tr("%n finding(s). Accept a proposal, or leave the setting as it is.", "", count)
+        self._findings_head.setText(text if reviewing else tr("%n finding(s) left.", "", count))
 
     def _head_text(self) -> tuple[str, bool]:
         """Return the state of the review, and whether it is alarming."""
@@ -306,9 +292,8 @@ class ReviewDialog(ReusedDialog):
         state = self._device.state
         match self._phase:
             case _Phase.WRITING if self._is_cancellable:
-                return tr("Saving the board's present settings before anything is written."), (
-                    False
-                )
+                text = tr("Saving the board's present settings before anything is written.")
+                return text, False
             case _Phase.WRITING:
                 return tr("Writing. Each value is read back; leave the power on."), False
             case _Phase.DONE if self._problem:

@@ -39,8 +39,6 @@ from trex_gui.ui.widgets.builders import button, column, flat_table, label, name
 from trex_gui.ui.widgets.labels import Note
 
 Index = QModelIndex | QPersistentModelIndex
-
-
 _KEYS = tuple(CalibrationKey)
 
 
@@ -53,13 +51,8 @@ class CalibrationTable(QAbstractTableModel):
         super().__init__(parent)
         self._draft = draft
         self._calibrations = draft.calibrations
-        self._titles = (
-            tr("Channel"),
-            tr("Minimum"),
-            tr("Neutral"),
-            tr("Maximum"),
-            tr("Deadband"),
-        )
+        fields = tr("Minimum"), tr("Neutral"), tr("Maximum"), tr("Deadband")
+        self._titles = tr("Channel"), *fields
         self._calibrations.changed.connect(self._on_changed)
 
     def add(self, keys: Collection[CalibrationKey]) -> None:
@@ -125,9 +118,8 @@ class CalibrationTable(QAbstractTableModel):
         try:
             self._calibrations.edit(key, wanted)
         except BadRequest:
-            problem = wanted.problem() or ""
             text = tr("{0}: {1}. The order is minimum, neutral, maximum.")
-            self.rejected.emit(text.format(key.label, problem))
+            self.rejected.emit(text.format(key.label, wanted.problem() or ""))
             return False
         return True
 
@@ -140,9 +132,7 @@ class CalibrationTable(QAbstractTableModel):
         if column == 0:
             return key.label[:1].upper() + key.label[1:]
         count = _field(self._calibrations.shown(key), column)
-        if count is None:
-            return tr("not given")
-        return input_text(key.source, count)
+        return tr("not given") if count is None else input_text(key.source, count)
 
     def _font(self, key: CalibrationKey, column: int) -> QFont:
         font = QFont()
@@ -192,24 +182,20 @@ class CalibrationEditor(QWidget):
         self.setObjectName("editorCalibrationPage")
         self._table = CalibrationTable(draft, self)
 
-        about = label(
-            self,
-            text=tr(
-                "A board keeps two calibrations for each channel: one for RC pulses, one for "
-                "analog voltages. Calibrations that are not in the file stay as they are on the "
-                "board. The number without a unit is the count in the file."
-            ),
-            wrap=True,
+        text = tr(
+            "A board keeps two calibrations for each channel: one for RC pulses, one for "
+            "analog voltages. Calibrations that are not in the file stay as they are on the "
+            "board. The number without a unit is the count in the file."
         )
+        about = label(self, text=text, wrap=True)
         self._view = flat_table(QTableView(self), "calibrationsView", tr("Calibrations"))
         self._view.setModel(self._table)
         self._view.setItemDelegate(_Delegate(self))
         self._view.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectItems)
         self._view.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         triggers = QAbstractItemView.EditTrigger
-        self._view.setEditTriggers(
-            triggers.DoubleClicked | triggers.EditKeyPressed | triggers.AnyKeyPressed
-        )
+        typed = triggers.EditKeyPressed | triggers.AnyKeyPressed
+        self._view.setEditTriggers(triggers.DoubleClicked | typed)
         header = self._view.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
         header.setSectionResizeMode(0, QHeaderView.ResizeMode.ResizeToContents)
@@ -257,9 +243,8 @@ class CalibrationEditor(QWidget):
 
     @Slot()
     def _on_changed(self) -> None:
-        self._note.show_note(
-            tr("Double-click a value to change it; type 1500, 1.5 ms, 2.5 V or 3750 counts.")
-        )
+        text = tr("Double-click a value to change it; type 1500, 1.5 ms, 2.5 V or 3750 counts.")
+        self._note.show_note(text)
         self._update_buttons()
 
     @Slot()

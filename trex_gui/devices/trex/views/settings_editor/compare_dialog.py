@@ -18,6 +18,8 @@ from trex_gui.ui.widgets.builders import button, column, named, no_mnemonic, row
 from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.placement import resize_with_font
 
+GetSettings = Callable[[], Settings | None]
+
 
 class CompareDialog(ReusedDialog):
     """Compares the file of an editor with other settings, whose values can be taken."""
@@ -27,7 +29,7 @@ class CompareDialog(ReusedDialog):
     def __init__(
         self,
         document: SettingsDocument,
-        other: Callable[[], Settings | None],
+        other: GetSettings,
         other_name: str,
         *,
         renewed_by: SignalInstance | None = None,

@@ -32,7 +32,7 @@ class PrintedSettings(QObject):
     """A print-out of settings, to show, print or save."""
 
     def __init__(self, settings: Settings, name: str, remarks: Iterable[str] = ()) -> None:
-        """Print the settings of a file or a board called `name`, with remarks below."""
+        """`name`: the file or the board; remarks are printed below."""
         super().__init__()
         self._settings = settings
         self._name = name
@@ -47,16 +47,17 @@ class PrintedSettings(QObject):
             board = tr("{0}, firmware {1}").format(board, self._settings.firmware)
         printed = tr("Printed {0} by TReX Studio.").format(f"{self._now:%Y-%m-%d %H:%M}")
         about = (board, printed, tr("Bold: differs from the factory default."))
-        return "".join(
-            [
-                f"<h2>{escape(self._name)}</h2>",
-                f"<p>{'<br>'.join(map(escape, about))}</p><br>",
-                self._parameters(),
-                f"<h3>{escape(tr('Calibrations'))}</h3>",
-                self._calibrations(),
-                self._remark_list(),
-            ]
+        items = "".join(f"<li>{escape(remark)}</li>" for remark in self._remarks)
+        findings = f"<h3>{escape(tr('Findings'))}</h3><ul>{items}</ul>"
+        parts = (
+            f"<h2>{escape(self._name)}</h2>",
+            f"<p>{'<br>'.join(map(escape, about))}</p><br>",
+            self._parameters(),
+            f"<h3>{escape(tr('Calibrations'))}</h3>",
+            self._calibrations(),
+            findings if items else "",
         )
+        return "".join(parts)
 
     def _parameters(self) -> str:
         titles = {
@@ -102,12 +103,6 @@ class PrintedSettings(QObject):
         note = self._settings.notes.get(key, "")
         text = escape(tr("Note: {0}").format(note)).replace("\n", "<br>")
         return [f'<tr><td colspan="{columns}"><i>{text}</i></td></tr>'] if note else []
-
-    def _remark_list(self) -> str:
-        if not self._remarks:
-            return ""
-        items = "".join(f"<li>{escape(remark)}</li>" for remark in self._remarks)
-        return f"<h3>{escape(tr('Findings'))}</h3><ul>{items}</ul>"
 
     def document(self) -> QTextDocument:
         """Return the print-out without pages; `print_to` adds them."""

@@ -6,13 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from itertools import takewhile
 
 from PySide6.QtCore import QRect, Qt, Signal, Slot
-from PySide6.QtGui import (
-    QPainter,
-    QPaintEvent,
-    QResizeEvent,
-    QTextCursor,
-    QTextFormat,
-)
+from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent, QTextCursor, QTextFormat
 from PySide6.QtWidgets import QPlainTextEdit, QTextEdit, QWidget
 
 from trex_gui.core.files import SettingsError, Severity
@@ -28,16 +22,11 @@ from trex_gui.ui.widgets.builders import button, column, label, named, row, spli
 from trex_gui.ui.widgets.painted import Painter
 
 _MARGIN = 6
-
-EDITOR_BREAK = re.compile("\r\n|[\n\r\u2029\ufdd0\ufdd1]")
-"""The line ends of Qt's editor; YAML has two more."""
+EDITOR_BREAK = re.compile("\r\n|[\n\r\u2029\ufdd0\ufdd1]")  # of Qt's editor; YAML has two more
 
 
 def with_line_ends(lines: Sequence[str], before: str) -> str:
-    """Join the lines of an editor with the line ends of the text before.
-
-    Unchanged lines at the start and the end keep theirs; the others get that of the first line.
-    """
+    """Join the lines of an editor; lines that are changed get the end of the first line before."""
     ends, old, typed = EDITOR_BREAK.findall(before), EDITOR_BREAK.split(before), list(lines)
     if typed == old:
         return before
@@ -88,16 +77,14 @@ class TextPage(QWidget):
             ),
             on_click=self._on_repair_clicked,
         )
-        # The text itself, for Undo and Redo
-        self.editor = named(
-            NumberedText(self), "settingsText", accessible=tr("Text of the settings file")
-        )
+        title = tr("Text of the settings file")
+        self.editor = named(NumberedText(self), "settingsText", accessible=title)
         self._findings = named(FindingsPanel(self), "textFindings")
 
         at_top = Qt.AlignmentFlag.AlignTop
         top = row((self._notice, 1), (self._check, 0, at_top), (self._repair, 0, at_top))
-        vertical = Qt.Orientation.Vertical
-        both = splitter(self, "", vertical, (self.editor, 3), (self._findings, 2))
+        parts = (self.editor, 3), (self._findings, 2)
+        both = splitter(self, "", Qt.Orientation.Vertical, *parts)
         column(top, (both, 1), into=self)
 
         self.editor.textChanged.connect(self._on_typed)
@@ -154,9 +141,8 @@ class TextPage(QWidget):
     def _on_changed(self) -> None:
         document = self._document
         self.editor.setReadOnly(document.readable)
-        self._check.setVisible(not document.readable)
-        self._repair.setVisible(not document.readable)
-        self._findings.setVisible(not document.readable)
+        for widget in (self._check, self._repair, self._findings):
+            widget.setVisible(not document.readable)
         if document.text != self._shown:
             self._shown = document.text
             place = self.editor.verticalScrollBar().value()
@@ -232,11 +218,6 @@ class NumberedText(QPlainTextEdit):
         highlight.format.setProperty(QTextFormat.Property.FullWidthSelection, True)
         self.setExtraSelections([highlight])
 
-    def _numbers_width(self) -> int:
-        digits = max(3, len(str(self.blockCount())))
-        metrics = self.fontMetrics()
-        return digits * metrics.horizontalAdvance("9") + metrics.height() + 3 * _MARGIN
-
     def paint_numbers(self, painter: QPainter, visible: QRect) -> None:
         """Draw the numbers of the visible lines, right-aligned, with signs on the left."""
         painter.fillRect(visible, theme().color("window"))  # the role is that of outlines
@@ -254,9 +235,8 @@ class NumberedText(QPlainTextEdit):
             painter.drawText(box, Qt.AlignmentFlag.AlignRight, str(number))
             if is_marked:
                 sign = self._marked[number]
-                colour = "danger" if sign == "error" else "warning"
                 where = QRect(_MARGIN, round(place.top()), height, height)
-                icon(sign, colour).paint(painter, where)
+                icon(sign, "danger" if sign == "error" else "warning").paint(painter, where)
             top = place.bottom()
             block = block.next()
             place = self.blockBoundingRect(block).translated(0, top)
@@ -267,7 +247,8 @@ class NumberedText(QPlainTextEdit):
 
     @Slot()
     def _fit(self) -> None:
-        width = self._numbers_width()
+        digits, metrics = max(3, len(str(self.blockCount()))), self.fontMetrics()
+        width = digits * metrics.horizontalAdvance("9") + metrics.height() + 3 * _MARGIN
         self.setViewportMargins(width, 0, 0, 0)
         inside = self.contentsRect()
         self._numbers.setGeometry(inside.left(), inside.top(), width, inside.height())

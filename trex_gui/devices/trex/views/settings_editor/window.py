@@ -1,25 +1,24 @@
 """A window for one settings file; it works with and without a board."""
 
-from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal, SignalInstance, Slot
-from PySide6.QtGui import QAction, QCloseEvent, QKeySequence
-from PySide6.QtWidgets import QDialog, QMainWindow, QTabWidget, QToolBar, QWidget
+from PySide6.QtGui import QAction, QCloseEvent, QKeySequence, QUndoStack
+from PySide6.QtWidgets import QDialog, QMainWindow, QPlainTextEdit, QTabWidget, QToolBar, QWidget
 
 from trex_gui.core.files import load, save
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
-from trex_gui.devices.trex.settings.document import Settings, factory_settings
+from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.views.conversion_view import ConvertDialog
 from trex_gui.devices.trex.views.motor_controls import StopButton
 from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
 from trex_gui.devices.trex.views.settings_editor.calibration_page import CalibrationEditor
-from trex_gui.devices.trex.views.settings_editor.compare_dialog import CompareDialog
+from trex_gui.devices.trex.views.settings_editor.compare_dialog import CompareDialog, GetSettings
 from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsPanel
 from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
 from trex_gui.devices.trex.views.settings_editor.text_page import TextPage
@@ -88,9 +87,9 @@ class SettingsEditor(QMainWindow):
         )
         document.changed.connect(self._on_document_changed)
         self._linter.changed.connect(self._on_document_changed)
-        document.draft.undo.indexChanged.connect(self._update_actions)
-        self._text.editor.undoAvailable.connect(self._update_actions)
-        self._text.editor.redoAvailable.connect(self._update_actions)
+        text, undo = self._text.editor, document.draft.undo
+        for changed in (undo.indexChanged, text.undoAvailable, text.redoAvailable):
+            changed.connect(self._update_actions)
         self._text.checked.connect(self._on_checked)
         self._text.repaired.connect(self._on_repaired)
         document.draft.parameters.rejected.connect(self._banner.show_problem)
@@ -104,7 +103,7 @@ class SettingsEditor(QMainWindow):
             self.tabs.setCurrentIndex(self._text_index)
 
     def _build_menus(self) -> dict[str, QAction]:
-        keys = QKeySequence.StandardKey
+        keys, send = QKeySequence.StandardKey, self.send_requested.emit
         menus = {
             tr("&File"): (
                 Entry("new", tr("&New…"), self.new_requested.emit, keys.New, "new"),
@@ -119,8 +118,8 @@ class SettingsEditor(QMainWindow):
                 Entry("close", tr("&Close"), self.close, keys.Close),
             ),
             tr("&Edit"): (
-                Entry("undo", tr("&Undo"), self._undo, keys.Undo, "undo"),
-                Entry("redo", tr("&Redo"), self._redo, keys.Redo, "redo"),
+                Entry("undo", tr("&Undo"), lambda: self._edits().undo(), keys.Undo, "undo"),
+                Entry("redo", tr("&Redo"), lambda: self._edits().redo(), keys.Redo, "redo"),
                 SEPARATOR,
                 Entry("convert", tr("&Convert for another board…"), self.convert),
             ),
@@ -130,13 +129,7 @@ class SettingsEditor(QMainWindow):
                 Entry("compareFactory", tr("With factory &defaults"), self._compare_with_factory),
             ),
             tr("&Device"): (
-                Entry(
-                    "send",
-                    tr("&Send to the board…"),
-                    self.send_requested.emit,
-                    "Ctrl+Return",
-                    "apply",
-                ),
+                Entry("send", tr("&Send to the board…"), send, "Ctrl+Return", "apply"),
             ),
         }
         return fill_menu_bar(self, menus.items(), "editor")
@@ -240,10 +233,7 @@ class SettingsEditor(QMainWindow):
             self._compare(lambda: factory, tr("Factory defaults"))
 
     def _compare(
-        self,
-        other: Callable[[], Settings | None],
-        name: str,
-        renewed_by: SignalInstance | None = None,
+        self, other: GetSettings, name: str, renewed_by: SignalInstance | None = None
     ) -> None:
         dialog = CompareDialog(self.document, other, name, renewed_by=renewed_by, parent=self)
         dialog.taken.connect(self._banner.show_news)
@@ -257,11 +247,8 @@ class SettingsEditor(QMainWindow):
         dialog.converted.connect(self.converted)
         dialog.show()
 
-    def _undo(self) -> None:
-        (self.document.draft.undo if self.document.readable else self._text.editor).undo()
-
-    def _redo(self) -> None:
-        (self.document.draft.undo if self.document.readable else self._text.editor).redo()
+    def _edits(self) -> QUndoStack | QPlainTextEdit:
+        return self.document.draft.undo if self.document.readable else self._text.editor
 
     @Slot()
     def _on_document_changed(self) -> None:
@@ -282,17 +269,13 @@ class SettingsEditor(QMainWindow):
         readable = self.document.readable
         connected = self._device.is_connected and self._device.state is not None
         undo, text = self.document.draft.undo, self._text.editor.document()
-        for key, enabled in {
-            "print": readable,
-            "pdf": readable,
-            "convert": readable,
-            "compareFile": readable,
-            "compareBoard": readable and connected,
-            "compareFactory": readable,
-            "send": readable and connected,
+        enabled_actions = {
+            **dict.fromkeys(("print", "pdf", "convert", "compareFile", "compareFactory"), readable),
+            **dict.fromkeys(("compareBoard", "send"), readable and connected),
             "undo": undo.canUndo() if readable else text.isUndoAvailable(),
             "redo": undo.canRedo() if readable else text.isRedoAvailable(),
-        }.items():
+        }
+        for key, enabled in enabled_actions.items():
             self._actions[key].setEnabled(enabled)
         done = (undo.undoText(), undo.redoText()) if readable else ("", "")
         for key, title in zip(("undo", "redo"), undo_titles(*done), strict=True):
