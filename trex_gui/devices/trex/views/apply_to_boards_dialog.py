@@ -44,19 +44,14 @@ class ApplyToBoardsDialog(ReusedDialog):
         self._cleared: set[int] = set()  # boards whose check box the user has cleared
         self._is_filling = False
 
-        intro = ui.label(
-            self,
-            "applyToBoardsIntro",
-            tr(
-                "Each checked board gets these settings, one board after the other, with a "
-                "snapshot before. Each keeps its device number and its serial settings. The first "
-                "error while writing ends the work."
-            ),
-            wrap=True,
+        text = tr(
+            "Each checked board gets these settings, one board after the other, with a snapshot "
+            "before. Each keeps its device number and its serial settings. The first error while "
+            "writing ends the work."
         )
-        self._table = ui.flat_table(
-            QTableWidget(0, 3, self), "boardsToWrite", tr("Boards to write to")
-        )
+        intro = ui.label(self, "applyToBoardsIntro", text, wrap=True)
+        title = tr("Boards to write to")
+        self._table = ui.flat_table(QTableWidget(0, 3, self), "boardsToWrite", title)
         self._table.setHorizontalHeaderLabels([tr("Board"), tr("Changes"), tr("Result")])
         header = self._table.horizontalHeader()
         for column in (0, 1):
@@ -73,27 +68,18 @@ class ApplyToBoardsDialog(ReusedDialog):
         self._write = ui.button(
             self, "writeBoardsButton", icon="apply", default=True, on_click=self._on_write_clicked
         )
-        self._end = ui.button(
-            self,
-            "endBoardsButton",
-            tr("&End after this board"),
-            on_click=self.work.cancel,
-        )
+        text, end = tr("&End after this board"), self.work.cancel
+        self._end = ui.button(self, "endBoardsButton", text, on_click=end)
         close = ui.button(
             self, "closeBoardsButton", tr("Close"), default=False, on_click=self.close
         )
 
-        ui.column(
-            intro,
-            (self._table, 2),
-            self._heading,
-            (self._changes, 3),
-            (self._findings_area, 1),
-            self._note,
+        tables = (self._table, 2), self._heading, (self._changes, 3), (self._findings_area, 1)
+        question, buttons = (
             MessageRoom(self, self._question),
-            ui.row(stop, 1, self._write, self._end, close),
-            into=self,
+            (stop, 1, self._write, self._end, close),
         )
+        ui.column(intro, *tables, self._note, question, ui.row(*buttons), into=self)
 
         self._table.itemChanged.connect(self._on_item_changed)
         self._table.currentCellChanged.connect(self._show_changes)

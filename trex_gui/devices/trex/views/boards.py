@@ -80,18 +80,10 @@ class BoardPanel(QWidget):
             on_click=self.file_requested,
         )
 
-        ui.column(
-            ui.label(self, "boardsTitle", tr("Boards on this line"), bold=True, wrap=True),
-            (self._list, 1),
-            self._scanned,
-            self._progress,
-            self._scan,
-            self._cancel,
-            self._change,
-            self._file,
-            into=self,
-            margins=(8, 8, 0, 8),
-        )
+        title = ui.label(self, "boardsTitle", tr("Boards on this line"), bold=True, wrap=True)
+        scan = self._scanned, self._progress, self._scan, self._cancel
+        items = title, (self._list, 1), *scan, self._change, self._file
+        ui.column(*items, into=self, margins=(8, 8, 0, 8))
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
         follow_theme(self, "width", self._take_width)
         for changed in (boards.changed, device.link_changed, device.motors.arming_changed):
@@ -196,16 +188,12 @@ class NumberDialog(ReusedDialog):
         self.setWindowTitle(tr("Change device number"))
         self._boards = boards
         self._device = device
-        intro = ui.label(
-            self,
-            "",
-            tr(
-                "Before it is written, the line is asked for the new number: if another board has "
-                "it, nothing is written. A board that is off, or has other serial settings, cannot "
-                "be noticed. The new number takes effect at once, and a snapshot is saved first."
-            ),
-            wrap=True,
+        text = tr(
+            "Before it is written, the line is asked for the new number: if another board has it, "
+            "nothing is written. A board that is off, or has other serial settings, cannot be "
+            "noticed. The new number takes effect at once, and a snapshot is saved first."
         )
+        intro = ui.label(self, "", text, wrap=True)
         self._now = ui.label(self, "numberNow")
         self._number = ui.spin_box(self, "newNumberField", tr("New device number"), 0, NUMBERS - 1)
         self._number.valueChanged.connect(self._update)

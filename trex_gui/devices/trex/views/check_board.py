@@ -198,16 +198,14 @@ class HandShakePage(QWidget):
         super().__init__(parent)
         self.setObjectName("handShakePage")
         self._at = 0
-        intro = Muted(
-            tr(
-                "Search with Find first: it finds a board at any of its settings. If that fails, "
-                "these steps from Pololu's support forum restore the serial settings of the "
-                "factory (inferred). One user saw the LEDs alternate for three seconds only, and "
-                "nothing was restored: then begin again. Compare the other settings with your last "
-                "snapshot afterwards (Ctrl+H)."
-            ),
-            self,
+        text = tr(
+            "Search with Find first: it finds a board at any of its settings. If that fails, "
+            "these steps from Pololu's support forum restore the serial settings of the factory "
+            "(inferred). One user saw the LEDs alternate for three seconds only, and nothing was "
+            "restored: then begin again. Compare the other settings with your last snapshot "
+            "afterwards (Ctrl+H)."
         )
+        intro = Muted(text, self)
         self._strip = StepStrip(self)
         self._step = _StepView(self)
         button = partial(ui.button, self, default=False)
@@ -242,16 +240,11 @@ class _StepView(QWidget):
         self._leds = Leds(self)
         self._shown = ui.label(self, "handShakeLeds", wrap=True)
         self._received = ui.label(self, "handShakeReceived", wrap=True)
-        about = ui.column(
-            self._to_do,
-            Muted(tr("What the LEDs show"), self),
-            ui.row(self._leds, (self._shown, 1)),
-            Muted(tr("What this computer receives"), self),
-            self._received,
-            1,
-            margins=0,
-            spacing=8,
-        )
+        titles = (tr("What the LEDs show"), tr("What this computer receives"))
+        leds, received = (Muted(title, self) for title in titles)
+        shown = ui.row(self._leds, (self._shown, 1))
+        items = self._to_do, leds, shown, received, self._received, 1
+        about = ui.column(*items, margins=0, spacing=8)
         top = Qt.AlignmentFlag.AlignTop
         ui.row((self._sketch, 0, top), (about, 1), into=self, margins=0, spacing=20)
 
@@ -284,16 +277,11 @@ class CheckBoardDialog(ReusedDialog):
         tabs.addTab(ScrollBox(SightsPage(wiring, tabs), tabs), tr("&What the board shows"))
         tabs.addTab(self._steps, tr("&Lost serial settings"))
         self._result = ui.named(Note(2, self), "checkResult")
-        self._find = ui.button(
-            self,
-            "checkFindButton",
-            tr("&Find now"),
-            icon="find",
-            default=True,
-            on_click=self.find_requested,
+        button, find = partial(ui.button, self), self.find_requested
+        self._find = button(
+            "checkFindButton", tr("&Find now"), icon="find", default=True, on_click=find
         )
-        self._connect = ui.button(
-            self,
+        self._connect = button(
             "checkConnectButton",
             tr("&Connect at factory settings"),
             icon="connect",
@@ -301,7 +289,7 @@ class CheckBoardDialog(ReusedDialog):
             tip=tr("19200 baud, without parity and CRC, whatever the device number"),
             on_click=lambda: self.connect_requested.emit(ConnectWith(ConnectionSettings(""))),
         )
-        close = ui.button(self, "checkCloseButton", tr("Close"), default=False, on_click=self.close)
+        close = button("checkCloseButton", tr("Close"), default=False, on_click=self.close)
         buttons = ui.row(self._find, self._connect, 1, close)
         ui.column((tabs, 1), self._result, buttons, into=self)
         device.link_changed.connect(self._on_link_changed)

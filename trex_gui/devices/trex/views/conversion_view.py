@@ -95,15 +95,11 @@ class ConvertDialog(ReusedDialog):
         )
         self._board.setCurrentIndex(boards.index(self._first_choice(state)))
         self._view = ConversionView(self)
-        note = label(
-            self,
-            "convertNote",
-            tr(
-                "Opens the converted settings as a new file, with the comments of this one. {0} "
-                "stays as it is."
-            ).format(document.name),
-            wrap=True,
+        text = tr(
+            "Opens the converted settings as a new file, with the comments of this one. {0} "
+            "stays as it is."
         )
+        note = label(self, "convertNote", text.format(document.name), wrap=True)
         self._convert = button(
             self, "convertButton", tr("&Convert"), default=True, on_click=self._on_clicked
         )

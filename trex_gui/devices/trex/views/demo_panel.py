@@ -162,35 +162,25 @@ class DemoBoardView(DemoPanelBody[DemoSnapshot]):
         board = controller.demo_board
         super().__init__(board, controller, "demoState", state_text, parent)
         self._leds = named(Leds(self), "demoLeds", accessible=tr("LEDs of the board"))
+        tip = tr(
+            "Resets everything: stored settings, jumpers, sticks, loads and faults of the line"
+        )
+        restore = board.restore_factory
         factory = button(
-            self,
-            "demoFactory",
-            tr("Factory state"),
-            icon="reload",
-            tip=tr(
-                "Resets everything: stored settings, jumpers, sticks, loads and faults of the line"
-            ),
-            on_click=board.restore_factory,
+            self, "demoFactory", tr("Factory state"), icon="reload", tip=tip, on_click=restore
         )
         columns = Columns(tr("5 override"), "2100\u00a0µs", (tr("No signal"),))
-        groups = (
-            _supply_rows(board, columns, self),
-            _input_rows(board, columns, self),
-            _motor_rows(board, columns, self),
-            _cable_rows(board, columns, self),
-        )
-        self.arrange(self._leds, groups, factory)
+        makers = (_supply_rows, _input_rows, _motor_rows, _cable_rows)
+        self.arrange(self._leds, [make(board, columns, self) for make in makers], factory)
 
     def show_head(self, snapshot: DemoSnapshot | None) -> None:
         if snapshot is None:
             self._leds.show_patterns(("off", "off"), ("", ""), ("", ""))
             return
         red, green = led_patterns(snapshot)
-        self._leds.show_patterns(
-            (snapshot.leds.red, snapshot.leds.green),
-            (led_words(red), led_words(green)),
-            (led_meaning(snapshot, red), led_meaning(snapshot, green)),
-        )
+        words = led_words(red), led_words(green)
+        meanings = led_meaning(snapshot, red), led_meaning(snapshot, green)
+        self._leds.show_patterns((snapshot.leds.red, snapshot.leds.green), words, meanings)
 
 
 def _supply_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRows:
@@ -223,12 +213,9 @@ def _supply_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRo
     )
     battery.setSingleStep(5)
     supply = LiveLabel("demoSupply", tr("Supply"), rows)
-    mode = rows.combo_box(
-        "demoMode",
-        tr("Mode jumper"),
-        tr("The mode jumper; the board reads it when power comes on"),
-        ((tr("No jumper: serial"), "serial"), (tr("RC"), "rc"), (tr("Analog"), "analog")),
-    )
+    modes = (tr("No jumper: serial"), "serial"), (tr("RC"), "rc"), (tr("Analog"), "analog")
+    tip = tr("The mode jumper; the board reads it when power comes on")
+    mode = rows.combo_box("demoMode", tr("Mode jumper"), tip, modes)
     mode.activated.connect(lambda index: board.set_mode_jumper(str(mode.itemData(index))))
     mix = rows.check_box(
         "demoMix",
@@ -278,12 +265,8 @@ def _input_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRow
         # A click checks a box that is partially checked or unchecked.
         lambda _checked: board.set_automatic(len(board.automatic) < len(CHANNELS)),
     )
-    centre = rows.button(
-        "demoCentre",
-        tr("Centre"),
-        tr("Hold all sticks centred, as safe-start requires"),
-        board.centre_sticks,
-    )
+    tip = tr("Hold all sticks centred, as safe-start requires")
+    centre = rows.button("demoCentre", tr("Centre"), tip, board.centre_sticks)
     centre.setAccessibleName(tr("Centre all sticks"))
 
     def update(_snapshot: DemoSnapshot) -> None:
@@ -329,6 +312,10 @@ def _add_input_row(channel: int, board: DemoBoard, rows: BoardRows) -> None:
         if seen.stick(source) is None:
             value.setText(tr("invalid"))
 
+    tip = tr(
+        "Input {0}: {1} in RC and analog mode, only measured in serial mode. "
+        "A double click centres it."
+    )
     slider = rows.slider(
         f"demoInput{channel}",
         tr("Stick of input {0}").format(channel),
@@ -337,10 +324,7 @@ def _add_input_row(channel: int, board: DemoBoard, rows: BoardRows) -> None:
         on_move=lambda position: board.hold_stick(channel, position / _STEPS[source]),
         read=read,
         show=show,
-        tip=tr(
-            "Input {0}: {1} in RC and analog mode, only measured in serial mode. "
-            "A double click centres it."
-        ).format(channel, tr(CHANNEL_ROLES[channel])),
+        tip=tip.format(channel, tr(CHANNEL_ROLES[channel])),
     )
     set_scale()
     silent = rows.check_box(
@@ -404,29 +388,21 @@ def _add_motor_row(number: int, board: DemoBoard, rows: BoardRows) -> None:
 
 
 def _cable_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRows:
+    plugged = tr(
+        "Unplugged, the port is gone: Serial Timeout and UART-Error Shutdown should stop motors"
+    )
+    error_tip = tr("An error of the serial line that the board reports")
+    once_tip = tr(
+        "The next byte reaches the board with this error; the Errors page counts it. "
+        "Only a board with parity detects a parity error."
+    )
+    framing, parity = (tr("Framing error"), "framing"), (tr("Parity error"), "parity")
     texts = CableTexts(
-        plugged=tr(
-            "Unplugged, the port is gone: Serial Timeout and UART-Error Shutdown should stop motors"
-        ),
+        plugged=plugged,
         mute=tr("The wire from SO is broken: the board executes commands, no reply arrives"),
         noise=tr("This share of the bytes is corrupted in either direction; CRC detects them"),
-        fault_name=(
-            "demoByteError",
-            tr("Error of one byte"),
-            tr("An error of the serial line that the board reports"),
-        ),
-        faults=(
-            (tr("Framing error"), "framing"),
-            (tr("Parity error"), "parity"),
-            (tr("Overrun"), "overrun"),
-        ),
-        once=(
-            "demoCorrupt",
-            tr("Corrupt one byte"),
-            tr(
-                "The next byte reaches the board with this error; the Errors page counts it. "
-                "Only a board with parity detects a parity error."
-            ),
-        ),
+        fault_name=("demoByteError", tr("Error of one byte"), error_tip),
+        faults=(framing, parity, (tr("Overrun"), "overrun")),
+        once=("demoCorrupt", tr("Corrupt one byte"), once_tip),
     )
     return cable_rows(board, "demo", columns, texts, cause=board.corrupt, parent=parent)

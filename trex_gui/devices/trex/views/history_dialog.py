@@ -51,13 +51,9 @@ class HistoryDialog(ReusedDialog):
         self._question = ui.named(InlinePrompt(self), "historyQuestion")
         self._list = _SnapshotList(self._table, self)
         button = partial(ui.button, self, default=False)  # Enter means something else
-        self._save = button(
-            "saveSnapshotButton",
-            tr("Save &as…"),
-            icon="save",
-            tip=tr("Save a copy as a settings file"),
-            on_click=self._on_save_clicked,
-        )
+        text, tip = tr("Save &as…"), tr("Save a copy as a settings file")
+        save_copy = self._on_save_clicked
+        self._save = button("saveSnapshotButton", text, icon="save", tip=tip, on_click=save_copy)
         text, delete = tr("&Delete…"), self._on_delete_clicked
         self._delete = button("deleteSnapshotButton", text, icon="clear", on_click=delete)
         self._pane = SnapshotPane(device, self._table, notifier, self)
@@ -66,16 +62,12 @@ class HistoryDialog(ReusedDialog):
         text, show_folder = tr("&Open folder"), self._on_folder_clicked
         self._folder = button("openFolderButton", text, icon="folder", on_click=show_folder)
         close = button("closeHistoryButton", tr("&Close"), on_click=self.close)
-        empty = ui.label(
-            self,
-            "historyEmpty",
-            tr(
-                "There are no snapshots yet.\n\nBefore settings are applied or defaults restored, "
-                "in this window or with trexcmd, everything that the board stores is saved here. "
-                "You can compare a snapshot with the board and restore all or part of it."
-            ),
-            wrap=True,
+        text = tr(
+            "There are no snapshots yet.\n\nBefore settings are applied or defaults restored, "
+            "in this window or with trexcmd, everything that the board stores is saved here. "
+            "You can compare a snapshot with the board and restore all or part of it."
         )
+        empty = ui.label(self, "historyEmpty", text, wrap=True)
         empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         empty.setMaximumWidth(72 * self.fontMetrics().averageCharWidth())
 

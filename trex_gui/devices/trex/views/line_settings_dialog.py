@@ -26,16 +26,12 @@ class LineSettingsDialog(ReusedDialog):
         self.setObjectName("lineSettingsDialog")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(tr("Line settings"))
-        intro = ui.label(
-            self,
-            "",
-            tr(
-                "These must be the settings that the board has now. A new board talks at 19200 "
-                "baud, without error detection, with one stop bit. Changing them here changes "
-                "nothing in the board."
-            ),
-            wrap=True,
+        text = tr(
+            "These must be the settings that the board has now. A new board talks at 19200 baud, "
+            "without error detection, with one stop bit. Changing them here changes nothing in the "
+            "board."
         )
+        intro = ui.label(self, "", text, wrap=True)
         self._line = ui.named(LineSettingsEditor(self), "lineEditor")
         self._polynomial = ui.spin_box(self, "polynomialField", "", 0x80, 0xFF)
         self._polynomial.setDisplayIntegerBase(16)
@@ -43,15 +39,12 @@ class LineSettingsDialog(ReusedDialog):
         text = tr("&Address one board of several by its number (Pololu protocol)")
         self._addressed = ui.check_box(self, "addressedBox", text)
         self._number = ui.spin_box(self, "deviceNumberField", "", 0, 127)
-        self._reserved = ui.named(
-            QLineEdit(self),
-            "reservedField",
-            tip=tr(
-                "Numbers of other devices on this line, such as 0,1 (older Pololu motor and servo "
-                "controllers). With one, every packet is addressed, to none of these numbers, and "
-                "no other baud rate is tried."
-            ),
+        tip = tr(
+            "Numbers of other devices on this line, such as 0,1 (older Pololu motor and servo "
+            "controllers). With one, every packet is addressed, to none of these numbers, and no "
+            "other baud rate is tried."
         )
+        self._reserved = ui.named(QLineEdit(self), "reservedField", tip=tip)
         self._reserved.setValidator(QRegularExpressionValidator(_NUMBERS, self))
         standard = QDialogButtonBox.StandardButton
         buttons = QDialogButtonBox(standard.Ok | standard.Cancel | standard.RestoreDefaults, self)

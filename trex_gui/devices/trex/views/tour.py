@@ -8,9 +8,7 @@ from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.tour import Do, Tour
 
-SETUP_STEPS = ("driver", "jumpers", "sticks", "motors", "limits", "review")
-"""Those of a robot that is driven with one stick, in their order."""
-
+SETUP_STEPS = ("driver", "jumpers", "sticks", "motors", "limits", "review")  # with one stick
 _HOLD_S = 1.2  # a stick that is held longer than a second is at an end
 
 

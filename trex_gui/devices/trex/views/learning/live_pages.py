@@ -295,14 +295,11 @@ class TestPage(QWidget):
         self._rows: list[tuple[StickTest, OutputBar, Sign, QLabel]] = []
         self._safe_sign = Sign(self)
         self._safe_start = ui.named(Note(2, self), "learnSafeStart")
-        explanation = Muted(
-            tr(
-                "Calculated from the values in the board, for each channel by itself. From the "
-                "manual: full output at and beyond the ends, 0 in the deadband, and what "
-                "safe-start waits for. Assumed: up to 8 of 127 counts as neutral; the switching "
-                "points of switches."
-            ),
-            self,
+        explanation = tr(
+            "Calculated from the values in the board, for each channel by itself. From the "
+            "manual: full output at and beyond the ends, 0 in the deadband, and what "
+            "safe-start waits for. Assumed: up to 8 of 127 counts as neutral; the switching "
+            "points of switches."
         )
 
         grid = ui.grid(spacing=(_GAP, _GAP), stretch=[(1, 3), (3, 3)])
@@ -316,7 +313,8 @@ class TestPage(QWidget):
                 grid.addWidget(widget, row, column)
             self._rows.append((test, bar, sign, text))
         safe_start = ui.row((self._safe_sign, 0, Qt.AlignmentFlag.AlignTop), (self._safe_start, 1))
-        ui.column(grid, 1, safe_start, explanation, into=self).setContentsMargins(_MARGINS)
+        items = grid, 1, safe_start, Muted(explanation, self)
+        ui.column(*items, into=self).setContentsMargins(_MARGINS)
 
         for changed in (learning.changed, learning.measured):
             changed.connect(self._on_changed)

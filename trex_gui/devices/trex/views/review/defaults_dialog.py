@@ -36,24 +36,16 @@ class DefaultsDialog(ReusedDialog):
         self._rows = ComparisonView(self)
         self._inferred = label(self, "defaultsInferred", wrap=True)
         stop = StopButton(device, "defaultsStopButton", self)
-        self._reset = button(
-            self,
-            "boardResetButton",
-            tr("&Let the board reset itself…"),
-            tip=tr("Every parameter, by the board's own command, at its next start"),
-            on_click=self._on_reset_clicked,
+        tip = tr("Every parameter, by the board's own command, at its next start")
+        text, reset = tr("&Let the board reset itself…"), self._on_reset_clicked
+        self._reset = button(self, "boardResetButton", text, tip=tip, on_click=reset)
+        text = tr(
+            "At its next start the board will reset every parameter, including those cleared "
+            "here. Its present settings are saved first (File, History). Unapplied changes "
+            "are discarded; Undo restores them."
         )
         # Within the dialog: a message box in front of it would block the stop button.
-        self._question = label(
-            self,
-            "boardResetQuestion",
-            tr(
-                "At its next start the board will reset every parameter, including those cleared "
-                "here. Its present settings are saved first (File, History). Unapplied changes "
-                "are discarded; Undo restores them."
-            ),
-            wrap=True,
-        )
+        self._question = label(self, "boardResetQuestion", text, wrap=True)
         self._taken = named(Note(2, self), "boardResetNumberTaken")
         text, reset = tr("Reset the &board"), self._on_sure_clicked
         self._sure = button(self, "boardResetSureButton", text, confirms=True, on_click=reset)
@@ -73,20 +65,17 @@ class DefaultsDialog(ReusedDialog):
     def preview(self, *, serial_only: bool) -> None:
         """Show what the defaults, or only the serial ones, would change."""
         self._serial_only = serial_only
-        if serial_only:
-            title = tr("Restore serial defaults")
-            intro = tr(
-                "The communication settings go back to their defaults. They become active when "
-                "the board is switched off and on."
-            )
-        else:
-            title = tr("Restore factory defaults")
-            intro = tr(
-                "Every parameter goes back to its default; the channel calibrations stay. Clear "
-                "the check box of any parameter to keep. Nothing is written before the review."
-            )
-        self.setWindowTitle(title)
-        self._intro.setText(intro)
+        serial = tr(
+            "The communication settings go back to their defaults. They become active when "
+            "the board is switched off and on."
+        )
+        every = tr(
+            "Every parameter goes back to its default; the channel calibrations stay. Clear "
+            "the check box of any parameter to keep. Nothing is written before the review."
+        )
+        titles = tr("Restore factory defaults"), tr("Restore serial defaults")
+        self.setWindowTitle(titles[serial_only])
+        self._intro.setText(serial if serial_only else every)
         self._confirm_reset(False)
         self._rows.show_comparison(self._changes(), tr("Now"), tr("Factory default"))
         self._describe()

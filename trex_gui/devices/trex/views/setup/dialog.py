@@ -1,5 +1,7 @@
 """The assistant that sets up a robot, beside the window."""
 
+from functools import partial
+
 from PySide6.QtCore import Signal, Slot
 from PySide6.QtGui import QHideEvent
 from PySide6.QtWidgets import QStackedWidget, QWidget
@@ -65,31 +67,16 @@ class SetupDialog(ReusedDialog):
         self._stack = QStackedWidget(self)
         self._edits = ui.named(Note(2, self), "setupEdits")
         self._stop = stop = StopButton(device, "setupStopButton", self)
-        self._back = ui.button(
-            self, "setupBackButton", tr("&Back"), default=False, on_click=setup.back
-        )
-        self._skip = ui.button(
-            self,
-            "setupSkipButton",
-            tr("S&kip"),
-            default=False,
-            tip=tr("Go on without the changes of this step"),
-            on_click=setup.skip,
-        )
-        self._next = ui.button(
-            self, "setupNextButton", tr("&Next"), default=True, on_click=setup.next
-        )
-        self._close = ui.button(
-            self,
-            "setupCloseButton",
-            tr("&Close"),
-            default=False,
-            tip=tr("Close the assistant; its changes stay until you apply or discard them"),
-            on_click=self.close,
-        )
-        for button in (self._skip, self._next):  # a second click must not hit another button
-            keep_room(button)
-        buttons = ui.row(stop, 1, self._back, self._skip, self._next, self._close)
+        button = partial(ui.button, self, default=False)
+        skip_tip = tr("Go on without the changes of this step")
+        close_tip = tr("Close the assistant; its changes stay until you apply or discard them")
+        self._back = button("setupBackButton", tr("&Back"), on_click=setup.back)
+        self._skip = button("setupSkipButton", tr("S&kip"), tip=skip_tip, on_click=setup.skip)
+        self._next = button("setupNextButton", tr("&Next"), default=True, on_click=setup.next)
+        close = button("setupCloseButton", tr("&Close"), tip=close_tip, on_click=self.close)
+        for each in (self._skip, self._next):  # a second click must not hit another button
+            keep_room(each)
+        buttons = ui.row(stop, 1, self._back, self._skip, self._next, close)
         ui.column(self._strip, (self._stack, 1), self._edits, buttons, into=self, spacing=10)
 
         setup.changed.connect(self._on_changed)

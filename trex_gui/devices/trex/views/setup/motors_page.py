@@ -23,15 +23,12 @@ class _MotorBox(ui.GroupBox):
     """A button to hold for one motor, and what it moved."""
 
     def __init__(self, setup: RobotSetup, motor: int, parent: QWidget) -> None:
-        super().__init__("", parent)
-        self.setTitle(tr("Motor {0}").format(motor))
+        super().__init__(tr("Motor {0}").format(motor), parent)
         self._setup = setup
         self._motor = motor
-        self._hold = ui.named(
-            HoldButton(tr("Hold to pulse motor {0}").format(motor), self),
-            f"setupHold{motor}",
-            tip=tr("Short, weak pulses while you hold it with the mouse or the space bar"),
-        )
+        tip = tr("Short, weak pulses while you hold it with the mouse or the space bar")
+        hold = HoldButton(tr("Hold to pulse motor {0}").format(motor), self)
+        self._hold = ui.named(hold, f"setupHold{motor}", tip=tip)
         self._hold.setMinimumHeight(2 * self.fontMetrics().height() + 4)
         ui.set_bold(self._hold)
         tint(self._hold, "run")
@@ -104,21 +101,14 @@ class WiringPage(QWidget):
             on_click=setup.forget_movements,
         )
         keep_room(self._again)
+        top = ui.row((self._free, 1), self._run_place)
+        boxes = ui.row(*((box, 1) for box in self._boxes))
         result = ui.row((self._result, 1), self._again, spacing=10)
-        ui.column(
-            ui.row((self._free, 1), self._run_place),
-            self._note,
-            ui.row(*((box, 1) for box in self._boxes)),
-            result,
-            1,
-            TimeoutNotice(device, self),
-            into=self,
-            margins=0,
-        )
+        notice = TimeoutNotice(device, self)
+        ui.column(top, self._note, boxes, result, 1, notice, into=self, margins=0)
 
-        setup.changed.connect(self.refresh)
-        setup.pulses.changed.connect(self.refresh)
-        device.telemetry.text_due.connect(self.refresh)
+        for changed in (setup.changed, setup.pulses.changed, device.telemetry.text_due):
+            changed.connect(self.refresh)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -185,18 +175,13 @@ class WiringPage(QWidget):
 def rewiring_text(driver: Driver, rewiring: Rewiring) -> str:
     """Return what to do with the wires, in sentences."""
     texts = [tr("Switch the motors' power off.")]
+    swap = tr("Swap the pair of wires of motor 1 with that of motor 2 (keep their order).")
     if rewiring.exchange_motors:
-        texts.append(
-            tr("Swap the pair of wires of motor 1 with that of motor 2 (keep their order).")
-        )
-    for side in sorted(rewiring.reverse, key=lambda side: side.value):
-        left = tr("Swap the two wires of the left motor.")
-        right = tr("Swap the two wires of the right motor.")
-        texts.append(left if side is Side.LEFT else right)
-    if driver is Driver.COMPUTER:
-        texts.append(
-            tr("No setting does this for serial commands; your own program can do it instead.")
-        )
-    else:
-        texts.append(tr("No setting of the board does this."))
-    return " ".join(texts)
+        texts.append(swap)
+    left = tr("Swap the two wires of the left motor.")
+    right = tr("Swap the two wires of the right motor.")
+    sides = sorted(rewiring.reverse, key=lambda side: side.value)
+    texts += [left if side is Side.LEFT else right for side in sides]
+    program = tr("No setting does this for serial commands; your own program can do it instead.")
+    board = tr("No setting of the board does this.")
+    return " ".join([*texts, program if driver is Driver.COMPUTER else board])

@@ -79,43 +79,28 @@ class DriverPage(QWidget):
     def __init__(self, setup: RobotSetup, parent: QWidget) -> None:
         super().__init__(parent)
         self._setup = setup
+        one_stick = tr(
+            "A transmitter or a joystick: forward and back, left and right with one stick. "
+            "The board mixes both."
+        )
+        two_sticks = tr("One stick for each side of the robot, as in a tank.")
+        computer = tr(
+            "A program, a microcontroller or this window sends commands over the serial line."
+        )
         texts = {
-            Driver.ONE_STICK: (
-                tr("&One stick"),
-                tr(
-                    "A transmitter or a joystick: forward and back, left and right with one stick. "
-                    "The board mixes both."
-                ),
-            ),
-            Driver.TWO_STICKS: (
-                tr("&Two sticks"),
-                tr("One stick for each side of the robot, as in a tank."),
-            ),
-            Driver.COMPUTER: (
-                tr("&A computer"),
-                tr(
-                    "A program, a microcontroller or this window sends commands over the serial "
-                    "line."
-                ),
-            ),
+            Driver.ONE_STICK: (tr("&One stick"), one_stick),
+            Driver.TWO_STICKS: (tr("&Two sticks"), two_sticks),
+            Driver.COMPUTER: (tr("&A computer"), computer),
         }
+        question = ui.label(self, text=tr("Who drives your robot?"), bold=True)
         self._choices = Choices("setupDriver", texts, self)
         self._choices.chosen.connect(setup.choose_driver)
-        ui.column(
-            ui.label(self, text=tr("Who drives your robot?"), bold=True),
-            self._choices,
-            Muted(
-                tr(
-                    "Each step can be skipped. The assistant writes nothing by itself: what you "
-                    "choose becomes unapplied changes, which you review at the end."
-                ),
-                self,
-            ),
-            1,
-            into=self,
-            margins=0,
-            spacing=10,
+        text = tr(
+            "Each step can be skipped. The assistant writes nothing by itself: what you "
+            "choose becomes unapplied changes, which you review at the end."
         )
+        items = question, self._choices, Muted(text, self), 1
+        ui.column(*items, into=self, margins=0, spacing=10)
 
     def refresh(self) -> None:
         self._choices.show_choice(self._setup.driver)
@@ -135,32 +120,15 @@ class JumperPage(QWidget):
         caption = Muted(tr("Schematic: the user's guide shows where your board has them."), self)
         caption.setMaximumWidth(2 * self._sketch.width())
         top = Qt.AlignmentFlag.AlignTop
-        ui.row(
-            ui.column(self._sketch, caption, 1),
-            (ui.column((self._text, 0, top), self._mode, self._mix, 1, spacing=12), 1),
-            into=self,
-            margins=0,
-            spacing=20,
-        )
+        left = ui.column(self._sketch, caption, 1)
+        right = ui.column((self._text, 0, top), self._mode, self._mix, 1, spacing=12)
+        ui.row(left, (right, 1), into=self, margins=0, spacing=20)
         device.telemetry.text_due.connect(self.refresh)
 
     @Slot()
     def refresh(self) -> None:
         driver, source = self._setup.driver, self._device.calibrations.source
         is_mixed = driver is Driver.ONE_STICK
-        if driver is Driver.COMPUTER:
-            self._sketch.show_boards(JumperPlaces(tr("Always"), "", None))
-        else:
-            position = "RC" if source is InputSource.RC else "Analog"
-            self._sketch.show_boards(
-                JumperPlaces(tr("Now: to set up"), "", is_mixed),
-                JumperPlaces(tr("Later: to drive"), position, is_mixed),
-            )
-        mode = tr(
-            "Remove the mode jumper to set up the board: it accepts settings only without it. To "
-            "drive, put it on RC, or on analog for a joystick with potentiometers. The board reads "
-            "it when it is switched on."
-        )
         mix = {
             Driver.ONE_STICK: tr(
                 "Put the mix jumper on: channel 2 drives forward and back, channel 1 turns. It "
@@ -175,9 +143,19 @@ class JumperPage(QWidget):
             ),
         }
         if driver is Driver.COMPUTER:
+            self._sketch.show_boards(JumperPlaces(tr("Always"), "", None))
             mode = tr(
                 "Remove the mode jumper and leave it off: the board then accepts settings and "
                 "serial commands. It reads the jumper when it is switched on."
+            )
+        else:
+            now = JumperPlaces(tr("Now: to set up"), "", is_mixed)
+            position = "RC" if source is InputSource.RC else "Analog"
+            self._sketch.show_boards(now, JumperPlaces(tr("Later: to drive"), position, is_mixed))
+            mode = tr(
+                "Remove the mode jumper to set up the board: it accepts settings only without it. "
+                "To drive, put it on RC, or on analog for a joystick with potentiometers. The "
+                "board reads it when it is switched on."
             )
         self._text.setText(f"{mode}\n\n{mix[driver]}")
         self._mode.show_result(*self._mode_result())
@@ -224,10 +202,7 @@ class LimitsPage(QWidget):
         self._device = device
         self._setup = setup
         texts: dict[Preset | None, tuple[str, str]] = {
-            None: (
-                tr("Keep w&hat the board has"),
-                tr("Neither ramps nor limits change."),
-            ),
+            None: (tr("Keep w&hat the board has"), tr("Neither ramps nor limits change.")),
             Preset.TANK: (tr("&Tank"), ""),
             Preset.ROVER: (tr("Ro&ver"), ""),
             Preset.AUTONOMOUS: (tr("&Autonomous robot"), ""),
@@ -247,29 +222,18 @@ class LimitsPage(QWidget):
         self._limit.setSpecialValueText(tr("off", "limit"))
         self._hint = ui.named(Note(3, self), "setupLimitHint")
         self._choices.chosen.connect(setup.choose_preset)
-        ui.column(
-            ui.label(self, text=tr("How should the motors start and stop?"), bold=True),
-            self._choices,
-            ui.row(
-                ui.label(self, text=tr("Current &limit of each motor"), buddy=self._limit),
-                self._limit,
-                1,
-            ),
-            self._hint,
-            1,
-            into=self,
-            margins=0,
-            spacing=8,
-        )
+        question = ui.label(self, text=tr("How should the motors start and stop?"), bold=True)
+        title = ui.label(self, text=tr("Current &limit of each motor"), buddy=self._limit)
+        items = question, self._choices, ui.row(title, self._limit, 1), self._hint, 1
+        ui.column(*items, into=self, margins=0, spacing=8)
 
     def refresh(self) -> None:
         device, setup = self._device, self._setup
         parameters = device.parameters
         self._choices.show_choice(setup.preset)
+        self.setEnabled(bool(parameters.model_key))
         if not parameters.model_key:
-            self.setEnabled(False)
             return
-        self.setEnabled(True)
         for preset, explained in zip(Preset, self._explained[1:], strict=True):
             explained.setText(self._text_of(preset))
         spec = parameters.values.spec_of(LIMITS[0])
@@ -293,12 +257,11 @@ class LimitsPage(QWidget):
         )
         text = f"{text} {tr(CURRENT_ACCURACY)}"
         if preset is not None and preset.product != self._device.parameters.model_key:
-            name = device_table().model(preset.product).name
             other = tr(
                 "This example was made for a {0}, which measures current in other units. Your "
                 "board keeps its current limit."
             )
-            text = f"{other.format(name)} {text}"
+            text = f"{other.format(device_table().model(preset.product).name)} {text}"
         return text
 
     def _text_of(self, preset: Preset) -> str:
@@ -325,15 +288,11 @@ class TimeoutPage(QWidget):
         super().__init__(parent)
         self._device = device
         self._setup = setup
-        text = ui.label(
-            self,
-            text=tr(
-                "If the cable falls out or the computer fails, only the board itself can notice "
-                "and stop the motors. Without a serial timeout they keep running at their last "
-                "speed."
-            ),
-            wrap=True,
+        why = tr(
+            "If the cable falls out or the computer fails, only the board itself can notice and "
+            "stop the motors. Without a serial timeout they keep running at their last speed."
         )
+        text = ui.label(self, text=why, wrap=True)
         self._seconds = ui.double_spin_box(
             self,
             "setupTimeout",
@@ -345,30 +304,17 @@ class TimeoutPage(QWidget):
             suffix=tr(" s"),
             on_change=lambda seconds: setup.choose_timeout(round(10 * seconds)),
         )
-        self._now = now = ui.named(Muted(parent=self), "setupTimeoutNow")
+        self._now = ui.named(Muted(parent=self), "setupTimeoutNow")
         self._short = ui.named(Note(2, self), "setupTimeoutShort")
-        ui.column(
-            text,
-            ui.row(
-                ui.label(self, text=tr("&Stop the motors after a silence of"), buddy=self._seconds),
-                self._seconds,
-                1,
-            ),
-            Muted(
-                tr(
-                    "Have the computer send something at least twice in that time; a status query "
-                    "will do. 0.5 s is a good value for most robots. UART-Error Shutdown is "
-                    "switched on with it, as the timeout may need it (twin)."
-                ),
-                self,
-            ),
-            now,
-            self._short,
-            1,
-            into=self,
-            margins=0,
-            spacing=12,
+        title = ui.label(self, text=tr("&Stop the motors after a silence of"), buddy=self._seconds)
+        hint = tr(
+            "Have the computer send something at least twice in that time; a status query will do. "
+            "0.5 s is a good value for most robots. UART-Error Shutdown is switched on with it, as "
+            "the timeout may need it (twin)."
         )
+        seconds = ui.row(title, self._seconds, 1)
+        items = text, seconds, Muted(hint, self), self._now, self._short, 1
+        ui.column(*items, into=self, margins=0, spacing=12)
 
     def refresh(self) -> None:
         seconds, settings = self._setup.timeout / 10, self._device.settings
@@ -391,11 +337,7 @@ class SummaryPage(QWidget):
     apply_requested = Signal()
 
     def __init__(
-        self,
-        device: Device,
-        setup: RobotSetup,
-        titles: Mapping[SetupStep, str],
-        parent: QWidget,
+        self, device: Device, setup: RobotSetup, titles: Mapping[SetupStep, str], parent: QWidget
     ) -> None:
         super().__init__(parent)
         self._device = device
@@ -403,55 +345,37 @@ class SummaryPage(QWidget):
         self._open_title = ui.label(self, text=tr("Still open:"), bold=True)
         self._open: dict[SetupStep, tuple[QAbstractButton, QLabel]] = {}
         steps = ui.grid(margins=0, spacing=(12, 6), stretch=[(1, 1)])
+        link = partial(ui.button, self, default=False, tip=tr("Go to this step"))
         for row, step in enumerate(titles):
             if step not in {SetupStep.DRIVER, SetupStep.REVIEW}:
-                name = step.name.title()
-                go = ui.button(
-                    self,
-                    f"setupGoTo{name}Button",
-                    titles[step],
-                    default=False,
-                    tip=tr("Go to this step"),
-                    on_click=partial(setup.go_to, step),
-                )
-                reason = ui.label(self, f"setupOpen{name}", wrap=True)
+                name, go_to = f"setupGoTo{step.name.title()}Button", partial(setup.go_to, step)
+                go = link(name, titles[step], on_click=go_to)
+                reason = ui.label(self, f"setupOpen{step.name.title()}", wrap=True)
                 steps.addWidget(go, row, 0)
                 steps.addWidget(reason, row, 1)
                 self._open[step] = go, reason
         self._pending = ui.named(Note(1, self), "setupPending")
+        text, apply = tr("Review and &apply…"), self.apply_requested
         self._apply = ui.button(
-            self,
-            "setupApplyButton",
-            tr("Review and &apply…"),
-            icon="apply",
-            default=False,
-            on_click=self.apply_requested,
+            self, "setupApplyButton", text, icon="apply", default=False, on_click=apply
         )
         self._tasks = ui.label(self, "setupTasks", wrap=True)
-        ui.column(
-            self._open_title,
-            steps,
-            ui.row((self._pending, 1), self._apply),
-            ui.label(self, text=tr("Then, by hand:"), bold=True),
-            self._tasks,
-            1,
-            into=self,
-            margins=0,
-            spacing=12,
-        )
+        pending = ui.row((self._pending, 1), self._apply)
+        by_hand = ui.label(self, text=tr("Then, by hand:"), bold=True)
+        items = self._open_title, steps, pending, by_hand, self._tasks, 1
+        ui.column(*items, into=self, margins=0, spacing=12)
 
     def focus_apply(self) -> None:
         if self._apply.isEnabled():
             self._apply.setFocus()
 
     def refresh(self) -> None:
-        device = self._device
-        pending = device.draft.pending
+        device, pending = self._device, self._device.draft.pending
         text = tr("%n change(s) not applied yet.", "", pending)
-        if not pending:
-            text = tr("All changes are stored.")
         if not device.is_connected:
             text = tr("No board is connected.")
+        elif not pending:
+            text = tr("All changes are stored.")
         self._pending.show_note(text)
         self._apply.setEnabled(device.writer.can_apply and pending > 0)
         still_open = self._setup.open_steps
@@ -484,23 +408,18 @@ class SummaryPage(QWidget):
         return tr("The changes for the motors were not taken over: open the step and click Next.")
 
     def _task_texts(self) -> list[str]:
-        setup = self._setup
-        texts = []
-        if setup.driver.uses_sticks:
-            source = self._device.calibrations.source
-            on, off = tr("put the mix jumper on"), tr("leave the mix jumper off")
-            mix = on if setup.driver is Driver.ONE_STICK else off
-            start = tr("Switch the board off, put the mode jumper on {0}, {1}.")
-            rc = tr("Switch on the transmitter, then the board.")
-            on_again = rc if source is InputSource.RC else tr("Switch the board on.")
-            safe = tr("The motors stay off until the sticks are released (safe-start).")
-            texts.append(f"{start.format(source.word, mix)} {on_again} {safe}")
-        else:
-            texts.append(
-                tr(
-                    "Leave the mode jumper off. The first commands can come from the Motors page "
-                    "of this window."
-                )
+        driver, source = self._setup.driver, self._device.calibrations.source
+        drive = tr("Drive first with the wheels off the ground: forward, back, left, right.")
+        if not driver.uses_sticks:
+            text = tr(
+                "Leave the mode jumper off. The first commands can come from the Motors page "
+                "of this window."
             )
-        texts.append(tr("Drive first with the wheels off the ground: forward, back, left, right."))
-        return texts
+            return [text, drive]
+        on, off = tr("put the mix jumper on"), tr("leave the mix jumper off")
+        mix = on if driver is Driver.ONE_STICK else off
+        start = tr("Switch the board off, put the mode jumper on {0}, {1}.")
+        rc = tr("Switch on the transmitter, then the board.")
+        on_again = rc if source is InputSource.RC else tr("Switch the board on.")
+        safe = tr("The motors stay off until the sticks are released (safe-start).")
+        return [f"{start.format(source.word, mix)} {on_again} {safe}", drive]

@@ -1,5 +1,6 @@
 """The step that learns the channels, and asks for the directions of the sticks."""
 
+from functools import partial
 from itertools import chain
 
 from PySide6.QtCore import Signal, Slot
@@ -30,72 +31,42 @@ class SticksPage(QWidget):
         self._setup = setup
         self._learning = learning
         self._unclear: tuple[int, ...] = ()
-        learn_text = ui.label(
-            self,
-            text=tr(
-                "The board has to know the middle and the ends of each stick. Learning measures "
-                "them in about two minutes, in a separate window, and ends with a review. The "
-                "motors stay off meanwhile. Learn before you go on: the next step, which motor is "
-                "which, needs the directions of the sticks."
-            ),
-            wrap=True,
+        text = tr(
+            "The board has to know the middle and the ends of each stick. Learning measures them "
+            "in about two minutes, in a separate window, and ends with a review. The motors stay "
+            "off meanwhile. Learn before you go on: the next step, which motor is which, needs the "
+            "directions of the sticks."
         )
-        self._learn = ui.button(
-            self,
-            "setupLearnButton",
-            tr("&Learn channels…"),
-            icon="calibrate",
-            default=False,
-            on_click=self.learn_requested,
-        )
+        learn_text = ui.label(self, text=text, wrap=True)
+        button = partial(ui.button, self, default=False)
+        text, learn = tr("&Learn channels…"), self.learn_requested
+        self._learn = button("setupLearnButton", text, icon="calibrate", on_click=learn)
         self._blocker = ui.named(Note(1, self), "setupLearnBlocker")
-        pushed_text = ui.label(
-            self,
-            text=tr(
-                "Already learned? Then show which way the sticks go: push, hold and click. In "
-                "serial mode they move no motor."
-            ),
-            wrap=True,
+        text = tr(
+            "Already learned? Then show which way the sticks go: push, hold and click. In serial "
+            "mode they move no motor."
         )
-        self._forward = ui.button(
-            self,
-            "setupForwardButton",
-            tr("The stick is fully &forward now"),
-            default=False,
-            on_click=lambda: self._note((2,) if self._is_one else (1, 2)),
+        pushed_text = ui.label(self, text=text, wrap=True)
+        self._forward = button(
+            "setupForwardButton", on_click=lambda: self._note((2,) if self._is_one else (1, 2))
         )
-        self._right = ui.button(
-            self,
-            "setupRightButton",
-            tr("The stick is fully &right now"),
-            default=False,
-            on_click=lambda: self._note((1,)),
-        )
+        text = tr("The stick is fully &right now")
+        self._right = button("setupRightButton", text, on_click=lambda: self._note((1,)))
         self._wiring = Muted(parent=self)
-        self._bars = {
-            channel: ui.named(
-                ChannelBar(self),
-                f"setupChannel{channel}Bar",
-                accessible=tr("Raw input of channel {0}").format(channel),
-            )
-            for channel in (1, 2)
-        }
+        self._bars = {channel: self._make_bar(channel) for channel in (1, 2)}
         self._known = {
             channel: ui.named(Note(1, self), f"setupStick{channel}Note") for channel in self._bars
         }
-        ui.column(
-            learn_text,
-            ui.row(self._learn, (self._blocker, 1), 1),
-            pushed_text,
-            ui.row(self._forward, self._right, 1),
-            self._wiring,
-            *chain.from_iterable(zip(self._known.values(), self._bars.values(), strict=True)),
-            1,
-            into=self,
-            margins=0,
-            spacing=10,
-        )
+        learn_row = ui.row(self._learn, (self._blocker, 1), 1)
+        pushing = ui.row(self._forward, self._right, 1)
+        above = learn_text, learn_row, pushed_text, pushing, self._wiring
+        channels = chain.from_iterable(zip(self._known.values(), self._bars.values(), strict=True))
+        ui.column(*above, *channels, 1, into=self, margins=0, spacing=10)
         device.telemetry.frame_due.connect(self._show_inputs)
+
+    def _make_bar(self, channel: int) -> ChannelBar:
+        accessible = tr("Raw input of channel {0}").format(channel)
+        return ui.named(ChannelBar(self), f"setupChannel{channel}Bar", accessible=accessible)
 
     @property
     def _is_one(self) -> bool:
@@ -110,10 +81,8 @@ class SticksPage(QWidget):
         self._learn.setEnabled(not blocker)
         self._blocker.show_note(blocker, alarming=True)
         self._right.setVisible(self._is_one)
-        one, two = (
-            tr("The stick is fully &forward now"),
-            tr("Both sticks are fully &forward now"),
-        )
+        one = tr("The stick is fully &forward now")
+        two = tr("Both sticks are fully &forward now")
         self._forward.setText(one if self._is_one else two)
         can_push = self._device.is_connected and not self._device.writer.is_rejected
         for button in (self._forward, self._right):
@@ -137,11 +106,8 @@ class SticksPage(QWidget):
                 bar.set_raw(telemetry.raw_of(channel))
 
     def _wiring_text(self) -> str:
-        text = tr("Channel 1 is for motor 1, channel 2 for motor 2.")
-        if self._is_one:
-            text = tr(
-                "Channel 1 is for left and right of the stick, channel 2 for forward and back."
-            )
+        one = tr("Channel 1 is for left and right of the stick, channel 2 for forward and back.")
+        text = one if self._is_one else tr("Channel 1 is for motor 1, channel 2 for motor 2.")
         if self._device.calibrations.source is InputSource.RC:
             text = f"{text} {tr('Each is connected to an output of your receiver.')}"
         return text
