@@ -13,8 +13,7 @@ from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.settings.comparison import Comparison
 from trex_gui.devices.trex.views.boards import board_name
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
-from trex_gui.devices.trex.views.findings_list import FindingsList
-from trex_gui.devices.trex.views.limits_prompt import LimitsPrompt
+from trex_gui.devices.trex.views.findings_list import FindingsList, LimitsPrompt
 from trex_gui.devices.trex.views.motor_controls import StopButton
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
@@ -68,8 +67,7 @@ class ApplyToBoardsDialog(ReusedDialog):
         self._write = ui.button(
             self, "writeBoardsButton", icon="apply", default=True, on_click=self._on_write_clicked
         )
-        text, end = tr("&End after this board"), self.work.cancel
-        self._end = ui.button(self, "endBoardsButton", text, on_click=end)
+        self._end = ui.button(self, "endBoardsButton", tr("&End after this board"))
         close = ui.button(
             self, "closeBoardsButton", tr("Close"), default=False, on_click=self.close
         )
@@ -81,6 +79,7 @@ class ApplyToBoardsDialog(ReusedDialog):
         )
         ui.column(intro, *tables, self._note, question, ui.row(*buttons), into=self)
 
+        self._end.clicked.connect(self.work.cancel)
         self._table.itemChanged.connect(self._on_item_changed)
         self._table.currentCellChanged.connect(self._show_changes)
         self.work.changed.connect(self._update)

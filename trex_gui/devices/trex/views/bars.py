@@ -13,13 +13,7 @@ from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.plotting.axes import Labels, spread, ticks, value_labels
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.accessible import SpokenRange
-from trex_gui.ui.widgets.bar import (
-    WARNING_SIGN,
-    Bar,
-    BarState,
-    LimitState,
-    limit_state,
-)
+from trex_gui.ui.widgets.bar import WARNING_SIGN, Bar, BarState, LimitState, limit_state
 
 # Raw counts. Ref: Pololu TReX User's Guide 4.b: a pulse counts from 0.5 to 2.5 ms.
 USUAL_AXIS = {InputSource.RC: (2000, 5500), InputSource.ANALOG: (0, 1023)}
@@ -57,11 +51,7 @@ def input_labels(source: InputSource, axis: tuple[int, int], most: int) -> Label
 
 
 class ChannelBar(Bar):
-    """Shows a raw channel value between minimum, neutral and maximum.
-
-    The fill runs from neutral to the value, so its side shows the direction; inside the
-    deadband it is grey. The axis widens for values and calibrations that lie outside it.
-    """
+    """A raw value between minimum, neutral and maximum; the axis widens for what lies outside."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         self._source = InputSource.RC
@@ -369,10 +359,7 @@ class CurrentBar(_FilledBar):
         super().__init__(parent)
 
     def set_scale(self, usual: float, limit: float | None) -> None:
-        """Show 0 to `usual` A, or twice the limit; greater currents widen that until it changes.
-
-        `limit` is `None` where the board has none.
-        """
+        """Show 0 to `usual` A, or twice the limit; greater currents widen that."""
         if (usual, limit) != (self._usual, self._limit):
             self._usual, self._limit = usual, limit
             self._end = 2 * limit if limit else usual

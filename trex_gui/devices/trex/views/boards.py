@@ -1,5 +1,7 @@
 """The boards on a line beside the pages, and the dialog that gives one another number."""
 
+from functools import partial
+
 from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtWidgets import (
     QDialogButtonBox,
@@ -48,44 +50,27 @@ class BoardPanel(QWidget):
         self._scanned = ui.named(Muted("", self), "boardsScanned")
         self._progress = ui.progress_bar(self, "boardsProgress", tr("Progress of the search"))
         self._progress.setRange(0, NUMBERS)
-        self._scan = ui.button(
-            self,
-            "scanBoardsButton",
-            tr("Find boards"),
-            icon="find",
-            tip=tr("Ask for each device number which board has it; nothing is changed"),
-            on_click=boards.scan,
-        )
-        self._cancel = ui.button(
-            self,
-            "cancelScanButton",
-            tr("Cancel"),
-            tip=tr("Ask for no more numbers"),
-            on_click=boards.cancel_scan,
-        )
-        self._change = ui.button(
-            self,
-            "changeNumberButton",
-            tr("Change number…"),
-            icon="edited",
-            tip=tr("Give the board that is selected another device number"),
-            on_click=self.change_number,
-        )
-        self._file = ui.button(
-            self,
-            "fileToBoardsButton",
-            tr("Apply a file…"),
-            icon="apply",
-            tip=tr("Write a settings file to several boards; each keeps its number"),
-            on_click=self.file_requested,
-        )
+        button = partial(ui.button, self)
+        tip = tr("Ask for each device number which board has it; nothing is changed")
+        self._scan = button("scanBoardsButton", tr("Find boards"), icon="find", tip=tip)
+        tip = tr("Ask for no more numbers")
+        self._cancel = button("cancelScanButton", tr("Cancel"), tip=tip)
+        tip = tr("Give the board that is selected another device number")
+        self._change = button("changeNumberButton", tr("Change number…"), icon="edited", tip=tip)
+        tip = tr("Write a settings file to several boards; each keeps its number")
+        self._file = button("fileToBoardsButton", tr("Apply a file…"), icon="apply", tip=tip)
 
         title = ui.label(self, "boardsTitle", tr("Boards on this line"), bold=True, wrap=True)
-        scan = self._scanned, self._progress, self._scan, self._cancel
-        items = title, (self._list, 1), *scan, self._change, self._file
+        search = self._scanned, self._progress, self._scan, self._cancel
+        items = title, (self._list, 1), *search, self._change, self._file
         ui.column(*items, into=self, margins=(8, 8, 0, 8))
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
         follow_theme(self, "width", self._take_width)
+
+        self._scan.clicked.connect(boards.scan)
+        self._cancel.clicked.connect(boards.cancel_scan)
+        self._change.clicked.connect(self.change_number)
+        self._file.clicked.connect(self.file_requested)
         for changed in (boards.changed, device.link_changed, device.motors.arming_changed):
             changed.connect(self._update)
         self._update()

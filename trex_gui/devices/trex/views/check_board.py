@@ -120,9 +120,7 @@ class _Step:
 
     title: str
     to_do: str
-    mix: bool
-    so_ground: bool
-    next_one: str
+    jumpers: tuple[bool, bool, str]  # whether mix and SO–G are on, and which one to move now
     leds: tuple[str, str]
     shown: str
     received: str
@@ -134,9 +132,7 @@ _STEPS = (
         tr_noop(
             "Switch the board off. Remove the mode jumper. Put the mix and SO–G jumpers on.",
         ),
-        True,
-        True,
-        "mode",
+        (True, True, "mode"),
         ("off", "off"),
         tr_noop("Both are off."),
         tr_noop("Nothing: the board has no power."),
@@ -144,9 +140,7 @@ _STEPS = (
     _Step(
         tr_noop("Switch on"),
         tr_noop("Switch the board on."),
-        True,
-        True,
-        "",
+        (True, True, ""),
         ("alternate 1/s", "alternate 1/s"),
         tr_noop("Red and green alternate, about once a second."),
         tr_noop("Nothing: the SO–G jumper holds its line to ground."),
@@ -154,9 +148,7 @@ _STEPS = (
     _Step(
         tr_noop("Mix off"),
         tr_noop("Remove the mix jumper. Leave the power on."),
-        False,
-        True,
-        "mix",
+        (False, True, "mix"),
         ("alternate 4/s", "alternate 4/s"),
         tr_noop("Red and green alternate, four times as fast."),
         tr_noop("Nothing: the SO–G jumper holds its line to ground."),
@@ -164,9 +156,7 @@ _STEPS = (
     _Step(
         tr_noop("SO–G off"),
         tr_noop("Remove the SO–G jumper. Leave the power on."),
-        False,
-        False,
-        "so_ground",
+        (False, False, "so_ground"),
         ("off", "short flash 1/s"),
         tr_noop("Green flashes briefly, once a second."),
         tr_noop(
@@ -180,9 +170,7 @@ _STEPS = (
             "Switch the board off and on, with all three jumpers removed. Then connect at 19200 "
             "baud, without parity and CRC.",
         ),
-        False,
-        False,
-        "",
+        (False, False, ""),
         ("on", "off"),
         tr_noop("Five flashes, then red stays on."),
         tr_noop("The TReX responds at the factory settings."),
@@ -249,8 +237,7 @@ class _StepView(QWidget):
         ui.row((self._sketch, 0, top), (about, 1), into=self, margins=0, spacing=20)
 
     def show_step(self, step: _Step) -> None:
-        places = JumperPlaces(tr("Jumpers"), "", step.mix, step.so_ground, step.next_one)
-        self._sketch.show_boards(places)
+        self._sketch.show_boards(JumperPlaces(tr("Jumpers"), "", *step.jumpers))
         self._to_do.setText(tr(step.to_do))
         self._leds.show_patterns(step.leds, ("", ""), (tr(step.shown),) * 2)
         self._shown.setText(tr(step.shown))
@@ -277,10 +264,8 @@ class CheckBoardDialog(ReusedDialog):
         tabs.addTab(ScrollBox(SightsPage(wiring, tabs), tabs), tr("&What the board shows"))
         tabs.addTab(self._steps, tr("&Lost serial settings"))
         self._result = ui.named(Note(2, self), "checkResult")
-        button, find = partial(ui.button, self), self.find_requested
-        self._find = button(
-            "checkFindButton", tr("&Find now"), icon="find", default=True, on_click=find
-        )
+        button = partial(ui.button, self)
+        self._find = button("checkFindButton", tr("&Find now"), icon="find", default=True)
         self._connect = button(
             "checkConnectButton",
             tr("&Connect at factory settings"),
@@ -292,6 +277,7 @@ class CheckBoardDialog(ReusedDialog):
         close = button("checkCloseButton", tr("Close"), default=False, on_click=self.close)
         buttons = ui.row(self._find, self._connect, 1, close)
         ui.column((tabs, 1), self._result, buttons, into=self)
+        self._find.clicked.connect(self.find_requested)
         device.link_changed.connect(self._on_link_changed)
         device.request_failed.connect(self._on_failed)
 

@@ -47,10 +47,7 @@ class _Table(QTableView):
 
 
 class ComparisonView(QWidget):
-    """The table with its counts above it, and the settings that are left out below.
-
-    No text is cut short: the user decides by it what is written.
-    """
+    """Counts, table and settings left out; no text is cut: it decides what is written."""
 
     ticked_changed = Signal(int)  # the number of ticked changes
 
@@ -165,9 +162,9 @@ class ComparisonView(QWidget):
         bar = self._view.verticalScrollBar()
         room = self._view.viewport().width() - (0 if bar.isVisible() else bar.sizeHint().width())
         margin = 2 * self.fontMetrics().averageCharWidth()
-        titles, cells = self._view.horizontalHeader().sectionSizeHint, self._view.sizeHintForColumn
-        sections = range(self.table.columnCount())
-        wanted = [max(cells(section), titles(section)) + margin for section in sections]
+        title_width = self._view.horizontalHeader().sectionSizeHint
+        cell_width, sections = self._view.sizeHintForColumn, range(self.table.columnCount())
+        wanted = [max(cell_width(at), title_width(at)) + margin for at in sections]
         narrowest_first = sorted(sections, key=wanted.__getitem__)
         for number, section in enumerate(narrowest_first):
             share = max(room, 0) // (len(wanted) - number)

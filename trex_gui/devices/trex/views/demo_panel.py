@@ -165,10 +165,8 @@ class DemoBoardView(DemoPanelBody[DemoSnapshot]):
         tip = tr(
             "Resets everything: stored settings, jumpers, sticks, loads and faults of the line"
         )
-        restore = board.restore_factory
-        factory = button(
-            self, "demoFactory", tr("Factory state"), icon="reload", tip=tip, on_click=restore
-        )
+        factory = button(self, "demoFactory", tr("Factory state"), icon="reload", tip=tip)
+        factory.clicked.connect(board.restore_factory)
         columns = Columns(tr("5 override"), "2100\u00a0µs", (tr("No signal"),))
         makers = (_supply_rows, _input_rows, _motor_rows, _cable_rows)
         self.arrange(self._leds, [make(board, columns, self) for make in makers], factory)
@@ -185,20 +183,10 @@ class DemoBoardView(DemoPanelBody[DemoSnapshot]):
 
 def _supply_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRows:
     rows = BoardRows(tr("Power and jumpers"), columns, parent)
-    power = rows.check_box(
-        "demoPower",
-        tr("Power on", "state"),
-        tr("The board's power switch"),
-        board.set_power,
-        lambda snapshot: snapshot.power,
-    )
-    cycle = rows.button(
-        "demoPowerCycle",
-        tr("Power cycle"),
-        tr("Off for a second: jumpers are read, stored settings take effect"),
-        board.power_cycle,
-        icon="power",
-    )
+    text, tip = tr("Power on", "state"), tr("The board's power switch")
+    power = rows.check_box("demoPower", text, tip, board.set_power, lambda seen: seen.power)
+    tip = tr("Off for a second: jumpers are read, stored settings take effect")
+    cycle = rows.button("demoPowerCycle", tr("Power cycle"), tip, board.power_cycle, icon="power")
     volts = LiveLabel("demoBatteryValue", tr("Battery voltage"), rows)
     battery = rows.slider(
         "demoBattery",
@@ -217,19 +205,11 @@ def _supply_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRo
     tip = tr("The mode jumper; the board reads it when power comes on")
     mode = rows.combo_box("demoMode", tr("Mode jumper"), tip, modes)
     mode.activated.connect(lambda index: board.set_mode_jumper(str(mode.itemData(index))))
-    mix = rows.check_box(
-        "demoMix",
-        tr("Mix"),
-        tr("The mix jumper: input 2 drives forward, input 1 turns; takes effect at once"),
-        board.set_mix,
-        lambda snapshot: snapshot.jumpers.mix,
-    )
+    tip = tr("The mix jumper: input 2 drives forward, input 1 turns; takes effect at once")
+    mix = rows.check_box("demoMix", tr("Mix"), tip, board.set_mix, lambda seen: seen.jumpers.mix)
+    tip = tr("Connects SO to ground; with Mix a power-up then learns the inputs' calibration")
     so_ground = rows.check_box(
-        "demoSoGround",
-        tr("SO–G"),
-        tr("Connects SO to ground; with Mix a power-up then learns the inputs' calibration"),
-        board.set_so_ground,
-        lambda snapshot: snapshot.jumpers.so_ground,
+        "demoSoGround", tr("SO–G"), tip, board.set_so_ground, lambda seen: seen.jumpers.so_ground
     )
 
     def update(snapshot: DemoSnapshot) -> None:

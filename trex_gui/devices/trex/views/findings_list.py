@@ -1,6 +1,6 @@
-"""What the settings check has found, one finding below the other."""
+"""Findings of the settings check, and a question about values beyond inferred limits."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from functools import partial
 
 from PySide6.QtCore import Qt, Signal, Slot
@@ -9,8 +9,10 @@ from PySide6.QtWidgets import QWidget
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.settings.rules import LintFinding
+from trex_gui.ui.notifier import Answer
 from trex_gui.ui.widgets.builders import button, column, label, row, tab_order
 from trex_gui.ui.widgets.labels import Sign
+from trex_gui.ui.widgets.messages import InlinePrompt
 
 
 class FindingsList(QWidget):
@@ -98,3 +100,18 @@ class FindingsList(QWidget):
             below = (accept, 0, Qt.AlignmentFlag.AlignRight)
             column(row(sign, (text, 1)), below, into=line, margins=0)
         return line
+
+
+class LimitsPrompt(InlinePrompt):
+    def ask_before(self, write: Callable[[], object], doubts: Callable[[], Sequence[str]]) -> None:
+        """Call `write`, after a question if there are doubts; `doubts` names the values."""
+        named = doubts()
+        if not named:
+            write()
+            return
+        text = tr(
+            "{0}: beyond a limit that no document confirms (inferred). The board decides: it may "
+            "reject the value, or store another one."
+        )
+        answer = Answer("writeAnyway", tr("Write an&yway"), write)
+        self.ask(text.format(", ".join(named)), answer, still=lambda: doubts() == named)

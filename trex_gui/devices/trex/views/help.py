@@ -9,7 +9,7 @@ GUIDE = "https://www.pololu.com/docs/0J1"
 
 _FINDINGS = "messages.md#findings-about-settings"
 
-TOPICS = {
+TOPICS = {  # by object names
     "statusPage": "status.md",
     "channelsPage": "channels.md",
     "calibrationPage": "calibration.md",
@@ -52,7 +52,6 @@ TOPICS = {
     "armDialog": "safety.md#does-the-serial-timeout-stop-your-motors",
     "wireDialog": "settings.md#limits-that-are-inferred",
 }
-"""Topics by object names."""
 
 
 def message_help() -> MessageHelp:

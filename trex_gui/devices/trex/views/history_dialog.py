@@ -51,16 +51,13 @@ class HistoryDialog(ReusedDialog):
         self._question = ui.named(InlinePrompt(self), "historyQuestion")
         self._list = _SnapshotList(self._table, self)
         button = partial(ui.button, self, default=False)  # Enter means something else
-        text, tip = tr("Save &as…"), tr("Save a copy as a settings file")
-        save_copy = self._on_save_clicked
-        self._save = button("saveSnapshotButton", text, icon="save", tip=tip, on_click=save_copy)
-        text, delete = tr("&Delete…"), self._on_delete_clicked
-        self._delete = button("deleteSnapshotButton", text, icon="clear", on_click=delete)
+        tip = tr("Save a copy as a settings file")
+        self._save = button("saveSnapshotButton", tr("Save &as…"), icon="save", tip=tip)
+        self._delete = button("deleteSnapshotButton", tr("&Delete…"), icon="clear")
         self._pane = SnapshotPane(device, self._table, notifier, self)
         stop = StopButton(device, "historyStopButton", self)
         self._bound = _BoundField(self._history, self._question, notifier, self)
-        text, show_folder = tr("&Open folder"), self._on_folder_clicked
-        self._folder = button("openFolderButton", text, icon="folder", on_click=show_folder)
+        self._folder = button("openFolderButton", tr("&Open folder"), icon="folder")
         close = button("closeHistoryButton", tr("&Close"), on_click=self.close)
         text = tr(
             "There are no snapshots yet.\n\nBefore settings are applied or defaults restored, "
@@ -85,6 +82,9 @@ class HistoryDialog(ReusedDialog):
         halves.setSizes([560, 620])
         restore_geometry(self, "history", 1180, 640)
 
+        self._save.clicked.connect(self._on_save_clicked)
+        self._delete.clicked.connect(self._on_delete_clicked)
+        self._folder.clicked.connect(self._on_folder_clicked)
         self._table.listed.connect(self._on_listed)
         self._table.loaded.connect(self._later.start)
         self._table.failed.connect(self._banner.show_problem)

@@ -60,16 +60,9 @@ class LoadDialog(ReusedDialog):
         )
         cancel = button(self, "cancelLoadButton", tr("Cancel"), on_click=self.close)
 
-        column(
-            self._head,
-            self._trouble,
-            (self._findings, 1),
-            (self._conversion, 2),
-            (self._view, 3),
-            self._foot,
-            row(self._edit, 1, self._take, cancel),
-            into=self,
-        )
+        lists = (self._findings, 1), (self._conversion, 2), (self._view, 3)
+        buttons = row(self._edit, 1, self._take, cancel)
+        column(self._head, self._trouble, *lists, self._foot, buttons, into=self)
 
         self._view.ticked_changed.connect(self._update_take)
         device.draft.pending_changed.connect(self._on_draft_changed)

@@ -54,13 +54,9 @@ class ArmDialog(QDialog):
             ui.button(self, "armWithoutButton", tr("Arm with&out"), on_click=self._on_without),
         )
         cancel = ui.button(self, "cancelArmButton", tr("Cancel"), on_click=self.close)
-        ui.column(
-            ui.label(self, "armWarning", text, wrap=True),
-            ui.label(self, text=remark, wrap=True),
-            self._note,
-            ui.row(1, *self._choices, cancel),
-            into=self,
-        )
+        warning = ui.label(self, "armWarning", text, wrap=True)
+        about = ui.label(self, text=remark, wrap=True)
+        ui.column(warning, about, self._note, ui.row(1, *self._choices, cancel), into=self)
         self._choices[0].setFocus()
         if (layout := self.layout()) is not None:
             self.resize(_ARM_DIALOG_WIDTH, layout.totalHeightForWidth(_ARM_DIALOG_WIDTH))
@@ -110,12 +106,7 @@ class TimeoutNotice(QWidget):
         self._text = ui.named(Note(2, self), "timeoutLabel")
         self._text.setAlignment(Qt.AlignmentFlag.AlignVCenter)
         keep_room(self)
-        self._button = ui.button(
-            self,
-            "timeoutButton",
-            accessible=tr("Write the serial timeout"),
-            on_click=self._on_clicked,
-        )
+        self._button = ui.button(self, "timeoutButton", accessible=tr("Write the serial timeout"))
         self._button.setFlat(True)
         self._button.setCursor(QCursor(Qt.CursorShape.PointingHandCursor))
         font = self._button.font()
@@ -125,6 +116,7 @@ class TimeoutNotice(QWidget):
         set_text_color(self._button, "link")
         ui.row((self._text, 1), self._button, into=self, margins=0)
 
+        self._button.clicked.connect(self._on_clicked)
         guardian_changed = device.connection.guardian_changed
         for changed in (device.link_changed, device.state_changed, guardian_changed):
             changed.connect(self._on_changed)
@@ -145,12 +137,11 @@ class TimeoutNotice(QWidget):
         seconds = f"{Number(warning.seconds):g}"
         self._button.setText(tr("Write &{0} s").format(seconds))
         self._button.setAccessibleName(tr("Write a serial timeout of {0} s").format(seconds))
-        self._button.setToolTip(
-            tr(
-                "Writes Serial Timeout and UART-Error Shutdown now: the board should stop its "
-                "motors {0} s after the last byte. Other changes stay pending."
-            ).format(seconds)
+        tip = tr(
+            "Writes Serial Timeout and UART-Error Shutdown now: the board should stop its "
+            "motors {0} s after the last byte. Other changes stay pending."
         )
+        self._button.setToolTip(tip.format(seconds))
 
     @Slot()
     def _on_clicked(self) -> None:
@@ -218,23 +209,17 @@ class ControlBar(QWidget):
         run = RunButton(device, "runButton", self)
         self._state = ui.named(Note(1, self), "motorStateLabel")
         self._state.setAlignment(Qt.AlignmentFlag.AlignVCenter)
-        self._unapplied = ui.label(
-            self, "unappliedLabel", tr("There are unapplied changes."), wrap=True
-        )
+        text = tr("There are unapplied changes.")
+        self._unapplied = ui.label(self, "unappliedLabel", text, wrap=True)
         set_text_color(self._unapplied, "dirty")
-        self._apply = ui.button(
-            self,
-            "applyButton",
-            tr("&Apply settings"),
-            tip=tr("Write the changed parameters into the board (Ctrl+Enter)"),
-            icon="apply",
-            on_click=self.apply_requested,
-        )
+        tip = tr("Write the changed parameters into the board (Ctrl+Enter)")
+        self._apply = ui.button(self, "applyButton", tr("&Apply settings"), tip=tip, icon="apply")
         ui.set_large(stop, run, self._apply)
 
         buttons = ui.row(stop, run, (self._state, 1), self._unapplied, self._apply)
         ui.column(ui.row((notice, 1), recording), buttons, into=self, margins=0)
 
+        self._apply.clicked.connect(self.apply_requested)
         motors = device.motors
         for signal in (
             device.link_changed,

@@ -26,26 +26,20 @@ class PlaybackWindow(RecordingWindow):
     def __init__(self, playback: Playback, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(playback, "playback", parent=parent)
         self.playback = playback
+        text = tr("&Settings at this time…")
+        tip = tr("Open the settings that the board stored at this time")
         self._settings = builders.button(
-            self,
-            "settingsAtPositionButton",
-            tr("&Settings at this time…"),
-            icon="settings",
-            tip=tr("Open the settings that the board stored at this time"),
-            on_click=self._on_settings_clicked,
+            self, "settingsAtPositionButton", text, icon="settings", tip=tip
         )
+        self._settings.clicked.connect(self._on_settings_clicked)
         self._table = TraceTable(self.plot, self)
         table = TraceTableView(self._table, self)
         table.setColumnHidden(TraceColumn.NOW, True)  # there is no newest value
         # The plot needs the room: a long table scrolls.
         table.setMaximumHeight(max(table.minimumHeight(), 8 * self.fontMetrics().height()))
 
-        self.arrange(
-            StopButton(device, "playbackStopButton", self),
-            [self._settings],
-            below_plot=table,
-            above_events=ValuesPanel(playback, self),
-        )
+        stop, values = StopButton(device, "playbackStopButton", self), ValuesPanel(playback, self)
+        self.arrange(stop, [self._settings], below_plot=table, above_events=values)
 
     def device_text(self) -> str:
         return self.playback.header.board

@@ -83,13 +83,13 @@ class SettingsCommands(QObject):
         self._propose(lambda _: line, text.format(line.text()))
 
     def propose_crc(self) -> None:
+        text = tr(
+            "CRC-7 is now one of the pending changes. It takes effect after the board is "
+            "switched off and on; this window then follows. Other programs on this line "
+            "have to use CRC-7, too."
+        )
         self._propose(
-            lambda wire: replace(LineSettings.from_wire(wire), detection=Detection.CRC7),
-            tr(
-                "CRC-7 is now one of the pending changes. It takes effect after the board is "
-                "switched off and on; this window then follows. Other programs on this line "
-                "have to use CRC-7, too."
-            ),
+            lambda wire: replace(LineSettings.from_wire(wire), detection=Detection.CRC7), text
         )
 
     def _propose(self, change: Callable[[int], LineSettings], text: str) -> None:

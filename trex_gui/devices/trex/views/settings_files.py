@@ -5,12 +5,7 @@ from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Qt, Signal, Slot
-from PySide6.QtWidgets import (
-    QDialogButtonBox,
-    QInputDialog,
-    QListView,
-    QWidget,
-)
+from PySide6.QtWidgets import QDialogButtonBox, QInputDialog, QListView, QWidget
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import SettingsError, load, reason_of

@@ -52,27 +52,19 @@ class SnapshotPane(QWidget):
         self.choice = _PresentChoice(device, table, notifier, self)
         self._rows = ComparisonView(self)
         self._note = ui.named(Note(2, self), "restoreNote")
-        self._restore = ui.button(
-            self,
-            "restoreButton",
-            tr("&Restore selected as edits"),
-            icon="undo",
-            tip=tr("Turn the selected values into edits and review them; only Apply writes them"),
-            default=False,
-            on_click=self._on_restore_clicked,
-        )
+        text = tr("&Restore selected as edits")
+        tip = tr("Turn the selected values into edits and review them; only Apply writes them")
+        self._restore = ui.button(self, "restoreButton", text, icon="undo", tip=tip, default=False)
 
         below = ui.row((self._note, 1), (self._restore, 0, Qt.AlignmentFlag.AlignTop))
         above = self._title, self._details, self.choice, (self._rows, 1)
         ui.column(*above, below, into=self, margins=(6, 0, 0, 0))
+        self._restore.clicked.connect(self._on_restore_clicked)
         self._rows.ticked_changed.connect(self._update_restore)
         self.show_chosen(())
 
     def show_chosen(self, chosen: tuple[Snapshot, ...]) -> None:
-        """Show one snapshot against the present, or the older of two against the newer.
-
-        The same ones again are updated, and ticks stay.
-        """
+        """Show or update one snapshot against the present, or the older of two and the newer."""
         self._chosen = chosen
         self._against_board = False
         match chosen:
@@ -272,10 +264,7 @@ class _PresentChoice(QWidget):
     def present_for(
         self, snapshot: Snapshot, settings: Settings, other: Snapshot | None
     ) -> _Present | None:
-        """Return the left side: another snapshot, the user's choice, or the default.
-
-        `None` while a snapshot is being read for it.
-        """
+        """Return the left side; `None` while a snapshot is being read for it."""
         if other is not None:
             return self._of_snapshot(other)
         if self._choice == _FILE and self._file is not None:

@@ -36,10 +36,7 @@ def tour_steps(tour: Tour, controller: TrexController) -> Iterator[Do]:
         yield from tour.wait(_HOLD_S)
 
     def is_reached(page: str) -> bool:
-        """Return whether it is shown: the motors have to stop first.
-
-        On a busy computer that may take more than one try.
-        """
+        """Return whether it is shown; on a busy computer the stop may take several tries."""
         return tour.is_visible(page) or (tour.press("learnAgainButton") and False)
 
     yield drive

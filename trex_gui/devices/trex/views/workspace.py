@@ -76,10 +76,8 @@ class TrexWorkspace(Workspace):
         self._boards = boards = BoardList(device, self)
         self._panel = panel = BoardPanel(boards, device, self)
         panel.file_requested.connect(self._apply_to_boards)
-        tabs = self.pages
+        tabs = ui.named(self.pages, "tabs", accessible=tr("Pages"))
         ui.tab_order(panel, tabs.tabBar())
-        tabs.setObjectName("tabs")
-        tabs.setAccessibleName(tr("Pages"))
         self.add_pages(
             (
                 PageInfo("status", tr("S&tatus"), self._make_status_page),
@@ -221,12 +219,14 @@ class TrexWorkspace(Workspace):
         self._parameter_shown.emit(key)
 
     def menus(self) -> Menus:
-        device, files, keys = self._device, self.files, QKeySequence.StandardKey
-        shown = files.shown
+        device, files, shown = self._device, self.files, self.files.shown
+        keys = QKeySequence.StandardKey
         settings, compare = self._settings, partial(compare_traffic, self.notifier, self)
         reload, review, activate = settings.reload, settings.review.review, settings.power.guide
         factory = partial(settings.defaults.preview, serial_only=False)
         serial = partial(settings.defaults.preview, serial_only=True)
+        plot_title = tr("Plot of currents in its o&wn window")
+        open_guide = partial(QDesktopServices.openUrl, QUrl(GUIDE))
         return {
             Menu.FILE: (
                 Entry("new", tr("&New settings file…"), files.ask_and_begin, keys.New, "new"),
@@ -269,22 +269,12 @@ class TrexWorkspace(Workspace):
             Menu.WINDOW: (
                 *self.page_entries(),
                 SEPARATOR,
-                Entry(
-                    "plot",
-                    tr("Plot of currents in its o&wn window"),
-                    self._show_plot,
-                    "Ctrl+Shift+U",
-                    "plot",
-                ),
+                Entry("plot", plot_title, self._show_plot, "Ctrl+Shift+U", "plot"),
                 Entry("demo", tr("&Demo TReX panel"), self._demo.toggle, checkable=True),
             ),
             Menu.HELP: (
                 Entry("check_board", tr("&Board does not respond…"), self._check_board, "", "find"),
-                Entry(
-                    "guide",
-                    tr("&User's guide of the board (online)…"),
-                    lambda: QDesktopServices.openUrl(QUrl(GUIDE)),
-                ),
+                Entry("guide", tr("&User's guide of the board (online)…"), open_guide),
                 SEPARATOR,
             ),
         }
@@ -340,12 +330,10 @@ class TrexWorkspace(Workspace):
     @Slot()
     def _on_actions_changed(self) -> None:
         if self._actions:
-            record, undo = tr("&Record…"), self._device.draft.undo
-            undo_title, redo_title = undo_titles(undo.undoText(), undo.redoText())
-            if self.recordings.recorder.recording:
-                record = tr("Stop &recording")
-            texts = {"record": record, "undo": undo_title, "redo": redo_title}
-            for key, text in texts.items():
+            is_recording, undo = self.recordings.recorder.recording, self._device.draft.undo
+            record = tr("Stop &recording") if is_recording else tr("&Record…")
+            texts = record, *undo_titles(undo.undoText(), undo.redoText())
+            for key, text in zip(("record", "undo", "redo"), texts, strict=True):
                 self._actions[key].setText(text)
             self._actions["demo"].setChecked(self._demo.wanted)
             self._actions["record_with_run"].setChecked(self.recordings.starts_with_run)

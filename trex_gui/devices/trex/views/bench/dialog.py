@@ -51,26 +51,16 @@ class BenchDialog(ReusedDialog):
         self._adding = new_timer(self, FRAME_MS, self._add_plot, single_shot=True)
 
         self._note = ui.named(Note(2, self), "benchNote")
-        self._hold = ui.named(
-            HoldButton(tr("Hold to run"), self),
-            "benchHoldButton",
-            tip=tr("Runs the test while it is held, with the mouse or the space bar"),
-        )
+        tip = tr("Runs the test while it is held, with the mouse or the space bar")
+        self._hold = ui.named(HoldButton(tr("Hold to run"), self), "benchHoldButton", tip=tip)
         self._hold.setMinimumHeight(3 * self.fontMetrics().height())
         title = tr("Test to compare with")
         self._compare = ui.combo_box(
             self, "benchCompare", title, on_change=self._on_compare_changed
         )
-        self._band = ui.spin_box(
-            self,
-            "benchBand",
-            tr("How far from the steady current counts as settled, in percent"),
-            2,
-            50,
-            value=round(100 * BAND),
-            suffix=tr(" %"),
-            on_change=self._show_figures,
-        )
+        title = tr("How far from the steady current counts as settled, in percent")
+        self._band = ui.spin_box(self, "benchBand", title, 2, 50, value=round(100 * BAND))
+        self._band.setSuffix(tr(" %"))
         self._band.setKeyboardTracking(True)
         self._figures = FiguresTable(self)
         tuning = TuningForm(device, bench, self)
@@ -84,34 +74,24 @@ class BenchDialog(ReusedDialog):
         run.setAutoDefault(False)
         ui.set_bold(self._hold)
         tint(self._hold, "run")
-        self._open = button(
-            "benchOpenButton",
-            tr("&Open…"),
-            icon="open",
-            tip=tr("Open a saved test"),
-            on_click=self.files.ask_and_open,
-        )
-        self._save = button(
-            "benchSaveButton",
-            tr("Sa&ve…"),
-            icon="save",
-            tip=tr("Save this test to compare with later, or a picture of it"),
-            on_click=lambda: self.files.ask_and_save(bench.runs[-1]),
-        )
+        tip = tr("Open a saved test")
+        self._open = button("benchOpenButton", tr("&Open…"), icon="open", tip=tip)
+        tip = tr("Save this test to compare with later, or a picture of it")
+        self._save = button("benchSaveButton", tr("Sa&ve…"), icon="save", tip=tip)
         close = button("benchCloseButton", tr("&Close"), on_click=self.close)
 
-        compare = ui.row(
-            ui.label(self, text=tr("Compar&e with"), buddy=self._compare),
-            (self._compare, 1),
-            ui.label(self, text=tr("Settled &within"), buddy=self._band),
-            self._band,
-        )
+        compare_title = ui.label(self, text=tr("Compar&e with"), buddy=self._compare)
+        band_title = ui.label(self, text=tr("Settled &within"), buddy=self._band)
+        compare = ui.row(compare_title, (self._compare, 1), band_title, self._band)
         self._right = ui.column(compare, self._figures)
         middle = ui.row(left, (self._right, 1))
         buttons = ui.row(stop, run, 1, self._open, self._save, close)
         ui.column(self._note, (middle, 1), buttons, into=self)
         ui.tab_order(left, self._compare, self._band, self._figures, stop)
 
+        self._open.clicked.connect(self.files.ask_and_open)
+        self._save.clicked.connect(lambda: self.files.ask_and_save(bench.runs[-1]))
+        self._band.valueChanged.connect(self._show_figures)
         self._hold.hold_started.connect(bench.start)
         self._hold.hold_ended.connect(bench.release)
         self.files.reported.connect(self._on_reported)

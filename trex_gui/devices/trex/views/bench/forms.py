@@ -42,16 +42,13 @@ class PlanForm(ui.GroupBox):
 
         motors = [(tr("Motor {0}").format(motor), motor) for motor in (1, 2)]
         self._motor = combo("benchMotor", tr("Motor to test"), items=motors)
-        self._shape = combo(
-            "benchShape",
-            tr("Speed profile"),
-            items=[
-                (tr("Step: at once"), Shape.STEP),
-                (tr("Ramp: rising linearly"), Shape.RAMP),
-                (tr("Reverse: back and forth"), Shape.REVERSE),
-                (tr("Sine"), Shape.SINE),
-            ],
-        )
+        shapes = [
+            (tr("Step: at once"), Shape.STEP),
+            (tr("Ramp: rising linearly"), Shape.RAMP),
+            (tr("Reverse: back and forth"), Shape.REVERSE),
+            (tr("Sine"), Shape.SINE),
+        ]
+        self._shape = combo("benchShape", tr("Speed profile"), items=shapes)
         directions = [(tr("Forward"), 1), (tr("Reverse"), -1)]
         self._direction = combo("benchDirection", tr("First direction"), items=directions)
         self._speed = ui.spin_box(
@@ -66,26 +63,17 @@ class PlanForm(ui.GroupBox):
         self._duration = seconds("benchDuration", tr("Duration of the test"))
         self._period = seconds("benchPeriod", tr("Period of the test"))
         self._period_name = ui.label(self, buddy=self._period)
-        self._sent = combo(
-            "benchSent",
-            tr("How setpoints are sent"),
-            items=[(tr("Accelerate"), True), (tr("Set at once"), False)],
-            tip=tr(
-                "Accelerate uses the board's acceleration, brake duration and current limit; "
-                "Set at once bypasses the first two and, for a moment, the limit, too."
-            ),
+        ways = [(tr("Accelerate"), True), (tr("Set at once"), False)]
+        tip = tr(
+            "Accelerate uses the board's acceleration, brake duration and current limit; "
+            "Set at once bypasses the first two and, for a moment, the limit, too."
         )
-        self._abort = number(
-            "benchAbort",
-            tr("Abort current"),
-            0.1,
-            bench.highest_current,
-            suffix=tr(" A"),
-            tip=tr(
-                "One reading above it stops and disarms all motors. A motor draws most when it "
-                "starts."
-            ),
+        self._sent = combo("benchSent", tr("How setpoints are sent"), items=ways, tip=tip)
+        tip = tr(
+            "One reading above it stops and disarms all motors. A motor draws most when it starts."
         )
+        title, most = tr("Abort current"), bench.highest_current
+        self._abort = number("benchAbort", title, 0.1, most, suffix=tr(" A"), tip=tip)
         self._at_limit = ui.check_box(
             self,
             "benchAbortAtLimit",

@@ -1,7 +1,4 @@
-"""The setpoint of a bench test above the current that the motor drew, on one axis of time.
-
-Importing it loads pyqtgraph: do so when it is to be shown.
-"""
+"""Setpoint and current of a bench test, against time; importing it loads pyqtgraph."""
 
 import math
 
@@ -69,15 +66,12 @@ class BenchPlot(Painted):
         self._before_key = LegendKey(tr("Compared"), "muted", self)
         self._abort_key = LegendKey("", "danger", self, dash)
         self._limit_key = LegendKey("", "warning", self, dash)
-        legend = row(
-            LegendKey(tr("Setpoint"), "motor1", self),
-            LegendKey(tr("Planned"), "muted", self, dash),
-            LegendKey(tr("Current"), "motor2", self),
-            *(self._before_key, self._abort_key, self._limit_key),
-            1,
-            self._values,
-            spacing=self.fontMetrics().averageCharWidth() * 2,
-        )
+        setpoint = LegendKey(tr("Setpoint"), "motor1", self)
+        planned = LegendKey(tr("Planned"), "muted", self, dash)
+        current = LegendKey(tr("Current"), "motor2", self)
+        keys = setpoint, planned, current, self._before_key, self._abort_key, self._limit_key
+        gap = self.fontMetrics().averageCharWidth() * 2
+        legend = row(*keys, 1, self._values, spacing=gap)
         column(legend, (self._speeds, 2), (self._currents, 3), into=self, margins=0, spacing=2)
         self.show_runs(None, None)
 

@@ -28,10 +28,7 @@ _PLACES = {LearningStep.NEUTRAL: 1, LearningStep.TRAVEL: 2, LearningStep.REVIEW:
 
 
 class LearnDialog(ReusedDialog):
-    """Shows one step at a time. Nothing is changed before Use these values.
-
-    Opening it again while it is learning only brings it forward, so that no measurement is lost.
-    """
+    """Opening it again while it is learning only brings it forward: no measurement is lost."""
 
     def __init__(self, learning: Learning, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -47,20 +44,12 @@ class LearnDialog(ReusedDialog):
         self._head = ui.named(Note(2, self), "learnHead")
         button = partial(ui.button, self, default=False)
         self._again = button("learnAgainButton", icon="reload", on_click=learning.again)
-        self._learn_again = button(
-            "learnChannelAgainButton",
-            icon="calibrate",
-            tip=tr("If a channel does not get a good result, learn its values again."),
-            on_click=self._on_learn_again,
-        )
+        tip = tr("If a channel does not get a good result, learn its values again.")
+        self._learn_again = button("learnChannelAgainButton", icon="calibrate", tip=tip)
         self._back = button("learnBackButton", tr("&Back"), on_click=learning.back)
         self._next = button("learnNextButton", on_click=learning.next)
-        use_text, test_text = tr("&Use these values…"), tr("Stop the motors and &test")
-        use = learning.use_values
-        self._use = button("learnUseButton", use_text, icon="apply", on_click=use)
-        self._test = button(
-            "learnTestButton", test_text, on_click=lambda: self.test(learning.numbers)
-        )
+        self._use = button("learnUseButton", tr("&Use these values…"), icon="apply")
+        self._test = button("learnTestButton", tr("Stop the motors and &test"))
         self._cancel = button("learnCancelButton", on_click=self.close)
 
         left = self._again, self._learn_again
@@ -68,6 +57,9 @@ class LearnDialog(ReusedDialog):
         self._body, buttons = QVBoxLayout(), ui.row(*left, 1, *right)
         ui.column(self._steps, self._head, (self._body, 1), buttons, into=self, spacing=10)
 
+        self._learn_again.clicked.connect(self._on_learn_again)
+        self._use.clicked.connect(learning.use_values)
+        self._test.clicked.connect(lambda: self.test(learning.numbers))
         learning.changed.connect(self._on_changed)
         learning.measured.connect(self._on_measured)
         learning.stored.connect(self._on_stored)

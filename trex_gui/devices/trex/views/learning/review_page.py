@@ -1,7 +1,4 @@
-"""The learned values beside the stored ones: a tab for each channel, its values and its curve.
-
-Importing it loads pyqtgraph: do so when it is to be shown.
-"""
+"""Learned values beside the stored ones, for each channel; importing it loads pyqtgraph."""
 
 from functools import partial
 from typing import Any
@@ -205,10 +202,7 @@ class CurvePane(QWidget):
 
 
 class ReviewPage(QWidget):
-    """One channel at a time, selected by a tab: numbers and curve change together.
-
-    The curve is beside the numbers, or below them if there is no room.
-    """
+    """One channel at a time: its numbers, and beside or below them its curve."""
 
     def __init__(self, learning: Learning) -> None:
         super().__init__()

@@ -1,7 +1,4 @@
-"""The plot of a board's currents, on its page and in a window of its own.
-
-Importing it loads pyqtgraph: do so when a plot is to be shown.
-"""
+"""Plot of a board's currents, for its page and a window; importing it loads pyqtgraph."""
 
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QCloseEvent, QKeySequence, QShortcut, QShowEvent

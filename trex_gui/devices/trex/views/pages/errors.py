@@ -40,30 +40,21 @@ class ErrorsPage(QWidget):
             "Reading an error clears it in the board; this program counts each one. Errors in bold "
             "were reported since you cleared them."
         )
-        self._clear = ui.button(
-            self,
-            "clearErrorsButton",
-            tr("C&lear errors"),
-            tip=tr(
-                "Take the errors in bold as known; counts stay, and an error that is still active "
-                "comes back at once"
-            ),
-            icon="ok",
-            on_click=device.board.errors.clear,
+        tip = tr(
+            "Take the errors in bold as known; counts stay, and an error that is still active "
+            "comes back at once"
         )
-        self._reset = ui.button(
-            self,
-            "resetCountsButton",
-            tr("Reset co&unts"),
-            tip=tr("Set every count to zero, and forget when errors were seen"),
-            icon="clear",
-            on_click=device.board.errors.reset,
-        )
+        self._clear = ui.button(self, "clearErrorsButton", tr("C&lear errors"), tip=tip, icon="ok")
+        tip = tr("Set every count to zero, and forget when errors were seen")
+        title = tr("Reset co&unts")
+        self._reset = ui.button(self, "resetCountsButton", title, tip=tip, icon="clear")
         buttons = ui.row((Muted(text, self), 1), self._clear, self._reset, spacing=10)
         self._values: dict[str, QLabel] = {}
         line = self._make_line_box()
         ui.column((self._table, 1), buttons, line, into=self)
 
+        self._clear.clicked.connect(device.board.errors.clear)
+        self._reset.clicked.connect(device.board.errors.reset)
         device.errors_changed.connect(self._show_errors)
         for changed in (device.link_changed, device.state_changed):
             changed.connect(self._on_device_changed)
@@ -100,27 +91,21 @@ class ErrorsPage(QWidget):
 
     def _make_line_box(self) -> ui.GroupBox:
         box = ui.GroupBox(tr("Connection"), self)
+        restarts_tip = tr(
+            "The board came back in another mode, so its power was off meanwhile; it does not "
+            "report a restart in the same mode"
+        )
+        returns_tip = tr(
+            "The board was silent for a while: its power was low or off, it restarted, or the "
+            "cable has a bad contact"
+        )
+        requests = tr("Requests:"), tr("Since the connection was opened")
         parts = [
-            {
-                "quality": (tr("Quality:"), ""),
-                "requests": (tr("Requests:"), tr("Since the connection was opened")),
-            },
+            {"quality": (tr("Quality:"), ""), "requests": requests},
             {"rate": (tr("Reads per second:"), ""), "connected": (tr("Connected for:"), "")},
             {
-                "restarts": (
-                    tr("Restarts in another mode:"),
-                    tr(
-                        "The board came back in another mode, so its power was off meanwhile; it "
-                        "does not report a restart in the same mode"
-                    ),
-                ),
-                "returns": (
-                    tr("Returned after silence:"),
-                    tr(
-                        "The board was silent for a while: its power was low or off, it restarted, "
-                        "or the cable has a bad contact"
-                    ),
-                ),
+                "restarts": (tr("Restarts in another mode:"), restarts_tip),
+                "returns": (tr("Returned after silence:"), returns_tip),
             },
         ]
         forms = list[QFormLayout]()

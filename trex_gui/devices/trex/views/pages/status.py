@@ -111,10 +111,8 @@ class StatusPage(QWidget):
             side=tr("Connector:"),
             quality=tr("Quality:"),
         )
-        text, set_up = tr("Set up my r&obot…"), self.setup_requested
-        self._set_up = ui.button(
-            self._report, "setUpButton", text, icon="settings", on_click=set_up
-        )
+        title = tr("Set up my r&obot…")
+        self._set_up = ui.button(self._report, "setUpButton", title, icon="settings")
         text = tr("Who drives, jumpers, sticks, motors and limits, step by step.")
         lead = ui.row(self._set_up, (Muted(text, self._report), 1), spacing=10)
         self._motors = MotorsBox(self._report)
@@ -122,6 +120,7 @@ class StatusPage(QWidget):
         ui.column(lead, self._motors, forms, 1, into=self._report, margins=0)
         ui.column(self._lost, start, (self._report, 1), into=self)
 
+        self._set_up.clicked.connect(self.setup_requested)
         for changed in (device.link_changed, device.state_changed):
             changed.connect(self._on_device_changed)
         device.telemetry.text_due.connect(self._on_text_due)

@@ -37,8 +37,8 @@ class DefaultsDialog(ReusedDialog):
         self._inferred = label(self, "defaultsInferred", wrap=True)
         stop = StopButton(device, "defaultsStopButton", self)
         tip = tr("Every parameter, by the board's own command, at its next start")
-        text, reset = tr("&Let the board reset itself…"), self._on_reset_clicked
-        self._reset = button(self, "boardResetButton", text, tip=tip, on_click=reset)
+        title = tr("&Let the board reset itself…")
+        self._reset = button(self, "boardResetButton", title, tip=tip)
         text = tr(
             "At its next start the board will reset every parameter, including those cleared "
             "here. Its present settings are saved first (File, History). Unapplied changes "
@@ -47,16 +47,17 @@ class DefaultsDialog(ReusedDialog):
         # Within the dialog: a message box in front of it would block the stop button.
         self._question = label(self, "boardResetQuestion", text, wrap=True)
         self._taken = named(Note(2, self), "boardResetNumberTaken")
-        text, reset = tr("Reset the &board"), self._on_sure_clicked
-        self._sure = button(self, "boardResetSureButton", text, confirms=True, on_click=reset)
-        take = self._on_take_clicked
-        self._take = button(self, "takeDefaultsButton", default=True, on_click=take)
+        self._sure = button(self, "boardResetSureButton", tr("Reset the &board"), confirms=True)
+        self._take = button(self, "takeDefaultsButton", default=True)
         self._cancel = button(self, "defaultsCancelButton", tr("Cancel"), on_click=self.close)
 
         buttons = row(stop, self._reset, self._sure, 1, self._take, self._cancel)
         above = self._intro, (self._rows, 1), self._inferred, self._question, self._taken
         column(*above, buttons, into=self)
 
+        self._reset.clicked.connect(self._on_reset_clicked)
+        self._sure.clicked.connect(self._on_sure_clicked)
+        self._take.clicked.connect(self._on_take_clicked)
         self._rows.ticked_changed.connect(self._describe)
         for changed in (device.draft.pending_changed, device.draft.loaded, device.link_changed):
             changed.connect(self._on_changed)

@@ -17,8 +17,7 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.comparison import Comparison, compare, settings_after
 from trex_gui.devices.trex.settings.rules import LintFinding
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
-from trex_gui.devices.trex.views.findings_list import FindingsList
-from trex_gui.devices.trex.views.limits_prompt import LimitsPrompt
+from trex_gui.devices.trex.views.findings_list import FindingsList, LimitsPrompt
 from trex_gui.devices.trex.views.motor_controls import StopButton
 from trex_gui.devices.trex.views.review.power_cycle import PowerCyclePanel
 from trex_gui.ui.devices.connection import ConnectionState
@@ -71,17 +70,9 @@ class ReviewDialog(ReusedDialog):
         self._close = button(self, "reviewCloseButton", on_click=self.close)
 
         buttons = row(stop, (self._progress, 1), 1, self._write, self._close)
-        column(
-            self._head,
-            (self._rows, 2),
-            self._findings_head,
-            (self._findings_area, 1),
-            self._foot,
-            MessageRoom(self, self._question),
-            self._power,
-            buttons,
-            into=self,
-        )
+        findings = self._findings_head, (self._findings_area, 1)
+        below = self._foot, MessageRoom(self, self._question), self._power, buttons
+        column(self._head, (self._rows, 2), *findings, *below, into=self)
 
         self.finished.connect(self._on_finished)
         self._rows.ticked_changed.connect(self._describe)

@@ -203,24 +203,16 @@ class CalibrationEditor(QWidget):
         self._why = NoteField(draft.notes, "calibrationNoteEdit", self, lines=2)
         why = label(self, text=tr("N&ote on the calibration:"), buddy=self._why)
         self._note = named(Note(2, self), "calibrationsNote")
-        self._add = button(
-            self,
-            "addCalibrationButton",
-            tr("&Add selected"),
-            tip=tr("Add the default calibration for the selected channels"),
-            on_click=lambda: self._table.add(self._selected()),
-        )
-        self._leave_out = button(
-            self,
-            "leaveOutCalibrationButton",
-            tr("&Leave out selected"),
-            icon="clear",
-            tip=tr("Remove the calibrations of the selected channels from the file"),
-            on_click=lambda: self._table.leave_out(self._selected()),
-        )
+        text, tip = tr("&Add selected"), tr("Add the default calibration for the selected channels")
+        self._add = button(self, "addCalibrationButton", text, tip=tip)
+        text = tr("&Leave out selected")
+        tip = tr("Remove the calibrations of the selected channels from the file")
+        self._leave_out = button(self, "leaveOutCalibrationButton", text, icon="clear", tip=tip)
         below = row((self._note, 1), self._add, self._leave_out)
         column(about, (self._view, 1), row(why, (self._why, 1)), below, into=self)
 
+        self._add.clicked.connect(lambda: self._table.add(self._selected()))
+        self._leave_out.clicked.connect(lambda: self._table.leave_out(self._selected()))
         self._table.rejected.connect(self.show_problem)
         self._table.dataChanged.connect(self._on_changed)
         self._view.selectionModel().selectionChanged.connect(self._update_buttons)

@@ -58,25 +58,14 @@ class TextPage(QWidget):
         self._shown: str | None = None
 
         self._notice = label(self, "textNotice", wrap=True)
-        self._check = button(
-            self,
-            "checkAgainButton",
-            tr("Chec&k again"),
-            icon="reload",
-            tip=tr("Read the text again and list its errors"),
-            on_click=self._on_check_clicked,
+        text, tip = tr("Chec&k again"), tr("Read the text again and list its errors")
+        self._check = button(self, "checkAgainButton", text, icon="reload", tip=tip)
+        tip = tr(
+            "Write values with units as wire values, and numbers beyond their range as the "
+            "nearest one in it; the file changes when you save it"
         )
-        self._repair = button(
-            self,
-            "repairTextButton",
-            tr("&Repair values"),
-            icon="edited",
-            tip=tr(
-                "Write values with units as wire values, and numbers beyond their range as the "
-                "nearest one in it; the file changes when you save it"
-            ),
-            on_click=self._on_repair_clicked,
-        )
+        text = tr("&Repair values")
+        self._repair = button(self, "repairTextButton", text, icon="edited", tip=tip)
         title = tr("Text of the settings file")
         self.editor = named(NumberedText(self), "settingsText", accessible=title)
         self._findings = named(FindingsPanel(self), "textFindings")
@@ -87,6 +76,8 @@ class TextPage(QWidget):
         both = splitter(self, "", Qt.Orientation.Vertical, *parts)
         column(top, (both, 1), into=self)
 
+        self._check.clicked.connect(self._on_check_clicked)
+        self._repair.clicked.connect(self._on_repair_clicked)
         self.editor.textChanged.connect(self._on_typed)
         self._findings.line_chosen.connect(self.show_line)
         document.changed.connect(self._on_changed)

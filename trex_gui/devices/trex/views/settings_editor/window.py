@@ -7,6 +7,7 @@ from PySide6.QtCore import Qt, Signal, SignalInstance, Slot
 from PySide6.QtGui import QAction, QCloseEvent, QKeySequence, QUndoStack
 from PySide6.QtWidgets import QDialog, QMainWindow, QPlainTextEdit, QTabWidget, QToolBar, QWidget
 
+from trex_gui.core.errors import StudioError
 from trex_gui.core.files import load, save
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
@@ -82,13 +83,12 @@ class SettingsEditor(QMainWindow):
         keep_on_screen(self)
 
         self.saver.saved.connect(self._on_saved)
-        self.saver.failed.connect(
-            lambda error: self._banner.show_problem(tr("Not saved. {0}").format(error))
-        )
+        self.saver.failed.connect(self._on_not_saved)
         document.changed.connect(self._on_document_changed)
         self._linter.changed.connect(self._on_document_changed)
         text, undo = self._text.editor, document.draft.undo
-        for changed in (undo.indexChanged, text.undoAvailable, text.redoAvailable):
+        board = device.link_changed, device.state_changed
+        for changed in (undo.indexChanged, text.undoAvailable, text.redoAvailable, *board):
             changed.connect(self._update_actions)
         self._text.checked.connect(self._on_checked)
         self._text.repaired.connect(self._on_repaired)
@@ -96,8 +96,6 @@ class SettingsEditor(QMainWindow):
         document.draft.parameters.rounded.connect(self._banner.show_news)
         self._findings.line_chosen.connect(self._on_line_chosen)
         self._findings.accepted.connect(self._linter.accept)
-        device.link_changed.connect(self._update_actions)
-        device.state_changed.connect(self._update_actions)
         self._on_document_changed()
         if not document.readable:
             self.tabs.setCurrentIndex(self._text_index)
@@ -174,6 +172,10 @@ class SettingsEditor(QMainWindow):
         self._banner.show_news(text)
         self.saved.emit(path)
 
+    @Slot(object)
+    def _on_not_saved(self, error: StudioError) -> None:
+        self._banner.show_problem(tr("Not saved. {0}").format(error))
+
     def _printed(self) -> PrintedSettings | None:
         settings = self.document.settings
         if settings is None:
@@ -201,7 +203,7 @@ class SettingsEditor(QMainWindow):
             self,
             partial(save, path, printed.pdf()),
             lambda _: self._banner.show_news(tr("The pages were saved in {0}.").format(path)),
-            lambda error: self._banner.show_problem(tr("Not saved. {0}").format(error)),
+            self._on_not_saved,
         )
 
     def _folder(self) -> Path:

@@ -12,7 +12,7 @@ from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.parameters.text import value_text
 from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup, SetupStep
 from trex_gui.devices.trex.views.motor_controls import StopButton
-from trex_gui.devices.trex.views.setup.motors_page import WiringPage
+from trex_gui.devices.trex.views.setup.direction_pages import SticksPage, WiringPage
 from trex_gui.devices.trex.views.setup.pages import (
     DriverPage,
     JumperPage,
@@ -20,7 +20,6 @@ from trex_gui.devices.trex.views.setup.pages import (
     SummaryPage,
     TimeoutPage,
 )
-from trex_gui.devices.trex.views.setup.sticks_page import SticksPage
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog, keep_room, only_when_visible
 from trex_gui.ui.widgets.labels import Note
@@ -34,10 +33,7 @@ _MOST_NAMED = 2  # changes that are listed; of more the number is given
 
 
 class SetupDialog(ReusedDialog):
-    """Not modal, with a stop button of its own: the window stays in reach.
-
-    Leaving it stops the motors.
-    """
+    """Not modal, with a stop button of its own; leaving it stops the motors."""
 
     stays_on_stop = True  # no answer is lost
 

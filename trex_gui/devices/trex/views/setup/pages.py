@@ -21,7 +21,7 @@ from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
 from trex_gui.devices.trex.views.jumper_sketch import JumperPlaces, JumperSketch
-from trex_gui.devices.trex.views.setup.motors_page import rewiring_text
+from trex_gui.devices.trex.views.setup.direction_pages import rewiring_text
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import Muted, Note, Sign
@@ -355,10 +355,9 @@ class SummaryPage(QWidget):
                 steps.addWidget(reason, row, 1)
                 self._open[step] = go, reason
         self._pending = ui.named(Note(1, self), "setupPending")
-        text, apply = tr("Review and &apply…"), self.apply_requested
-        self._apply = ui.button(
-            self, "setupApplyButton", text, icon="apply", default=False, on_click=apply
-        )
+        title = tr("Review and &apply…")
+        self._apply = ui.button(self, "setupApplyButton", title, icon="apply", default=False)
+        self._apply.clicked.connect(self.apply_requested)
         self._tasks = ui.label(self, "setupTasks", wrap=True)
         pending = ui.row((self._pending, 1), self._apply)
         by_hand = ui.label(self, text=tr("Then, by hand:"), bold=True)

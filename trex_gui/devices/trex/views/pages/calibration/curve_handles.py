@@ -33,10 +33,7 @@ class Threshold:
 
 
 class HandleLayer(QGraphicsObject):
-    """Lines with grips and names: three from the top, the deadband's two from the bottom.
-
-    All places are pixels of the plot.
-    """
+    """Three lines from the top, the deadband's two from the bottom; places are in pixels."""
 
     dragged = Signal(float)  # the held handle to this x
     released = Signal()  # no handle is held any more, whether or not it was moved

@@ -1,7 +1,4 @@
-"""A channel's curve with handles to drag and a live dot, above the trace of its input.
-
-Importing it loads pyqtgraph, which takes as long as all of Qt.
-"""
+"""A channel's curve with handles, above the trace of its input; importing it loads pyqtgraph."""
 
 from dataclasses import replace
 
@@ -35,10 +32,7 @@ _ROOM = {InputSource.RC: 125, InputSource.ANALOG: 0}  # counts beyond a handle, 
 
 
 class CurvePlot(Painted):
-    """Shows the output of a channel for each input, with handles to drag its calibration.
-
-    The stored curve remains visible, dashed, below the edited one.
-    """
+    """The output of a channel for each input; the stored curve is dashed, below the edited one."""
 
     spoken_role = QAccessible.Role.Chart
 

@@ -172,21 +172,18 @@ class OtherSource(QWidget):
         self._device = device
         self._source = InputSource.ANALOG
         self._text = label(self, "otherSourceWords", wrap=True)
-        self._switch = button(
-            self,
-            "switchSourceButton",
-            icon="calibrate",
-            accessible=tr("Read the other input source"),
-            on_click=lambda: device.parameters.edit(_KEY, int(self._source is InputSource.ANALOG)),
-        )
-        self._cycle = button(
-            self,
-            "switchSourceCycleButton",
-            tr("Ma&ke active…"),
-            icon="power",
-            on_click=self.power_cycle_requested,
-        )
+        accessible = tr("Read the other input source")
+        self._switch = button(self, "switchSourceButton", icon="calibrate", accessible=accessible)
+        title = tr("Ma&ke active…")
+        self._cycle = button(self, "switchSourceCycleButton", title, icon="power")
         column(self._text, row(self._switch, self._cycle, 1), into=self, margins=0)
+
+        self._switch.clicked.connect(self._on_switch_clicked)
+        self._cycle.clicked.connect(self.power_cycle_requested)
+
+    @Slot()
+    def _on_switch_clicked(self) -> None:
+        self._device.parameters.edit(_KEY, int(self._source is InputSource.ANALOG))
 
     def show_source(self, source: InputSource, known: Known | None) -> None:
         """Describe a source that the board does not read; `None`: no calibrations are shown."""

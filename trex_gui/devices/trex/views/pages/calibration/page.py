@@ -51,10 +51,7 @@ _HANDLES = {
 
 
 class CalibrationPage(PlotPage):
-    """The channels at the left; curve, numbers and switches of the chosen one at the right.
-
-    All changes are edits until Apply.
-    """
+    """The channels, and curve, numbers and switches of the selected one."""
 
     learn_requested = Signal(object)  # the channels, 1 to 5, to learn from the user's movements
     power_cycle_requested = Signal()
@@ -83,31 +80,14 @@ class CalibrationPage(PlotPage):
         self._why = NoteField(device.draft.notes, "channelNoteEdit", body, lines=2)
         why = label(body, text=tr("&Note:"), buddy=self._why)
         self._options = ChannelOptions(device.parameters, body)
-        self._learn = button(
-            body,
-            "learnButton",
-            tr("Learn &this channel…"),
-            icon="calibrate",
-            on_click=lambda: self.learn_requested.emit((self.channel,)),
-        )
-        self._learn_all = button(
-            body,
-            "learnAllButton",
-            tr("Learn a&ll…"),
-            on_click=lambda: self.learn_requested.emit(CHANNELS),
-        )
+        self._learn = button(body, "learnButton", tr("Learn &this channel…"), icon="calibrate")
+        self._learn_all = button(body, "learnAllButton", tr("Learn a&ll…"))
         self._menu = ChangeMenu(device, self)
         self.files = self._menu.files
         self._change = button(body, "changeButton", tr("Cop&y, reset, files"))
         self._change.setMenu(self._menu)
-        self._discard = button(
-            body,
-            "discardChannelButton",
-            tr("Di&scard"),
-            icon="undo",
-            tip=tr("Discard the edits of this channel"),
-            on_click=self._on_discard_clicked,
-        )
+        text, tip = tr("Di&scard"), tr("Discard the edits of this channel")
+        self._discard = button(body, "discardChannelButton", text, icon="undo", tip=tip)
 
         # Findings are at the top: on a low screen what is below the plot may have to be scrolled.
         above = column(self._heading, self._findings, self._other, self._legend)
@@ -119,6 +99,9 @@ class CalibrationPage(PlotPage):
         margins = layout.contentsMargins()
         layout.setContentsMargins(margins.left(), margins.top(), margins.right(), 2)
 
+        self._learn.clicked.connect(lambda: self.learn_requested.emit((self.channel,)))
+        self._learn_all.clicked.connect(lambda: self.learn_requested.emit(CHANNELS))
+        self._discard.clicked.connect(self._on_discard_clicked)
         # `concern` is about the calibration that is shown; these are about the options.
         self._findings.follow(linter, lambda found: not CHANNEL_OPTIONS.isdisjoint(found.keys))
         self._channels.chosen.connect(self._refresh)

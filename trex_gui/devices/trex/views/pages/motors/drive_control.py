@@ -26,10 +26,9 @@ _DISCARDS = {  # events that discard a half-typed number
 
 
 class SpeedSlider(PressSlider):
-    """Horizontal, from `lowest` to 127; the groove is filled from zero to the handle.
+    """Horizontal, from `lowest` to 127; keys that move it hold it, too.
 
-    Keys that move it hold it, too. Home is zero, and End and the wheel do nothing: one key must
-    not mean full speed, and scrolling must not drive a motor.
+    End and the wheel do nothing: neither one key nor scrolling must drive a motor.
     """
 
     def __init__(self, lowest: int, parent: QWidget | None = None) -> None:
@@ -187,10 +186,7 @@ class SpeedEntry(QSpinBox):
 
 
 class DriveControl(QWidget):
-    """A slider and an entry box that always show the same speed, and the motor's current.
-
-    While channels drive, a bar of their command replaces slider and box.
-    """
+    """Slider and entry of one speed, or a bar of the channel that drives; and the current."""
 
     speed_wanted = Signal(int)  # a speed of 0 or -127 to 127 that the user chose
     brake_wanted = Signal()

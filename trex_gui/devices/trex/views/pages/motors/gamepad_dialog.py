@@ -171,14 +171,12 @@ class GamepadDialog(ReusedDialog):
         self._live = PadView(None, live)
         self._live_layout = ui.column(self._live, 1, into=live)
         uses = ui.GroupBox(tr("Assignment"), self)
+        mixed, tank = tr("One axis drives, one turns"), tr("An axis for each motor")
         self._style = ui.combo_box(
             uses,
             "gamepadStyleCombo",
             tr("How two axes drive two motors"),
-            items=[
-                (tr("One axis drives, one turns"), Style.MIXED),
-                (tr("An axis for each motor"), Style.TANK),
-            ],
+            items=[(mixed, Style.MIXED), (tank, Style.TANK)],
             on_activate=self._on_edited,
         )
         move, press = tr("Move it…"), tr("Press it…")

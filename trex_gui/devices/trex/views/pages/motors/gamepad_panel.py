@@ -39,13 +39,8 @@ class GamepadPanel(ui.GroupBox):
         adjust = ComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
         self._pads.setSizeAdjustPolicy(adjust)
         self._pads.setMinimumContentsLength(12)
-        self._set_up = ui.button(
-            self,
-            "gamepadSetUpButton",
-            tr("Set &up…"),
-            accessible=tr("Set up the gamepad"),
-            on_click=self._on_set_up_clicked,
-        )
+        text, accessible = tr("Set &up…"), tr("Set up the gamepad")
+        self._set_up = ui.button(self, "gamepadSetUpButton", text, accessible=accessible)
         self._state = ui.named(Note(0, self), "gamepadState")
         flags = Qt.TextInteractionFlag
         self._state.setTextInteractionFlags(
@@ -74,6 +69,7 @@ class GamepadPanel(ui.GroupBox):
         top = ui.row(self._on, (self._pads, 1), self._set_up, 0)
         ui.column(top, self._state, self._bars, self._unfocused, into=self)
 
+        self._set_up.clicked.connect(self._on_set_up_clicked)
         self.gamepad.changed.connect(self._on_gamepad_changed)
         self.gamepad.moved.connect(self._on_gamepad_moved)
         app = QGuiApplication.instance()

@@ -5,7 +5,7 @@ from functools import partial
 
 from PySide6.QtCore import QObject, QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtGui import QWheelEvent
-from PySide6.QtWidgets import QSizePolicy, QSlider, QWidget
+from PySide6.QtWidgets import QCheckBox, QSizePolicy, QSlider, QWidget
 
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.model.motors import LONGEST, Motors
@@ -16,6 +16,8 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import Note
 
 _SPACING = 6  # pixels
+
+Apply = Callable[[int], object]
 
 
 class _StrengthEntry(SpeedEntry):
@@ -33,20 +35,10 @@ class _Slider(QSlider):
 
 
 class Level(QObject):
-    """A label, a slider and an entry of the same value, as `widgets`.
-
-    As with a speed, a typed number counts with Enter only.
-    """
+    """Label, slider and entry of one value, as `widgets`; a typed number counts with Enter."""
 
     def __init__(
-        self,
-        title: str,
-        name: str,
-        lowest: int,
-        parent: QWidget,
-        *,
-        tip: str,
-        apply: Callable[[int], object],
+        self, title: str, name: str, lowest: int, parent: QWidget, *, tip: str, apply: Apply
     ) -> None:
         super().__init__(parent)
         self._apply = apply
@@ -89,17 +81,12 @@ class SpeedCeiling(QWidget):
     def __init__(self, motors: Motors, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._motors = motors
-        self._level = Level(
-            tr("&Speed ceiling"),
-            "ceiling",
-            1,
-            self,
-            tip=tr(
-                "Highest speed that this program sends to this board; full deflection of pad, "
-                "keys and gamepad gives this speed. Raising it does not speed up a running motor."
-            ),
-            apply=motors.set_ceiling,
+        tip = tr(
+            "Highest speed that this program sends to this board; full deflection of pad, "
+            "keys and gamepad gives this speed. Raising it does not speed up a running motor."
         )
+        title = tr("&Speed ceiling")
+        self._level = Level(title, "ceiling", 1, self, tip=tip, apply=motors.set_ceiling)
         self._note = ui.named(Note(1, self), "ceilingNote")
         self._note.setAlignment(Qt.AlignmentFlag.AlignVCenter)
         label, slider, entry = self._level.widgets
@@ -130,70 +117,44 @@ class Options(ui.GroupBox):
         self._joint = False
         self._store = Preferences()
 
-        accelerate = ui.radio_button(
-            self,
-            "accelerateButton",
-            tr("Accelerate along the board's ra&mp"),
-            tip=tr(
-                "The board ramps speeds at the Acceleration setting and pauses for the brake "
-                "duration before reversing"
-            ),
+        text = tr("Accelerate along the board's ra&mp")
+        tip = tr(
+            "The board ramps speeds at the Acceleration setting and pauses for the brake "
+            "duration before reversing"
         )
-        at_once = ui.radio_button(
-            self,
-            "setButton",
-            tr("Se&t at once"),
-            tip=tr("Bypasses ramp and brake duration, and for a moment also the current limit"),
-        )
+        accelerate = ui.radio_button(self, "accelerateButton", text, tip=tip)
+        tip = tr("Bypasses ramp and brake duration, and for a moment also the current limit")
+        at_once = ui.radio_button(self, "setButton", tr("Se&t at once"), tip=tip)
         (accelerate if motors.accelerate else at_once).setChecked(True)
-        self._keys = ui.check_box(
-            self,
-            "driveWithKeys",
-            tr("Drive with arrow &keys or WASD"),
-            tip=tr(
-                "Held keys drive wherever the focus is on this page, except in number fields, "
-                "tables and lists; sliders then get no arrow keys. In the pad they always drive."
-            ),
-            on_toggle=self.keys_toggled,
+        tip = tr(
+            "Held keys drive wherever the focus is on this page, except in number fields, "
+            "tables and lists; sliders then get no arrow keys. In the pad they always drive."
         )
+        text = tr("Drive with arrow &keys or WASD")
+        self._keys = ui.check_box(self, "driveWithKeys", text, tip=tip)
         self._link = ui.check_box(
             self, "linkMotors", tr("&Link both motors"), on_toggle=motors.set_linked
         )
-        self._brake = Level(
-            tr("&Brake strength"),
-            "brake",
-            0,
-            self,
-            tip=tr(
-                "How hard Brake and letting go of pad, keys and held sliders brake; Stop always "
-                "brakes fully"
-            ),
-            apply=self._on_brake_chosen,
+        tip = tr(
+            "How hard Brake and letting go of pad, keys and held sliders brake; Stop always "
+            "brakes fully"
         )
+        title = tr("&Brake strength")
+        self._brake = Level(title, "brake", 0, self, tip=tip, apply=self._on_brake_chosen)
         motors.set_release_brake(self._store.integer("motors/brake", FULL_SCALE, 0, FULL_SCALE))
         self._brake.entry.setSpecialValueText(tr("coast (0 %)"))
         self._lock = lock = self._make_lock()
         lock_label = ui.label(self, "", tr("L&ock after Stop"), tip=lock.toolTip(), buddy=lock)
         # Off by default: who looks at Currents or changes a parameter may want the motors to go on.
-        self._leave = ui.check_box(
-            self,
-            "stopOnLeaving",
-            tr("Stop when you lea&ve this page"),
-            tip=tr(
-                "Stop both motors and the auxiliary when another page is shown or the window is "
-                "minimised"
-            ),
-            checked=self._store.flag("motors/stop_on_leaving", default=False),
-            on_toggle=partial(self._store.set, "motors/stop_on_leaving"),
+        text = tr("Stop when you lea&ve this page")
+        tip = tr(
+            "Stop both motors and the auxiliary when another page is shown or the window is "
+            "minimised"
         )
-        self._return = ui.check_box(
-            self,
-            "returnToZero",
-            tr("Return slider to &zero when it is released"),
-            tip=tr("A slider drives only while you hold it; letting go brakes its motor"),
-            checked=self._store.flag("motors/return_to_zero", default=False),
-            on_toggle=partial(self._store.set, "motors/return_to_zero"),
-        )
+        self._leave = self._make_stored("stopOnLeaving", text, tip, "motors/stop_on_leaving")
+        text = tr("Return slider to &zero when it is released")
+        tip = tr("A slider drives only while you hold it; letting go brakes its motor")
+        self._return = self._make_stored("returnToZero", text, tip, "motors/return_to_zero")
 
         # Without a spacing of its own a column would take that of its row.
         left = ui.column(accelerate, at_once, self._keys, self._link, 1, spacing=_SPACING)
@@ -207,12 +168,18 @@ class Options(ui.GroupBox):
         ui.row(left, (right, 1), into=self, spacing=4 * _SPACING)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
 
+        self._keys.toggled.connect(self.keys_toggled)
         accelerate.toggled.connect(partial(setattr, motors, "accelerate"))
         self._lock.chosen.connect(motors.set_lockout)
         motors.options_changed.connect(self._on_options_changed)
         motors.board_changed.connect(self._on_board_changed)
         motors.setpoints_changed.connect(self._show_link)
         self._on_options_changed()
+
+    def _make_stored(self, name: str, text: str, tip: str, key: str) -> QCheckBox:
+        """Create a check box whose state is stored; it is cleared by default."""
+        checked, store = self._store.flag(key, default=False), partial(self._store.set, key)
+        return ui.check_box(self, name, text, tip=tip, checked=checked, on_toggle=store)
 
     def _make_lock(self) -> SpeedEntry:
         tip = tr(

@@ -278,10 +278,7 @@ class MotorsPage(QWidget):
         self._show_options()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Stop the motors if a control is held, or whatever drives them if the user wants that.
-
-        A pressed slider counts as held, even where it stays at its value when it is released.
-        """
+        """Stop the motors if a control is held or a slider pressed, or if the user wants that."""
         is_dragged = self._dragged is not None and self._motors.armed
         self._dragged = None
         if self._holder or is_dragged:
@@ -297,10 +294,7 @@ class MotorsPage(QWidget):
 
     @Slot()
     def _on_event_over(self) -> None:
-        """Forget the control, unless the window is inactive.
-
-        A window that is minimised is deactivated first, in an event of its own.
-        """
+        """Forget the control, unless the window is inactive: it may be about to be minimised."""
         sliders = [control.slider for control in self._controls.values()]
         if self.isActiveWindow() and not any(slider.held for slider in sliders):
             self._dragged = None
@@ -318,10 +312,7 @@ def _name(number: int) -> str:
 
 
 def _stored_text(parameters: ParameterModel, *, joint: bool, linked: bool) -> str:
-    """Return the stored settings of the motors, equal ones of both motors once.
-
-    If they are `linked`, each value that was read is a link to the key of its parameter.
-    """
+    """Return the stored settings; `linked`: each value is a link to the key of its parameter."""
 
     def link(key: str) -> str:
         wire = parameters.values.stored_of(key)

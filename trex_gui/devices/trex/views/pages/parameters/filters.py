@@ -105,32 +105,17 @@ class ParameterFilters(QWidget):
 
         hint = tr("Search names and descriptions (Ctrl+F)")
         self._words = search_field(self, "parameterSearch", tr("Search parameters"), hint)
-        title, changed = tr("Group of parameters"), self._on_changed
-        self._group = combo_box(self, "parameterGroup", title, tip=title, on_change=changed)
+        title = tr("Group of parameters")
+        self._group = combo_box(self, "parameterGroup", title, tip=title)
         adjust = QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
         self._group.setSizeAdjustPolicy(adjust)
         self._group.setMinimumContentsLength(12)  # leaves room for the words
-        self._modified = check_box(
-            self,
-            "modifiedOnly",
-            tr("&Modified only"),
-            tip=tr("Show only what you have changed"),
-            on_toggle=self._on_changed,
-        )
-        self._not_default = check_box(
-            self,
-            "notDefaultOnly",
-            tr("Not default onl&y"),
-            tip=tr("Show only values that differ from their default"),
-            on_toggle=self._on_changed,
-        )
-        both = check_box(
-            self,
-            "bothMotors",
-            tr("&Both motors as one"),
-            tip=tr("Make each change to one motor to the other, too, in one step"),
-            on_toggle=self._on_both_toggled,
-        )
+        tip = tr("Show only what you have changed")
+        self._modified = check_box(self, "modifiedOnly", tr("&Modified only"), tip=tip)
+        tip = tr("Show only values that differ from their default")
+        self._not_default = check_box(self, "notDefaultOnly", tr("Not default onl&y"), tip=tip)
+        tip = tr("Make each change to one motor to the other, too, in one step")
+        both = check_box(self, "bothMotors", tr("&Both motors as one"), tip=tip)
         self._count = label(self, "parameterCount")
 
         first = (self._words, 1), self._count, self._group, self._modified, self._not_default
@@ -139,6 +124,10 @@ class ParameterFilters(QWidget):
         layout.addWidget(both)
 
         self._words.textChanged.connect(self._on_changed)
+        self._group.currentIndexChanged.connect(self._on_changed)
+        for restriction in (self._modified, self._not_default):
+            restriction.toggled.connect(self._on_changed)
+        both.toggled.connect(self._on_both_toggled)
         self._words.returnPressed.connect(self.entered)
         rows.modelReset.connect(self._on_reset)
         both.setChecked(self._store.flag(_BOTH_MOTORS, default=False))

@@ -29,29 +29,19 @@ class ParametersPage(QWidget):
 
         self._notice = named(Note(2, self), "parametersNotice")
         self._notice.setAlignment(Qt.AlignmentFlag.AlignVCenter)
-        self._activate = button(
-            self,
-            "makeActiveButton",
-            tr("Ma&ke active…"),
-            icon="power",
-            tip=tr("Show the steps for switching the board off and on"),
-            on_click=self.power_cycle_requested,
-        )
-        text, discard = tr("Discard edi&ts"), device.draft.discard_edits
-        self._discard = button(self, "discardButton", text, icon="undo", on_click=discard)
-        self._reload = button(
-            self,
-            "reloadButton",
-            tr("Re&load"),
-            icon="reload",
-            tip=tr("Read every parameter from the board again"),
-            on_click=self.reload_requested,
-        )
+        text, tip = tr("Ma&ke active…"), tr("Show the steps for switching the board off and on")
+        self._activate = button(self, "makeActiveButton", text, icon="power", tip=tip)
+        self._discard = button(self, "discardButton", tr("Discard edi&ts"), icon="undo")
+        text, tip = tr("Re&load"), tr("Read every parameter from the board again")
+        self._reload = button(self, "reloadButton", text, icon="reload", tip=tip)
         self.table = ParameterTable(device.draft, linter, self)
 
         top = row((self._notice, 1), self._activate, self._discard, self._reload)
         column(top, (self.table, 1), into=self)
 
+        self._activate.clicked.connect(self.power_cycle_requested)
+        self._discard.clicked.connect(device.draft.discard_edits)
+        self._reload.clicked.connect(self.reload_requested)
         self._model.rejected.connect(self._notice.setText)
         self._model.rounded.connect(self._notice.setText)
         self._model.modelReset.connect(self._on_changed)

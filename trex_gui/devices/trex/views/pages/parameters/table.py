@@ -72,8 +72,8 @@ class ParameterTable(QWidget):
         viewport, centre = self._view.viewport(), Qt.AlignmentFlag.AlignCenter
         note = named(QWidget(viewport), "noParameterMatches")
         text = label(note, text=tr("No parameter matches."))
-        title, clear = tr("&Show all parameters"), self._filters.clear
-        show_all = button(note, "showAllParameters", title, on_click=clear)
+        show_all = button(note, "showAllParameters", tr("&Show all parameters"))
+        show_all.clicked.connect(self._filters.clear)
         column((text, 0, centre), (show_all, 0, centre), into=note)
         QVBoxLayout(viewport).addWidget(note, 0, centre)
         return note
