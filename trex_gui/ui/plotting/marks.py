@@ -78,7 +78,6 @@ class EventMarks(Painted):
         self.setObjectName("eventMarks")
         self.setAccessibleName(tr("Events in the plot"))
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        theme().changed.connect(self.update)
 
     def set_marks(self, marks: list[tuple[float, Event]]) -> None:
         if marks != self.marks:
@@ -140,7 +139,6 @@ class CurveTags(Painted):
         self._heights: dict[str, float] = {}
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        theme().changed.connect(self.update)
 
     def set_traces(self, traces: Sequence[TraceInfo]) -> None:
         self._traces = {trace.name: trace for trace in traces if trace.tag}

@@ -203,7 +203,6 @@ class Bar(Painted):
     def _on_theme_changed(self) -> None:
         self._marks = self._read_marks()
         self._static_key = ()
-        self.update()
 
     def changeEvent(self, event: QEvent) -> None:
         if event.type() in {QEvent.Type.FontChange, QEvent.Type.StyleChange}:

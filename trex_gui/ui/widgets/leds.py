@@ -42,7 +42,6 @@ class Lamp(Painted):
         self._color = color
         self.lit = False
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
-        theme().changed.connect(self.update)
 
     def set_lit(self, lit: bool) -> None:
         if lit != self.lit:

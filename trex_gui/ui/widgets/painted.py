@@ -4,6 +4,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QPaintDevice, QPainter
 from PySide6.QtWidgets import QGraphicsWidget, QWidget
 
+from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.accessible import Spoken
 
 
@@ -22,8 +23,9 @@ class Painter(QPainter):
 
 
 class Painted(QWidget, Spoken):
-    """A widget that paints itself with a `Painter`."""
+    """A widget that paints itself with a `Painter`, in the colours of the theme."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         never_mirror(self)
+        theme().changed.connect(self.update)

@@ -217,7 +217,6 @@ class ServoGauge(Painted):
         super().__init__(parent)
         self._shown: tuple[int, int, bool] = (0, 0, False)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        theme().changed.connect(self.update)
 
     @property
     def position(self) -> int:

@@ -92,7 +92,6 @@ class RobotDrawing(Painted):
         self._marked = -1
         self.setMouseTracking(True)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        theme().changed.connect(self.update)
 
     def show_robot(self, state: RobotState, goals: tuple[int, ...]) -> None:
         self._state, self._goals = state, goals
