@@ -17,6 +17,7 @@ from trex_gui.ui.frame.main_window import MainWindow, last_device
 from trex_gui.ui.frame.workspace import FileKind, Workspace
 from trex_gui.ui.last_run import report_last_run
 from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.plotting.page import PlotPage
 from trex_gui.ui.workers.threads import wait_for_orphans
 
 _FILES_TIMEOUT_MS = 5000  # a slow disk takes seconds to save a file; reading is cancelled
@@ -84,7 +85,8 @@ class Program:
     def make_plots(self) -> None:
         """Make the plots of pages that were not shown yet, so that showing one takes no longer."""
         for workspace in self._workspaces.values():
-            workspace.make_plots()
+            for page in workspace.findChildren(PlotPage):
+                page.need_plot()
 
     def workspace(self, device: str) -> Workspace:
         """Return the workspace of a kind of device by its key."""

@@ -150,7 +150,7 @@ class _Frame:
     sender: SerialFormat
     baud: float
     is_alive: Callable[[], bool]
-    then: Callable[[], object]
+    then: Callable[[], object] = lambda: None
     collided: bool = False
 
     def is_in_step_with(self, other: "_Frame") -> bool:
@@ -165,10 +165,6 @@ class _Frame:
         index = int((moment - self.start) * self.baud)
         bits = levels(self.value, self.sender)
         return bits[index] if 0 <= index < len(bits) and moment >= self.start else 1
-
-
-def _nothing() -> None:
-    pass
 
 
 class SimulatedLine:
@@ -313,7 +309,7 @@ class SimulatedLine:
         byte: int,
         station: Station,
         is_alive: Callable[[], bool],
-        then: Callable[[], object] = _nothing,
+        then: Callable[[], object] = lambda: None,
     ) -> None:
         """Begin a byte of a station; it is lost if `is_alive` is false at its end."""
         now, end = self.now, self.now + self.byte_time_of(station)
@@ -350,7 +346,7 @@ class SimulatedLine:
 
     def _put_at_host_rate(self, byte: int, end: float) -> None:
         if self.paced:
-            self._put(_Frame(self.now, end, byte, *self._host_receiver(), lambda: True, _nothing))
+            self._put(_Frame(self.now, end, byte, *self._host_receiver(), lambda: True))
         else:
             self.arrive(byte, self.now)
 

@@ -124,11 +124,6 @@ class Workspace(QWidget):
         for index in sorted(self._missing):
             self._make_page(index)
 
-    def make_plots(self) -> None:
-        """Make the plots of pages that were not shown yet."""
-        for page in self.pages.findChildren(PlotPage):
-            page.need_plot()
-
     def _make_page(self, index: int) -> None:
         if index not in self._missing:
             return

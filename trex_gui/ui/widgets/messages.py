@@ -242,14 +242,6 @@ class MessageRoom(QWidget):
         self._cover.raise_()
 
 
-def _always() -> bool:
-    return True
-
-
-def _nothing() -> None:
-    pass
-
-
 class InlinePrompt(_MessageRow):
     """A question with a button for each answer, which leaves the stop button visible.
 
@@ -259,8 +251,8 @@ class InlinePrompt(_MessageRow):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("question", parent)
-        self._still: Callable[[], bool] = _always
-        self._otherwise: Callable[[], object] = _nothing
+        self._still: Callable[[], bool] = lambda: True
+        self._otherwise: Callable[[], object] = lambda: None
         self._cancel = ui.button(
             self, "questionCancel", tr("Cancel"), default=False, on_click=self.withdraw
         )
@@ -271,8 +263,8 @@ class InlinePrompt(_MessageRow):
         self,
         text: str,
         *answers: Answer,
-        still: Callable[[], bool] = _always,
-        otherwise: Callable[[], object] = _nothing,
+        still: Callable[[], bool] = lambda: True,
+        otherwise: Callable[[], object] = lambda: None,
     ) -> None:
         """Ask; returns before the answer.
 
@@ -312,7 +304,7 @@ class InlinePrompt(_MessageRow):
 
     def _close(self) -> None:
         self.hide()
-        self._still, self._otherwise = _always, _nothing
+        self._otherwise = lambda: None
         self._text.clear()
         self._remove_buttons()
 

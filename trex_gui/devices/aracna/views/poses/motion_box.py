@@ -1,12 +1,9 @@
 """Sequences and gaits: a list, and the steps of the current one."""
 
-from typing import Any
-
 from PySide6.QtCore import QAbstractItemModel, QModelIndex, QPersistentModelIndex, Qt, Signal, Slot
 from PySide6.QtGui import QKeyEvent, QPaintEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QComboBox,
     QHeaderView,
     QSpinBox,
     QStyledItemDelegate,
@@ -168,19 +165,10 @@ class _Delegate(QStyledItemDelegate):
             suffix=tr(" ms"),
         )
 
-    def setEditorData(self, editor: QWidget, index: _Index) -> None:
-        value: Any = index.data(Qt.ItemDataRole.EditRole)
-        if isinstance(editor, QComboBox):
-            editor.setCurrentIndex(editor.findText(str(value)))
-        elif isinstance(editor, QSpinBox):
-            editor.setValue(int(value))
-
     def setModelData(self, editor: QWidget, model: QAbstractItemModel, index: _Index) -> None:
-        if isinstance(editor, QComboBox):
-            model.setData(index, editor.currentText())
-        elif isinstance(editor, QSpinBox):
+        if isinstance(editor, QSpinBox):
             editor.interpretText()
-            model.setData(index, editor.value())
+        super().setModelData(editor, model, index)
 
     @Slot()
     def _on_activated(self) -> None:
