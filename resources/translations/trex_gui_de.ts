@@ -2761,14 +2761,14 @@
         <translation>diese Zahl ist nicht lesbar; {0}</translation></message>
     <message><source>merge keys (&lt;&lt;) are not allowed; {0}</source>
         <translation>Merge-Schlüssel (&lt;&lt;) sind nicht erlaubt; {0}</translation></message>
-    <message><source>nothing to write</source>
-        <translation>nichts zu schreiben</translation></message>
-    <message numerus="yes"><source>&amp;Write to %n board(s)</source>
-        <translation><numerusform>Auf %n Board &amp;schreiben</numerusform><numerusform>Auf %n Boards &amp;schreiben</numerusform></translation></message>
     <message><source>Each checked board gets these settings, one board after the other, with a snapshot before. Each keeps its device number and its serial settings. The first error while writing ends the work.</source>
         <translation>Jedes angekreuzte Board erhält diese Einstellungen, ein Board nach dem anderen, jeweils nach einer Sicherungskopie. Jedes behält seine Gerätenummer und seine seriellen Einstellungen. Der erste Fehler beim Schreiben beendet die Arbeit.</translation></message>
     <message><source>Boards to write to</source>
         <translation>Boards, auf die geschrieben wird</translation></message>
+    <message><source>nothing to write</source>
+        <translation>nichts zu schreiben</translation></message>
+    <message numerus="yes"><source>&amp;Write to %n board(s)</source>
+        <translation><numerusform>Auf %n Board &amp;schreiben</numerusform><numerusform>Auf %n Boards &amp;schreiben</numerusform></translation></message>
     <message><source>&amp;End after this board</source>
         <translation>&amp;Nach diesem Board beenden</translation></message>
     <message><source>Close</source>
@@ -2833,16 +2833,22 @@
         <translation>max</translation></message>
     <message><source>{value}, neutral</source>
         <translation>{value}, neutral</translation></message>
+    <message><source>Runs the test while it is held, with the mouse or the space bar</source>
+        <translation>Führt den Prüflauf aus, solange sie mit der Maus oder der Leertaste gehalten wird</translation></message>
     <message><source>Test to compare with</source>
         <translation>Prüflauf zum Vergleichen</translation></message>
+    <message><source>How far from the steady current counts as settled, in percent</source>
+        <translation>Abweichung vom stationären Strom, die noch als eingeschwungen gilt, in Prozent</translation></message>
+    <message><source>Open a saved test</source>
+        <translation>Gespeicherten Prüflauf öffnen</translation></message>
+    <message><source>Save this test to compare with later, or a picture of it</source>
+        <translation>Diesen Prüflauf für spätere Vergleiche oder als Bild speichern</translation></message>
     <message><source>Bench test of motor {0}: {1}, {2:%Y-%m-%d %H:%M}</source>
         <translation>Prüflauf von Motor {0}: {1}, {2:%Y-%m-%d %H:%M}</translation></message>
     <message><source>{0:%H:%M:%S}, motor {1}: {2}</source>
         <translation>{0:%H:%M:%S}, Motor {1}: {2}</translation></message>
     <message><source>Bench test</source>
         <translation>Prüflauf</translation></message>
-    <message><source>How far from the steady current counts as settled, in percent</source>
-        <translation>Abweichung vom stationären Strom, die noch als eingeschwungen gilt, in Prozent</translation></message>
     <message><source>Sa&amp;ve…</source>
         <translation>&amp;Speichern…</translation></message>
     <message><source>&amp;Close</source>
@@ -2857,12 +2863,10 @@
         <translation>Motor {0} läuft: {1:.1f} von {2:g} s.</translation></message>
     <message><source>Armed. Hold the button: the motor runs only while it is held.</source>
         <translation>Freigegeben. Halten Sie die Schaltfläche gedrückt: Der Motor läuft nur, solange sie gehalten wird.</translation></message>
-    <message><source>Runs the test while it is held, with the mouse or the space bar</source>
-        <translation>Führt den Prüflauf aus, solange sie mit der Maus oder der Leertaste gehalten wird</translation></message>
-    <message><source>Open a saved test</source>
-        <translation>Gespeicherten Prüflauf öffnen</translation></message>
-    <message><source>Save this test to compare with later, or a picture of it</source>
-        <translation>Diesen Prüflauf für spätere Vergleiche oder als Bild speichern</translation></message>
+    <message><source>Compar&amp;e with</source>
+        <translation>&amp;Vergleichen mit</translation></message>
+    <message><source>Settled &amp;within</source>
+        <translation>Eingesch&amp;wungen innerhalb</translation></message>
     <message><source>Aborted after {0:.2f} s: {1}</source>
         <translation>Abgebrochen nach {0:.2f} s: {1}</translation></message>
     <message><source>Released after {0:.2f} s.</source>
@@ -2871,10 +2875,10 @@
         <translation>Der Prüflauf ist abgeschlossen.</translation></message>
     <message><source>the previous test</source>
         <translation>voriger Prüflauf</translation></message>
-    <message><source>Compar&amp;e with</source>
-        <translation>&amp;Vergleichen mit</translation></message>
-    <message><source>Settled &amp;within</source>
-        <translation>Eingesch&amp;wungen innerhalb</translation></message>
+    <message><source>Accelerate uses the board's acceleration, brake duration and current limit; Set at once bypasses the first two and, for a moment, the limit, too.</source>
+        <translation>„Beschleunigen“ nutzt Beschleunigung, Bremsdauer und Stromgrenze des Boards; „Sofort setzen“ umgeht die ersten beiden und kurzzeitig auch die Grenze.</translation></message>
+    <message><source>One reading above it stops and disarms all motors. A motor draws most when it starts.</source>
+        <translation>Schon ein Messwert darüber stoppt und sperrt alle Motoren. Beim Anlaufen zieht ein Motor den höchsten Strom.</translation></message>
     <message><source>1 to {0}, full speed</source>
         <translation>1 bis {0}, volle Geschwindigkeit</translation></message>
     <message><source>Connect to a board to see its settings.</source>
@@ -2925,16 +2929,24 @@
         <translation>&amp;Anwenden…</translation></message>
     <message><source> s</source>
         <translation> s</translation></message>
+    <message><source>Step: at once</source>
+        <translation>Sprung: sofort</translation></message>
+    <message><source>Ramp: rising linearly</source>
+        <translation>Rampe: linear steigend</translation></message>
+    <message><source>Reverse: back and forth</source>
+        <translation>Umkehr: vor und zurück</translation></message>
+    <message><source>Sine</source>
+        <translation>Sinus</translation></message>
     <message><source>Forward</source>
         <translation>Vorwärts</translation></message>
     <message><source>Reverse</source>
         <translation>Rückwärts</translation></message>
-    <message><source>Accelerate uses the board's acceleration, brake duration and current limit; Set at once bypasses the first two and, for a moment, the limit, too.</source>
-        <translation>„Beschleunigen“ nutzt Beschleunigung, Bremsdauer und Stromgrenze des Boards; „Sofort setzen“ umgeht die ersten beiden und kurzzeitig auch die Grenze.</translation></message>
+    <message><source>Accelerate</source>
+        <translation>Beschleunigen</translation></message>
+    <message><source>Set at once</source>
+        <translation>Sofort setzen</translation></message>
     <message><source> A</source>
         <translation> A</translation></message>
-    <message><source>One reading above it stops and disarms all motors. A motor draws most when it starts.</source>
-        <translation>Schon ein Messwert darüber stoppt und sperrt alle Motoren. Beim Anlaufen zieht ein Motor den höchsten Strom.</translation></message>
     <message><source>Stop when the board reports that its own current limit was exceeded.</source>
         <translation>Stoppt, wenn das Board meldet, dass seine eigene Stromgrenze überschritten wurde.</translation></message>
     <message><source>R&amp;ises in</source>
@@ -2949,18 +2961,6 @@
         <translation>Einstellungen von Motor {0}</translation></message>
     <message><source>Not applied: {0}</source>
         <translation>Nicht angewendet: {0}</translation></message>
-    <message><source>Step: at once</source>
-        <translation>Sprung: sofort</translation></message>
-    <message><source>Ramp: rising linearly</source>
-        <translation>Rampe: linear steigend</translation></message>
-    <message><source>Reverse: back and forth</source>
-        <translation>Umkehr: vor und zurück</translation></message>
-    <message><source>Sine</source>
-        <translation>Sinus</translation></message>
-    <message><source>Accelerate</source>
-        <translation>Beschleunigen</translation></message>
-    <message><source>Set at once</source>
-        <translation>Sofort setzen</translation></message>
     <message><source>{0} (stored: {1})</source>
         <translation>{0} (gespeichert: {1})</translation></message>
     <message><source>The table of figures has the results as numbers.</source>
@@ -3029,6 +3029,16 @@
         <translation>Gespeichert als {0}.</translation></message>
     <message><source>Click a board, or press Enter, to show it on every page. Motors stop first.</source>
         <translation>Klicken Sie auf ein Board oder drücken Sie Enter, um es auf jeder Seite zu zeigen. Zuvor werden die Motoren gestoppt.</translation></message>
+    <message><source>Ask for each device number which board has it; nothing is changed</source>
+        <translation>Für jede Gerätenummer abfragen, welches Board sie hat; es wird nichts geändert</translation></message>
+    <message><source>Ask for no more numbers</source>
+        <translation>Keine weiteren Nummern abfragen</translation></message>
+    <message><source>Give the board that is selected another device number</source>
+        <translation>Dem ausgewählten Board eine andere Gerätenummer geben</translation></message>
+    <message><source>Write a settings file to several boards; each keeps its number</source>
+        <translation>Eine Einstellungsdatei auf mehrere Boards schreiben; jedes behält seine Nummer</translation></message>
+    <message><source>Before it is written, the line is asked for the new number: if another board has it, nothing is written. A board that is off, or has other serial settings, cannot be noticed. The new number takes effect at once, and a snapshot is saved first.</source>
+        <translation>Vor dem Schreiben wird die Leitung nach der neuen Nummer abgefragt: Hat ein anderes Board sie, wird nichts geschrieben. Ein ausgeschaltetes Board oder eines mit anderen seriellen Einstellungen kann nicht bemerkt werden. Die neue Nummer gilt sofort; vorher wird eine Sicherungskopie gespeichert.</translation></message>
     <message><source>Progress of the search</source>
         <translation>Fortschritt der Suche</translation></message>
     <message><source>Find boards</source>
@@ -3039,14 +3049,14 @@
         <translation>Nummer ändern…</translation></message>
     <message><source>Apply a file…</source>
         <translation>Datei anwenden…</translation></message>
+    <message><source>Boards on this line</source>
+        <translation>Boards an dieser Leitung</translation></message>
     <message><source>It replied before. Check its power and its wires.</source>
         <translation>Es hat schon geantwortet. Prüfen Sie seine Stromversorgung und seine Leitungen.</translation></message>
     <message><source>Several boards seem to have this number. Switch off all but one, and give it a number of its own.</source>
         <translation>Mehrere Boards scheinen diese Nummer zu haben. Schalten Sie alle bis auf eines aus und geben Sie diesem eine eigene Nummer.</translation></message>
     <message><source>Change device number</source>
         <translation>Gerätenummer ändern</translation></message>
-    <message><source>Before it is written, the line is asked for the new number: if another board has it, nothing is written. A board that is off, or has other serial settings, cannot be noticed. The new number takes effect at once, and a snapshot is saved first.</source>
-        <translation>Vor dem Schreiben wird die Leitung nach der neuen Nummer abgefragt: Hat ein anderes Board sie, wird nichts geschrieben. Ein ausgeschaltetes Board oder eines mit anderen seriellen Einstellungen kann nicht bemerkt werden. Die neue Nummer gilt sofort; vorher wird eine Sicherungskopie gespeichert.</translation></message>
     <message><source>New device number</source>
         <translation>Neue Gerätenummer</translation></message>
     <message><source>&amp;Write number</source>
@@ -3057,16 +3067,6 @@
         <translation>&amp;Neue Nummer:</translation></message>
     <message><source>The board has this number already.</source>
         <translation>Das Board hat diese Nummer schon.</translation></message>
-    <message><source>Boards on this line</source>
-        <translation>Boards an dieser Leitung</translation></message>
-    <message><source>Ask for each device number which board has it; nothing is changed</source>
-        <translation>Für jede Gerätenummer abfragen, welches Board sie hat; es wird nichts geändert</translation></message>
-    <message><source>Ask for no more numbers</source>
-        <translation>Keine weiteren Nummern abfragen</translation></message>
-    <message><source>Give the board that is selected another device number</source>
-        <translation>Dem ausgewählten Board eine andere Gerätenummer geben</translation></message>
-    <message><source>Write a settings file to several boards; each keeps its number</source>
-        <translation>Eine Einstellungsdatei auf mehrere Boards schreiben; jedes behält seine Nummer</translation></message>
     <message><source>being left …</source>
         <translation>wird verlassen …</translation></message>
     <message><source>selected, not responding</source>
@@ -3163,16 +3163,20 @@
         <translation>Fünfmal Blinken, dann bleibt Rot an.</translation></message>
     <message><source>The TReX responds at the factory settings.</source>
         <translation>Der TReX antwortet mit den Werkseinstellungen.</translation></message>
+    <message><source>Search with Find first: it finds a board at any of its settings. If that fails, these steps from Pololu's support forum restore the serial settings of the factory (inferred). One user saw the LEDs alternate for three seconds only, and nothing was restored: then begin again. Compare the other settings with your last snapshot afterwards (Ctrl+H).</source>
+        <translation>Suchen Sie zuerst mit „Suchen“: Das findet ein Board mit jeder seiner Einstellungen. Hilft das nicht, stellen diese Schritte aus dem Support-Forum von Pololu die seriellen Werkseinstellungen wieder her (erschlossen). Ein Benutzer sah die LEDs nur drei Sekunden lang abwechseln, und nichts wurde wiederhergestellt: Beginnen Sie dann von vorn. Vergleichen Sie danach die übrigen Einstellungen mit Ihrer letzten Sicherungskopie (Strg+H).</translation></message>
     <message><source>Ways to a board that responds</source>
         <translation>Wege zu einem antwortenden Board</translation></message>
     <message><source>Mode may also be on: the board responds in every mode.</source>
         <translation>Der Modus-Jumper darf auch stecken: Das Board antwortet in jedem Modus.</translation></message>
-    <message><source>Search with Find first: it finds a board at any of its settings. If that fails, these steps from Pololu's support forum restore the serial settings of the factory (inferred). One user saw the LEDs alternate for three seconds only, and nothing was restored: then begin again. Compare the other settings with your last snapshot afterwards (Ctrl+H).</source>
-        <translation>Suchen Sie zuerst mit „Suchen“: Das findet ein Board mit jeder seiner Einstellungen. Hilft das nicht, stellen diese Schritte aus dem Support-Forum von Pololu die seriellen Werkseinstellungen wieder her (erschlossen). Ein Benutzer sah die LEDs nur drei Sekunden lang abwechseln, und nichts wurde wiederhergestellt: Beginnen Sie dann von vorn. Vergleichen Sie danach die übrigen Einstellungen mit Ihrer letzten Sicherungskopie (Strg+H).</translation></message>
     <message><source>&amp;Back</source>
         <translation>&amp;Zurück</translation></message>
     <message><source>&amp;Next</source>
         <translation>&amp;Weiter</translation></message>
+    <message><source>What the LEDs show</source>
+        <translation>Was die LEDs zeigen</translation></message>
+    <message><source>What this computer receives</source>
+        <translation>Was dieser Computer empfängt</translation></message>
     <message><source>Board does not respond</source>
         <translation>Board antwortet nicht</translation></message>
     <message><source>&amp;What the board shows</source>
@@ -3185,10 +3189,6 @@
         <translation>&amp;Mit Werkseinstellungen verbinden</translation></message>
     <message><source>Jumpers to connect</source>
         <translation>Jumper zum Verbinden</translation></message>
-    <message><source>What the LEDs show</source>
-        <translation>Was die LEDs zeigen</translation></message>
-    <message><source>What this computer receives</source>
-        <translation>Was dieser Computer empfängt</translation></message>
     <message><source>19200 baud, without parity and CRC, whatever the device number</source>
         <translation>19200 Baud, ohne Parität und CRC, bei jeder Gerätenummer</translation></message>
     <message><source>Show &amp;matching settings, too</source>
@@ -3207,6 +3207,8 @@
         <translation>Konvertierte Einstellungen</translation></message>
     <message><source>For a {0}: {1} carried over, {2} changed, {3} left out.</source>
         <translation>Für einen {0}: {1} übernommen, {2} geändert, {3} ausgelassen.</translation></message>
+    <message><source>Opens the converted settings as a new file, with the comments of this one. {0} stays as it is.</source>
+        <translation>Öffnet die konvertierten Einstellungen als neue Datei, mit den Kommentaren dieser Datei. {0} bleibt, wie sie ist.</translation></message>
     <message><source>Changed.</source>
         <translation>Geändert.</translation></message>
     <message><source>Left out.</source>
@@ -3227,8 +3229,6 @@
         <translation>Konvertieren &amp;für:</translation></message>
     <message><source>Convert {0}</source>
         <translation>{0} konvertieren</translation></message>
-    <message><source>Opens the converted settings as a new file, with the comments of this one. {0} stays as it is.</source>
-        <translation>Öffnet die konvertierten Einstellungen als neue Datei, mit den Kommentaren dieser Datei. {0} bleibt, wie sie ist.</translation></message>
     <message numerus="yes"><source>%n count(s)</source>
         <translation><numerusform>%n Count</numerusform><numerusform>%n Counts</numerusform></translation></message>
     <message><source>Enter 0 to {0}, such as 2.5 V, 2500 mV or 512 counts.</source>
@@ -3253,6 +3253,24 @@
         <translation>an: Die Kanäle steuern die Motoren</translation></message>
     <message><source>Safe-start: the motors wait until the sticks are centred.</source>
         <translation>Safe-Start: Die Motoren warten, bis die Knüppel in Mittelstellung sind.</translation></message>
+    <message><source>Off for a second: jumpers are read, stored settings take effect</source>
+        <translation>Eine Sekunde lang aus: Jumper werden gelesen, gespeicherte Einstellungen wirksam</translation></message>
+    <message><source>The mode jumper; the board reads it when power comes on</source>
+        <translation>Der Modus-Jumper; das Board liest ihn beim Einschalten</translation></message>
+    <message><source>The mix jumper: input 2 drives forward, input 1 turns; takes effect at once</source>
+        <translation>Der Mix-Jumper: Eingang 2 fährt vorwärts, Eingang 1 lenkt; wirkt sofort</translation></message>
+    <message><source>Connects SO to ground; with Mix a power-up then learns the inputs' calibration</source>
+        <translation>Verbindet SO mit Masse; zusammen mit Mix lernt das Board beim nächsten Einschalten die Kalibrierung der Eingänge ein</translation></message>
+    <message><source>Hold all sticks centred, as safe-start requires</source>
+        <translation>Alle Knüppel in Mittelstellung halten, wie es der Safe-Start verlangt</translation></message>
+    <message><source>Input {0}: {1} in RC and analog mode, only measured in serial mode. A double click centres it.</source>
+        <translation>Eingang {0}: {1} im RC- und Analogmodus, im seriellen Modus nur gemessen. Ein Doppelklick zentriert ihn.</translation></message>
+    <message><source>Unplugged, the port is gone: Serial Timeout and UART-Error Shutdown should stop motors</source>
+        <translation>Abgezogen verschwindet der Port: Serielles Timeout und „Abschaltung bei UART-Fehlern“ sollten die Motoren stoppen</translation></message>
+    <message><source>An error of the serial line that the board reports</source>
+        <translation>Ein Fehler der seriellen Leitung, den das Board meldet</translation></message>
+    <message><source>The next byte reaches the board with this error; the Errors page counts it. Only a board with parity detects a parity error.</source>
+        <translation>Das nächste Byte erreicht das Board mit diesem Fehler; die Seite „Fehler“ zählt ihn. Nur ein Board mit Parität erkennt einen Paritätsfehler.</translation></message>
     <message><source>flickers</source>
         <translation>flackert</translation></message>
     <message><source>off: the power is off</source>
@@ -3269,30 +3287,24 @@
         <translation>Einschalten</translation></message>
     <message><source>SO–G holds the serial output to ground: no reply gets out.</source>
         <translation>SO–G hält den seriellen Ausgang auf Masse: Keine Antwort kommt heraus.</translation></message>
+    <message><source>Resets everything: stored settings, jumpers, sticks, loads and faults of the line</source>
+        <translation>Setzt alles zurück: gespeicherte Einstellungen, Jumper, Knüppel, Lasten und Störungen der Leitung</translation></message>
     <message><source>Power and jumpers</source>
         <translation>Stromversorgung und Jumper</translation></message>
     <message><source>Power on</source><comment>state</comment>
         <translation>Eingeschaltet</translation></message>
     <message><source>The board's power switch</source>
         <translation>Der Hauptschalter des Boards</translation></message>
-    <message><source>Off for a second: jumpers are read, stored settings take effect</source>
-        <translation>Eine Sekunde lang aus: Jumper werden gelesen, gespeicherte Einstellungen wirksam</translation></message>
     <message><source>Battery voltage</source>
         <translation>Batteriespannung</translation></message>
     <message><source>Supply</source>
         <translation>Versorgung</translation></message>
     <message><source>Mode jumper</source>
         <translation>Modus-Jumper</translation></message>
-    <message><source>The mode jumper; the board reads it when power comes on</source>
-        <translation>Der Modus-Jumper; das Board liest ihn beim Einschalten</translation></message>
     <message><source>Mix</source>
         <translation>Mix</translation></message>
-    <message><source>The mix jumper: input 2 drives forward, input 1 turns; takes effect at once</source>
-        <translation>Der Mix-Jumper: Eingang 2 fährt vorwärts, Eingang 1 lenkt; wirkt sofort</translation></message>
     <message><source>SO–G</source>
         <translation>SO–G</translation></message>
-    <message><source>Connects SO to ground; with Mix a power-up then learns the inputs' calibration</source>
-        <translation>Verbindet SO mit Masse; zusammen mit Mix lernt das Board beim nächsten Einschalten die Kalibrierung der Eingänge ein</translation></message>
     <message><source>Battery</source>
         <translation>Batterie</translation></message>
     <message><source>No signal</source>
@@ -3303,8 +3315,6 @@
         <translation>Alle Knüppel schwingen langsam; einer, den Sie bewegen, bleibt dann stehen</translation></message>
     <message><source>Centre</source>
         <translation>Mitte</translation></message>
-    <message><source>Hold all sticks centred, as safe-start requires</source>
-        <translation>Alle Knüppel in Mittelstellung halten, wie es der Safe-Start verlangt</translation></message>
     <message><source>Centre all sticks</source>
         <translation>Alle Knüppel zentrieren</translation></message>
     <message><source>Motors</source>
@@ -3351,14 +3361,16 @@
         <translation>5 Vorrang</translation></message>
     <message><source>A weak battery sags when the motors start, and the board resets</source>
         <translation>Eine schwache Batterie bricht ein, wenn die Motoren anlaufen, und das Board startet neu</translation></message>
+    <message><source>No jumper: serial</source>
+        <translation>Kein Jumper: seriell</translation></message>
+    <message><source>Analog</source>
+        <translation>Analog</translation></message>
     <message><source>auxiliary</source>
         <translation>Hilfsmotor</translation></message>
     <message><source>flip</source>
         <translation>Umdrehen</translation></message>
     <message><source>override</source>
         <translation>Vorrang</translation></message>
-    <message><source>Unplugged, the port is gone: Serial Timeout and UART-Error Shutdown should stop motors</source>
-        <translation>Abgezogen verschwindet der Port: Serielles Timeout und „Abschaltung bei UART-Fehlern“ sollten die Motoren stoppen</translation></message>
     <message><source>The wire from SO is broken: the board executes commands, no reply arrives</source>
         <translation>Die Leitung von SO ist unterbrochen: Das Board führt Befehle aus, keine Antwort kommt an</translation></message>
     <message><source>This share of the bytes is corrupted in either direction; CRC detects them</source>
@@ -3373,12 +3385,6 @@
         <translation>{0}, um in den Modus {1} zu wechseln.</translation></message>
     <message><source>LEDs of the board</source>
         <translation>LEDs des Boards</translation></message>
-    <message><source>Resets everything: stored settings, jumpers, sticks, loads and faults of the line</source>
-        <translation>Setzt alles zurück: gespeicherte Einstellungen, Jumper, Knüppel, Lasten und Störungen der Leitung</translation></message>
-    <message><source>No jumper: serial</source>
-        <translation>Kein Jumper: seriell</translation></message>
-    <message><source>Analog</source>
-        <translation>Analog</translation></message>
     <message><source>{0:.1f} V at the board</source>
         <translation>{0:.1f} V am Board</translation></message>
     <message><source>switched off</source>
@@ -3405,12 +3411,8 @@
         <translation>Der Treiber von Motor {0} schaltet sich ab, wie bei Überhitzung oder Kurzschluss</translation></message>
     <message><source>Error of one byte</source>
         <translation>Fehler eines Bytes</translation></message>
-    <message><source>An error of the serial line that the board reports</source>
-        <translation>Ein Fehler der seriellen Leitung, den das Board meldet</translation></message>
     <message><source>Corrupt one byte</source>
         <translation>Ein Byte verfälschen</translation></message>
-    <message><source>The next byte reaches the board with this error; the Errors page counts it. Only a board with parity detects a parity error.</source>
-        <translation>Das nächste Byte erreicht das Board mit diesem Fehler; die Seite „Fehler“ zählt ihn. Nur ein Board mit Parität erkennt einen Paritätsfehler.</translation></message>
     <message><source>lit while a packet arrives</source>
         <translation>leuchtet, während ein Paket ankommt</translation></message>
     <message><source>fast flash: safe-start, the motors wait</source>
@@ -3419,8 +3421,6 @@
         <translation>{0}, um den Bootloader zu starten.</translation></message>
     <message><source>brake</source>
         <translation>bremsen</translation></message>
-    <message><source>Input {0}: {1} in RC and analog mode, only measured in serial mode. A double click centres it.</source>
-        <translation>Eingang {0}: {1} im RC- und Analogmodus, im seriellen Modus nur gemessen. Ein Doppelklick zentriert ihn.</translation></message>
     <message><source>No signal at input {0}</source>
         <translation>Kein Signal an Eingang {0}</translation></message>
     <message><source>The current that motor {0} draws at full speed; at the right end it stalls, which triggers current limits and faults</source>
@@ -3429,12 +3429,24 @@
         <translation>Treiberfehler von Motor {0}</translation></message>
     <message><source>Overrun</source>
         <translation>Überlauf</translation></message>
+    <message><source>{0}: beyond a limit that no document confirms (inferred). The board decides: it may reject the value, or store another one.</source>
+        <translation>{0}: jenseits einer Grenze, die kein Dokument bestätigt (erschlossen). Das Board entscheidet: Es lehnt den Wert vielleicht ab oder speichert einen anderen.</translation></message>
     <message><source>Findings about the settings</source>
         <translation>Befunde zu den Einstellungen</translation></message>
     <message><source>Accept</source>
         <translation>Übernehmen</translation></message>
+    <message><source>Write an&amp;yway</source>
+        <translation>&amp;Trotzdem schreiben</translation></message>
     <message><source>Add this change to the edits; nothing is written until you click Apply</source>
         <translation>Nimmt diesen Wert in die Änderungen auf; geschrieben wird erst, wenn Sie auf „Einstellungen anwenden“ klicken</translation></message>
+    <message><source>Save a copy as a settings file</source>
+        <translation>Eine Kopie als Einstellungsdatei speichern</translation></message>
+    <message><source>There are no snapshots yet.
+
+Before settings are applied or defaults restored, in this window or with trexcmd, everything that the board stores is saved here. You can compare a snapshot with the board and restore all or part of it.</source>
+        <translation>Es gibt noch keine Sicherungskopien.
+
+Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in diesem Fenster oder mit trexcmd, wird hier alles gesichert, was das Board speichert. Sie können eine Sicherungskopie mit dem Board vergleichen und ganz oder teilweise wiederherstellen.</translation></message>
     <message numerus="yes"><source>Permanently delete %n snapshot(s), the newest of {0}?</source>
         <translation><numerusform>%n Sicherungskopie von {0} endgültig löschen?</numerusform><numerusform>%n Sicherungskopien endgültig löschen, die neueste von {0}?</numerusform></translation></message>
     <message><source>Search times, boards, adapters (Ctrl+F)</source>
@@ -3447,12 +3459,6 @@
         <translation>&amp;Löschen…</translation></message>
     <message><source>&amp;Open folder</source>
         <translation>&amp;Ordner öffnen</translation></message>
-    <message><source>There are no snapshots yet.
-
-Before settings are applied or defaults restored, in this window or with trexcmd, everything that the board stores is saved here. You can compare a snapshot with the board and restore all or part of it.</source>
-        <translation>Es gibt noch keine Sicherungskopien.
-
-Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in diesem Fenster oder mit trexcmd, wird hier alles gesichert, was das Board speichert. Sie können eine Sicherungskopie mit dem Board vergleichen und ganz oder teilweise wiederherstellen.</translation></message>
     <message><source>Save a copy of the snapshot</source>
         <translation>Sicherungskopie als Datei speichern</translation></message>
     <message><source>Search snapshots</source>
@@ -3467,8 +3473,6 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Wie viele Sicherungskopien behalten werden</translation></message>
     <message><source>&amp;Set</source>
         <translation>&amp;Setzen</translation></message>
-    <message><source>Save a copy as a settings file</source>
-        <translation>Eine Kopie als Einstellungsdatei speichern</translation></message>
     <message><source>the newest</source>
         <translation>die neuesten</translation></message>
     <message><source>all</source>
@@ -3511,6 +3515,8 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Halten Sie jede Endlage, bis ihr Häkchen erscheint, mindestens {0:.1f} s: Diese Leitung ({1} Baud) überträgt nur {2:.1f} Messungen pro Sekunde. Klicken Sie dann auf „Weiter“.</translation></message>
     <message><source>Push every stick to all its ends, then release it. Move every switch to all its positions. The motors stay off: in serial mode the sticks do not drive them.</source>
         <translation>Drücken Sie jeden Knüppel in alle seine Endlagen, dann lassen Sie ihn los. Bewegen Sie jeden Schalter in alle seine Stellungen. Die Motoren bleiben aus: Im seriellen Modus treiben die Knüppel sie nicht an.</translation></message>
+    <message><source>If a channel does not get a good result, learn its values again.</source>
+        <translation>Wenn ein Kanal kein gutes Ergebnis erhält, lernen Sie seine Werte neu ein.</translation></message>
     <message numerus="yes"><source>&amp;Learn channel(s) {0} again</source>
         <translation><numerusform>Kanal {0} neu ein&amp;lernen</numerusform><numerusform>Kanäle {0} neu ein&amp;lernen</numerusform></translation></message>
     <message><source>Try &amp;again</source>
@@ -3565,8 +3571,6 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Hier gibt es nichts zu testen: Das Board ignoriert diesen Eingang und hält ihn in Neutralstellung. Siehe die Einstellung „Ignorierte Kanäle“.</translation></message>
     <message><source>The tested channels are good. But in {0} mode the motors would not start. {1}</source>
         <translation>Die getesteten Kanäle sind gut. Aber im Modus {0} würden die Motoren nicht anlaufen. {1}</translation></message>
-    <message><source>If a channel does not get a good result, learn its values again.</source>
-        <translation>Wenn ein Kanal kein gutes Ergebnis erhält, lernen Sie seine Werte neu ein.</translation></message>
     <message><source>Test the sticks</source>
         <translation>Knüppel testen</translation></message>
     <message><source>The motors are stopped: co&amp;ntinue</source>
@@ -3599,6 +3603,8 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Die obere Endlage wurde nicht gehalten. Drücken Sie wieder dorthin und halten Sie {0:.1f} s.</translation></message>
     <message><source>No end reached yet.</source>
         <translation>Noch keine Endlage erreicht.</translation></message>
+    <message><source>Calculated from the values in the board, for each channel by itself. From the manual: full output at and beyond the ends, 0 in the deadband, and what safe-start waits for. Assumed: up to 8 of 127 counts as neutral; the switching points of switches.</source>
+        <translation>Aus den Werten im Board berechnet, für jeden Kanal einzeln. Laut Handbuch: voller Ausgang an und jenseits der Endlagen, 0 im Totbereich, und worauf der Safe-Start wartet. Angenommen: bis zu 8 von 127 gelten als neutral; die Umschaltpunkte von Schaltern.</translation></message>
     <message><source>not sampled yet</source>
         <translation>noch nicht gemessen</translation></message>
     <message><source>{0} end: not reached yet</source>
@@ -3613,8 +3619,6 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Dort halten …</translation></message>
     <message><source>Not moved yet. Move the switch to every position.</source>
         <translation>Noch nicht bewegt. Bewegen Sie den Schalter in jede Stellung.</translation></message>
-    <message><source>Calculated from the values in the board, for each channel by itself. From the manual: full output at and beyond the ends, 0 in the deadband, and what safe-start waits for. Assumed: up to 8 of 127 counts as neutral; the switching points of switches.</source>
-        <translation>Aus den Werten im Board berechnet, für jeden Kanal einzeln. Laut Handbuch: voller Ausgang an und jenseits der Endlagen, 0 im Totbereich, und worauf der Safe-Start wartet. Angenommen: bis zu 8 von 127 gelten als neutral; die Umschaltpunkte von Schaltern.</translation></message>
     <message><source>low</source>
         <translation>unten</translation></message>
     <message><source>high</source>
@@ -3693,16 +3697,14 @@ was {1}</source>
 bisher {1}</translation></message>
     <message><source>{0} of channel {1}</source>
         <translation>{0} von Kanal {1}</translation></message>
-    <message><source>{0}: beyond a limit that no document confirms (inferred). The board decides: it may reject the value, or store another one.</source>
-        <translation>{0}: jenseits einer Grenze, die kein Dokument bestätigt (erschlossen). Das Board entscheidet: Es lehnt den Wert vielleicht ab oder speichert einen anderen.</translation></message>
-    <message><source>Write an&amp;yway</source>
-        <translation>&amp;Trotzdem schreiben</translation></message>
-    <message><source>&amp;Address one board of several by its number (Pololu protocol)</source>
-        <translation>Eines von mehreren Boards über seine &amp;Nummer ansprechen (Pololu-Protokoll)</translation></message>
-    <message><source>Line settings</source>
-        <translation>Leitungseinstellungen</translation></message>
     <message><source>These must be the settings that the board has now. A new board talks at 19200 baud, without error detection, with one stop bit. Changing them here changes nothing in the board.</source>
         <translation>Dies müssen die Einstellungen sein, die das Board jetzt hat. Ein neues Board kommuniziert mit 19200 Baud, ohne Fehlererkennung, mit einem Stoppbit. Änderungen hier ändern nichts im Board.</translation></message>
+    <message><source>&amp;Address one board of several by its number (Pololu protocol)</source>
+        <translation>Eines von mehreren Boards über seine &amp;Nummer ansprechen (Pololu-Protokoll)</translation></message>
+    <message><source>Numbers of other devices on this line, such as 0,1 (older Pololu motor and servo controllers). With one, every packet is addressed, to none of these numbers, and no other baud rate is tried.</source>
+        <translation>Nummern anderer Geräte an dieser Leitung, etwa 0,1 (ältere Motor- und Servocontroller von Pololu). Ist eine angegeben, wird jedes Paket adressiert, an keine dieser Nummern, und keine andere Baudrate wird versucht.</translation></message>
+    <message><source>Line settings</source>
+        <translation>Leitungseinstellungen</translation></message>
     <message><source>&amp;Line:</source>
         <translation>&amp;Leitung:</translation></message>
     <message><source>CRC-7 &amp;polynomial:</source>
@@ -3713,8 +3715,6 @@ bisher {1}</translation></message>
         <translation>Nu&amp;mmern anderer Geräte:</translation></message>
     <message><source>&amp;Restore defaults</source>
         <translation>Standard&amp;werte wiederherstellen</translation></message>
-    <message><source>Numbers of other devices on this line, such as 0,1 (older Pololu motor and servo controllers). With one, every packet is addressed, to none of these numbers, and no other baud rate is tried.</source>
-        <translation>Nummern anderer Geräte an dieser Leitung, etwa 0,1 (ältere Motor- und Servocontroller von Pololu). Ist eine angegeben, wird jedes Paket adressiert, an keine dieser Nummern, und keine andere Baudrate wird versucht.</translation></message>
     <message><source>&amp;Edit the file instead</source>
         <translation>Stattdessen die Datei &amp;bearbeiten</translation></message>
     <message numerus="yes"><source>{0}: %n change(s) pending; Apply settings writes them.</source>
@@ -3745,10 +3745,16 @@ bisher {1}</translation></message>
         <translation>Nicht in der Datei und daher unverändert: {0}.</translation></message>
     <message><source>“Arm without” is remembered for this board. Cut the power by hand then if the cable falls out.</source>
         <translation>„Ohne Timeout freigeben“ wird für dieses Board gemerkt. Trennen Sie dann die Motorversorgung von Hand, wenn das Kabel herausfällt.</translation></message>
+    <message><source>Writes Serial Timeout and UART-Error Shutdown now: the board should stop its motors {0} s after the last byte. Other changes stay pending.</source>
+        <translation>Schreibt jetzt „Serielles Timeout“ und „Abschaltung bei UART-Fehlern“: Das Board sollte seine Motoren {0} s nach dem letzten Byte stoppen. Andere Änderungen bleiben ausstehend.</translation></message>
     <message><source>Stop both motors and the auxiliary now (Esc, anywhere)</source>
         <translation>Beide Motoren und den Hilfsmotor sofort stoppen (Esc, überall)</translation></message>
     <message><source>Lets both motors and the auxiliary be driven; nothing moves yet</source>
         <translation>Gibt beide Motoren und den Hilfsmotor zum Fahren frei; noch bewegt sich nichts</translation></message>
+    <message><source>There are unapplied changes.</source>
+        <translation>Es gibt nicht angewendete Änderungen.</translation></message>
+    <message><source>Write the changed parameters into the board (Ctrl+Enter)</source>
+        <translation>Die geänderten Parameter ins Board schreiben (Strg+Enter)</translation></message>
     <message><source>Channels control the motors; Run motor needs serial control.</source>
         <translation>Die Kanäle steuern die Motoren; „Motor freigeben“ braucht serielle Steuerung.</translation></message>
     <message><source>Arm the motors</source>
@@ -3759,8 +3765,6 @@ bisher {1}</translation></message>
         <translation>Motoren stoppen</translation></message>
     <message><source>&amp;Run motor</source>
         <translation>Motor fre&amp;igeben</translation></message>
-    <message><source>There are unapplied changes.</source>
-        <translation>Es gibt nicht angewendete Änderungen.</translation></message>
     <message><source>&amp;Apply settings</source>
         <translation>Einstellungen an&amp;wenden</translation></message>
     <message><source>The board driven before may still turn its motors. Cut their power.</source>
@@ -3779,8 +3783,6 @@ bisher {1}</translation></message>
         <translation>Das Board hat das serielle Timeout nicht gespeichert.</translation></message>
     <message><source>Write the serial timeout</source>
         <translation>Serielles Timeout schreiben</translation></message>
-    <message><source>Write the changed parameters into the board (Ctrl+Enter)</source>
-        <translation>Die geänderten Parameter ins Board schreiben (Strg+Enter)</translation></message>
     <message><source>Armed. Drive them on the Motors page.</source>
         <translation>Freigegeben. Gefahren wird auf der Seite „Motoren“.</translation></message>
     <message><source>Stopping …</source>
@@ -3789,8 +3791,6 @@ bisher {1}</translation></message>
         <translation>&amp;{0} s schreiben</translation></message>
     <message><source>Write a serial timeout of {0} s</source>
         <translation>Serielles Timeout von {0} s schreiben</translation></message>
-    <message><source>Writes Serial Timeout and UART-Error Shutdown now: the board should stop its motors {0} s after the last byte. Other changes stay pending.</source>
-        <translation>Schreibt jetzt „Serielles Timeout“ und „Abschaltung bei UART-Fehlern“: Das Board sollte seine Motoren {0} s nach dem letzten Byte stoppen. Andere Änderungen bleiben ausstehend.</translation></message>
     <message><source>Armed. Sent: {0}</source>
         <translation>Freigegeben. Gesendet: {0}</translation></message>
     <message><source>Stopped. Motors are locked for {0} s.</source>
@@ -3877,6 +3877,10 @@ bisher {1}</translation></message>
         <translation>Im RC-Modus erforder&amp;lich</translation></message>
     <message><source>The motors stop when its pulses are missing for half a second</source>
         <translation>Die Motoren werden gestoppt, wenn die Impulse dieses Kanals eine halbe Sekunde fehlen</translation></message>
+    <message><source>Read the other input source</source>
+        <translation>Die andere Eingangsquelle lesen</translation></message>
+    <message><source>Ma&amp;ke active…</source>
+        <translation>Akti&amp;vieren…</translation></message>
     <message><source>Its values have not been read yet.</source>
         <translation>Seine Werte wurden noch nicht gelesen.</translation></message>
     <message><source>, problem</source>
@@ -3889,8 +3893,6 @@ bisher {1}</translation></message>
         <translation>nicht eingelernt: Standardwerte</translation></message>
     <message><source>Analog voltages</source>
         <translation>Analogspannungen</translation></message>
-    <message><source>Ma&amp;ke active…</source>
-        <translation>Akti&amp;vieren…</translation></message>
     <message><source>stored now</source>
         <translation>jetzt gespeichert</translation></message>
     <message><source>after Apply</source>
@@ -3903,8 +3905,6 @@ bisher {1}</translation></message>
         <translation>Eingangsquelle</translation></message>
     <message><source>learned: has its own calibration</source>
         <translation>eingelernt: hat eine eigene Kalibrierung</translation></message>
-    <message><source>Read the other input source</source>
-        <translation>Die andere Eingangsquelle lesen</translation></message>
     <message><source>No board responds.</source>
         <translation>Kein Board antwortet.</translation></message>
     <message><source>Live value</source>
@@ -3931,6 +3931,8 @@ bisher {1}</translation></message>
         <translation>Kopieren, zurück&amp;setzen, Dateien</translation></message>
     <message><source>Di&amp;scard</source>
         <translation>&amp;Verwerfen</translation></message>
+    <message><source>Discard the edits of this channel</source>
+        <translation>Die Änderungen dieses Kanals verwerfen</translation></message>
     <message><source>No board responds. Edits are kept until a board of the same kind is connected.</source>
         <translation>Kein Board antwortet. Änderungen bleiben erhalten, bis ein Board derselben Art verbunden ist.</translation></message>
     <message><source>no live value: the board reads the other source</source>
@@ -3941,8 +3943,6 @@ bisher {1}</translation></message>
         <translation>jetzt kein Signal: Der Ausgang ist 0</translation></message>
     <message><source>&amp;Note:</source>
         <translation>Noti&amp;z:</translation></message>
-    <message><source>Discard the edits of this channel</source>
-        <translation>Die Änderungen dieses Kanals verwerfen</translation></message>
     <message><source>For {0}, {1}: {2}</source>
         <translation>Für {0}, {1}: {2}</translation></message>
     <message><source>Drag a handle of the curve, or type {0} or {1} counts. Nothing is written until you click Apply.</source>
@@ -4009,12 +4009,20 @@ bisher {1}</translation></message>
         <translation>Ein Count entspricht bei diesem Board {0:.0f} mA.</translation></message>
     <message><source>Reading an error clears it in the board; this program counts each one. Errors in bold were reported since you cleared them.</source>
         <translation>Beim Lesen wird ein Fehler im Board gelöscht; dieses Programm zählt jeden. Fett gedruckte Fehler wurden seit dem letzten Quittieren gemeldet.</translation></message>
+    <message><source>Take the errors in bold as known; counts stay, and an error that is still active comes back at once</source>
+        <translation>Fett gedruckte Fehler als bekannt übernehmen; die Zähler bleiben, und ein noch aktiver Fehler erscheint sofort wieder</translation></message>
+    <message><source>Set every count to zero, and forget when errors were seen</source>
+        <translation>Alle Zähler auf null setzen und vergessen, wann Fehler auftraten</translation></message>
+    <message><source>Reset co&amp;unts</source>
+        <translation>&amp;Zähler zurücksetzen</translation></message>
+    <message><source>The board came back in another mode, so its power was off meanwhile; it does not report a restart in the same mode</source>
+        <translation>Das Board kam in einem anderen Modus zurück, war also zwischendurch ohne Strom; einen Neustart im selben Modus meldet es nicht</translation></message>
+    <message><source>The board was silent for a while: its power was low or off, it restarted, or the cable has a bad contact</source>
+        <translation>Das Board schwieg eine Zeit lang: Seine Versorgung war schwach oder aus, es startete neu, oder das Kabel hat einen Wackelkontakt</translation></message>
     <message><source>{0}; timeouts: {1}, corrupted replies: {2}, slowest reply: {3:.0f} ms</source>
         <translation>{0}; Timeouts: {1}, verfälschte Antworten: {2}, langsamste Antwort: {3:.0f} ms</translation></message>
     <message><source>C&amp;lear errors</source>
         <translation>Fehler &amp;quittieren</translation></message>
-    <message><source>Reset co&amp;unts</source>
-        <translation>&amp;Zähler zurücksetzen</translation></message>
     <message><source>Errors</source>
         <translation>Fehler</translation></message>
     <message><source>Error</source>
@@ -4031,6 +4039,8 @@ bisher {1}</translation></message>
         <translation>Was er bedeutet und was zu tun ist</translation></message>
     <message><source>Connection</source>
         <translation>Verbindung</translation></message>
+    <message><source>Since the connection was opened</source>
+        <translation>Seit dem Öffnen der Verbindung</translation></message>
     <message><source>never</source>
         <translation>nie</translation></message>
     <message><source>before connecting</source>
@@ -4041,28 +4051,18 @@ bisher {1}</translation></message>
         <translation>Die Leitung ist gestört und hat kein CRC: Eine verfälschte Antwort sieht genauso aus.</translation></message>
     <message><source>⚠ Yes</source>
         <translation>⚠ Ja</translation></message>
-    <message><source>Take the errors in bold as known; counts stay, and an error that is still active comes back at once</source>
-        <translation>Fett gedruckte Fehler als bekannt übernehmen; die Zähler bleiben, und ein noch aktiver Fehler erscheint sofort wieder</translation></message>
-    <message><source>Set every count to zero, and forget when errors were seen</source>
-        <translation>Alle Zähler auf null setzen und vergessen, wann Fehler auftraten</translation></message>
     <message><source>No</source>
         <translation>Nein</translation></message>
     <message><source>Quality:</source>
         <translation>Qualität:</translation></message>
-    <message><source>Since the connection was opened</source>
-        <translation>Seit dem Öffnen der Verbindung</translation></message>
     <message><source>Reads per second:</source>
         <translation>Lesevorgänge pro Sekunde:</translation></message>
     <message><source>Connected for:</source>
         <translation>Verbunden seit:</translation></message>
     <message><source>Restarts in another mode:</source>
         <translation>Neustarts in anderem Modus:</translation></message>
-    <message><source>The board came back in another mode, so its power was off meanwhile; it does not report a restart in the same mode</source>
-        <translation>Das Board kam in einem anderen Modus zurück, war also zwischendurch ohne Strom; einen Neustart im selben Modus meldet es nicht</translation></message>
     <message><source>Returned after silence:</source>
         <translation>Nach Stille zurückgekehrt:</translation></message>
-    <message><source>The board was silent for a while: its power was low or off, it restarted, or the cable has a bad contact</source>
-        <translation>Das Board schwieg eine Zeit lang: Seine Versorgung war schwach oder aus, es startete neu, oder das Kabel hat einen Wackelkontakt</translation></message>
     <message><source>{0}
 (doubtful)</source>
         <translation>{0}
@@ -4129,6 +4129,10 @@ bisher {1}</translation></message>
         <translation>Gamepad einrichten</translation></message>
     <message><source>Assignment</source>
         <translation>Zuordnung</translation></message>
+    <message><source>One axis drives, one turns</source>
+        <translation>Eine Achse fährt, eine lenkt</translation></message>
+    <message><source>An axis for each motor</source>
+        <translation>Eine Achse für jeden Motor</translation></message>
     <message><source>How two axes drive two motors</source>
         <translation>Wie zwei Achsen zwei Motoren steuern</translation></message>
     <message><source>Move it…</source>
@@ -4183,10 +4187,6 @@ bisher {1}</translation></message>
         <translation>{0}: umgekehrt</translation></message>
     <message><source>Setpoint of motor {0}</source>
         <translation>Sollwert von Motor {0}</translation></message>
-    <message><source>One axis drives, one turns</source>
-        <translation>Eine Achse fährt, eine lenkt</translation></message>
-    <message><source>An axis for each motor</source>
-        <translation>Eine Achse für jeden Motor</translation></message>
     <message><source>Gamepad</source>
         <translation>Gamepad</translation></message>
     <message><source>Drive with a &amp;gamepad</source>
@@ -4207,56 +4207,56 @@ bisher {1}</translation></message>
         <translation>Mit Gamepad fahren</translation></message>
     <message><source>Stop what the gamepad drives when the window loses the focus</source>
         <translation>Stoppen, was das Gamepad fährt, wenn das Fenster den Fokus verliert</translation></message>
-    <message><source>Remembered for this board.</source>
-        <translation>Wird für dieses Board gemerkt.</translation></message>
-    <message><source>Seconds that Run motor is locked after Stop</source>
-        <translation>Sekunden, für die „Motor freigeben“ nach einem Stopp gesperrt ist</translation></message>
-    <message><source>Either slider sets both motors; the robot does not turn</source>
-        <translation>Jeder Schieberegler setzt beide Motoren; der Roboter lenkt nicht</translation></message>
-    <message><source>The motors run differently: stop both, or give both the same speed</source>
-        <translation>Die Motoren laufen verschieden: Stoppen Sie beide, oder geben Sie beiden dieselbe Geschwindigkeit</translation></message>
-    <message><source>&amp;Speed ceiling</source>
-        <translation>Höchstgeschwi&amp;ndigkeit</translation></message>
-    <message><source>New board: raise this once its motors turn the right way.</source>
-        <translation>Neues Board: Erst erhöhen, wenn seine Motoren richtig herum drehen.</translation></message>
-    <message><source>Options</source>
-        <translation>Optionen</translation></message>
-    <message><source>Accelerate along the board's ra&amp;mp</source>
-        <translation>Mit der &amp;Rampe des Boards beschleunigen</translation></message>
-    <message><source>Se&amp;t at once</source>
-        <translation>Sofort set&amp;zen</translation></message>
-    <message><source>Drive with arrow &amp;keys or WASD</source>
-        <translation>Mit &amp;Pfeiltasten oder WASD fahren</translation></message>
-    <message><source>&amp;Link both motors</source>
-        <translation>Beide Motoren &amp;koppeln</translation></message>
-    <message><source>&amp;Brake strength</source>
-        <translation>Bre&amp;msstärke</translation></message>
-    <message><source>coast (0 %)</source>
-        <translation>auslaufen (0 %)</translation></message>
-    <message><source>L&amp;ock after Stop</source>
-        <translation>&amp;Sperre nach Stopp</translation></message>
-    <message><source>Stop when you lea&amp;ve this page</source>
-        <translation>Beim Verl&amp;assen dieser Seite stoppen</translation></message>
-    <message><source>Return slider to &amp;zero when it is released</source>
-        <translation>Schieberegler beim &amp;Loslassen auf null setzen</translation></message>
-    <message><source>none (0 s)</source>
-        <translation>keine (0 s)</translation></message>
-    <message><source>{0}, as a number</source>
-        <translation>{0}, als Zahl</translation></message>
     <message><source>Highest speed that this program sends to this board; full deflection of pad, keys and gamepad gives this speed. Raising it does not speed up a running motor.</source>
         <translation>Höchste Geschwindigkeit, die dieses Programm an dieses Board sendet; voller Ausschlag von Fahrfeld, Tasten und Gamepad ergibt diese Geschwindigkeit. Höher setzen macht einen laufenden Motor nicht schneller.</translation></message>
+    <message><source>&amp;Speed ceiling</source>
+        <translation>Höchstgeschwi&amp;ndigkeit</translation></message>
+    <message><source>Remembered for this board.</source>
+        <translation>Wird für dieses Board gemerkt.</translation></message>
+    <message><source>Accelerate along the board's ra&amp;mp</source>
+        <translation>Mit der &amp;Rampe des Boards beschleunigen</translation></message>
     <message><source>The board ramps speeds at the Acceleration setting and pauses for the brake duration before reversing</source>
         <translation>Das Board ändert Geschwindigkeiten mit einer Rampe nach der Einstellung „Beschleunigung“ und wartet vor dem Umkehren die Bremsdauer ab</translation></message>
     <message><source>Bypasses ramp and brake duration, and for a moment also the current limit</source>
         <translation>Umgeht Rampe und Bremsdauer, kurzzeitig auch die Strombegrenzung</translation></message>
     <message><source>Held keys drive wherever the focus is on this page, except in number fields, tables and lists; sliders then get no arrow keys. In the pad they always drive.</source>
         <translation>Gehaltene Tasten fahren überall auf dieser Seite, wo auch der Fokus ist, außer in Zahlenfeldern, Tabellen und Listen; Schieberegler erhalten dann keine Pfeiltasten. Im Fahrfeld fahren sie immer.</translation></message>
+    <message><source>Drive with arrow &amp;keys or WASD</source>
+        <translation>Mit &amp;Pfeiltasten oder WASD fahren</translation></message>
     <message><source>How hard Brake and letting go of pad, keys and held sliders brake; Stop always brakes fully</source>
         <translation>Wie stark „Bremsen“ und das Loslassen von Fahrfeld, Tasten und gehaltenen Schiebereglern bremsen; ein Stopp bremst immer voll</translation></message>
+    <message><source>&amp;Brake strength</source>
+        <translation>Bre&amp;msstärke</translation></message>
+    <message><source>Stop when you lea&amp;ve this page</source>
+        <translation>Beim Verl&amp;assen dieser Seite stoppen</translation></message>
     <message><source>Stop both motors and the auxiliary when another page is shown or the window is minimised</source>
         <translation>Beide Motoren und den Hilfsmotor stoppen, wenn eine andere Seite gezeigt oder das Fenster minimiert wird</translation></message>
+    <message><source>Return slider to &amp;zero when it is released</source>
+        <translation>Schieberegler beim &amp;Loslassen auf null setzen</translation></message>
     <message><source>A slider drives only while you hold it; letting go brakes its motor</source>
         <translation>Ein Schieberegler fährt nur, solange Sie ihn halten; Loslassen bremst seinen Motor</translation></message>
+    <message><source>Seconds that Run motor is locked after Stop</source>
+        <translation>Sekunden, für die „Motor freigeben“ nach einem Stopp gesperrt ist</translation></message>
+    <message><source>Either slider sets both motors; the robot does not turn</source>
+        <translation>Jeder Schieberegler setzt beide Motoren; der Roboter lenkt nicht</translation></message>
+    <message><source>The motors run differently: stop both, or give both the same speed</source>
+        <translation>Die Motoren laufen verschieden: Stoppen Sie beide, oder geben Sie beiden dieselbe Geschwindigkeit</translation></message>
+    <message><source>New board: raise this once its motors turn the right way.</source>
+        <translation>Neues Board: Erst erhöhen, wenn seine Motoren richtig herum drehen.</translation></message>
+    <message><source>Options</source>
+        <translation>Optionen</translation></message>
+    <message><source>Se&amp;t at once</source>
+        <translation>Sofort set&amp;zen</translation></message>
+    <message><source>&amp;Link both motors</source>
+        <translation>Beide Motoren &amp;koppeln</translation></message>
+    <message><source>coast (0 %)</source>
+        <translation>auslaufen (0 %)</translation></message>
+    <message><source>L&amp;ock after Stop</source>
+        <translation>&amp;Sperre nach Stopp</translation></message>
+    <message><source>none (0 s)</source>
+        <translation>keine (0 s)</translation></message>
+    <message><source>{0}, as a number</source>
+        <translation>{0}, als Zahl</translation></message>
     <message><source>How long Run motor stays locked after Stop or Esc, so that a slider or key still held cannot restart a motor (0 to {0:g} s)</source>
         <translation>Wie lange „Motor freigeben“ nach einem Stopp oder Esc gesperrt bleibt, damit ein noch gehaltener Schieberegler oder eine gehaltene Taste keinen Motor wieder startet (0 bis {0:g} s)</translation></message>
     <message><source>Auxiliary (one way)</source>
@@ -4303,10 +4303,16 @@ bisher {1}</translation></message>
         <translation>{0}: Kanal {1}</translation></message>
     <message><source>Search names and descriptions (Ctrl+F)</source>
         <translation>Namen und Beschreibungen durchsuchen (Strg+F)</translation></message>
-    <message><source>Search parameters</source>
-        <translation>Parameter suchen</translation></message>
     <message><source>Group of parameters</source>
         <translation>Gruppe von Parametern</translation></message>
+    <message><source>Show only what you have changed</source>
+        <translation>Nur zeigen, was Sie geändert haben</translation></message>
+    <message><source>Show only values that differ from their default</source>
+        <translation>Nur Werte zeigen, die von ihrem Standardwert abweichen</translation></message>
+    <message><source>Make each change to one motor to the other, too, in one step</source>
+        <translation>Jede Änderung an einem Motor im selben Schritt auch am anderen vornehmen</translation></message>
+    <message><source>Search parameters</source>
+        <translation>Parameter suchen</translation></message>
     <message><source>&amp;Modified only</source>
         <translation>Nu&amp;r geänderte</translation></message>
     <message><source>Not default onl&amp;y</source>
@@ -4317,20 +4323,18 @@ bisher {1}</translation></message>
         <translation>Keiner von {1} passt</translation></message>
     <message><source>{0} of {1}</source>
         <translation>{0} von {1}</translation></message>
-    <message><source>Show only what you have changed</source>
-        <translation>Nur zeigen, was Sie geändert haben</translation></message>
-    <message><source>Show only values that differ from their default</source>
-        <translation>Nur Werte zeigen, die von ihrem Standardwert abweichen</translation></message>
-    <message><source>Make each change to one motor to the other, too, in one step</source>
-        <translation>Jede Änderung an einem Motor im selben Schritt auch am anderen vornehmen</translation></message>
     <message><source>All groups</source>
         <translation>Alle Gruppen</translation></message>
     <message><source>Click a value and type, or double-click it. Nothing is written until you click Apply.</source>
         <translation>Klicken Sie auf einen Wert und tippen Sie, oder doppelklicken Sie darauf. Geschrieben wird erst, wenn Sie auf „Einstellungen anwenden“ klicken.</translation></message>
+    <message><source>Show the steps for switching the board off and on</source>
+        <translation>Die Schritte zum Aus- und Einschalten des Boards zeigen</translation></message>
     <message><source>Discard edi&amp;ts</source>
         <translation>Änder&amp;ungen verwerfen</translation></message>
     <message><source>Re&amp;load</source>
         <translation>Neu &amp;laden</translation></message>
+    <message><source>Read every parameter from the board again</source>
+        <translation>Alle Parameter erneut vom Board lesen</translation></message>
     <message><source>Connect to a board to see its parameters.</source>
         <translation>Verbinden Sie ein Board, um seine Parameter zu sehen.</translation></message>
     <message><source>No board is responding. Edits are kept until the same kind of board is connected.</source>
@@ -4341,10 +4345,6 @@ bisher {1}</translation></message>
         <translation><numerusform>%n ausstehende Änderung: Klicken Sie auf „Einstellungen anwenden“, um sie zu schreiben.</numerusform><numerusform>%n ausstehende Änderungen: Klicken Sie auf „Einstellungen anwenden“, um sie zu schreiben.</numerusform></translation></message>
     <message><source>Stored, but not active until the board is switched off and on: {0}.</source>
         <translation>Gespeichert, aber erst nach dem Aus- und Einschalten des Boards aktiv: {0}.</translation></message>
-    <message><source>Show the steps for switching the board off and on</source>
-        <translation>Die Schritte zum Aus- und Einschalten des Boards zeigen</translation></message>
-    <message><source>Read every parameter from the board again</source>
-        <translation>Alle Parameter erneut vom Board lesen</translation></message>
     <message><source>{0} of {1} could not be verified; marked below.</source>
         <translation>Konnte nicht bestätigt werden: {0} von {1}; unten markiert.</translation></message>
     <message numerus="yes"><source>%n setting(s) written and verified.</source>
@@ -4395,14 +4395,14 @@ bisher {1}</translation></message>
         <translation>Nach {0} kopieren</translation></message>
     <message><source>LEDs that the board shows</source>
         <translation>LEDs, die das Board zeigt</translation></message>
+    <message><source>Set up my r&amp;obot…</source>
+        <translation>&amp;Meinen Roboter einrichten…</translation></message>
     <message><source>Who drives, jumpers, sticks, motors and limits, step by step.</source>
         <translation>Wer steuert, Jumper, Knüppel, Motoren und Grenzen, Schritt für Schritt.</translation></message>
     <message><source>compact packets</source>
         <translation>kompakte Pakete</translation></message>
     <message><source>LEDs on the board:</source>
         <translation>LEDs auf dem Board:</translation></message>
-    <message><source>Set up my r&amp;obot…</source>
-        <translation>&amp;Meinen Roboter einrichten…</translation></message>
     <message><source>joint: one motor</source>
         <translation>Parallelbetrieb: ein Motor</translation></message>
     <message><source>two independent motors</source>
@@ -4431,10 +4431,12 @@ bisher {1}</translation></message>
         <translation>Anschluss:</translation></message>
     <message><source>device number {0}</source>
         <translation>Gerätenummer {0}</translation></message>
-    <message><source>{0}; the channels control the motors.</source>
-        <translation>{0}; die Kanäle steuern die Motoren.</translation></message>
     <message><source>&amp;Settings at this time…</source>
         <translation>&amp;Einstellungen zu dieser Zeit…</translation></message>
+    <message><source>Open the settings that the board stored at this time</source>
+        <translation>Die Einstellungen öffnen, die das Board zu dieser Zeit gespeichert hatte</translation></message>
+    <message><source>{0}; the channels control the motors.</source>
+        <translation>{0}; die Kanäle steuern die Motoren.</translation></message>
     <message><source>Signal</source>
         <translation>Signal</translation></message>
     <message><source>Counts</source>
@@ -4447,8 +4449,6 @@ bisher {1}</translation></message>
         <translation>Modus {0}</translation></message>
     <message><source>{0}.</source>
         <translation>{0}.</translation></message>
-    <message><source>Open the settings that the board stored at this time</source>
-        <translation>Die Einstellungen öffnen, die das Board zu dieser Zeit gespeichert hatte</translation></message>
     <message><source>{0}; serial commands reach the motors.</source>
         <translation>{0}; serielle Befehle erreichen die Motoren.</translation></message>
     <message><source>brake {0}</source>
@@ -4457,14 +4457,14 @@ bisher {1}</translation></message>
         <translation><numerusform>Zuvor geändert, aber nicht angewendet: %n Einstellung dieses {0} ({1}). Als ausstehende Änderung wiederherstellen?</numerusform><numerusform>Zuvor geändert, aber nicht angewendet: %n Einstellungen dieses {0} ({1}). Als ausstehende Änderungen wiederherstellen?</numerusform></translation></message>
     <message><source>Settings are still being written. Close anyway? Unwritten settings are offered when the board is connected again.</source>
         <translation>Es werden noch Einstellungen geschrieben. Trotzdem schließen? Nicht geschriebene Einstellungen werden beim nächsten Verbinden des Boards angeboten.</translation></message>
+    <message><source>Close anyway</source>
+        <translation>Trotzdem schließen</translation></message>
     <message><source>Review and apply…</source>
         <translation>Prüfen und anwenden…</translation></message>
     <message numerus="yes"><source>%n setting(s) of this {0} differ from what was applied last ({1}): lost, changed by something else, or this is another board.</source>
         <translation><numerusform>%n Einstellung dieses {0} weicht von der zuletzt angewendeten ab ({1}): verloren, von etwas anderem geändert, oder dies ist ein anderes Board.</numerusform><numerusform>%n Einstellungen dieses {0} weichen von den zuletzt angewendeten ab ({1}): verloren, von etwas anderem geändert, oder dies ist ein anderes Board.</numerusform></translation></message>
     <message><source>Keep the values of the board</source>
         <translation>Werte des Boards behalten</translation></message>
-    <message><source>Close anyway</source>
-        <translation>Trotzdem schließen</translation></message>
     <message><source>Save as a settings file…</source>
         <translation>Als Einstellungsdatei speichern…</translation></message>
     <message><source>Keep and close</source>
@@ -4473,10 +4473,14 @@ bisher {1}</translation></message>
         <translation>Verwerfen und schließen</translation></message>
     <message><source>Show…</source>
         <translation>Anzeigen…</translation></message>
+    <message><source>&amp;Keep 30 s around each fault and stop</source>
+        <translation>30 s um &amp;jede Störung und jeden Stopp behalten</translation></message>
     <message><source>The seconds around “{0}” were kept. File, Open fault or stop: {1}</source>
         <translation>Die Sekunden um „{0}“ wurden behalten. Datei, Störung oder Stopp öffnen: {1}</translation></message>
     <message><source>The seconds around “{0}” could not be kept. {1}</source>
         <translation>Die Sekunden um „{0}“ konnten nicht behalten werden. {1}</translation></message>
+    <message><source>Start recording &amp;with Run motor</source>
+        <translation>Aufzeichnung &amp;mit „Motor freigeben“ starten</translation></message>
     <message><source>Nothing can be recorded: no board is connected.</source>
         <translation>Es kann nichts aufgezeichnet werden: Kein Board ist verbunden.</translation></message>
     <message><source>File, Open recording</source>
@@ -4485,54 +4489,52 @@ bisher {1}</translation></message>
         <translation>Auf&amp;zeichnung öffnen…</translation></message>
     <message><source>Open fa&amp;ult or stop…</source>
         <translation>Störung oder Sto&amp;pp öffnen…</translation></message>
-    <message><source>Start recording &amp;with Run motor</source>
-        <translation>Aufzeichnung &amp;mit „Motor freigeben“ starten</translation></message>
-    <message><source>&amp;Keep 30 s around each fault and stop</source>
-        <translation>30 s um &amp;jede Störung und jeden Stopp behalten</translation></message>
     <message><source>Open fault or stop</source>
         <translation>Störung oder Stopp öffnen</translation></message>
-    <message><source>It gets device number {0}, which another board on this line has: both would reply at once, and neither could be read. Give that board another number first.</source>
-        <translation>Es erhält die Gerätenummer {0}, die ein anderes Board an dieser Leitung hat: Beide würden gleichzeitig antworten, und keine der Antworten wäre lesbar. Geben Sie jenem Board zuerst eine andere Nummer.</translation></message>
+    <message><source>Every parameter, by the board's own command, at its next start</source>
+        <translation>Alle Parameter, durch den Befehl des Boards selbst, bei seinem nächsten Start</translation></message>
     <message><source>&amp;Let the board reset itself…</source>
         <translation>Das Board sich selbst &amp;zurücksetzen lassen…</translation></message>
     <message><source>At its next start the board will reset every parameter, including those cleared here. Its present settings are saved first (File, History). Unapplied changes are discarded; Undo restores them.</source>
         <translation>Bei seinem nächsten Start setzt das Board alle Parameter zurück, auch die hier abgewählten. Seine jetzigen Einstellungen werden zuvor gesichert (Datei, Verlauf). Nicht angewendete Änderungen werden verworfen; „Rückgängig“ stellt sie wieder her.</translation></message>
-    <message><source>Reset the &amp;board</source>
-        <translation>&amp;Board zurücksetzen</translation></message>
-    <message><source>Restore serial defaults</source>
-        <translation>Serielle Standardwerte wiederherstellen</translation></message>
     <message><source>The communication settings go back to their defaults. They become active when the board is switched off and on.</source>
         <translation>Die Kommunikationseinstellungen erhalten wieder ihre Standardwerte. Sie werden aktiv, wenn das Board aus- und eingeschaltet wird.</translation></message>
-    <message><source>Restore factory defaults</source>
-        <translation>Werkseinstellungen wiederherstellen</translation></message>
     <message><source>Every parameter goes back to its default; the channel calibrations stay. Clear the check box of any parameter to keep. Nothing is written before the review.</source>
         <translation>Jeder Parameter erhält wieder seinen Standardwert; die Kalibrierungen der Kanäle bleiben. Entfernen Sie das Häkchen bei jedem Parameter, der bleiben soll. Vor der Prüfung wird nichts geschrieben.</translation></message>
+    <message><source>It gets device number {0}, which another board on this line has: both would reply at once, and neither could be read. Give that board another number first.</source>
+        <translation>Es erhält die Gerätenummer {0}, die ein anderes Board an dieser Leitung hat: Beide würden gleichzeitig antworten, und keine der Antworten wäre lesbar. Geben Sie jenem Board zuerst eine andere Nummer.</translation></message>
+    <message><source>Reset the &amp;board</source>
+        <translation>&amp;Board zurücksetzen</translation></message>
+    <message><source>Restore factory defaults</source>
+        <translation>Werkseinstellungen wiederherstellen</translation></message>
+    <message><source>Restore serial defaults</source>
+        <translation>Serielle Standardwerte wiederherstellen</translation></message>
     <message><source>Factory default</source>
         <translation>Werkseinstellung</translation></message>
     <message numerus="yes"><source>&amp;Review %n change(s)…</source>
         <translation><numerusform>%n Änderung &amp;prüfen…</numerusform><numerusform>%n Änderungen &amp;prüfen…</numerusform></translation></message>
-    <message><source>Every parameter, by the board's own command, at its next start</source>
-        <translation>Alle Parameter, durch den Befehl des Boards selbst, bei seinem nächsten Start</translation></message>
     <message><source>No source confirms the default of: {0}.</source>
         <translation>Keine Quelle bestätigt den Standardwert von: {0}.</translation></message>
-    <message><source>Switch it on again. The program then reconnects at {0}.</source>
-        <translation>Schalten Sie es wieder ein. Das Programm verbindet sich dann neu mit {0}.</translation></message>
-    <message><source>The board has to be switched off and on.</source>
-        <translation>Das Board muss aus- und eingeschaltet werden.</translation></message>
     <message><source>I have &amp;switched it off and on</source>
         <translation>Ich habe es aus- und &amp;eingeschaltet</translation></message>
+    <message><source>The board has to be switched off and on.</source>
+        <translation>Das Board muss aus- und eingeschaltet werden.</translation></message>
     <message><source>Switch the board off for at least one second.</source>
         <translation>Schalten Sie das Board für mindestens eine Sekunde aus.</translation></message>
     <message><source>The program reads the settings again.</source>
         <translation>Das Programm liest die Einstellungen erneut.</translation></message>
     <message><source>Switch it on again.</source>
         <translation>Schalten Sie es wieder ein.</translation></message>
+    <message><source>Switch it on again. The program then reconnects at {0}.</source>
+        <translation>Schalten Sie es wieder ein. Das Programm verbindet sich dann neu mit {0}.</translation></message>
     <message><source>Power cycle completed.</source>
         <translation>Aus- und Einschalten abgeschlossen.</translation></message>
     <message><source>Not active until the board is switched off and on: {0}.</source>
         <translation>Erst nach dem Aus- und Einschalten des Boards aktiv: {0}.</translation></message>
     <message><source>Switch the board off and on</source>
         <translation>Board aus- und einschalten</translation></message>
+    <message><source>The board has stopped responding. Waiting for it to respond again …</source>
+        <translation>Das Board antwortet nicht mehr. Warten, bis es wieder antwortet …</translation></message>
     <message><source>The board is back, but these settings are still not active: {0}.</source>
         <translation>Das Board ist wieder da, aber diese Einstellungen sind noch nicht aktiv: {0}.</translation></message>
     <message><source>The board still responds. A short interruption is not detected: leave the power off for a full second.</source>
@@ -4541,8 +4543,6 @@ bisher {1}</translation></message>
         <translation>Warten, bis das Board nicht mehr antwortet …</translation></message>
     <message><source>The board is still not responding. Check its power and the cable. If both are fine, disconnect and press “Find…”, which tries every setting.</source>
         <translation>Das Board antwortet noch immer nicht. Prüfen Sie seine Stromversorgung und das Kabel. Wenn beides in Ordnung ist, trennen Sie die Verbindung und klicken Sie auf „Suchen…“; damit wird jede Einstellung versucht.</translation></message>
-    <message><source>The board has stopped responding. Waiting for it to respond again …</source>
-        <translation>Das Board antwortet nicht mehr. Warten, bis es wieder antwortet …</translation></message>
     <message><source>The line was closed. Switch the board off and on, then connect again; “Find…” tries every setting.</source>
         <translation>Die Leitung wurde geschlossen. Schalten Sie das Board aus und ein und verbinden Sie es dann wieder; „Suchen…“ versucht jede Einstellung.</translation></message>
     <message><source>Connected again. The program cannot detect whether the board was switched off meanwhile: confirm it, or switch the board off and on now.</source>
@@ -4553,6 +4553,8 @@ bisher {1}</translation></message>
         <translation>Entfernen Sie das Häkchen bei jeder Einstellung, die Sie später anwenden wollen.</translation></message>
     <message><source>{0} of {1} could not be verified; still pending.</source>
         <translation>Konnte nicht bestätigt werden: {0} von {1}; noch ausstehend.</translation></message>
+    <message numerus="yes"><source>%n finding(s). Accept a proposal, or leave the setting as it is.</source>
+        <translation><numerusform>%n Befund. Übernehmen Sie den Vorschlag oder lassen Sie die Einstellung, wie sie ist.</numerusform><numerusform>%n Befunde. Übernehmen Sie einen Vorschlag oder lassen Sie die Einstellung, wie sie ist.</numerusform></translation></message>
     <message numerus="yes"><source>%n setting(s) of the {0} will change.</source>
         <translation><numerusform>%n Einstellung des {0} wird geändert.</numerusform><numerusform>%n Einstellungen des {0} werden geändert.</numerusform></translation></message>
     <message><source>{0} (device number {1}, {2})</source>
@@ -4581,56 +4583,54 @@ bisher {1}</translation></message>
         <translation>Die Verbindung ist abgebrochen.</translation></message>
     <message><source>The value that was being written when the connection was lost may be the old one, the new one or, after a power cut, the default. It will be read again.</source>
         <translation>Der Wert, der gerade geschrieben wurde, als die Verbindung verloren ging, kann der alte, der neue oder, nach einem Stromausfall, der Standardwert sein. Er wird erneut gelesen.</translation></message>
-    <message numerus="yes"><source>%n finding(s). Accept a proposal, or leave the setting as it is.</source>
-        <translation><numerusform>%n Befund. Übernehmen Sie den Vorschlag oder lassen Sie die Einstellung, wie sie ist.</numerusform><numerusform>%n Befunde. Übernehmen Sie einen Vorschlag oder lassen Sie die Einstellung, wie sie ist.</numerusform></translation></message>
     <message numerus="yes"><source>%n finding(s) left.</source>
         <translation><numerusform>%n Befund bleibt.</numerusform><numerusform>%n Befunde bleiben.</numerusform></translation></message>
+    <message><source>Saving the board's present settings before anything is written.</source>
+        <translation>Die jetzigen Einstellungen des Boards werden gesichert, bevor etwas geschrieben wird.</translation></message>
     <message><source>There is nothing to write: no setting was changed.</source>
         <translation>Es gibt nichts zu schreiben: Keine Einstellung wurde geändert.</translation></message>
     <message><source>No board is responding. The edits are kept.</source>
         <translation>Kein Board antwortet. Die Änderungen bleiben erhalten.</translation></message>
     <message><source>The board will reset itself at its next start and would lose what is written now. Switch it off and on first (Device, Make stored settings active).</source>
         <translation>Das Board setzt sich bei seinem nächsten Start selbst zurück und würde verlieren, was jetzt geschrieben wird. Schalten Sie es zuerst aus und ein (Gerät, Gespeicherte Einstellungen aktivieren).</translation></message>
-    <message><source>Saving the board's present settings before anything is written.</source>
-        <translation>Die jetzigen Einstellungen des Boards werden gesichert, bevor etwas geschrieben wird.</translation></message>
-    <message><source>Writing. Each value is read back; leave the power on.</source>
-        <translation>Schreiben läuft. Jeder Wert wird zurückgelesen; lassen Sie die Stromversorgung eingeschaltet.</translation></message>
     <message><source>{0} of {1}: {2}</source>
         <translation>{0} von {1}: {2}</translation></message>
+    <message><source>Writing. Each value is read back; leave the power on.</source>
+        <translation>Schreiben läuft. Jeder Wert wird zurückgelesen; lassen Sie die Stromversorgung eingeschaltet.</translation></message>
     <message><source>not attempted</source>
         <translation>nicht versucht</translation></message>
     <message><source>{0} is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use it, too.</source>
         <translation>{0} gehört jetzt zu den ausstehenden Änderungen. Die Einstellung gilt, nachdem das Board aus- und eingeschaltet wurde; dieses Fenster folgt dann. Andere Programme an dieser Leitung müssen sie auch verwenden.</translation></message>
-    <message><source>Read the settings from the board and discard the edits made here?</source>
-        <translation>Die Einstellungen vom Board lesen und die hier gemachten Änderungen verwerfen?</translation></message>
     <message><source>CRC-7 is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use CRC-7, too.</source>
         <translation>CRC-7 gehört jetzt zu den ausstehenden Änderungen. Die Einstellung gilt, nachdem das Board aus- und eingeschaltet wurde; dieses Fenster folgt dann. Andere Programme an dieser Leitung müssen CRC-7 auch verwenden.</translation></message>
+    <message><source>Read the settings from the board and discard the edits made here?</source>
+        <translation>Die Einstellungen vom Board lesen und die hier gemachten Änderungen verwerfen?</translation></message>
     <message><source>Discard and reload</source>
         <translation>Verwerfen und neu laden</translation></message>
-    <message><source>Channel</source>
-        <translation>Kanal</translation></message>
+    <message><source>A board keeps two calibrations for each channel: one for RC pulses, one for analog voltages. Calibrations that are not in the file stay as they are on the board. The number without a unit is the count in the file.</source>
+        <translation>Ein Board speichert zwei Kalibrierungen für jeden Kanal: eine für RC-Impulse, eine für analoge Spannungen. Kalibrierungen, die nicht in der Datei stehen, bleiben auf dem Board, wie sie sind. Die Zahl ohne Einheit ist der Wert in Counts, wie er in der Datei steht.</translation></message>
+    <message><source>&amp;Leave out selected</source>
+        <translation>Auswahl &amp;weglassen</translation></message>
+    <message><source>Remove the calibrations of the selected channels from the file</source>
+        <translation>Die Kalibrierungen der ausgewählten Kanäle aus der Datei entfernen</translation></message>
+    <message><source>Double-click a value to change it; type 1500, 1.5 ms, 2.5 V or 3750 counts.</source>
+        <translation>Doppelklicken Sie auf einen Wert, um ihn zu ändern; geben Sie 1500, 1,5 ms, 2,5 V oder 3750 Counts ein.</translation></message>
     <message><source>Deadband</source>
         <translation>Totbereich</translation></message>
+    <message><source>Channel</source>
+        <translation>Kanal</translation></message>
     <message><source>Calibrations</source>
         <translation>Kalibrierungen</translation></message>
     <message><source>&amp;Add selected</source>
         <translation>Auswahl &amp;hinzufügen</translation></message>
-    <message><source>&amp;Leave out selected</source>
-        <translation>Auswahl &amp;weglassen</translation></message>
-    <message><source>Double-click a value to change it; type 1500, 1.5 ms, 2.5 V or 3750 counts.</source>
-        <translation>Doppelklicken Sie auf einen Wert, um ihn zu ändern; geben Sie 1500, 1,5 ms, 2,5 V oder 3750 Counts ein.</translation></message>
+    <message><source>Add the default calibration for the selected channels</source>
+        <translation>Die Standardkalibrierung für die ausgewählten Kanäle hinzufügen</translation></message>
     <message><source>Leave out calibrations</source>
         <translation>Kalibrierungen weglassen</translation></message>
     <message><source>{0}: {1}. The order is minimum, neutral, maximum.</source>
         <translation>{0}: {1}. Die Reihenfolge ist Minimum, Neutralstellung, Maximum.</translation></message>
-    <message><source>A board keeps two calibrations for each channel: one for RC pulses, one for analog voltages. Calibrations that are not in the file stay as they are on the board. The number without a unit is the count in the file.</source>
-        <translation>Ein Board speichert zwei Kalibrierungen für jeden Kanal: eine für RC-Impulse, eine für analoge Spannungen. Kalibrierungen, die nicht in der Datei stehen, bleiben auf dem Board, wie sie sind. Die Zahl ohne Einheit ist der Wert in Counts, wie er in der Datei steht.</translation></message>
     <message><source>N&amp;ote on the calibration:</source>
         <translation>&amp;Notiz zur Kalibrierung:</translation></message>
-    <message><source>Add the default calibration for the selected channels</source>
-        <translation>Die Standardkalibrierung für die ausgewählten Kanäle hinzufügen</translation></message>
-    <message><source>Remove the calibrations of the selected channels from the file</source>
-        <translation>Die Kalibrierungen der ausgewählten Kanäle aus der Datei entfernen</translation></message>
     <message><source>Add calibrations</source>
         <translation>Kalibrierungen hinzufügen</translation></message>
     <message numerus="yes"><source>%n setting(s) differ, {0} match.</source>
@@ -4685,22 +4685,22 @@ bisher {1}</translation></message>
         <translation>{0}, Seite {1} von {2}</translation></message>
     <message><source>None are given.</source>
         <translation>Keine angegeben.</translation></message>
+    <message><source>Write values with units as wire values, and numbers beyond their range as the nearest one in it; the file changes when you save it</source>
+        <translation>Werte mit Einheiten als Bytewerte schreiben, und Zahlen außerhalb ihres Bereichs als die nächstliegende darin; die Datei ändert sich, wenn Sie speichern</translation></message>
+    <message><source>&amp;Repair values</source>
+        <translation>Werte &amp;reparieren</translation></message>
+    <message><source>Text of the settings file</source>
+        <translation>Text der Einstellungsdatei</translation></message>
     <message><source>Save writes this text. Comments and the order of the lines stay as they are; change values on the other pages.</source>
         <translation>„Speichern“ schreibt diesen Text. Kommentare und die Reihenfolge der Zeilen bleiben; ändern Sie Werte auf den anderen Seiten.</translation></message>
     <message><source>Chec&amp;k again</source>
         <translation>&amp;Erneut prüfen</translation></message>
-    <message><source>&amp;Repair values</source>
-        <translation>Werte &amp;reparieren</translation></message>
+    <message><source>Read the text again and list its errors</source>
+        <translation>Den Text erneut lesen und seine Fehler auflisten</translation></message>
     <message><source>This file cannot be used. Correct the text here, then check it again; the other pages open once it has no errors.</source>
         <translation>Diese Datei kann nicht verwendet werden. Berichtigen Sie den Text hier und prüfen Sie ihn erneut; die anderen Seiten öffnen sich, sobald er keine Fehler mehr hat.</translation></message>
     <message><source>Line numbers</source>
         <translation>Zeilennummern</translation></message>
-    <message><source>Read the text again and list its errors</source>
-        <translation>Den Text erneut lesen und seine Fehler auflisten</translation></message>
-    <message><source>Write values with units as wire values, and numbers beyond their range as the nearest one in it; the file changes when you save it</source>
-        <translation>Werte mit Einheiten als Bytewerte schreiben, und Zahlen außerhalb ihres Bereichs als die nächstliegende darin; die Datei ändert sich, wenn Sie speichern</translation></message>
-    <message><source>Text of the settings file</source>
-        <translation>Text der Einstellungsdatei</translation></message>
     <message><source>This is the text as it was opened, without your changes: {0}. Save offers to rewrite the file from the settings.</source>
         <translation>Dies ist der Text, wie er geöffnet wurde, ohne Ihre Änderungen: {0}. „Speichern“ bietet an, die Datei aus den Einstellungen neu zu schreiben.</translation></message>
     <message><source>PDF (*.pdf)</source>
@@ -4749,14 +4749,14 @@ bisher {1}</translation></message>
         <translation>Mit den &amp;Werkseinstellungen</translation></message>
     <message><source>&amp;Send to the board…</source>
         <translation>An das Board &amp;senden…</translation></message>
+    <message><source>Not saved. {0}</source>
+        <translation>Nicht gespeichert. {0}</translation></message>
     <message><source>{0}[*] – TReX settings file</source>
         <translation>{0}[*] – TReX-Einstellungsdatei</translation></message>
     <message><source>Findings ({0})</source>
         <translation>Befunde ({0})</translation></message>
     <message><source>Repaired: {0}.</source>
         <translation>Repariert: {0}.</translation></message>
-    <message><source>Not saved. {0}</source>
-        <translation>Nicht gespeichert. {0}</translation></message>
     <message><source>The pages were saved in {0}.</source>
         <translation>Die Seiten wurden in {0} gespeichert.</translation></message>
     <message><source>Not compared. {0}</source>
@@ -4767,24 +4767,28 @@ bisher {1}</translation></message>
         <translation>Ein ferngesteuerter Rover; ein Schalter übergibt ihn an einen Computer</translation></message>
     <message><source>A tank: two tracks, driven by radio with one stick</source>
         <translation>Ein Kettenfahrzeug: zwei Ketten, ferngesteuert mit einem Knüppel</translation></message>
-    <message><source>Open settings file</source>
-        <translation>Einstellungsdatei öffnen</translation></message>
     <message><source>Factory defaults of a {0}, firmware {1}</source>
         <translation>Werkseinstellungen eines {0}, Firmware {1}</translation></message>
+    <message><source>Open settings file</source>
+        <translation>Einstellungsdatei öffnen</translation></message>
     <message><source>New settings file</source>
         <translation>Neue Einstellungsdatei</translation></message>
     <message><source>&amp;Start the new file with:</source>
         <translation>Neue Datei &amp;beginnen mit:</translation></message>
-    <message><source>Beginnings</source>
-        <translation>Vorlagen</translation></message>
     <message><source>The board as shown: {0}, firmware {1}</source>
         <translation>Das Board, wie angezeigt: {0}, Firmware {1}</translation></message>
+    <message><source>Beginnings</source>
+        <translation>Vorlagen</translation></message>
     <message><source>Settings applied {0}</source>
         <translation>Angewendete Einstellungen, {0}</translation></message>
     <message><source>Applied</source>
         <translation>Angewendet</translation></message>
     <message><source>Sample: {0}</source>
         <translation>Beispiel: {0}</translation></message>
+    <message><source>Go on without the changes of this step</source>
+        <translation>Ohne die Änderungen dieses Schrittes fortfahren</translation></message>
+    <message><source>Close the assistant; its changes stay until you apply or discard them</source>
+        <translation>Den Assistenten schließen; seine Änderungen bleiben, bis Sie sie anwenden oder verwerfen</translation></message>
     <message><source>Next changes {0}. Nothing is written before you apply it.</source>
         <translation>„Weiter“ ändert {0}. Geschrieben wird erst, wenn Sie es anwenden.</translation></message>
     <message><source>&amp;Who drives</source>
@@ -4803,18 +4807,56 @@ bisher {1}</translation></message>
         <translation>Übers&amp;pringen</translation></message>
     <message numerus="yes"><source>Next adds %n change(s). Nothing is written before you apply them.</source>
         <translation><numerusform>„Weiter“ fügt %n Änderung hinzu. Geschrieben wird erst, wenn Sie sie anwenden.</numerusform><numerusform>„Weiter“ fügt %n Änderungen hinzu. Geschrieben wird erst, wenn Sie sie anwenden.</numerusform></translation></message>
-    <message><source>Go on without the changes of this step</source>
-        <translation>Ohne die Änderungen dieses Schrittes fortfahren</translation></message>
-    <message><source>Close the assistant; its changes stay until you apply or discard them</source>
-        <translation>Den Assistenten schließen; seine Änderungen bleiben, bis Sie sie anwenden oder verwerfen</translation></message>
-    <message><source>Nothing has to change: the wheels follow the sticks.</source>
-        <translation>Es muss nichts geändert werden: Die Räder folgen den Knüppeln.</translation></message>
-    <message><source>Switch the motors' power off.</source>
-        <translation>Schalten Sie die Motorversorgung aus.</translation></message>
+    <message><source>Swap the pair of wires of motor 1 with that of motor 2 (keep their order).</source>
+        <translation>Vertauschen Sie das Drahtpaar von Motor 1 mit dem von Motor 2 (Reihenfolge beibehalten).</translation></message>
     <message><source>Swap the two wires of the left motor.</source>
         <translation>Vertauschen Sie die beiden Drähte des linken Motors.</translation></message>
     <message><source>Swap the two wires of the right motor.</source>
         <translation>Vertauschen Sie die beiden Drähte des rechten Motors.</translation></message>
+    <message><source>No setting does this for serial commands; your own program can do it instead.</source>
+        <translation>Keine Einstellung bewirkt das für serielle Befehle; Ihr eigenes Programm kann es stattdessen tun.</translation></message>
+    <message><source>No setting of the board does this.</source>
+        <translation>Keine Einstellung des Boards bewirkt das.</translation></message>
+    <message><source>The board has to know the middle and the ends of each stick. Learning measures them in about two minutes, in a separate window, and ends with a review. The motors stay off meanwhile. Learn before you go on: the next step, which motor is which, needs the directions of the sticks.</source>
+        <translation>Das Board muss die Mitte und die Endlagen jedes Knüppels kennen. Das Einlernen misst sie in etwa zwei Minuten, in einem eigenen Fenster, und endet mit einer Prüfung. Die Motoren bleiben währenddessen aus. Lernen Sie ein, bevor Sie fortfahren: Der nächste Schritt, welcher Motor welcher ist, braucht die Richtungen der Knüppel.</translation></message>
+    <message><source>Already learned? Then show which way the sticks go: push, hold and click. In serial mode they move no motor.</source>
+        <translation>Schon eingelernt? Dann zeigen Sie, in welche Richtung die Knüppel gehen: auslenken, halten und klicken. Im seriellen Modus bewegen sie keinen Motor.</translation></message>
+    <message><source>The stick is fully &amp;right now</source>
+        <translation>Der Knüppel ist jetzt ganz &amp;rechts</translation></message>
+    <message><source>The stick is fully &amp;forward now</source>
+        <translation>Der Knüppel ist jetzt ganz &amp;vorn</translation></message>
+    <message><source>Both sticks are fully &amp;forward now</source>
+        <translation>Beide Knüppel sind jetzt ganz &amp;vorn</translation></message>
+    <message><source>Channel 1 is for left and right of the stick, channel 2 for forward and back.</source>
+        <translation>Kanal 1 gehört zu links und rechts am Knüppel, Kanal 2 zu vor und zurück.</translation></message>
+    <message><source>Short, weak pulses while you hold it with the mouse or the space bar</source>
+        <translation>Kurze, schwache Impulse, solange Sie die Schaltfläche mit der Maus oder der Leertaste gedrückt halten</translation></message>
+    <message><source>The wheels are &amp;off the ground, and nothing can get caught in them</source>
+        <translation>Die Räder sind vom &amp;Boden abgehoben, und nichts kann sich in ihnen verfangen</translation></message>
+    <message><source>Wir&amp;es swapped – test again</source>
+        <translation>&amp;Drähte vertauscht – erneut testen</translation></message>
+    <message><source>Forget both answers and find out again which motor is which</source>
+        <translation>Beide Antworten vergessen und erneut herausfinden, welcher Motor welcher ist</translation></message>
+    <message><source>Nothing has to change: the wheels follow the sticks.</source>
+        <translation>Es muss nichts geändert werden: Die Räder folgen den Knüppeln.</translation></message>
+    <message><source>Switch the motors' power off.</source>
+        <translation>Schalten Sie die Motorversorgung aus.</translation></message>
+    <message><source>&amp;Learn channels…</source>
+        <translation>Kanäle &amp;einlernen…</translation></message>
+    <message><source>Channel 1 is for motor 1, channel 2 for motor 2.</source>
+        <translation>Kanal 1 ist für Motor 1, Kanal 2 für Motor 2.</translation></message>
+    <message><source>Channel 1 (motor 1)</source>
+        <translation>Kanal 1 (Motor 1)</translation></message>
+    <message><source>Channel 2 (motor 2)</source>
+        <translation>Kanal 2 (Motor 2)</translation></message>
+    <message><source>{0}: its direction is not known yet.</source>
+        <translation>{0}: Richtung noch nicht bekannt.</translation></message>
+    <message><source>{0}: the value rises.</source>
+        <translation>{0}: Der Wert steigt.</translation></message>
+    <message><source>{0}: the value falls.</source>
+        <translation>{0}: Der Wert fällt.</translation></message>
+    <message><source>{0}: the stick is still near its middle. Push it all the way.</source>
+        <translation>{0}: Der Knüppel ist noch nahe der Mitte. Bewegen Sie ihn bis zum Anschlag.</translation></message>
     <message><source>Left wheel, forward</source>
         <translation>Linkes Rad, vorwärts</translation></message>
     <message><source>Right wheel, forward</source>
@@ -4825,10 +4867,6 @@ bisher {1}</translation></message>
         <translation>Rechtes Rad, rückwärts</translation></message>
     <message><source>Nothing</source>
         <translation>Nichts</translation></message>
-    <message><source>The wheels are &amp;off the ground, and nothing can get caught in them</source>
-        <translation>Die Räder sind vom &amp;Boden abgehoben, und nichts kann sich in ihnen verfangen</translation></message>
-    <message><source>Wir&amp;es swapped – test again</source>
-        <translation>&amp;Drähte vertauscht – erneut testen</translation></message>
     <message><source>Armed. Hold a button: its motor is driven forward in short, weak pulses; the other one stays at rest. Then say below what turned.</source>
         <translation>Freigegeben. Halten Sie eine Schaltfläche gedrückt: Der zugehörige Motor läuft in kurzen, schwachen Impulsen vorwärts; der andere steht still. Geben Sie dann unten an, was sich gedreht hat.</translation></message>
     <message><source>Motor {0} is driven in pulses. Release the button to stop it.</source>
@@ -4843,26 +4881,32 @@ bisher {1}</translation></message>
         <translation>Motor 1 treibt das rechte Rad an, Motor 2 das linke.</translation></message>
     <message><source>Settings correct this; no wires have to be swapped.</source>
         <translation>Einstellungen berichtigen dies; es müssen keine Drähte vertauscht werden.</translation></message>
-    <message><source>Swap the pair of wires of motor 1 with that of motor 2 (keep their order).</source>
-        <translation>Vertauschen Sie das Drahtpaar von Motor 1 mit dem von Motor 2 (Reihenfolge beibehalten).</translation></message>
-    <message><source>No setting does this for serial commands; your own program can do it instead.</source>
-        <translation>Keine Einstellung bewirkt das für serielle Befehle; Ihr eigenes Programm kann es stattdessen tun.</translation></message>
-    <message><source>No setting of the board does this.</source>
-        <translation>Keine Einstellung des Boards bewirkt das.</translation></message>
-    <message><source>Short, weak pulses while you hold it with the mouse or the space bar</source>
-        <translation>Kurze, schwache Impulse, solange Sie die Schaltfläche mit der Maus oder der Leertaste gedrückt halten</translation></message>
+    <message><source>Channel 1 (turns)</source>
+        <translation>Kanal 1 (lenkt)</translation></message>
+    <message><source>Channel 2 (drives)</source>
+        <translation>Kanal 2 (fährt)</translation></message>
+    <message><source>{0}: no signal arrives.</source>
+        <translation>{0}: Es kommt kein Signal an.</translation></message>
     <message><source>What turned, and which way?</source>
         <translation>Was hat sich gedreht, und in welche Richtung?</translation></message>
-    <message><source>Forget both answers and find out again which motor is which</source>
-        <translation>Beide Antworten vergessen und erneut herausfinden, welcher Motor welcher ist</translation></message>
     <message><source>Nothing turned: the pulses stay below the speed ceiling of the Motors page. Raise it, or check the battery and the wires of this motor.</source>
         <translation>Nichts hat sich gedreht: Die Impulse bleiben unter der Höchstgeschwindigkeit der Seite „Motoren“. Erhöhen Sie diese, oder prüfen Sie die Batterie und die Drähte dieses Motors.</translation></message>
     <message><source>Two motors cannot drive the same wheel: try both buttons again.</source>
         <translation>Zwei Motoren können nicht dasselbe Rad antreiben: Versuchen Sie beide Schaltflächen erneut.</translation></message>
+    <message><source>Each is connected to an output of your receiver.</source>
+        <translation>Jeder Kanal ist mit einem Ausgang Ihres Empfängers verbunden.</translation></message>
+    <message><source>Is the transmitter on?</source>
+        <translation>Ist der Sender eingeschaltet?</translation></message>
     <message><source>Hold to pulse motor {0}</source>
         <translation>Gedrückt halten: Motor {0} pulsen</translation></message>
-    <message><source>Remove the mode jumper to set up the board: it accepts settings only without it. To drive, put it on RC, or on analog for a joystick with potentiometers. The board reads it when it is switched on.</source>
-        <translation>Ziehen Sie den Modus-Jumper ab, um das Board einzurichten: Nur ohne ihn nimmt es Einstellungen an. Zum Fahren stecken Sie ihn auf RC, oder auf Analog für einen Joystick mit Potentiometern. Das Board liest ihn beim Einschalten.</translation></message>
+    <message><source>A transmitter or a joystick: forward and back, left and right with one stick. The board mixes both.</source>
+        <translation>Ein Sender oder ein Joystick: vor und zurück, links und rechts mit einem Knüppel. Das Board mischt beides.</translation></message>
+    <message><source>One stick for each side of the robot, as in a tank.</source>
+        <translation>Ein Knüppel für jede Seite des Roboters, wie bei einem Kettenfahrzeug.</translation></message>
+    <message><source>A program, a microcontroller or this window sends commands over the serial line.</source>
+        <translation>Ein Programm, ein Mikrocontroller oder dieses Fenster sendet Befehle über die serielle Leitung.</translation></message>
+    <message><source>Each step can be skipped. The assistant writes nothing by itself: what you choose becomes unapplied changes, which you review at the end.</source>
+        <translation>Jeder Schritt kann übersprungen werden. Der Assistent schreibt nichts von selbst: Was Sie wählen, wird zu nicht angewendeten Änderungen, die Sie am Ende prüfen.</translation></message>
     <message><source>This board was started in {0} mode. Switch it off, remove the mode jumper and switch it on again. This statement then updates by itself.</source>
         <translation>Dieses Board wurde im Modus {0} gestartet. Schalten Sie es aus, ziehen Sie den Modus-Jumper ab und schalten Sie es wieder ein. Diese Aussage aktualisiert sich dann von selbst.</translation></message>
     <message><source>The mix jumper is on: remove it, then push a stick again.</source>
@@ -4871,12 +4915,26 @@ bisher {1}</translation></message>
         <translation>Der Mix-Jumper ist nicht gesteckt: Stecken Sie ihn auf und bewegen Sie dann wieder einen Knüppel.</translation></message>
     <message><source>Set the current that your motors can draw continuously; the values above are only examples. Speeds that are set at once, without a ramp, bypass the limit for a moment.</source>
         <translation>Stellen Sie den Strom ein, den Ihre Motoren dauernd aufnehmen dürfen; die obigen Werte sind nur Beispiele. Geschwindigkeiten, die sofort, ohne Rampe, gesetzt werden, umgehen die Begrenzung für einen Augenblick.</translation></message>
+    <message><source>If the cable falls out or the computer fails, only the board itself can notice and stop the motors. Without a serial timeout they keep running at their last speed.</source>
+        <translation>Wenn das Kabel herausfällt oder der Computer versagt, kann nur das Board selbst es bemerken und die Motoren stoppen. Ohne serielles Timeout laufen sie mit ihrer letzten Geschwindigkeit weiter.</translation></message>
+    <message><source>Have the computer send something at least twice in that time; a status query will do. 0.5 s is a good value for most robots. UART-Error Shutdown is switched on with it, as the timeout may need it (twin).</source>
+        <translation>Lassen Sie den Computer in dieser Zeit mindestens zweimal etwas senden; eine Statusabfrage genügt. 0,5 s sind für die meisten Roboter ein guter Wert. „Abschaltung bei UART-Fehlern“ wird mit eingeschaltet, da das Timeout sie vielleicht braucht (Zwilling).</translation></message>
     <message><source>The board stores: {0}.</source>
         <translation>Das Board speichert: {0}.</translation></message>
+    <message><source>Review and &amp;apply…</source>
+        <translation>Prüfen und &amp;anwenden…</translation></message>
     <message numerus="yes"><source>%n change(s) not applied yet.</source>
         <translation><numerusform>%n Änderung noch nicht angewendet.</numerusform><numerusform>%n Änderungen noch nicht angewendet.</numerusform></translation></message>
     <message><source>The changes for the motors were not taken over: open the step and click Next.</source>
         <translation>Die Änderungen für die Motoren wurden nicht übernommen: Öffnen Sie den Schritt und klicken Sie auf „Weiter“.</translation></message>
+    <message><source>Drive first with the wheels off the ground: forward, back, left, right.</source>
+        <translation>Fahren Sie zuerst mit den Rädern in der Luft: vor, zurück, links, rechts.</translation></message>
+    <message><source>Switch the board off, put the mode jumper on {0}, {1}.</source>
+        <translation>Schalten Sie das Board aus, stecken Sie den Modus-Jumper auf {0} und {1}.</translation></message>
+    <message><source>Switch on the transmitter, then the board.</source>
+        <translation>Schalten Sie zuerst den Sender ein, dann das Board.</translation></message>
+    <message><source>The motors stay off until the sticks are released (safe-start).</source>
+        <translation>Die Motoren bleiben aus, bis die Knüppel losgelassen werden (Safe-Start).</translation></message>
     <message><source>Schematic: the user's guide shows where your board has them.</source>
         <translation>Schema: Das Benutzerhandbuch zeigt, wo Ihr Board sie hat.</translation></message>
     <message><source>Put the mix jumper on: channel 2 drives forward and back, channel 1 turns. It takes effect at once.</source>
@@ -4887,6 +4945,8 @@ bisher {1}</translation></message>
         <translation>Der Mix-Jumper ist unerheblich: Auf serielle Befehle hat er keine Wirkung.</translation></message>
     <message><source>Remove the mode jumper and leave it off: the board then accepts settings and serial commands. It reads the jumper when it is switched on.</source>
         <translation>Ziehen Sie den Modus-Jumper ab und lassen Sie ihn weg: Das Board nimmt dann Einstellungen und serielle Befehle an. Es liest den Jumper beim Einschalten.</translation></message>
+    <message><source>Remove the mode jumper to set up the board: it accepts settings only without it. To drive, put it on RC, or on analog for a joystick with potentiometers. The board reads it when it is switched on.</source>
+        <translation>Ziehen Sie den Modus-Jumper ab, um das Board einzurichten: Nur ohne ihn nimmt es Einstellungen an. Zum Fahren stecken Sie ihn auf RC, oder auf Analog für einen Joystick mit Potentiometern. Das Board liest ihn beim Einschalten.</translation></message>
     <message><source>Current limit of each motor</source>
         <translation>Stromgrenze jedes Motors</translation></message>
     <message><source>off</source><comment>limit</comment>
@@ -4897,10 +4957,6 @@ bisher {1}</translation></message>
         <translation>Dieses Beispiel wurde für einen {0} erstellt, der den Strom in anderen Einheiten misst. Ihr Board behält seine Stromgrenze.</translation></message>
     <message><source>Serial timeout in seconds</source>
         <translation>Serielles Timeout in Sekunden</translation></message>
-    <message><source>Review and &amp;apply…</source>
-        <translation>Prüfen und &amp;anwenden…</translation></message>
-    <message><source>All changes are stored.</source>
-        <translation>Alle Änderungen sind gespeichert.</translation></message>
     <message><source>The jumpers are not as they have to be, or were not checked.</source>
         <translation>Die Jumper sind nicht so, wie sie sein müssen, oder wurden nicht geprüft.</translation></message>
     <message><source>The directions of the sticks are not known.</source>
@@ -4911,28 +4967,22 @@ bisher {1}</translation></message>
         <translation>Es ist nicht bekannt, welcher Motor welches Rad antreibt.</translation></message>
     <message><source>The settings for the motors wait for the directions of the sticks.</source>
         <translation>Die Einstellungen für die Motoren warten auf die Richtungen der Knüppel.</translation></message>
-    <message><source>Switch the board off, put the mode jumper on {0}, {1}.</source>
-        <translation>Schalten Sie das Board aus, stecken Sie den Modus-Jumper auf {0} und {1}.</translation></message>
-    <message><source>Switch on the transmitter, then the board.</source>
-        <translation>Schalten Sie zuerst den Sender ein, dann das Board.</translation></message>
-    <message><source>The motors stay off until the sticks are released (safe-start).</source>
-        <translation>Die Motoren bleiben aus, bis die Knüppel losgelassen werden (Safe-Start).</translation></message>
-    <message><source>Drive first with the wheels off the ground: forward, back, left, right.</source>
-        <translation>Fahren Sie zuerst mit den Rädern in der Luft: vor, zurück, links, rechts.</translation></message>
+    <message><source>Leave the mode jumper off. The first commands can come from the Motors page of this window.</source>
+        <translation>Lassen Sie den Modus-Jumper weg. Die ersten Befehle können von der Seite „Motoren“ dieses Fensters kommen.</translation></message>
+    <message><source>put the mix jumper on</source>
+        <translation>stecken Sie den Mix-Jumper auf</translation></message>
+    <message><source>leave the mix jumper off</source>
+        <translation>lassen Sie den Mix-Jumper weg</translation></message>
     <message><source>&amp;One stick</source>
         <translation>&amp;Ein Knüppel</translation></message>
-    <message><source>A transmitter or a joystick: forward and back, left and right with one stick. The board mixes both.</source>
-        <translation>Ein Sender oder ein Joystick: vor und zurück, links und rechts mit einem Knüppel. Das Board mischt beides.</translation></message>
     <message><source>&amp;Two sticks</source>
         <translation>Zwei &amp;Knüppel</translation></message>
-    <message><source>One stick for each side of the robot, as in a tank.</source>
-        <translation>Ein Knüppel für jede Seite des Roboters, wie bei einem Kettenfahrzeug.</translation></message>
     <message><source>&amp;A computer</source>
         <translation>Ein &amp;Computer</translation></message>
-    <message><source>A program, a microcontroller or this window sends commands over the serial line.</source>
-        <translation>Ein Programm, ein Mikrocontroller oder dieses Fenster sendet Befehle über die serielle Leitung.</translation></message>
-    <message><source>Each step can be skipped. The assistant writes nothing by itself: what you choose becomes unapplied changes, which you review at the end.</source>
-        <translation>Jeder Schritt kann übersprungen werden. Der Assistent schreibt nichts von selbst: Was Sie wählen, wird zu nicht angewendeten Änderungen, die Sie am Ende prüfen.</translation></message>
+    <message><source>Who drives your robot?</source>
+        <translation>Wer steuert Ihren Roboter?</translation></message>
+    <message><source>Now: to set up</source>
+        <translation>Jetzt: zum Einrichten</translation></message>
     <message><source>The board does not respond: it may be switched off.</source>
         <translation>Das Board antwortet nicht: Es ist vielleicht ausgeschaltet.</translation></message>
     <message><source>No board is connected, so its jumpers cannot be checked.</source>
@@ -4953,110 +5003,62 @@ bisher {1}</translation></message>
         <translation>Ro&amp;ver</translation></message>
     <message><source>&amp;Autonomous robot</source>
         <translation>Autonomer &amp;Roboter</translation></message>
-    <message><source>Acceleration: {0}; brake before a reversal: {1}.</source>
-        <translation>Beschleunigung: {0}; Bremsen vor einer Umkehr: {1}.</translation></message>
-    <message><source>If the cable falls out or the computer fails, only the board itself can notice and stop the motors. Without a serial timeout they keep running at their last speed.</source>
-        <translation>Wenn das Kabel herausfällt oder der Computer versagt, kann nur das Board selbst es bemerken und die Motoren stoppen. Ohne serielles Timeout laufen sie mit ihrer letzten Geschwindigkeit weiter.</translation></message>
-    <message><source>Have the computer send something at least twice in that time; a status query will do. 0.5 s is a good value for most robots. UART-Error Shutdown is switched on with it, as the timeout may need it (twin).</source>
-        <translation>Lassen Sie den Computer in dieser Zeit mindestens zweimal etwas senden; eine Statusabfrage genügt. 0,5 s sind für die meisten Roboter ein guter Wert. „Abschaltung bei UART-Fehlern“ wird mit eingeschaltet, da das Timeout sie vielleicht braucht (Zwilling).</translation></message>
-    <message><source>Still open:</source>
-        <translation>Noch offen:</translation></message>
-    <message><source>put the mix jumper on</source>
-        <translation>stecken Sie den Mix-Jumper auf</translation></message>
-    <message><source>leave the mix jumper off</source>
-        <translation>lassen Sie den Mix-Jumper weg</translation></message>
-    <message><source>Leave the mode jumper off. The first commands can come from the Motors page of this window.</source>
-        <translation>Lassen Sie den Modus-Jumper weg. Die ersten Befehle können von der Seite „Motoren“ dieses Fensters kommen.</translation></message>
-    <message><source>Who drives your robot?</source>
-        <translation>Wer steuert Ihren Roboter?</translation></message>
-    <message><source>Always</source>
-        <translation>Immer</translation></message>
-    <message><source>Now: to set up</source>
-        <translation>Jetzt: zum Einrichten</translation></message>
-    <message><source>Later: to drive</source>
-        <translation>Später: zum Fahren</translation></message>
     <message><source>How should the motors start and stop?</source>
         <translation>Wie sollen die Motoren anfahren und anhalten?</translation></message>
-    <message><source>Then, by hand:</source>
-        <translation>Danach von Hand:</translation></message>
-    <message><source>{0} Then test the motors again.</source>
-        <translation>{0} Testen Sie dann die Motoren erneut.</translation></message>
     <message><source>Current &amp;limit of each motor</source>
         <translation>&amp;Stromgrenze jedes Motors</translation></message>
-    <message><source>Example of a current limit: {0}.</source>
-        <translation>Beispiel einer Stromgrenze: {0}.</translation></message>
+    <message><source>Acceleration: {0}; brake before a reversal: {1}.</source>
+        <translation>Beschleunigung: {0}; Bremsen vor einer Umkehr: {1}.</translation></message>
     <message><source>&amp;Stop the motors after a silence of</source>
         <translation>Motoren &amp;stoppen nach einer Stille von</translation></message>
+    <message><source>Still open:</source>
+        <translation>Noch offen:</translation></message>
     <message><source>Go to this step</source>
         <translation>Zu diesem Schritt gehen</translation></message>
-    <message><source>Channel 1 is for motor 1, channel 2 for motor 2.</source>
-        <translation>Kanal 1 ist für Motor 1, Kanal 2 für Motor 2.</translation></message>
-    <message><source>&amp;Learn channels…</source>
-        <translation>Kanäle &amp;einlernen…</translation></message>
-    <message><source>The stick is fully &amp;forward now</source>
-        <translation>Der Knüppel ist jetzt ganz &amp;vorn</translation></message>
-    <message><source>The stick is fully &amp;right now</source>
-        <translation>Der Knüppel ist jetzt ganz &amp;rechts</translation></message>
-    <message><source>Both sticks are fully &amp;forward now</source>
-        <translation>Beide Knüppel sind jetzt ganz &amp;vorn</translation></message>
-    <message><source>Channel 1 is for left and right of the stick, channel 2 for forward and back.</source>
-        <translation>Kanal 1 gehört zu links und rechts am Knüppel, Kanal 2 zu vor und zurück.</translation></message>
-    <message><source>Channel 1 (motor 1)</source>
-        <translation>Kanal 1 (Motor 1)</translation></message>
-    <message><source>Channel 2 (motor 2)</source>
-        <translation>Kanal 2 (Motor 2)</translation></message>
-    <message><source>{0}: its direction is not known yet.</source>
-        <translation>{0}: Richtung noch nicht bekannt.</translation></message>
-    <message><source>{0}: the value rises.</source>
-        <translation>{0}: Der Wert steigt.</translation></message>
-    <message><source>{0}: the value falls.</source>
-        <translation>{0}: Der Wert fällt.</translation></message>
-    <message><source>{0}: the stick is still near its middle. Push it all the way.</source>
-        <translation>{0}: Der Knüppel ist noch nahe der Mitte. Bewegen Sie ihn bis zum Anschlag.</translation></message>
-    <message><source>The board has to know the middle and the ends of each stick. Learning measures them in about two minutes, in a separate window, and ends with a review. The motors stay off meanwhile. Learn before you go on: the next step, which motor is which, needs the directions of the sticks.</source>
-        <translation>Das Board muss die Mitte und die Endlagen jedes Knüppels kennen. Das Einlernen misst sie in etwa zwei Minuten, in einem eigenen Fenster, und endet mit einer Prüfung. Die Motoren bleiben währenddessen aus. Lernen Sie ein, bevor Sie fortfahren: Der nächste Schritt, welcher Motor welcher ist, braucht die Richtungen der Knüppel.</translation></message>
-    <message><source>Already learned? Then show which way the sticks go: push, hold and click. In serial mode they move no motor.</source>
-        <translation>Schon eingelernt? Dann zeigen Sie, in welche Richtung die Knüppel gehen: auslenken, halten und klicken. Im seriellen Modus bewegen sie keinen Motor.</translation></message>
-    <message><source>Channel 1 (turns)</source>
-        <translation>Kanal 1 (lenkt)</translation></message>
-    <message><source>Channel 2 (drives)</source>
-        <translation>Kanal 2 (fährt)</translation></message>
-    <message><source>{0}: no signal arrives.</source>
-        <translation>{0}: Es kommt kein Signal an.</translation></message>
-    <message><source>Each is connected to an output of your receiver.</source>
-        <translation>Jeder Kanal ist mit einem Ausgang Ihres Empfängers verbunden.</translation></message>
-    <message><source>Is the transmitter on?</source>
-        <translation>Ist der Sender eingeschaltet?</translation></message>
-    <message><source>{0} applies and checks the settings shown; read its first lines.</source>
-        <translation>{0} wendet die angezeigten Einstellungen an und prüft sie; lesen Sie die ersten Zeilen der Datei.</translation></message>
+    <message><source>Then, by hand:</source>
+        <translation>Danach von Hand:</translation></message>
+    <message><source>All changes are stored.</source>
+        <translation>Alle Änderungen sind gespeichert.</translation></message>
+    <message><source>Always</source>
+        <translation>Immer</translation></message>
+    <message><source>Later: to drive</source>
+        <translation>Später: zum Fahren</translation></message>
+    <message><source>{0} Then test the motors again.</source>
+        <translation>{0} Testen Sie dann die Motoren erneut.</translation></message>
+    <message><source>Example of a current limit: {0}.</source>
+        <translation>Beispiel einer Stromgrenze: {0}.</translation></message>
     <message><source>is not a readable settings file.</source>
         <translation>ist keine lesbare Einstellungsdatei.</translation></message>
     <message><source>Calibrations that the board does not show now were kept: {0}.</source>
         <translation>Kalibrierungen, die das Board jetzt nicht zeigt, wurden beibehalten: {0}.</translation></message>
     <message><source>Export as code</source>
         <translation>Als Code exportieren</translation></message>
+    <message><source>{0} applies and checks the settings shown; read its first lines.</source>
+        <translation>{0} wendet die angezeigten Einstellungen an und prüft sie; lesen Sie die ersten Zeilen der Datei.</translation></message>
     <message><source>{0} was not saved again: it is still being saved.</source>
         <translation>{0} wurde nicht erneut gespeichert: Die Datei wird noch gespeichert.</translation></message>
-    <message><source>The settings shown were saved in {0}.</source>
-        <translation>Die angezeigten Einstellungen wurden in {0} gespeichert.</translation></message>
     <message><source>{0}, settings shown</source>
         <translation>{0}, angezeigte Einstellungen</translation></message>
-    <message><source>{0} was not written: {1}</source>
-        <translation>{0} wurde nicht geschrieben: {1}</translation></message>
+    <message><source>The settings shown were saved in {0}.</source>
+        <translation>Die angezeigten Einstellungen wurden in {0} gespeichert.</translation></message>
     <message><source>{0} was not saved: {1}</source>
         <translation>{0} wurde nicht gespeichert: {1}</translation></message>
+    <message><source>{0} was not written: {1}</source>
+        <translation>{0} wurde nicht geschrieben: {1}</translation></message>
     <message><source>holds settings of a {0}.</source>
         <translation>enthält Einstellungen eines {0}.</translation></message>
-    <message><source>Reading…</source>
-        <translation>Lesen…</translation></message>
-    <message numerus="yes"><source>%n setting(s) would become edits; nothing is written until you click Apply.</source>
-        <translation><numerusform>%n Einstellung würde als Änderung übernommen; geschrieben wird erst, wenn Sie auf „Einstellungen anwenden“ klicken.</numerusform><numerusform>%n Einstellungen würden als Änderungen übernommen; geschrieben wird erst, wenn Sie auf „Einstellungen anwenden“ klicken.</numerusform></translation></message>
-    <message><source>Compare with a settings file</source>
-        <translation>Mit einer Einstellungsdatei vergleichen</translation></message>
-    <message><source>{0} cannot be compared with: {1}</source>
-        <translation>Vergleich mit {0} nicht möglich: {1}</translation></message>
     <message><source>&amp;Restore selected as edits</source>
         <translation>&amp;Auswahl als Änderungen wiederherstellen</translation></message>
+    <message><source>Turn the selected values into edits and review them; only Apply writes them</source>
+        <translation>Die ausgewählten Werte als Änderungen übernehmen und prüfen; nur „Einstellungen anwenden“ schreibt sie</translation></message>
+    <message><source>Reading…</source>
+        <translation>Lesen…</translation></message>
+    <message numerus="yes"><source>%n setting(s) not in the snapshot would stay.</source>
+        <translation><numerusform>%n Einstellung, die nicht in der Sicherungskopie steht, bliebe unverändert.</numerusform><numerusform>%n Einstellungen, die nicht in der Sicherungskopie stehen, blieben unverändert.</numerusform></translation></message>
+    <message numerus="yes"><source>%n setting(s) would become edits; nothing is written until you click Apply.</source>
+        <translation><numerusform>%n Einstellung würde als Änderung übernommen; geschrieben wird erst, wenn Sie auf „Einstellungen anwenden“ klicken.</numerusform><numerusform>%n Einstellungen würden als Änderungen übernommen; geschrieben wird erst, wenn Sie auf „Einstellungen anwenden“ klicken.</numerusform></translation></message>
+    <message><source>This snapshot is of a {0}, and the board here is a {1}: it cannot be restored.</source>
+        <translation>Diese Sicherungskopie ist von einem {0}, und das Board hier ist ein {1}: Sie kann nicht wiederhergestellt werden.</translation></message>
     <message><source>{0} is damaged and cannot be restored. {1}</source>
         <translation>{0} ist beschädigt und kann nicht wiederhergestellt werden. {1}</translation></message>
     <message><source>{0}, before {1}</source>
@@ -5093,16 +5095,14 @@ bisher {1}</translation></message>
         <translation>Sicherungskopie von {0}</translation></message>
     <message><source>snapshot of {0}, before {1}</source>
         <translation>Sicherungskopie von {0}, vor: {1}</translation></message>
-    <message><source>Turn the selected values into edits and review them; only Apply writes them</source>
-        <translation>Die ausgewählten Werte als Änderungen übernehmen und prüfen; nur „Einstellungen anwenden“ schreibt sie</translation></message>
+    <message><source>Compare with a settings file</source>
+        <translation>Mit einer Einstellungsdatei vergleichen</translation></message>
+    <message><source>{0} cannot be compared with: {1}</source>
+        <translation>Vergleich mit {0} nicht möglich: {1}</translation></message>
     <message><source>This snapshot has no differences to restore.</source>
         <translation>Diese Sicherungskopie enthält keine Unterschiede zum Wiederherstellen.</translation></message>
     <message><source>The board, with the edits made here, matches this snapshot.</source>
         <translation>Das Board stimmt, mit den hier gemachten Änderungen, mit dieser Sicherungskopie überein.</translation></message>
-    <message numerus="yes"><source>%n setting(s) not in the snapshot would stay.</source>
-        <translation><numerusform>%n Einstellung, die nicht in der Sicherungskopie steht, bliebe unverändert.</numerusform><numerusform>%n Einstellungen, die nicht in der Sicherungskopie stehen, blieben unverändert.</numerusform></translation></message>
-    <message><source>Restore snapshot of {0}</source>
-        <translation>Sicherungskopie von {0} wiederherstellen</translation></message>
     <message><source>Compare &amp;with:</source>
         <translation>&amp;Vergleichen mit:</translation></message>
     <message><source>Now, with edits</source>
@@ -5115,36 +5115,24 @@ bisher {1}</translation></message>
         <translation>Wählen Sie eine Sicherungskopie aus, oder zwei, um sie zu vergleichen.</translation></message>
     <message numerus="yes"><source>There is no other snapshot of a {0} to compare with. This one has %n setting(s).</source>
         <translation><numerusform>Es gibt keine andere Sicherungskopie eines {0} zum Vergleich. Diese hat %n Einstellung.</numerusform><numerusform>Es gibt keine andere Sicherungskopie eines {0} zum Vergleich. Diese hat %n Einstellungen.</numerusform></translation></message>
-    <message><source>This snapshot is of a {0}, and the board here is a {1}: it cannot be restored.</source>
-        <translation>Diese Sicherungskopie ist von einem {0}, und das Board hier ist ein {1}: Sie kann nicht wiederhergestellt werden.</translation></message>
+    <message><source>Restore snapshot of {0}</source>
+        <translation>Sicherungskopie von {0} wiederherstellen</translation></message>
     <message><source>Note: this snapshot is of device number {0}, the board here is number {1}.</source>
         <translation>Hinweis: Diese Sicherungskopie ist von Gerätenummer {0}, das Board hier hat Nummer {1}.</translation></message>
     <message><source>Nothing was restored: {0}</source>
         <translation>Nichts wurde wiederhergestellt: {0}</translation></message>
+    <message><source>You need a USB-serial adapter with TTL levels (5 V or 3.3 V) and three wires.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Switch the board off. Remove the mode jumper: then it starts in serial mode, which is needed to drive it and to change settings from here. Remove the SO–G jumper, too.&lt;/li&gt;&lt;li&gt;Wire the adapter as shown.&lt;/li&gt;&lt;li&gt;Lift the wheels off the ground, switch the board on, and connect:&lt;/li&gt;&lt;/ol&gt;</source>
+        <translation>Sie brauchen einen USB-Seriell-Adapter mit TTL-Pegeln (5 V oder 3,3 V) und drei Leitungen.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Schalten Sie das Board aus. Ziehen Sie den Modus-Jumper ab: Dann startet es im seriellen Modus, der nötig ist, um es von hier aus zu steuern und Einstellungen zu ändern. Ziehen Sie auch den SO–G-Jumper ab.&lt;/li&gt;&lt;li&gt;Schließen Sie den Adapter wie gezeigt an.&lt;/li&gt;&lt;li&gt;Heben Sie die Räder vom Boden ab, schalten Sie das Board ein und verbinden Sie:&lt;/li&gt;&lt;/ol&gt;</translation></message>
+    <message><source>You need an RS-232 port of the computer or an RS-232 adapter, and three wires.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Switch the board off. Remove the mode and SO–G jumpers, as for a TTL adapter.&lt;/li&gt;&lt;li&gt;Wire the port to the RS-232 pins as shown, and leave SI and SO free: the voltages of RS-232 can damage them.&lt;/li&gt;&lt;li&gt;Lift the wheels off the ground, switch the board on, and connect:&lt;/li&gt;&lt;/ol&gt;</source>
+        <translation>Sie brauchen einen RS-232-Port am Computer oder einen RS-232-Adapter und drei Leitungen.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Schalten Sie das Board aus. Ziehen Sie Modus- und SO–G-Jumper ab, wie bei einem TTL-Adapter.&lt;/li&gt;&lt;li&gt;Schließen Sie den Port wie gezeigt an die RS-232-Pins an, und lassen Sie SI und SO frei: Die Spannungen von RS-232 können sie beschädigen.&lt;/li&gt;&lt;li&gt;Heben Sie die Räder vom Boden ab, schalten Sie das Board ein und verbinden Sie:&lt;/li&gt;&lt;/ol&gt;</translation></message>
+    <message><source>You need an RC receiver with a servo cable for each channel, and an adapter to connect the board to this computer.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Set the board up through the adapter first: with the mode jumper on, it accepts no settings.&lt;/li&gt;&lt;li&gt;Switch the board off. Connect the receiver as shown: a servo cable has signal, 5 V and GND. The BEC jumper lets the board feed the receiver, with 100 mA at most.&lt;/li&gt;&lt;li&gt;Put the mode jumper on RC. Lift the wheels off the ground and switch on: the transmitter drives, and this program shows what it does.&lt;/li&gt;&lt;/ol&gt;</source>
+        <translation>Sie brauchen einen RC-Empfänger mit einem Servokabel je Kanal und einen Adapter, um das Board mit diesem Computer zu verbinden.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Richten Sie das Board zuerst über den Adapter ein: Mit gestecktem Modus-Jumper nimmt es keine Einstellungen an.&lt;/li&gt;&lt;li&gt;Schalten Sie das Board aus. Schließen Sie den Empfänger wie gezeigt an: Ein Servokabel hat Signal, 5 V und GND. Mit dem BEC-Jumper versorgt das Board den Empfänger, mit höchstens 100 mA.&lt;/li&gt;&lt;li&gt;Stecken Sie den Modus-Jumper auf RC. Heben Sie die Räder vom Boden ab und schalten Sie ein: Der Sender steuert, und dieses Programm zeigt, was er tut.&lt;/li&gt;&lt;/ol&gt;</translation></message>
     <message><source>TReX</source>
         <translation>TReX</translation></message>
     <message><source>Wiring: TX of the adapter to SI, RX to SO, GND to GND of the board</source>
         <translation>Verdrahtung: TX des Adapters an SI, RX an SO, GND an GND des Boards</translation></message>
-    <message><source>Connect my TReX</source>
-        <translation>Meinen TReX verbinden</translation></message>
-    <message><source>No board at hand?</source>
-        <translation>Kein Board zur Hand?</translation></message>
-    <message><source>&amp;Try the demo</source>
-        <translation>Demo aus&amp;probieren</translation></message>
-    <message><source>Set up, calibrate, drive and understand a Pololu TReX or TReX Jr. You need the board with its supply, and a serial adapter with three wires. No motor moves before you click Run motor, and Esc stops the motors in every window.</source>
-        <translation>Einen Pololu TReX oder TReX Jr einrichten, kalibrieren, ansteuern und verstehen. Sie brauchen das Board mit seiner Stromversorgung und einen seriellen Adapter mit drei Leitungen. Kein Motor bewegt sich, bevor Sie auf „Motor freigeben“ klicken, und Esc stoppt die Motoren in jedem Fenster.</translation></message>
-    <message><source>You need a USB-serial adapter with TTL levels (5 V or 3.3 V) and three wires.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Switch the board off. Remove the mode jumper: then it starts in serial mode, which is needed to drive it and to change settings from here. Remove the SO–G jumper, too.&lt;/li&gt;&lt;li&gt;Wire the adapter as shown.&lt;/li&gt;&lt;li&gt;Lift the wheels off the ground, switch the board on, and connect:&lt;/li&gt;&lt;/ol&gt;</source>
-        <translation>Sie brauchen einen USB-Seriell-Adapter mit TTL-Pegeln (5 V oder 3,3 V) und drei Leitungen.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Schalten Sie das Board aus. Ziehen Sie den Modus-Jumper ab: Dann startet es im seriellen Modus, der nötig ist, um es von hier aus zu steuern und Einstellungen zu ändern. Ziehen Sie auch den SO–G-Jumper ab.&lt;/li&gt;&lt;li&gt;Schließen Sie den Adapter wie gezeigt an.&lt;/li&gt;&lt;li&gt;Heben Sie die Räder vom Boden ab, schalten Sie das Board ein und verbinden Sie:&lt;/li&gt;&lt;/ol&gt;</translation></message>
-    <message><source>TT&amp;L adapter</source>
-        <translation>&amp;TTL-Adapter</translation></message>
-    <message><source>You need an RS-232 port of the computer or an RS-232 adapter, and three wires.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Switch the board off. Remove the mode and SO–G jumpers, as for a TTL adapter.&lt;/li&gt;&lt;li&gt;Wire the port to the RS-232 pins as shown, and leave SI and SO free: the voltages of RS-232 can damage them.&lt;/li&gt;&lt;li&gt;Lift the wheels off the ground, switch the board on, and connect:&lt;/li&gt;&lt;/ol&gt;</source>
-        <translation>Sie brauchen einen RS-232-Port am Computer oder einen RS-232-Adapter und drei Leitungen.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Schalten Sie das Board aus. Ziehen Sie Modus- und SO–G-Jumper ab, wie bei einem TTL-Adapter.&lt;/li&gt;&lt;li&gt;Schließen Sie den Port wie gezeigt an die RS-232-Pins an, und lassen Sie SI und SO frei: Die Spannungen von RS-232 können sie beschädigen.&lt;/li&gt;&lt;li&gt;Heben Sie die Räder vom Boden ab, schalten Sie das Board ein und verbinden Sie:&lt;/li&gt;&lt;/ol&gt;</translation></message>
-    <message><source>RS-&amp;232 adapter</source>
-        <translation>RS-&amp;232-Adapter</translation></message>
-    <message><source>You need an RC receiver with a servo cable for each channel, and an adapter to connect the board to this computer.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Set the board up through the adapter first: with the mode jumper on, it accepts no settings.&lt;/li&gt;&lt;li&gt;Switch the board off. Connect the receiver as shown: a servo cable has signal, 5 V and GND. The BEC jumper lets the board feed the receiver, with 100 mA at most.&lt;/li&gt;&lt;li&gt;Put the mode jumper on RC. Lift the wheels off the ground and switch on: the transmitter drives, and this program shows what it does.&lt;/li&gt;&lt;/ol&gt;</source>
-        <translation>Sie brauchen einen RC-Empfänger mit einem Servokabel je Kanal und einen Adapter, um das Board mit diesem Computer zu verbinden.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Richten Sie das Board zuerst über den Adapter ein: Mit gestecktem Modus-Jumper nimmt es keine Einstellungen an.&lt;/li&gt;&lt;li&gt;Schalten Sie das Board aus. Schließen Sie den Empfänger wie gezeigt an: Ein Servokabel hat Signal, 5 V und GND. Mit dem BEC-Jumper versorgt das Board den Empfänger, mit höchstens 100 mA.&lt;/li&gt;&lt;li&gt;Stecken Sie den Modus-Jumper auf RC. Heben Sie die Räder vom Boden ab und schalten Sie ein: Der Sender steuert, und dieses Programm zeigt, was er tut.&lt;/li&gt;&lt;/ol&gt;</translation></message>
-    <message><source>RC recei&amp;ver</source>
-        <translation>&amp;RC-Empfänger</translation></message>
+    <message><source>Jumpers to drive</source>
+        <translation>Jumper zum Fahren</translation></message>
     <message><source>Wiring: TX of the RS-232 port (pin 3 of nine) to RX, RX (pin 2) to TX, GND (pin 5) to GND of the board</source>
         <translation>Verdrahtung: TX des RS-232-Ports (Pin 3 von neun) an RX, RX (Pin 2) an TX, GND (Pin 5) an GND des Boards</translation></message>
     <message><source>RS-232 port</source>
@@ -5153,12 +5141,24 @@ bisher {1}</translation></message>
         <translation>Verdrahtung: Kanäle 1 und 2 des Empfängers an Kanäle 1 und 2 des Boards, 5 V an 5 V, GND an GND</translation></message>
     <message><source>Receiver</source>
         <translation>Empfänger</translation></message>
+    <message><source>Connect my TReX</source>
+        <translation>Meinen TReX verbinden</translation></message>
+    <message><source>No board at hand?</source>
+        <translation>Kein Board zur Hand?</translation></message>
+    <message><source>&amp;Try the demo</source>
+        <translation>Demo aus&amp;probieren</translation></message>
+    <message><source>Set up, calibrate, drive and understand a Pololu TReX or TReX Jr. You need the board with its supply, and a serial adapter with three wires. No motor moves before you click Run motor, and Esc stops the motors in every window.</source>
+        <translation>Einen Pololu TReX oder TReX Jr einrichten, kalibrieren, ansteuern und verstehen. Sie brauchen das Board mit seiner Stromversorgung und einen seriellen Adapter mit drei Leitungen. Kein Motor bewegt sich, bevor Sie auf „Motor freigeben“ klicken, und Esc stoppt die Motoren in jedem Fenster.</translation></message>
+    <message><source>TT&amp;L adapter</source>
+        <translation>&amp;TTL-Adapter</translation></message>
+    <message><source>RS-&amp;232 adapter</source>
+        <translation>RS-&amp;232-Adapter</translation></message>
+    <message><source>RC recei&amp;ver</source>
+        <translation>&amp;RC-Empfänger</translation></message>
     <message><source>Open &amp;settings file…</source>
         <translation>&amp;Einstellungsdatei öffnen…</translation></message>
     <message><source>&amp;Open recording…</source>
         <translation>&amp;Aufzeichnung öffnen…</translation></message>
-    <message><source>Jumpers to drive</source>
-        <translation>Jumper zum Fahren</translation></message>
     <message><source>First difference, line {0}: {1}. The simulated board: {2} ({3}).</source>
         <translation>Erster Unterschied, Zeile {0}: {1}. Das simulierte Board: {2} ({3}).</translation></message>
     <message><source>Compare a traffic log</source>
@@ -5167,6 +5167,8 @@ bisher {1}</translation></message>
         <translation>Text (*.txt *.tsv)</translation></message>
     <message numerus="yes"><source>%n transaction(s): the simulated board replies the same.</source>
         <translation><numerusform>%n Transaktion: Das simulierte Board antwortet gleich.</numerusform><numerusform>%n Transaktionen: Das simulierte Board antwortet gleich.</numerusform></translation></message>
+    <message><source>Plot of currents in its o&amp;wn window</source>
+        <translation>Stromkurven in eigenem &amp;Fenster</translation></message>
     <message><source>a settings file of a TReX</source>
         <translation>eine Einstellungsdatei eines TReX</translation></message>
     <message><source>a board</source>
@@ -5231,8 +5233,6 @@ bisher {1}</translation></message>
         <translation>&amp;Werkseinstellungen wiederherstellen…</translation></message>
     <message><source>Restore ser&amp;ial defaults…</source>
         <translation>Serielle Standardwerte wieder&amp;herstellen…</translation></message>
-    <message><source>Plot of currents in its o&amp;wn window</source>
-        <translation>Stromkurven in eigenem &amp;Fenster</translation></message>
     <message><source>&amp;Demo TReX panel</source>
         <translation>Bedienfeld des &amp;Demo-TReX</translation></message>
     <message><source>&amp;Board does not respond…</source>

@@ -63,12 +63,12 @@
         <translation><numerusform>%n setting of this {0} differs from what was applied last ({1}): lost, changed by something else, or this is another board.</numerusform><numerusform>%n settings of this {0} differ from what was applied last ({1}): lost, changed by something else, or this is another board.</numerusform></translation></message>
     <message numerus="yes"><source>&amp;Review %n change(s)…</source>
         <translation><numerusform>&amp;Review %n change…</numerusform><numerusform>&amp;Review %n changes…</numerusform></translation></message>
+    <message numerus="yes"><source>%n finding(s). Accept a proposal, or leave the setting as it is.</source>
+        <translation><numerusform>%n finding. Accept a proposal, or leave the setting as it is.</numerusform><numerusform>%n findings. Accept a proposal, or leave the setting as it is.</numerusform></translation></message>
     <message numerus="yes"><source>%n setting(s) of the {0} will change.</source>
         <translation><numerusform>%n setting of the {0} will change.</numerusform><numerusform>%n settings of the {0} will change.</numerusform></translation></message>
     <message numerus="yes"><source>&amp;Write %n setting(s)</source>
         <translation><numerusform>&amp;Write %n setting</numerusform><numerusform>&amp;Write %n settings</numerusform></translation></message>
-    <message numerus="yes"><source>%n finding(s). Accept a proposal, or leave the setting as it is.</source>
-        <translation><numerusform>%n finding. Accept a proposal, or leave the setting as it is.</numerusform><numerusform>%n findings. Accept a proposal, or leave the setting as it is.</numerusform></translation></message>
     <message numerus="yes"><source>%n finding(s) left.</source>
         <translation><numerusform>%n finding left.</numerusform><numerusform>%n findings left.</numerusform></translation></message>
     <message numerus="yes"><source>%n setting(s) differ, {0} match.</source>
@@ -87,12 +87,12 @@
         <translation><numerusform>Next adds %n change. Nothing is written before you apply them.</numerusform><numerusform>Next adds %n changes. Nothing is written before you apply them.</numerusform></translation></message>
     <message numerus="yes"><source>%n change(s) not applied yet.</source>
         <translation><numerusform>%n change not applied yet.</numerusform><numerusform>%n changes not applied yet.</numerusform></translation></message>
+    <message numerus="yes"><source>%n setting(s) not in the snapshot would stay.</source>
+        <translation><numerusform>%n setting that is not in the snapshot would stay as it is.</numerusform><numerusform>%n settings that are not in the snapshot would stay as they are.</numerusform></translation></message>
     <message numerus="yes"><source>%n setting(s) would become edits; nothing is written until you click Apply.</source>
         <translation><numerusform>%n setting would become edits; nothing is written until you click Apply.</numerusform><numerusform>%n settings would become edits; nothing is written until you click Apply.</numerusform></translation></message>
     <message numerus="yes"><source>%n setting(s) would be restored, {0} match.</source>
         <translation><numerusform>%n setting would be restored, {0} match.</numerusform><numerusform>%n settings would be restored, {0} match.</numerusform></translation></message>
-    <message numerus="yes"><source>%n setting(s) not in the snapshot would stay.</source>
-        <translation><numerusform>%n setting that is not in the snapshot would stay as it is.</numerusform><numerusform>%n settings that are not in the snapshot would stay as they are.</numerusform></translation></message>
     <message numerus="yes"><source>There is no other snapshot of a {0} to compare with. This one has %n setting(s).</source>
         <translation><numerusform>There is no other snapshot of a {0} to compare with. This one has %n setting.</numerusform><numerusform>There is no other snapshot of a {0} to compare with. This one has %n settings.</numerusform></translation></message>
     <message numerus="yes"><source>%n transaction(s): the simulated board replies the same.</source>

@@ -2761,14 +2761,14 @@
         <translation>ce nombre est illisible ; {0}</translation></message>
     <message><source>merge keys (&lt;&lt;) are not allowed; {0}</source>
         <translation>les clés de fusion (&lt;&lt;) ne sont pas autorisées ; {0}</translation></message>
-    <message><source>nothing to write</source>
-        <translation>rien à écrire</translation></message>
-    <message numerus="yes"><source>&amp;Write to %n board(s)</source>
-        <translation><numerusform>Écrire &amp;dans %n carte</numerusform><numerusform>Écrire &amp;dans %n cartes</numerusform></translation></message>
     <message><source>Each checked board gets these settings, one board after the other, with a snapshot before. Each keeps its device number and its serial settings. The first error while writing ends the work.</source>
         <translation>Chaque carte cochée reçoit ces réglages, l'une après l'autre, avec un instantané au préalable. Chacune garde son numéro d'appareil et ses réglages série. La première erreur d'écriture met fin à l'opération.</translation></message>
     <message><source>Boards to write to</source>
         <translation>Cartes dans lesquelles écrire</translation></message>
+    <message><source>nothing to write</source>
+        <translation>rien à écrire</translation></message>
+    <message numerus="yes"><source>&amp;Write to %n board(s)</source>
+        <translation><numerusform>Écrire &amp;dans %n carte</numerusform><numerusform>Écrire &amp;dans %n cartes</numerusform></translation></message>
     <message><source>&amp;End after this board</source>
         <translation>&amp;Terminer après cette carte</translation></message>
     <message><source>Close</source>
@@ -2833,16 +2833,22 @@
         <translation>max</translation></message>
     <message><source>{value}, neutral</source>
         <translation>{value}, neutre</translation></message>
+    <message><source>Runs the test while it is held, with the mouse or the space bar</source>
+        <translation>Effectue l'essai tant qu'il est maintenu, avec la souris ou la barre d'espace</translation></message>
     <message><source>Test to compare with</source>
         <translation>Essai auquel comparer</translation></message>
+    <message><source>How far from the steady current counts as settled, in percent</source>
+        <translation>Écart au courant établi considéré comme stabilisé, en pour cent</translation></message>
+    <message><source>Open a saved test</source>
+        <translation>Ouvrir un essai enregistré</translation></message>
+    <message><source>Save this test to compare with later, or a picture of it</source>
+        <translation>Enregistrer cet essai pour le comparer plus tard, ou une image de celui-ci</translation></message>
     <message><source>Bench test of motor {0}: {1}, {2:%Y-%m-%d %H:%M}</source>
         <translation>Essai au banc du moteur {0} : {1}, {2:%Y-%m-%d %H:%M}</translation></message>
     <message><source>{0:%H:%M:%S}, motor {1}: {2}</source>
         <translation>{0:%H:%M:%S}, moteur {1} : {2}</translation></message>
     <message><source>Bench test</source>
         <translation>Essai au banc</translation></message>
-    <message><source>How far from the steady current counts as settled, in percent</source>
-        <translation>Écart au courant établi considéré comme stabilisé, en pour cent</translation></message>
     <message><source>Sa&amp;ve…</source>
         <translation>Enre&amp;gistrer…</translation></message>
     <message><source>&amp;Close</source>
@@ -2857,12 +2863,10 @@
         <translation>Le moteur {0} tourne : {1:.1f} sur {2:g} s.</translation></message>
     <message><source>Armed. Hold the button: the motor runs only while it is held.</source>
         <translation>Moteurs activés. Maintenez le bouton enfoncé : le moteur ne tourne que tant que vous le maintenez.</translation></message>
-    <message><source>Runs the test while it is held, with the mouse or the space bar</source>
-        <translation>Effectue l'essai tant qu'il est maintenu, avec la souris ou la barre d'espace</translation></message>
-    <message><source>Open a saved test</source>
-        <translation>Ouvrir un essai enregistré</translation></message>
-    <message><source>Save this test to compare with later, or a picture of it</source>
-        <translation>Enregistrer cet essai pour le comparer plus tard, ou une image de celui-ci</translation></message>
+    <message><source>Compar&amp;e with</source>
+        <translation>&amp;Comparer avec</translation></message>
+    <message><source>Settled &amp;within</source>
+        <translation>Sta&amp;bilisé à ±</translation></message>
     <message><source>Aborted after {0:.2f} s: {1}</source>
         <translation>Interrompu après {0:.2f} s : {1}</translation></message>
     <message><source>Released after {0:.2f} s.</source>
@@ -2871,10 +2875,10 @@
         <translation>L'essai est terminé.</translation></message>
     <message><source>the previous test</source>
         <translation>l'essai précédent</translation></message>
-    <message><source>Compar&amp;e with</source>
-        <translation>&amp;Comparer avec</translation></message>
-    <message><source>Settled &amp;within</source>
-        <translation>Sta&amp;bilisé à ±</translation></message>
+    <message><source>Accelerate uses the board's acceleration, brake duration and current limit; Set at once bypasses the first two and, for a moment, the limit, too.</source>
+        <translation>« Accélérer » utilise l'accélération, la durée de freinage et la limite de courant de la carte ; « Régler immédiatement » contourne les deux premières et aussi, pendant un instant, la limite.</translation></message>
+    <message><source>One reading above it stops and disarms all motors. A motor draws most when it starts.</source>
+        <translation>Une seule mesure au-dessus arrête et désactive tous les moteurs. C'est au démarrage qu'un moteur consomme le plus.</translation></message>
     <message><source>1 to {0}, full speed</source>
         <translation>1 à {0}, pleine vitesse</translation></message>
     <message><source>Connect to a board to see its settings.</source>
@@ -2925,16 +2929,24 @@
         <translation>Appli&amp;quer…</translation></message>
     <message><source> s</source>
         <translation> s</translation></message>
+    <message><source>Step: at once</source>
+        <translation>Échelon : immédiat</translation></message>
+    <message><source>Ramp: rising linearly</source>
+        <translation>Rampe : montée linéaire</translation></message>
+    <message><source>Reverse: back and forth</source>
+        <translation>Inversion : aller et retour</translation></message>
+    <message><source>Sine</source>
+        <translation>Sinus</translation></message>
     <message><source>Forward</source>
         <translation>Avant</translation></message>
     <message><source>Reverse</source>
         <translation>Arrière</translation></message>
-    <message><source>Accelerate uses the board's acceleration, brake duration and current limit; Set at once bypasses the first two and, for a moment, the limit, too.</source>
-        <translation>« Accélérer » utilise l'accélération, la durée de freinage et la limite de courant de la carte ; « Régler immédiatement » contourne les deux premières et aussi, pendant un instant, la limite.</translation></message>
+    <message><source>Accelerate</source>
+        <translation>Accélérer</translation></message>
+    <message><source>Set at once</source>
+        <translation>Régler immédiatement</translation></message>
     <message><source> A</source>
         <translation> A</translation></message>
-    <message><source>One reading above it stops and disarms all motors. A motor draws most when it starts.</source>
-        <translation>Une seule mesure au-dessus arrête et désactive tous les moteurs. C'est au démarrage qu'un moteur consomme le plus.</translation></message>
     <message><source>Stop when the board reports that its own current limit was exceeded.</source>
         <translation>Arrêter quand la carte signale que sa propre limite de courant a été dépassée.</translation></message>
     <message><source>R&amp;ises in</source>
@@ -2949,18 +2961,6 @@
         <translation>Réglages du moteur {0}</translation></message>
     <message><source>Not applied: {0}</source>
         <translation>Non appliqué : {0}</translation></message>
-    <message><source>Step: at once</source>
-        <translation>Échelon : immédiat</translation></message>
-    <message><source>Ramp: rising linearly</source>
-        <translation>Rampe : montée linéaire</translation></message>
-    <message><source>Reverse: back and forth</source>
-        <translation>Inversion : aller et retour</translation></message>
-    <message><source>Sine</source>
-        <translation>Sinus</translation></message>
-    <message><source>Accelerate</source>
-        <translation>Accélérer</translation></message>
-    <message><source>Set at once</source>
-        <translation>Régler immédiatement</translation></message>
     <message><source>{0} (stored: {1})</source>
         <translation>{0} (enregistré : {1})</translation></message>
     <message><source>The table of figures has the results as numbers.</source>
@@ -3029,6 +3029,16 @@
         <translation>Enregistré sous {0}.</translation></message>
     <message><source>Click a board, or press Enter, to show it on every page. Motors stop first.</source>
         <translation>Cliquez sur une carte, ou appuyez sur Entrée, pour l'afficher sur toutes les pages. Les moteurs s'arrêtent d'abord.</translation></message>
+    <message><source>Ask for each device number which board has it; nothing is changed</source>
+        <translation>Demander pour chaque numéro d'appareil quelle carte le possède ; rien n'est modifié</translation></message>
+    <message><source>Ask for no more numbers</source>
+        <translation>Ne plus demander d'autres numéros</translation></message>
+    <message><source>Give the board that is selected another device number</source>
+        <translation>Donner un autre numéro d'appareil à la carte sélectionnée</translation></message>
+    <message><source>Write a settings file to several boards; each keeps its number</source>
+        <translation>Écrire un fichier de réglages dans plusieurs cartes ; chacune garde son numéro</translation></message>
+    <message><source>Before it is written, the line is asked for the new number: if another board has it, nothing is written. A board that is off, or has other serial settings, cannot be noticed. The new number takes effect at once, and a snapshot is saved first.</source>
+        <translation>Avant l'écriture, le nouveau numéro est demandé sur la liaison : si une autre carte le possède, rien n'est écrit. Une carte hors tension, ou qui a d'autres réglages série, ne peut pas être détectée. Le nouveau numéro prend effet immédiatement, et un instantané est enregistré d'abord.</translation></message>
     <message><source>Progress of the search</source>
         <translation>Progression de la recherche</translation></message>
     <message><source>Find boards</source>
@@ -3039,14 +3049,14 @@
         <translation>Modifier le numéro…</translation></message>
     <message><source>Apply a file…</source>
         <translation>Appliquer un fichier…</translation></message>
+    <message><source>Boards on this line</source>
+        <translation>Cartes sur cette liaison</translation></message>
     <message><source>It replied before. Check its power and its wires.</source>
         <translation>Elle a répondu auparavant. Vérifiez son alimentation et son câblage.</translation></message>
     <message><source>Several boards seem to have this number. Switch off all but one, and give it a number of its own.</source>
         <translation>Plusieurs cartes semblent avoir ce numéro. Coupez l'alimentation de toutes sauf une, et donnez à celle-ci son propre numéro.</translation></message>
     <message><source>Change device number</source>
         <translation>Modifier le numéro d'appareil</translation></message>
-    <message><source>Before it is written, the line is asked for the new number: if another board has it, nothing is written. A board that is off, or has other serial settings, cannot be noticed. The new number takes effect at once, and a snapshot is saved first.</source>
-        <translation>Avant l'écriture, le nouveau numéro est demandé sur la liaison : si une autre carte le possède, rien n'est écrit. Une carte hors tension, ou qui a d'autres réglages série, ne peut pas être détectée. Le nouveau numéro prend effet immédiatement, et un instantané est enregistré d'abord.</translation></message>
     <message><source>New device number</source>
         <translation>Nouveau numéro d'appareil</translation></message>
     <message><source>&amp;Write number</source>
@@ -3057,16 +3067,6 @@
         <translation>Nouveau n&amp;uméro :</translation></message>
     <message><source>The board has this number already.</source>
         <translation>La carte a déjà ce numéro.</translation></message>
-    <message><source>Boards on this line</source>
-        <translation>Cartes sur cette liaison</translation></message>
-    <message><source>Ask for each device number which board has it; nothing is changed</source>
-        <translation>Demander pour chaque numéro d'appareil quelle carte le possède ; rien n'est modifié</translation></message>
-    <message><source>Ask for no more numbers</source>
-        <translation>Ne plus demander d'autres numéros</translation></message>
-    <message><source>Give the board that is selected another device number</source>
-        <translation>Donner un autre numéro d'appareil à la carte sélectionnée</translation></message>
-    <message><source>Write a settings file to several boards; each keeps its number</source>
-        <translation>Écrire un fichier de réglages dans plusieurs cartes ; chacune garde son numéro</translation></message>
     <message><source>being left …</source>
         <translation>changement de carte …</translation></message>
     <message><source>selected, not responding</source>
@@ -3163,16 +3163,20 @@
         <translation>Cinq clignotements, puis la rouge reste allumée.</translation></message>
     <message><source>The TReX responds at the factory settings.</source>
         <translation>Le TReX répond avec les réglages d'usine.</translation></message>
+    <message><source>Search with Find first: it finds a board at any of its settings. If that fails, these steps from Pololu's support forum restore the serial settings of the factory (inferred). One user saw the LEDs alternate for three seconds only, and nothing was restored: then begin again. Compare the other settings with your last snapshot afterwards (Ctrl+H).</source>
+        <translation>Lancez d'abord « Rechercher… » : cela trouve une carte quels que soient ses réglages. En cas d'échec, ces étapes, tirées du forum d'assistance de Pololu, restaurent les réglages série d'usine (déduit). Un utilisateur n'a vu les LED alterner que pendant trois secondes, et rien n'a été restauré : dans ce cas, recommencez. Comparez ensuite les autres réglages avec votre dernier instantané (Ctrl+H).</translation></message>
     <message><source>Ways to a board that responds</source>
         <translation>Moyens d'obtenir une réponse de la carte</translation></message>
     <message><source>Mode may also be on: the board responds in every mode.</source>
         <translation>Le cavalier de mode peut aussi être en place : la carte répond dans tous les modes.</translation></message>
-    <message><source>Search with Find first: it finds a board at any of its settings. If that fails, these steps from Pololu's support forum restore the serial settings of the factory (inferred). One user saw the LEDs alternate for three seconds only, and nothing was restored: then begin again. Compare the other settings with your last snapshot afterwards (Ctrl+H).</source>
-        <translation>Lancez d'abord « Rechercher… » : cela trouve une carte quels que soient ses réglages. En cas d'échec, ces étapes, tirées du forum d'assistance de Pololu, restaurent les réglages série d'usine (déduit). Un utilisateur n'a vu les LED alterner que pendant trois secondes, et rien n'a été restauré : dans ce cas, recommencez. Comparez ensuite les autres réglages avec votre dernier instantané (Ctrl+H).</translation></message>
     <message><source>&amp;Back</source>
         <translation>Précéden&amp;t</translation></message>
     <message><source>&amp;Next</source>
         <translation>&amp;Suivant</translation></message>
+    <message><source>What the LEDs show</source>
+        <translation>Ce que montrent les LED</translation></message>
+    <message><source>What this computer receives</source>
+        <translation>Ce que reçoit cet ordinateur</translation></message>
     <message><source>Board does not respond</source>
         <translation>La carte ne répond pas</translation></message>
     <message><source>&amp;What the board shows</source>
@@ -3185,10 +3189,6 @@
         <translation>&amp;Connecter avec les réglages d'usine</translation></message>
     <message><source>Jumpers to connect</source>
         <translation>Cavaliers pour la connexion</translation></message>
-    <message><source>What the LEDs show</source>
-        <translation>Ce que montrent les LED</translation></message>
-    <message><source>What this computer receives</source>
-        <translation>Ce que reçoit cet ordinateur</translation></message>
     <message><source>19200 baud, without parity and CRC, whatever the device number</source>
         <translation>19200 bauds, sans parité ni CRC, quel que soit le numéro d'appareil</translation></message>
     <message><source>Show &amp;matching settings, too</source>
@@ -3207,6 +3207,8 @@
         <translation>Réglages convertis</translation></message>
     <message><source>For a {0}: {1} carried over, {2} changed, {3} left out.</source>
         <translation>Pour un {0} : {1} repris, {2} modifiés, {3} omis.</translation></message>
+    <message><source>Opens the converted settings as a new file, with the comments of this one. {0} stays as it is.</source>
+        <translation>Ouvre les réglages convertis dans un nouveau fichier, avec les commentaires de celui-ci. {0} reste inchangé.</translation></message>
     <message><source>Changed.</source>
         <translation>Modifié.</translation></message>
     <message><source>Left out.</source>
@@ -3227,8 +3229,6 @@
         <translation>Convertir &amp;pour :</translation></message>
     <message><source>Convert {0}</source>
         <translation>Convertir {0}</translation></message>
-    <message><source>Opens the converted settings as a new file, with the comments of this one. {0} stays as it is.</source>
-        <translation>Ouvre les réglages convertis dans un nouveau fichier, avec les commentaires de celui-ci. {0} reste inchangé.</translation></message>
     <message numerus="yes"><source>%n count(s)</source>
         <translation><numerusform>%n count</numerusform><numerusform>%n counts</numerusform></translation></message>
     <message><source>Enter 0 to {0}, such as 2.5 V, 2500 mV or 512 counts.</source>
@@ -3253,6 +3253,24 @@
         <translation>allumée : les voies commandent les moteurs</translation></message>
     <message><source>Safe-start: the motors wait until the sticks are centred.</source>
         <translation>Démarrage sécurisé : les moteurs attendent que les manches soient centrés.</translation></message>
+    <message><source>Off for a second: jumpers are read, stored settings take effect</source>
+        <translation>Coupée une seconde : les cavaliers sont lus, les réglages enregistrés prennent effet</translation></message>
+    <message><source>The mode jumper; the board reads it when power comes on</source>
+        <translation>Le cavalier de mode ; la carte le lit à la mise sous tension</translation></message>
+    <message><source>The mix jumper: input 2 drives forward, input 1 turns; takes effect at once</source>
+        <translation>Le cavalier Mix : l'entrée 2 fait avancer, l'entrée 1 fait tourner ; prend effet immédiatement</translation></message>
+    <message><source>Connects SO to ground; with Mix a power-up then learns the inputs' calibration</source>
+        <translation>Relie SO à la masse ; avec Mix, une mise sous tension apprend alors l'étalonnage des entrées</translation></message>
+    <message><source>Hold all sticks centred, as safe-start requires</source>
+        <translation>Maintenir tous les manches au centre, comme l'exige le démarrage sécurisé</translation></message>
+    <message><source>Input {0}: {1} in RC and analog mode, only measured in serial mode. A double click centres it.</source>
+        <translation>Entrée {0} : {1} en mode RC et analogique, seulement mesurée en mode série. Un double clic la centre.</translation></message>
+    <message><source>Unplugged, the port is gone: Serial Timeout and UART-Error Shutdown should stop motors</source>
+        <translation>Débranché, le port disparaît : « Délai série » et « Arrêt sur erreur UART » devraient arrêter les moteurs</translation></message>
+    <message><source>An error of the serial line that the board reports</source>
+        <translation>Une erreur de la liaison série que la carte signale</translation></message>
+    <message><source>The next byte reaches the board with this error; the Errors page counts it. Only a board with parity detects a parity error.</source>
+        <translation>Le prochain octet arrive à la carte avec cette erreur ; la page Erreurs la compte. Seule une carte avec parité détecte une erreur de parité.</translation></message>
     <message><source>flickers</source>
         <translation>scintille</translation></message>
     <message><source>off: the power is off</source>
@@ -3269,30 +3287,24 @@
         <translation>Mettre sous tension</translation></message>
     <message><source>SO–G holds the serial output to ground: no reply gets out.</source>
         <translation>SO–G maintient la sortie série à la masse : aucune réponse ne sort.</translation></message>
+    <message><source>Resets everything: stored settings, jumpers, sticks, loads and faults of the line</source>
+        <translation>Réinitialise tout : réglages enregistrés, cavaliers, manches, charges et défauts de la liaison</translation></message>
     <message><source>Power and jumpers</source>
         <translation>Alimentation et cavaliers</translation></message>
     <message><source>Power on</source><comment>state</comment>
         <translation>Sous tension</translation></message>
     <message><source>The board's power switch</source>
         <translation>L'interrupteur d'alimentation de la carte</translation></message>
-    <message><source>Off for a second: jumpers are read, stored settings take effect</source>
-        <translation>Coupée une seconde : les cavaliers sont lus, les réglages enregistrés prennent effet</translation></message>
     <message><source>Battery voltage</source>
         <translation>Tension de la batterie</translation></message>
     <message><source>Supply</source>
         <translation>Alimentation</translation></message>
     <message><source>Mode jumper</source>
         <translation>Cavalier de mode</translation></message>
-    <message><source>The mode jumper; the board reads it when power comes on</source>
-        <translation>Le cavalier de mode ; la carte le lit à la mise sous tension</translation></message>
     <message><source>Mix</source>
         <translation>Mix</translation></message>
-    <message><source>The mix jumper: input 2 drives forward, input 1 turns; takes effect at once</source>
-        <translation>Le cavalier Mix : l'entrée 2 fait avancer, l'entrée 1 fait tourner ; prend effet immédiatement</translation></message>
     <message><source>SO–G</source>
         <translation>SO–G</translation></message>
-    <message><source>Connects SO to ground; with Mix a power-up then learns the inputs' calibration</source>
-        <translation>Relie SO à la masse ; avec Mix, une mise sous tension apprend alors l'étalonnage des entrées</translation></message>
     <message><source>Battery</source>
         <translation>Batterie</translation></message>
     <message><source>No signal</source>
@@ -3303,8 +3315,6 @@
         <translation>Tous les manches oscillent lentement ; en déplacer un l'immobilise</translation></message>
     <message><source>Centre</source>
         <translation>Centrer</translation></message>
-    <message><source>Hold all sticks centred, as safe-start requires</source>
-        <translation>Maintenir tous les manches au centre, comme l'exige le démarrage sécurisé</translation></message>
     <message><source>Centre all sticks</source>
         <translation>Centrer tous les manches</translation></message>
     <message><source>Motors</source>
@@ -3351,14 +3361,16 @@
         <translation>5 priorité</translation></message>
     <message><source>A weak battery sags when the motors start, and the board resets</source>
         <translation>La tension d'une batterie faible chute au démarrage des moteurs, et la carte redémarre</translation></message>
+    <message><source>No jumper: serial</source>
+        <translation>Sans cavalier : série</translation></message>
+    <message><source>Analog</source>
+        <translation>Analogique</translation></message>
     <message><source>auxiliary</source>
         <translation>auxiliaire</translation></message>
     <message><source>flip</source>
         <translation>retournement</translation></message>
     <message><source>override</source>
         <translation>priorité</translation></message>
-    <message><source>Unplugged, the port is gone: Serial Timeout and UART-Error Shutdown should stop motors</source>
-        <translation>Débranché, le port disparaît : « Délai série » et « Arrêt sur erreur UART » devraient arrêter les moteurs</translation></message>
     <message><source>The wire from SO is broken: the board executes commands, no reply arrives</source>
         <translation>Le fil de SO est coupé : la carte exécute les commandes, aucune réponse n'arrive</translation></message>
     <message><source>This share of the bytes is corrupted in either direction; CRC detects them</source>
@@ -3373,12 +3385,6 @@
         <translation>{0} pour passer en mode {1}.</translation></message>
     <message><source>LEDs of the board</source>
         <translation>LED de la carte</translation></message>
-    <message><source>Resets everything: stored settings, jumpers, sticks, loads and faults of the line</source>
-        <translation>Réinitialise tout : réglages enregistrés, cavaliers, manches, charges et défauts de la liaison</translation></message>
-    <message><source>No jumper: serial</source>
-        <translation>Sans cavalier : série</translation></message>
-    <message><source>Analog</source>
-        <translation>Analogique</translation></message>
     <message><source>{0:.1f} V at the board</source>
         <translation>{0:.1f} V sur la carte</translation></message>
     <message><source>switched off</source>
@@ -3405,12 +3411,8 @@
         <translation>Le driver du moteur {0} se coupe, comme en cas de surchauffe ou de court-circuit</translation></message>
     <message><source>Error of one byte</source>
         <translation>Erreur d'un octet</translation></message>
-    <message><source>An error of the serial line that the board reports</source>
-        <translation>Une erreur de la liaison série que la carte signale</translation></message>
     <message><source>Corrupt one byte</source>
         <translation>Altérer un octet</translation></message>
-    <message><source>The next byte reaches the board with this error; the Errors page counts it. Only a board with parity detects a parity error.</source>
-        <translation>Le prochain octet arrive à la carte avec cette erreur ; la page Erreurs la compte. Seule une carte avec parité détecte une erreur de parité.</translation></message>
     <message><source>lit while a packet arrives</source>
         <translation>allumée pendant l'arrivée d'un paquet</translation></message>
     <message><source>fast flash: safe-start, the motors wait</source>
@@ -3419,8 +3421,6 @@
         <translation>{0} pour démarrer le chargeur d'amorçage.</translation></message>
     <message><source>brake</source>
         <translation>freinage</translation></message>
-    <message><source>Input {0}: {1} in RC and analog mode, only measured in serial mode. A double click centres it.</source>
-        <translation>Entrée {0} : {1} en mode RC et analogique, seulement mesurée en mode série. Un double clic la centre.</translation></message>
     <message><source>No signal at input {0}</source>
         <translation>Pas de signal à l'entrée {0}</translation></message>
     <message><source>The current that motor {0} draws at full speed; at the right end it stalls, which triggers current limits and faults</source>
@@ -3429,12 +3429,24 @@
         <translation>Défaut du driver du moteur {0}</translation></message>
     <message><source>Overrun</source>
         <translation>Débordement</translation></message>
+    <message><source>{0}: beyond a limit that no document confirms (inferred). The board decides: it may reject the value, or store another one.</source>
+        <translation>{0} : au-delà d'une limite qu'aucun document ne confirme (déduit). C'est la carte qui décide : elle peut rejeter la valeur, ou en enregistrer une autre.</translation></message>
     <message><source>Findings about the settings</source>
         <translation>Constats sur les réglages</translation></message>
     <message><source>Accept</source>
         <translation>Accepter</translation></message>
+    <message><source>Write an&amp;yway</source>
+        <translation>Écrire &amp;quand même</translation></message>
     <message><source>Add this change to the edits; nothing is written until you click Apply</source>
         <translation>Ajouter cette modification ; rien n'est écrit tant que vous ne cliquez pas sur « Appliquer les réglages »</translation></message>
+    <message><source>Save a copy as a settings file</source>
+        <translation>Enregistrer une copie comme fichier de réglages</translation></message>
+    <message><source>There are no snapshots yet.
+
+Before settings are applied or defaults restored, in this window or with trexcmd, everything that the board stores is saved here. You can compare a snapshot with the board and restore all or part of it.</source>
+        <translation>Il n'y a pas encore d'instantanés.
+
+Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans cette fenêtre ou avec trexcmd, tout ce que la carte contient est enregistré ici. Vous pouvez comparer un instantané avec la carte et le restaurer en tout ou en partie.</translation></message>
     <message numerus="yes"><source>Permanently delete %n snapshot(s), the newest of {0}?</source>
         <translation><numerusform>Supprimer définitivement %n instantané ({0}) ?</numerusform><numerusform>Supprimer définitivement %n instantanés (le plus récent : {0}) ?</numerusform></translation></message>
     <message><source>Search times, boards, adapters (Ctrl+F)</source>
@@ -3447,12 +3459,6 @@
         <translation>&amp;Supprimer…</translation></message>
     <message><source>&amp;Open folder</source>
         <translation>&amp;Ouvrir le dossier</translation></message>
-    <message><source>There are no snapshots yet.
-
-Before settings are applied or defaults restored, in this window or with trexcmd, everything that the board stores is saved here. You can compare a snapshot with the board and restore all or part of it.</source>
-        <translation>Il n'y a pas encore d'instantanés.
-
-Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans cette fenêtre ou avec trexcmd, tout ce que la carte contient est enregistré ici. Vous pouvez comparer un instantané avec la carte et le restaurer en tout ou en partie.</translation></message>
     <message><source>Save a copy of the snapshot</source>
         <translation>Enregistrer une copie de l'instantané</translation></message>
     <message><source>Search snapshots</source>
@@ -3467,8 +3473,6 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Nombre d'instantanés conservés</translation></message>
     <message><source>&amp;Set</source>
         <translation>&amp;Définir</translation></message>
-    <message><source>Save a copy as a settings file</source>
-        <translation>Enregistrer une copie comme fichier de réglages</translation></message>
     <message><source>the newest</source>
         <translation>les derniers</translation></message>
     <message><source>all</source>
@@ -3511,6 +3515,8 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Maintenez chaque extrémité jusqu'à l'apparition de sa coche, pendant au moins {0:.1f} s : cette liaison ({1} bauds) ne transmet que {2:.1f} mesures par seconde. Cliquez ensuite sur « Suivant ».</translation></message>
     <message><source>Push every stick to all its ends, then release it. Move every switch to all its positions. The motors stay off: in serial mode the sticks do not drive them.</source>
         <translation>Poussez chaque manche vers toutes ses extrémités, puis relâchez-le. Mettez chaque interrupteur dans toutes ses positions. Les moteurs restent à l'arrêt : en mode série, les manches ne les commandent pas.</translation></message>
+    <message><source>If a channel does not get a good result, learn its values again.</source>
+        <translation>Si une voie ne donne pas un bon résultat, apprenez à nouveau ses valeurs.</translation></message>
     <message numerus="yes"><source>&amp;Learn channel(s) {0} again</source>
         <translation><numerusform>&amp;Réapprendre la voie {0}</numerusform><numerusform>&amp;Réapprendre les voies {0}</numerusform></translation></message>
     <message><source>Try &amp;again</source>
@@ -3565,8 +3571,6 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Il n'y a rien à tester : la carte ignore cette entrée et la maintient donc au neutre. Voir le réglage « Voies ignorées ».</translation></message>
     <message><source>The tested channels are good. But in {0} mode the motors would not start. {1}</source>
         <translation>Les voies testées sont bonnes. Mais en mode {0}, les moteurs ne démarreraient pas. {1}</translation></message>
-    <message><source>If a channel does not get a good result, learn its values again.</source>
-        <translation>Si une voie ne donne pas un bon résultat, apprenez à nouveau ses valeurs.</translation></message>
     <message><source>Test the sticks</source>
         <translation>Tester les manches</translation></message>
     <message><source>The motors are stopped: co&amp;ntinue</source>
@@ -3599,6 +3603,8 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>L'extrémité haute n'a pas été maintenue. Poussez-y à nouveau et maintenez pendant {0:.1f} s.</translation></message>
     <message><source>No end reached yet.</source>
         <translation>Aucune extrémité encore atteinte.</translation></message>
+    <message><source>Calculated from the values in the board, for each channel by itself. From the manual: full output at and beyond the ends, 0 in the deadband, and what safe-start waits for. Assumed: up to 8 of 127 counts as neutral; the switching points of switches.</source>
+        <translation>Calculé à partir des valeurs de la carte, pour chaque voie séparément. D'après le manuel : sortie maximale aux extrémités et au-delà, 0 dans la zone morte, et ce qu'attend le démarrage sécurisé. Supposé : jusqu'à 8 sur 127 compte comme neutre ; les points de basculement des interrupteurs.</translation></message>
     <message><source>not sampled yet</source>
         <translation>pas encore mesuré</translation></message>
     <message><source>{0} end: not reached yet</source>
@@ -3613,8 +3619,6 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Maintenez cette position …</translation></message>
     <message><source>Not moved yet. Move the switch to every position.</source>
         <translation>Pas encore bougé. Mettez l'interrupteur dans chaque position.</translation></message>
-    <message><source>Calculated from the values in the board, for each channel by itself. From the manual: full output at and beyond the ends, 0 in the deadband, and what safe-start waits for. Assumed: up to 8 of 127 counts as neutral; the switching points of switches.</source>
-        <translation>Calculé à partir des valeurs de la carte, pour chaque voie séparément. D'après le manuel : sortie maximale aux extrémités et au-delà, 0 dans la zone morte, et ce qu'attend le démarrage sécurisé. Supposé : jusqu'à 8 sur 127 compte comme neutre ; les points de basculement des interrupteurs.</translation></message>
     <message><source>low</source>
         <translation>basse</translation></message>
     <message><source>high</source>
@@ -3693,16 +3697,14 @@ was {1}</source>
 avant {1}</translation></message>
     <message><source>{0} of channel {1}</source>
         <translation>{0} de la voie {1}</translation></message>
-    <message><source>{0}: beyond a limit that no document confirms (inferred). The board decides: it may reject the value, or store another one.</source>
-        <translation>{0} : au-delà d'une limite qu'aucun document ne confirme (déduit). C'est la carte qui décide : elle peut rejeter la valeur, ou en enregistrer une autre.</translation></message>
-    <message><source>Write an&amp;yway</source>
-        <translation>Écrire &amp;quand même</translation></message>
-    <message><source>&amp;Address one board of several by its number (Pololu protocol)</source>
-        <translation>Adresser une &amp;carte parmi plusieurs par son numéro (protocole Pololu)</translation></message>
-    <message><source>Line settings</source>
-        <translation>Réglages de liaison</translation></message>
     <message><source>These must be the settings that the board has now. A new board talks at 19200 baud, without error detection, with one stop bit. Changing them here changes nothing in the board.</source>
         <translation>Ce doivent être les réglages que la carte a actuellement. Une carte neuve communique à 19200 bauds, sans détection d'erreurs, avec un bit d'arrêt. Les modifier ici ne change rien dans la carte.</translation></message>
+    <message><source>&amp;Address one board of several by its number (Pololu protocol)</source>
+        <translation>Adresser une &amp;carte parmi plusieurs par son numéro (protocole Pololu)</translation></message>
+    <message><source>Numbers of other devices on this line, such as 0,1 (older Pololu motor and servo controllers). With one, every packet is addressed, to none of these numbers, and no other baud rate is tried.</source>
+        <translation>Numéros d'autres appareils sur cette liaison, par exemple 0,1 (anciens contrôleurs de moteurs et de servos Pololu). Dès qu'il y en a un, chaque paquet est adressé, à aucun de ces numéros, et aucun autre débit n'est essayé.</translation></message>
+    <message><source>Line settings</source>
+        <translation>Réglages de liaison</translation></message>
     <message><source>&amp;Line:</source>
         <translation>&amp;Liaison :</translation></message>
     <message><source>CRC-7 &amp;polynomial:</source>
@@ -3713,8 +3715,6 @@ avant {1}</translation></message>
         <translation>Nu&amp;méros des autres appareils :</translation></message>
     <message><source>&amp;Restore defaults</source>
         <translation>Restaurer les valeurs par &amp;défaut</translation></message>
-    <message><source>Numbers of other devices on this line, such as 0,1 (older Pololu motor and servo controllers). With one, every packet is addressed, to none of these numbers, and no other baud rate is tried.</source>
-        <translation>Numéros d'autres appareils sur cette liaison, par exemple 0,1 (anciens contrôleurs de moteurs et de servos Pololu). Dès qu'il y en a un, chaque paquet est adressé, à aucun de ces numéros, et aucun autre débit n'est essayé.</translation></message>
     <message><source>&amp;Edit the file instead</source>
         <translation>&amp;Modifier plutôt le fichier</translation></message>
     <message numerus="yes"><source>{0}: %n change(s) pending; Apply settings writes them.</source>
@@ -3745,10 +3745,16 @@ avant {1}</translation></message>
         <translation>Absents du fichier, donc inchangés : {0}.</translation></message>
     <message><source>“Arm without” is remembered for this board. Cut the power by hand then if the cable falls out.</source>
         <translation>« Activer sans délai » est mémorisé pour cette carte. Coupez alors l'alimentation à la main si le câble se débranche.</translation></message>
+    <message><source>Writes Serial Timeout and UART-Error Shutdown now: the board should stop its motors {0} s after the last byte. Other changes stay pending.</source>
+        <translation>Écrit maintenant « Délai série » et « Arrêt sur erreur UART » : la carte devrait arrêter ses moteurs {0} s après le dernier octet. Les autres modifications restent en attente.</translation></message>
     <message><source>Stop both motors and the auxiliary now (Esc, anywhere)</source>
         <translation>Arrêter tout de suite les deux moteurs et l'auxiliaire (Échap, partout)</translation></message>
     <message><source>Lets both motors and the auxiliary be driven; nothing moves yet</source>
         <translation>Permet de piloter les deux moteurs et l'auxiliaire ; rien ne bouge encore</translation></message>
+    <message><source>There are unapplied changes.</source>
+        <translation>Il y a des modifications non appliquées.</translation></message>
+    <message><source>Write the changed parameters into the board (Ctrl+Enter)</source>
+        <translation>Écrire les paramètres modifiés dans la carte (Ctrl+Entrée)</translation></message>
     <message><source>Channels control the motors; Run motor needs serial control.</source>
         <translation>Les voies commandent les moteurs ; « Activer les moteurs » exige la commande par liaison série.</translation></message>
     <message><source>Arm the motors</source>
@@ -3759,8 +3765,6 @@ avant {1}</translation></message>
         <translation>Arrêter les moteurs</translation></message>
     <message><source>&amp;Run motor</source>
         <translation>&amp;Activer les moteurs</translation></message>
-    <message><source>There are unapplied changes.</source>
-        <translation>Il y a des modifications non appliquées.</translation></message>
     <message><source>&amp;Apply settings</source>
         <translation>Appli&amp;quer les réglages</translation></message>
     <message><source>The board driven before may still turn its motors. Cut their power.</source>
@@ -3779,8 +3783,6 @@ avant {1}</translation></message>
         <translation>La carte n'a pas enregistré le délai série.</translation></message>
     <message><source>Write the serial timeout</source>
         <translation>Écrire le délai série</translation></message>
-    <message><source>Write the changed parameters into the board (Ctrl+Enter)</source>
-        <translation>Écrire les paramètres modifiés dans la carte (Ctrl+Entrée)</translation></message>
     <message><source>Armed. Drive them on the Motors page.</source>
         <translation>Moteurs activés. Pilotez-les sur la page Moteurs.</translation></message>
     <message><source>Stopping …</source>
@@ -3789,8 +3791,6 @@ avant {1}</translation></message>
         <translation>Écrire &amp;{0} s</translation></message>
     <message><source>Write a serial timeout of {0} s</source>
         <translation>Écrire un délai série de {0} s</translation></message>
-    <message><source>Writes Serial Timeout and UART-Error Shutdown now: the board should stop its motors {0} s after the last byte. Other changes stay pending.</source>
-        <translation>Écrit maintenant « Délai série » et « Arrêt sur erreur UART » : la carte devrait arrêter ses moteurs {0} s après le dernier octet. Les autres modifications restent en attente.</translation></message>
     <message><source>Armed. Sent: {0}</source>
         <translation>Moteurs activés. Envoyé : {0}</translation></message>
     <message><source>Stopped. Motors are locked for {0} s.</source>
@@ -3877,6 +3877,10 @@ avant {1}</translation></message>
         <translation>&amp;Requise en mode RC</translation></message>
     <message><source>The motors stop when its pulses are missing for half a second</source>
         <translation>Les moteurs s'arrêtent quand ses impulsions manquent pendant une demi-seconde</translation></message>
+    <message><source>Read the other input source</source>
+        <translation>Lire l'autre source des entrées</translation></message>
+    <message><source>Ma&amp;ke active…</source>
+        <translation>Rendre act&amp;if…</translation></message>
     <message><source>Its values have not been read yet.</source>
         <translation>Ses valeurs n'ont pas encore été lues.</translation></message>
     <message><source>, problem</source>
@@ -3889,8 +3893,6 @@ avant {1}</translation></message>
         <translation>non apprise : valeurs par défaut</translation></message>
     <message><source>Analog voltages</source>
         <translation>Tensions analogiques</translation></message>
-    <message><source>Ma&amp;ke active…</source>
-        <translation>Rendre act&amp;if…</translation></message>
     <message><source>stored now</source>
         <translation>enregistré actuellement</translation></message>
     <message><source>after Apply</source>
@@ -3903,8 +3905,6 @@ avant {1}</translation></message>
         <translation>Source des entrées</translation></message>
     <message><source>learned: has its own calibration</source>
         <translation>apprise : a son propre étalonnage</translation></message>
-    <message><source>Read the other input source</source>
-        <translation>Lire l'autre source des entrées</translation></message>
     <message><source>No board responds.</source>
         <translation>Aucune carte ne répond.</translation></message>
     <message><source>Live value</source>
@@ -3931,6 +3931,8 @@ avant {1}</translation></message>
         <translation>&amp;Copier, réinitialiser, fichiers</translation></message>
     <message><source>Di&amp;scard</source>
         <translation>Re&amp;jeter</translation></message>
+    <message><source>Discard the edits of this channel</source>
+        <translation>Rejeter les modifications de cette voie</translation></message>
     <message><source>No board responds. Edits are kept until a board of the same kind is connected.</source>
         <translation>Aucune carte ne répond. Les modifications sont conservées jusqu'à ce qu'une carte du même type soit connectée.</translation></message>
     <message><source>no live value: the board reads the other source</source>
@@ -3941,8 +3943,6 @@ avant {1}</translation></message>
         <translation>pas de signal actuellement : la sortie est à 0</translation></message>
     <message><source>&amp;Note:</source>
         <translation>N&amp;ote :</translation></message>
-    <message><source>Discard the edits of this channel</source>
-        <translation>Rejeter les modifications de cette voie</translation></message>
     <message><source>For {0}, {1}: {2}</source>
         <translation>Pour {0}, {1} : {2}</translation></message>
     <message><source>Drag a handle of the curve, or type {0} or {1} counts. Nothing is written until you click Apply.</source>
@@ -4009,12 +4009,20 @@ avant {1}</translation></message>
         <translation>Un count de cette carte vaut {0:.0f} mA.</translation></message>
     <message><source>Reading an error clears it in the board; this program counts each one. Errors in bold were reported since you cleared them.</source>
         <translation>Lire une erreur l'efface dans la carte ; ce programme compte chacune d'elles. Les erreurs en gras ont été signalées depuis votre dernier acquittement.</translation></message>
+    <message><source>Take the errors in bold as known; counts stay, and an error that is still active comes back at once</source>
+        <translation>Considérer les erreurs en gras comme connues ; les compteurs restent, et une erreur encore active revient aussitôt</translation></message>
+    <message><source>Set every count to zero, and forget when errors were seen</source>
+        <translation>Remettre tous les compteurs à zéro et oublier quand les erreurs ont été vues</translation></message>
+    <message><source>Reset co&amp;unts</source>
+        <translation>Remettre les &amp;compteurs à zéro</translation></message>
+    <message><source>The board came back in another mode, so its power was off meanwhile; it does not report a restart in the same mode</source>
+        <translation>La carte est revenue dans un autre mode, son alimentation a donc été coupée entre-temps ; elle ne signale pas un redémarrage dans le même mode</translation></message>
+    <message><source>The board was silent for a while: its power was low or off, it restarted, or the cable has a bad contact</source>
+        <translation>La carte est restée muette un moment : son alimentation était faible ou coupée, elle a redémarré, ou le câble a un mauvais contact</translation></message>
     <message><source>{0}; timeouts: {1}, corrupted replies: {2}, slowest reply: {3:.0f} ms</source>
         <translation>{0} ; délais dépassés : {1}, réponses altérées : {2}, réponse la plus lente : {3:.0f} ms</translation></message>
     <message><source>C&amp;lear errors</source>
         <translation>Acquitter les &amp;erreurs</translation></message>
-    <message><source>Reset co&amp;unts</source>
-        <translation>Remettre les &amp;compteurs à zéro</translation></message>
     <message><source>Errors</source>
         <translation>Erreurs</translation></message>
     <message><source>Error</source>
@@ -4031,6 +4039,8 @@ avant {1}</translation></message>
         <translation>Signification et remède</translation></message>
     <message><source>Connection</source>
         <translation>Connexion</translation></message>
+    <message><source>Since the connection was opened</source>
+        <translation>Depuis l'ouverture de la connexion</translation></message>
     <message><source>never</source>
         <translation>jamais</translation></message>
     <message><source>before connecting</source>
@@ -4041,28 +4051,18 @@ avant {1}</translation></message>
         <translation>La liaison est bruitée et n'a pas de CRC : une réponse altérée y ressemble.</translation></message>
     <message><source>⚠ Yes</source>
         <translation>⚠ Oui</translation></message>
-    <message><source>Take the errors in bold as known; counts stay, and an error that is still active comes back at once</source>
-        <translation>Considérer les erreurs en gras comme connues ; les compteurs restent, et une erreur encore active revient aussitôt</translation></message>
-    <message><source>Set every count to zero, and forget when errors were seen</source>
-        <translation>Remettre tous les compteurs à zéro et oublier quand les erreurs ont été vues</translation></message>
     <message><source>No</source>
         <translation>Non</translation></message>
     <message><source>Quality:</source>
         <translation>Qualité :</translation></message>
-    <message><source>Since the connection was opened</source>
-        <translation>Depuis l'ouverture de la connexion</translation></message>
     <message><source>Reads per second:</source>
         <translation>Lectures par seconde :</translation></message>
     <message><source>Connected for:</source>
         <translation>Connecté depuis :</translation></message>
     <message><source>Restarts in another mode:</source>
         <translation>Redémarrages dans un autre mode :</translation></message>
-    <message><source>The board came back in another mode, so its power was off meanwhile; it does not report a restart in the same mode</source>
-        <translation>La carte est revenue dans un autre mode, son alimentation a donc été coupée entre-temps ; elle ne signale pas un redémarrage dans le même mode</translation></message>
     <message><source>Returned after silence:</source>
         <translation>Retours après silence :</translation></message>
-    <message><source>The board was silent for a while: its power was low or off, it restarted, or the cable has a bad contact</source>
-        <translation>La carte est restée muette un moment : son alimentation était faible ou coupée, elle a redémarré, ou le câble a un mauvais contact</translation></message>
     <message><source>{0}
 (doubtful)</source>
         <translation>{0}
@@ -4129,6 +4129,10 @@ avant {1}</translation></message>
         <translation>Configurer la manette</translation></message>
     <message><source>Assignment</source>
         <translation>Affectation</translation></message>
+    <message><source>One axis drives, one turns</source>
+        <translation>Un axe fait avancer, l'autre tourner</translation></message>
+    <message><source>An axis for each motor</source>
+        <translation>Un axe par moteur</translation></message>
     <message><source>How two axes drive two motors</source>
         <translation>Comment deux axes commandent deux moteurs</translation></message>
     <message><source>Move it…</source>
@@ -4183,10 +4187,6 @@ avant {1}</translation></message>
         <translation>{0} : inversé</translation></message>
     <message><source>Setpoint of motor {0}</source>
         <translation>Consigne du moteur {0}</translation></message>
-    <message><source>One axis drives, one turns</source>
-        <translation>Un axe fait avancer, l'autre tourner</translation></message>
-    <message><source>An axis for each motor</source>
-        <translation>Un axe par moteur</translation></message>
     <message><source>Gamepad</source>
         <translation>Manette</translation></message>
     <message><source>Drive with a &amp;gamepad</source>
@@ -4207,56 +4207,56 @@ avant {1}</translation></message>
         <translation>Piloter avec une manette</translation></message>
     <message><source>Stop what the gamepad drives when the window loses the focus</source>
         <translation>Arrêter ce que pilote la manette quand la fenêtre perd le focus</translation></message>
-    <message><source>Remembered for this board.</source>
-        <translation>Mémorisé pour cette carte.</translation></message>
-    <message><source>Seconds that Run motor is locked after Stop</source>
-        <translation>Secondes pendant lesquelles « Activer les moteurs » est verrouillé après un arrêt</translation></message>
-    <message><source>Either slider sets both motors; the robot does not turn</source>
-        <translation>L'un ou l'autre curseur règle les deux moteurs ; le robot ne tourne pas</translation></message>
-    <message><source>The motors run differently: stop both, or give both the same speed</source>
-        <translation>Les moteurs tournent différemment : arrêtez-les tous les deux ou donnez-leur la même vitesse</translation></message>
-    <message><source>&amp;Speed ceiling</source>
-        <translation>&amp;Vitesse maximale</translation></message>
-    <message><source>New board: raise this once its motors turn the right way.</source>
-        <translation>Nouvelle carte : augmentez cette valeur une fois que ses moteurs tournent dans le bon sens.</translation></message>
-    <message><source>Options</source>
-        <translation>Options</translation></message>
-    <message><source>Accelerate along the board's ra&amp;mp</source>
-        <translation>Accélérer &amp;selon la rampe de la carte</translation></message>
-    <message><source>Se&amp;t at once</source>
-        <translation>&amp;Régler immédiatement</translation></message>
-    <message><source>Drive with arrow &amp;keys or WASD</source>
-        <translation>Piloter avec les flèches ou &amp;WASD</translation></message>
-    <message><source>&amp;Link both motors</source>
-        <translation>Lier les deux &amp;moteurs</translation></message>
-    <message><source>&amp;Brake strength</source>
-        <translation>Intensité du freina&amp;ge</translation></message>
-    <message><source>coast (0 %)</source>
-        <translation>roue libre (0 %)</translation></message>
-    <message><source>L&amp;ock after Stop</source>
-        <translation>Verr&amp;ouillage après un arrêt</translation></message>
-    <message><source>Stop when you lea&amp;ve this page</source>
-        <translation>Arrêter en quittant &amp;cette page</translation></message>
-    <message><source>Return slider to &amp;zero when it is released</source>
-        <translation>Remettre à &amp;zéro le curseur relâché</translation></message>
-    <message><source>none (0 s)</source>
-        <translation>aucun (0 s)</translation></message>
-    <message><source>{0}, as a number</source>
-        <translation>{0}, en chiffres</translation></message>
     <message><source>Highest speed that this program sends to this board; full deflection of pad, keys and gamepad gives this speed. Raising it does not speed up a running motor.</source>
         <translation>Vitesse la plus élevée que ce programme envoie à cette carte ; la pleine course du pavé, des touches et de la manette donne cette vitesse. L'augmenter n'accélère pas un moteur en marche.</translation></message>
+    <message><source>&amp;Speed ceiling</source>
+        <translation>&amp;Vitesse maximale</translation></message>
+    <message><source>Remembered for this board.</source>
+        <translation>Mémorisé pour cette carte.</translation></message>
+    <message><source>Accelerate along the board's ra&amp;mp</source>
+        <translation>Accélérer &amp;selon la rampe de la carte</translation></message>
     <message><source>The board ramps speeds at the Acceleration setting and pauses for the brake duration before reversing</source>
         <translation>La carte fait varier les vitesses selon le réglage « Accélération » et marque une pause de la durée de freinage avant d'inverser le sens</translation></message>
     <message><source>Bypasses ramp and brake duration, and for a moment also the current limit</source>
         <translation>Contourne la rampe et la durée de freinage, et aussi, un instant, la limite de courant</translation></message>
     <message><source>Held keys drive wherever the focus is on this page, except in number fields, tables and lists; sliders then get no arrow keys. In the pad they always drive.</source>
         <translation>Les touches maintenues pilotent où que soit le focus sur cette page, sauf dans les champs numériques, les tableaux et les listes ; les curseurs ne reçoivent alors pas les touches fléchées. Dans le pavé, elles pilotent toujours.</translation></message>
+    <message><source>Drive with arrow &amp;keys or WASD</source>
+        <translation>Piloter avec les flèches ou &amp;WASD</translation></message>
     <message><source>How hard Brake and letting go of pad, keys and held sliders brake; Stop always brakes fully</source>
         <translation>Force du freinage par « Freiner » et au relâchement du pavé, des touches et des curseurs maintenus ; l'arrêt freine toujours à fond</translation></message>
+    <message><source>&amp;Brake strength</source>
+        <translation>Intensité du freina&amp;ge</translation></message>
+    <message><source>Stop when you lea&amp;ve this page</source>
+        <translation>Arrêter en quittant &amp;cette page</translation></message>
     <message><source>Stop both motors and the auxiliary when another page is shown or the window is minimised</source>
         <translation>Arrêter les deux moteurs et l'auxiliaire quand une autre page est affichée ou que la fenêtre est réduite</translation></message>
+    <message><source>Return slider to &amp;zero when it is released</source>
+        <translation>Remettre à &amp;zéro le curseur relâché</translation></message>
     <message><source>A slider drives only while you hold it; letting go brakes its motor</source>
         <translation>Un curseur ne fait tourner son moteur que tant que vous le tenez ; le relâcher freine le moteur</translation></message>
+    <message><source>Seconds that Run motor is locked after Stop</source>
+        <translation>Secondes pendant lesquelles « Activer les moteurs » est verrouillé après un arrêt</translation></message>
+    <message><source>Either slider sets both motors; the robot does not turn</source>
+        <translation>L'un ou l'autre curseur règle les deux moteurs ; le robot ne tourne pas</translation></message>
+    <message><source>The motors run differently: stop both, or give both the same speed</source>
+        <translation>Les moteurs tournent différemment : arrêtez-les tous les deux ou donnez-leur la même vitesse</translation></message>
+    <message><source>New board: raise this once its motors turn the right way.</source>
+        <translation>Nouvelle carte : augmentez cette valeur une fois que ses moteurs tournent dans le bon sens.</translation></message>
+    <message><source>Options</source>
+        <translation>Options</translation></message>
+    <message><source>Se&amp;t at once</source>
+        <translation>&amp;Régler immédiatement</translation></message>
+    <message><source>&amp;Link both motors</source>
+        <translation>Lier les deux &amp;moteurs</translation></message>
+    <message><source>coast (0 %)</source>
+        <translation>roue libre (0 %)</translation></message>
+    <message><source>L&amp;ock after Stop</source>
+        <translation>Verr&amp;ouillage après un arrêt</translation></message>
+    <message><source>none (0 s)</source>
+        <translation>aucun (0 s)</translation></message>
+    <message><source>{0}, as a number</source>
+        <translation>{0}, en chiffres</translation></message>
     <message><source>How long Run motor stays locked after Stop or Esc, so that a slider or key still held cannot restart a motor (0 to {0:g} s)</source>
         <translation>Durée pendant laquelle « Activer les moteurs » reste verrouillé après un arrêt ou Échap, pour qu'un curseur ou une touche encore maintenus ne puissent pas relancer un moteur (0 à {0:g} s)</translation></message>
     <message><source>Auxiliary (one way)</source>
@@ -4303,10 +4303,16 @@ avant {1}</translation></message>
         <translation>{0} : voie {1}</translation></message>
     <message><source>Search names and descriptions (Ctrl+F)</source>
         <translation>Rechercher dans les noms et les descriptions (Ctrl+F)</translation></message>
-    <message><source>Search parameters</source>
-        <translation>Rechercher des paramètres</translation></message>
     <message><source>Group of parameters</source>
         <translation>Groupe de paramètres</translation></message>
+    <message><source>Show only what you have changed</source>
+        <translation>Afficher seulement ce que vous avez modifié</translation></message>
+    <message><source>Show only values that differ from their default</source>
+        <translation>Afficher seulement les valeurs qui diffèrent de leur valeur par défaut</translation></message>
+    <message><source>Make each change to one motor to the other, too, in one step</source>
+        <translation>Reporter en une seule étape chaque modification d'un moteur sur l'autre</translation></message>
+    <message><source>Search parameters</source>
+        <translation>Rechercher des paramètres</translation></message>
     <message><source>&amp;Modified only</source>
         <translation>&amp;Modifiés seulement</translation></message>
     <message><source>Not default onl&amp;y</source>
@@ -4317,20 +4323,18 @@ avant {1}</translation></message>
         <translation>Aucun des {1} ne correspond</translation></message>
     <message><source>{0} of {1}</source>
         <translation>{0} sur {1}</translation></message>
-    <message><source>Show only what you have changed</source>
-        <translation>Afficher seulement ce que vous avez modifié</translation></message>
-    <message><source>Show only values that differ from their default</source>
-        <translation>Afficher seulement les valeurs qui diffèrent de leur valeur par défaut</translation></message>
-    <message><source>Make each change to one motor to the other, too, in one step</source>
-        <translation>Reporter en une seule étape chaque modification d'un moteur sur l'autre</translation></message>
     <message><source>All groups</source>
         <translation>Tous les groupes</translation></message>
     <message><source>Click a value and type, or double-click it. Nothing is written until you click Apply.</source>
         <translation>Cliquez sur une valeur et tapez, ou double-cliquez dessus. Rien n'est écrit tant que vous ne cliquez pas sur « Appliquer les réglages ».</translation></message>
+    <message><source>Show the steps for switching the board off and on</source>
+        <translation>Afficher les étapes pour couper et remettre l'alimentation de la carte</translation></message>
     <message><source>Discard edi&amp;ts</source>
         <translation>A&amp;bandonner les modifications</translation></message>
     <message><source>Re&amp;load</source>
         <translation>&amp;Recharger</translation></message>
+    <message><source>Read every parameter from the board again</source>
+        <translation>Relire tous les paramètres de la carte</translation></message>
     <message><source>Connect to a board to see its parameters.</source>
         <translation>Connectez une carte pour voir ses paramètres.</translation></message>
     <message><source>No board is responding. Edits are kept until the same kind of board is connected.</source>
@@ -4341,10 +4345,6 @@ avant {1}</translation></message>
         <translation><numerusform>%n modification en attente : cliquez sur « Appliquer les réglages » pour l'écrire.</numerusform><numerusform>%n modifications en attente : cliquez sur « Appliquer les réglages » pour les écrire.</numerusform></translation></message>
     <message><source>Stored, but not active until the board is switched off and on: {0}.</source>
         <translation>Enregistré, mais inactif tant que l'alimentation de la carte n'a pas été coupée puis remise : {0}.</translation></message>
-    <message><source>Show the steps for switching the board off and on</source>
-        <translation>Afficher les étapes pour couper et remettre l'alimentation de la carte</translation></message>
-    <message><source>Read every parameter from the board again</source>
-        <translation>Relire tous les paramètres de la carte</translation></message>
     <message><source>{0} of {1} could not be verified; marked below.</source>
         <translation>{0} sur {1} n'ont pas pu être vérifiés ; ils sont repérés ci-dessous.</translation></message>
     <message numerus="yes"><source>%n setting(s) written and verified.</source>
@@ -4395,14 +4395,14 @@ avant {1}</translation></message>
         <translation>Copier vers {0}</translation></message>
     <message><source>LEDs that the board shows</source>
         <translation>LED que la carte allume</translation></message>
+    <message><source>Set up my r&amp;obot…</source>
+        <translation>&amp;Configurer mon robot…</translation></message>
     <message><source>Who drives, jumpers, sticks, motors and limits, step by step.</source>
         <translation>Qui pilote, cavaliers, manches, moteurs et limites, étape par étape.</translation></message>
     <message><source>compact packets</source>
         <translation>paquets compacts</translation></message>
     <message><source>LEDs on the board:</source>
         <translation>LED sur la carte :</translation></message>
-    <message><source>Set up my r&amp;obot…</source>
-        <translation>&amp;Configurer mon robot…</translation></message>
     <message><source>joint: one motor</source>
         <translation>jumelé : un seul moteur</translation></message>
     <message><source>two independent motors</source>
@@ -4431,10 +4431,12 @@ avant {1}</translation></message>
         <translation>Connecteur :</translation></message>
     <message><source>device number {0}</source>
         <translation>numéro d'appareil {0}</translation></message>
-    <message><source>{0}; the channels control the motors.</source>
-        <translation>{0} ; les voies commandent les moteurs.</translation></message>
     <message><source>&amp;Settings at this time…</source>
         <translation>&amp;Réglages à cet instant…</translation></message>
+    <message><source>Open the settings that the board stored at this time</source>
+        <translation>Ouvrir les réglages que la carte avait enregistrés à cet instant</translation></message>
+    <message><source>{0}; the channels control the motors.</source>
+        <translation>{0} ; les voies commandent les moteurs.</translation></message>
     <message><source>Signal</source>
         <translation>Signal</translation></message>
     <message><source>Counts</source>
@@ -4447,8 +4449,6 @@ avant {1}</translation></message>
         <translation>Mode {0}</translation></message>
     <message><source>{0}.</source>
         <translation>{0}.</translation></message>
-    <message><source>Open the settings that the board stored at this time</source>
-        <translation>Ouvrir les réglages que la carte avait enregistrés à cet instant</translation></message>
     <message><source>{0}; serial commands reach the motors.</source>
         <translation>{0} ; les commandes série atteignent les moteurs.</translation></message>
     <message><source>brake {0}</source>
@@ -4457,14 +4457,14 @@ avant {1}</translation></message>
         <translation><numerusform>Modifié auparavant mais pas appliqué : %n réglage de ce {0} ({1}). Le restaurer comme modification en attente ?</numerusform><numerusform>Modifiés auparavant mais pas appliqués : %n réglages de ce {0} ({1}). Les restaurer comme modifications en attente ?</numerusform></translation></message>
     <message><source>Settings are still being written. Close anyway? Unwritten settings are offered when the board is connected again.</source>
         <translation>Des réglages sont encore en cours d'écriture. Fermer quand même ? Les réglages non écrits seront proposés quand la carte sera de nouveau connectée.</translation></message>
+    <message><source>Close anyway</source>
+        <translation>Fermer quand même</translation></message>
     <message><source>Review and apply…</source>
         <translation>Vérifier et appliquer…</translation></message>
     <message numerus="yes"><source>%n setting(s) of this {0} differ from what was applied last ({1}): lost, changed by something else, or this is another board.</source>
         <translation><numerusform>%n réglage de ce {0} diffère de ce qui a été appliqué en dernier ({1}) : perdu, modifié par autre chose, ou c'est une autre carte.</numerusform><numerusform>%n réglages de ce {0} diffèrent de ce qui a été appliqué en dernier ({1}) : perdus, modifiés par autre chose, ou c'est une autre carte.</numerusform></translation></message>
     <message><source>Keep the values of the board</source>
         <translation>Garder les valeurs de la carte</translation></message>
-    <message><source>Close anyway</source>
-        <translation>Fermer quand même</translation></message>
     <message><source>Save as a settings file…</source>
         <translation>Enregistrer comme fichier de réglages…</translation></message>
     <message><source>Keep and close</source>
@@ -4473,10 +4473,14 @@ avant {1}</translation></message>
         <translation>Abandonner et fermer</translation></message>
     <message><source>Show…</source>
         <translation>Afficher…</translation></message>
+    <message><source>&amp;Keep 30 s around each fault and stop</source>
+        <translation>&amp;Garder 30 s autour de chaque défaut ou arrêt</translation></message>
     <message><source>The seconds around “{0}” were kept. File, Open fault or stop: {1}</source>
         <translation>Les secondes autour de « {0} » ont été conservées. Fichier, Ouvrir un défaut ou un arrêt : {1}</translation></message>
     <message><source>The seconds around “{0}” could not be kept. {1}</source>
         <translation>Les secondes autour de « {0} » n'ont pas pu être conservées. {1}</translation></message>
+    <message><source>Start recording &amp;with Run motor</source>
+        <translation>Démarrer l'enregistrement &amp;avec « Activer les moteurs »</translation></message>
     <message><source>Nothing can be recorded: no board is connected.</source>
         <translation>Rien ne peut être enregistré : aucune carte n'est connectée.</translation></message>
     <message><source>File, Open recording</source>
@@ -4485,54 +4489,52 @@ avant {1}</translation></message>
         <translation>Ouvrir un enregistre&amp;ment…</translation></message>
     <message><source>Open fa&amp;ult or stop…</source>
         <translation>Ouvrir un &amp;défaut ou un arrêt…</translation></message>
-    <message><source>Start recording &amp;with Run motor</source>
-        <translation>Démarrer l'enregistrement &amp;avec « Activer les moteurs »</translation></message>
-    <message><source>&amp;Keep 30 s around each fault and stop</source>
-        <translation>&amp;Garder 30 s autour de chaque défaut ou arrêt</translation></message>
     <message><source>Open fault or stop</source>
         <translation>Ouvrir un défaut ou un arrêt</translation></message>
-    <message><source>It gets device number {0}, which another board on this line has: both would reply at once, and neither could be read. Give that board another number first.</source>
-        <translation>Elle prendra le numéro d'appareil {0}, qu'une autre carte de cette liaison porte déjà : les deux répondraient en même temps et aucune ne serait lisible. Donnez d'abord un autre numéro à cette autre carte.</translation></message>
+    <message><source>Every parameter, by the board's own command, at its next start</source>
+        <translation>Tous les paramètres, par la commande propre de la carte, à son prochain démarrage</translation></message>
     <message><source>&amp;Let the board reset itself…</source>
         <translation>&amp;Laisser la carte se réinitialiser…</translation></message>
     <message><source>At its next start the board will reset every parameter, including those cleared here. Its present settings are saved first (File, History). Unapplied changes are discarded; Undo restores them.</source>
         <translation>À son prochain démarrage, la carte réinitialisera tous les paramètres, y compris ceux décochés ici. Ses réglages actuels sont d'abord sauvegardés (Fichier, Historique). Les modifications non appliquées sont abandonnées ; « Annuler » les restaure.</translation></message>
-    <message><source>Reset the &amp;board</source>
-        <translation>Réinitialiser la &amp;carte</translation></message>
-    <message><source>Restore serial defaults</source>
-        <translation>Restaurer les réglages série par défaut</translation></message>
     <message><source>The communication settings go back to their defaults. They become active when the board is switched off and on.</source>
         <translation>Les réglages de communication reviennent à leurs valeurs par défaut. Ils deviennent actifs une fois l'alimentation de la carte coupée puis remise.</translation></message>
-    <message><source>Restore factory defaults</source>
-        <translation>Restaurer les réglages d'usine</translation></message>
     <message><source>Every parameter goes back to its default; the channel calibrations stay. Clear the check box of any parameter to keep. Nothing is written before the review.</source>
         <translation>Chaque paramètre revient à sa valeur par défaut ; les étalonnages des voies restent. Décochez les paramètres à conserver. Rien n'est écrit avant la vérification.</translation></message>
+    <message><source>It gets device number {0}, which another board on this line has: both would reply at once, and neither could be read. Give that board another number first.</source>
+        <translation>Elle prendra le numéro d'appareil {0}, qu'une autre carte de cette liaison porte déjà : les deux répondraient en même temps et aucune ne serait lisible. Donnez d'abord un autre numéro à cette autre carte.</translation></message>
+    <message><source>Reset the &amp;board</source>
+        <translation>Réinitialiser la &amp;carte</translation></message>
+    <message><source>Restore factory defaults</source>
+        <translation>Restaurer les réglages d'usine</translation></message>
+    <message><source>Restore serial defaults</source>
+        <translation>Restaurer les réglages série par défaut</translation></message>
     <message><source>Factory default</source>
         <translation>Réglage d'usine</translation></message>
     <message numerus="yes"><source>&amp;Review %n change(s)…</source>
         <translation><numerusform>&amp;Vérifier %n modification…</numerusform><numerusform>&amp;Vérifier %n modifications…</numerusform></translation></message>
-    <message><source>Every parameter, by the board's own command, at its next start</source>
-        <translation>Tous les paramètres, par la commande propre de la carte, à son prochain démarrage</translation></message>
     <message><source>No source confirms the default of: {0}.</source>
         <translation>Aucune source ne confirme la valeur par défaut de : {0}.</translation></message>
-    <message><source>Switch it on again. The program then reconnects at {0}.</source>
-        <translation>Remettez-la sous tension. Le programme se reconnecte ensuite à {0}.</translation></message>
-    <message><source>The board has to be switched off and on.</source>
-        <translation>Il faut couper et remettre l'alimentation de la carte.</translation></message>
     <message><source>I have &amp;switched it off and on</source>
         <translation>J'ai &amp;coupé et remis l'alimentation</translation></message>
+    <message><source>The board has to be switched off and on.</source>
+        <translation>Il faut couper et remettre l'alimentation de la carte.</translation></message>
     <message><source>Switch the board off for at least one second.</source>
         <translation>Coupez l'alimentation de la carte pendant au moins une seconde.</translation></message>
     <message><source>The program reads the settings again.</source>
         <translation>Le programme relit les réglages.</translation></message>
     <message><source>Switch it on again.</source>
         <translation>Remettez-la sous tension.</translation></message>
+    <message><source>Switch it on again. The program then reconnects at {0}.</source>
+        <translation>Remettez-la sous tension. Le programme se reconnecte ensuite à {0}.</translation></message>
     <message><source>Power cycle completed.</source>
         <translation>Alimentation coupée et remise.</translation></message>
     <message><source>Not active until the board is switched off and on: {0}.</source>
         <translation>Inactif tant que l'alimentation de la carte n'a pas été coupée puis remise : {0}.</translation></message>
     <message><source>Switch the board off and on</source>
         <translation>Couper et remettre l'alimentation de la carte</translation></message>
+    <message><source>The board has stopped responding. Waiting for it to respond again …</source>
+        <translation>La carte a cessé de répondre. Attente qu'elle réponde de nouveau …</translation></message>
     <message><source>The board is back, but these settings are still not active: {0}.</source>
         <translation>La carte est de retour, mais ces réglages ne sont toujours pas actifs : {0}.</translation></message>
     <message><source>The board still responds. A short interruption is not detected: leave the power off for a full second.</source>
@@ -4541,8 +4543,6 @@ avant {1}</translation></message>
         <translation>Attente que la carte cesse de répondre …</translation></message>
     <message><source>The board is still not responding. Check its power and the cable. If both are fine, disconnect and press “Find…”, which tries every setting.</source>
         <translation>La carte ne répond toujours pas. Vérifiez son alimentation et le câble. Si les deux sont en ordre, déconnectez et cliquez sur « Rechercher… », qui essaie tous les réglages.</translation></message>
-    <message><source>The board has stopped responding. Waiting for it to respond again …</source>
-        <translation>La carte a cessé de répondre. Attente qu'elle réponde de nouveau …</translation></message>
     <message><source>The line was closed. Switch the board off and on, then connect again; “Find…” tries every setting.</source>
         <translation>La liaison a été fermée. Coupez et remettez l'alimentation de la carte, puis reconnectez ; « Rechercher… » essaie tous les réglages.</translation></message>
     <message><source>Connected again. The program cannot detect whether the board was switched off meanwhile: confirm it, or switch the board off and on now.</source>
@@ -4553,6 +4553,8 @@ avant {1}</translation></message>
         <translation>Décochez les réglages que vous voulez appliquer plus tard.</translation></message>
     <message><source>{0} of {1} could not be verified; still pending.</source>
         <translation>{0} sur {1} n'ont pas pu être vérifiés ; ils restent en attente.</translation></message>
+    <message numerus="yes"><source>%n finding(s). Accept a proposal, or leave the setting as it is.</source>
+        <translation><numerusform>%n constat. Acceptez la proposition ou laissez le réglage tel quel.</numerusform><numerusform>%n constats. Acceptez une proposition ou laissez le réglage tel quel.</numerusform></translation></message>
     <message numerus="yes"><source>%n setting(s) of the {0} will change.</source>
         <translation><numerusform>%n réglage du {0} va changer.</numerusform><numerusform>%n réglages du {0} vont changer.</numerusform></translation></message>
     <message><source>{0} (device number {1}, {2})</source>
@@ -4581,56 +4583,54 @@ avant {1}</translation></message>
         <translation>La connexion a été perdue.</translation></message>
     <message><source>The value that was being written when the connection was lost may be the old one, the new one or, after a power cut, the default. It will be read again.</source>
         <translation>La valeur en cours d'écriture au moment de la perte de connexion peut être l'ancienne, la nouvelle ou, après une coupure d'alimentation, la valeur par défaut. Elle sera relue.</translation></message>
-    <message numerus="yes"><source>%n finding(s). Accept a proposal, or leave the setting as it is.</source>
-        <translation><numerusform>%n constat. Acceptez la proposition ou laissez le réglage tel quel.</numerusform><numerusform>%n constats. Acceptez une proposition ou laissez le réglage tel quel.</numerusform></translation></message>
     <message numerus="yes"><source>%n finding(s) left.</source>
         <translation><numerusform>Il reste %n constat.</numerusform><numerusform>Il reste %n constats.</numerusform></translation></message>
+    <message><source>Saving the board's present settings before anything is written.</source>
+        <translation>Sauvegarde des réglages actuels de la carte avant toute écriture.</translation></message>
     <message><source>There is nothing to write: no setting was changed.</source>
         <translation>Il n'y a rien à écrire : aucun réglage n'a été modifié.</translation></message>
     <message><source>No board is responding. The edits are kept.</source>
         <translation>Aucune carte ne répond. Les modifications sont conservées.</translation></message>
     <message><source>The board will reset itself at its next start and would lose what is written now. Switch it off and on first (Device, Make stored settings active).</source>
         <translation>La carte va se réinitialiser à son prochain démarrage et perdrait ce qui serait écrit maintenant. Coupez et remettez d'abord son alimentation (Appareil, Rendre actifs les réglages enregistrés).</translation></message>
-    <message><source>Saving the board's present settings before anything is written.</source>
-        <translation>Sauvegarde des réglages actuels de la carte avant toute écriture.</translation></message>
-    <message><source>Writing. Each value is read back; leave the power on.</source>
-        <translation>Écriture en cours. Chaque valeur est relue ; ne coupez pas l'alimentation.</translation></message>
     <message><source>{0} of {1}: {2}</source>
         <translation>{0} sur {1} : {2}</translation></message>
+    <message><source>Writing. Each value is read back; leave the power on.</source>
+        <translation>Écriture en cours. Chaque valeur est relue ; ne coupez pas l'alimentation.</translation></message>
     <message><source>not attempted</source>
         <translation>non tenté</translation></message>
     <message><source>{0} is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use it, too.</source>
         <translation>{0} fait maintenant partie des modifications en attente. La modification prend effet une fois l'alimentation de la carte coupée puis remise ; cette fenêtre suit alors. Les autres programmes de cette liaison doivent l'utiliser aussi.</translation></message>
-    <message><source>Read the settings from the board and discard the edits made here?</source>
-        <translation>Lire les réglages de la carte et abandonner les modifications faites ici ?</translation></message>
     <message><source>CRC-7 is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use CRC-7, too.</source>
         <translation>CRC-7 fait maintenant partie des modifications en attente. La modification prend effet une fois l'alimentation de la carte coupée puis remise ; cette fenêtre suit alors. Les autres programmes de cette liaison doivent utiliser CRC-7 aussi.</translation></message>
+    <message><source>Read the settings from the board and discard the edits made here?</source>
+        <translation>Lire les réglages de la carte et abandonner les modifications faites ici ?</translation></message>
     <message><source>Discard and reload</source>
         <translation>Abandonner et recharger</translation></message>
-    <message><source>Channel</source>
-        <translation>Voie</translation></message>
+    <message><source>A board keeps two calibrations for each channel: one for RC pulses, one for analog voltages. Calibrations that are not in the file stay as they are on the board. The number without a unit is the count in the file.</source>
+        <translation>Une carte garde deux étalonnages par voie : un pour les impulsions RC, un pour les tensions analogiques. Les étalonnages absents du fichier restent tels quels sur la carte. Le nombre sans unité est le nombre de counts du fichier.</translation></message>
+    <message><source>&amp;Leave out selected</source>
+        <translation>&amp;Ne pas inclure la sélection</translation></message>
+    <message><source>Remove the calibrations of the selected channels from the file</source>
+        <translation>Retirer du fichier les étalonnages des voies sélectionnées</translation></message>
+    <message><source>Double-click a value to change it; type 1500, 1.5 ms, 2.5 V or 3750 counts.</source>
+        <translation>Double-cliquez sur une valeur pour la modifier ; tapez 1500, 1,5 ms, 2,5 V ou 3750 counts.</translation></message>
     <message><source>Deadband</source>
         <translation>Zone morte</translation></message>
+    <message><source>Channel</source>
+        <translation>Voie</translation></message>
     <message><source>Calibrations</source>
         <translation>Étalonnages</translation></message>
     <message><source>&amp;Add selected</source>
         <translation>&amp;Ajouter la sélection</translation></message>
-    <message><source>&amp;Leave out selected</source>
-        <translation>&amp;Ne pas inclure la sélection</translation></message>
-    <message><source>Double-click a value to change it; type 1500, 1.5 ms, 2.5 V or 3750 counts.</source>
-        <translation>Double-cliquez sur une valeur pour la modifier ; tapez 1500, 1,5 ms, 2,5 V ou 3750 counts.</translation></message>
+    <message><source>Add the default calibration for the selected channels</source>
+        <translation>Ajouter l'étalonnage par défaut pour les voies sélectionnées</translation></message>
     <message><source>Leave out calibrations</source>
         <translation>Ne pas inclure les étalonnages</translation></message>
     <message><source>{0}: {1}. The order is minimum, neutral, maximum.</source>
         <translation>{0} : {1}. L'ordre est minimum, neutre, maximum.</translation></message>
-    <message><source>A board keeps two calibrations for each channel: one for RC pulses, one for analog voltages. Calibrations that are not in the file stay as they are on the board. The number without a unit is the count in the file.</source>
-        <translation>Une carte garde deux étalonnages par voie : un pour les impulsions RC, un pour les tensions analogiques. Les étalonnages absents du fichier restent tels quels sur la carte. Le nombre sans unité est le nombre de counts du fichier.</translation></message>
     <message><source>N&amp;ote on the calibration:</source>
         <translation>N&amp;ote sur l'étalonnage :</translation></message>
-    <message><source>Add the default calibration for the selected channels</source>
-        <translation>Ajouter l'étalonnage par défaut pour les voies sélectionnées</translation></message>
-    <message><source>Remove the calibrations of the selected channels from the file</source>
-        <translation>Retirer du fichier les étalonnages des voies sélectionnées</translation></message>
     <message><source>Add calibrations</source>
         <translation>Ajouter des étalonnages</translation></message>
     <message numerus="yes"><source>%n setting(s) differ, {0} match.</source>
@@ -4685,22 +4685,22 @@ avant {1}</translation></message>
         <translation>{0}, page {1} sur {2}</translation></message>
     <message><source>None are given.</source>
         <translation>Aucun n'est indiqué.</translation></message>
+    <message><source>Write values with units as wire values, and numbers beyond their range as the nearest one in it; the file changes when you save it</source>
+        <translation>Écrire les valeurs avec unités comme elles sont transmises, et remplacer les nombres hors plage par la valeur permise la plus proche ; le fichier change quand vous l'enregistrez</translation></message>
+    <message><source>&amp;Repair values</source>
+        <translation>&amp;Réparer les valeurs</translation></message>
+    <message><source>Text of the settings file</source>
+        <translation>Texte du fichier de réglages</translation></message>
     <message><source>Save writes this text. Comments and the order of the lines stay as they are; change values on the other pages.</source>
         <translation>« Enregistrer » écrit ce texte. Les commentaires et l'ordre des lignes restent tels quels ; modifiez les valeurs sur les autres pages.</translation></message>
     <message><source>Chec&amp;k again</source>
         <translation>&amp;Vérifier de nouveau</translation></message>
-    <message><source>&amp;Repair values</source>
-        <translation>&amp;Réparer les valeurs</translation></message>
+    <message><source>Read the text again and list its errors</source>
+        <translation>Relire le texte et lister ses erreurs</translation></message>
     <message><source>This file cannot be used. Correct the text here, then check it again; the other pages open once it has no errors.</source>
         <translation>Ce fichier ne peut pas être utilisé. Corrigez le texte ici, puis vérifiez-le de nouveau ; les autres pages s'ouvrent dès qu'il n'a plus d'erreurs.</translation></message>
     <message><source>Line numbers</source>
         <translation>Numéros de ligne</translation></message>
-    <message><source>Read the text again and list its errors</source>
-        <translation>Relire le texte et lister ses erreurs</translation></message>
-    <message><source>Write values with units as wire values, and numbers beyond their range as the nearest one in it; the file changes when you save it</source>
-        <translation>Écrire les valeurs avec unités comme elles sont transmises, et remplacer les nombres hors plage par la valeur permise la plus proche ; le fichier change quand vous l'enregistrez</translation></message>
-    <message><source>Text of the settings file</source>
-        <translation>Texte du fichier de réglages</translation></message>
     <message><source>This is the text as it was opened, without your changes: {0}. Save offers to rewrite the file from the settings.</source>
         <translation>Ceci est le texte tel qu'il a été ouvert, sans vos modifications : {0}. « Enregistrer » propose de réécrire le fichier à partir des réglages.</translation></message>
     <message><source>PDF (*.pdf)</source>
@@ -4749,14 +4749,14 @@ avant {1}</translation></message>
         <translation>Avec les réglages d'&amp;usine</translation></message>
     <message><source>&amp;Send to the board…</source>
         <translation>&amp;Envoyer à la carte…</translation></message>
+    <message><source>Not saved. {0}</source>
+        <translation>Non enregistré. {0}</translation></message>
     <message><source>{0}[*] – TReX settings file</source>
         <translation>{0}[*] – Fichier de réglages TReX</translation></message>
     <message><source>Findings ({0})</source>
         <translation>Constats ({0})</translation></message>
     <message><source>Repaired: {0}.</source>
         <translation>Réparé : {0}.</translation></message>
-    <message><source>Not saved. {0}</source>
-        <translation>Non enregistré. {0}</translation></message>
     <message><source>The pages were saved in {0}.</source>
         <translation>Les pages ont été enregistrées dans {0}.</translation></message>
     <message><source>Not compared. {0}</source>
@@ -4767,24 +4767,28 @@ avant {1}</translation></message>
         <translation>Un rover radiocommandé ; un interrupteur le confie à un ordinateur</translation></message>
     <message><source>A tank: two tracks, driven by radio with one stick</source>
         <translation>Un engin à deux chenilles, radiocommandé avec un seul manche</translation></message>
-    <message><source>Open settings file</source>
-        <translation>Ouvrir un fichier de réglages</translation></message>
     <message><source>Factory defaults of a {0}, firmware {1}</source>
         <translation>Réglages d'usine d'un {0}, firmware {1}</translation></message>
+    <message><source>Open settings file</source>
+        <translation>Ouvrir un fichier de réglages</translation></message>
     <message><source>New settings file</source>
         <translation>Nouveau fichier de réglages</translation></message>
     <message><source>&amp;Start the new file with:</source>
         <translation>&amp;Commencer le nouveau fichier avec :</translation></message>
-    <message><source>Beginnings</source>
-        <translation>Points de départ</translation></message>
     <message><source>The board as shown: {0}, firmware {1}</source>
         <translation>La carte telle qu'affichée : {0}, firmware {1}</translation></message>
+    <message><source>Beginnings</source>
+        <translation>Points de départ</translation></message>
     <message><source>Settings applied {0}</source>
         <translation>Réglages appliqués {0}</translation></message>
     <message><source>Applied</source>
         <translation>Appliqué</translation></message>
     <message><source>Sample: {0}</source>
         <translation>Exemple : {0}</translation></message>
+    <message><source>Go on without the changes of this step</source>
+        <translation>Continuer sans les modifications de cette étape</translation></message>
+    <message><source>Close the assistant; its changes stay until you apply or discard them</source>
+        <translation>Fermer l'assistant ; ses modifications restent jusqu'à ce que vous les appliquiez ou les abandonniez</translation></message>
     <message><source>Next changes {0}. Nothing is written before you apply it.</source>
         <translation>« Suivant » modifie {0}. Rien n'est écrit avant que vous ne l'appliquiez.</translation></message>
     <message><source>&amp;Who drives</source>
@@ -4803,18 +4807,56 @@ avant {1}</translation></message>
         <translation>&amp;Passer</translation></message>
     <message numerus="yes"><source>Next adds %n change(s). Nothing is written before you apply them.</source>
         <translation><numerusform>« Suivant » ajoute %n modification. Rien n'est écrit avant que vous ne l'appliquiez.</numerusform><numerusform>« Suivant » ajoute %n modifications. Rien n'est écrit avant que vous ne les appliquiez.</numerusform></translation></message>
-    <message><source>Go on without the changes of this step</source>
-        <translation>Continuer sans les modifications de cette étape</translation></message>
-    <message><source>Close the assistant; its changes stay until you apply or discard them</source>
-        <translation>Fermer l'assistant ; ses modifications restent jusqu'à ce que vous les appliquiez ou les abandonniez</translation></message>
-    <message><source>Nothing has to change: the wheels follow the sticks.</source>
-        <translation>Rien n'est à changer : les roues suivent les manches.</translation></message>
-    <message><source>Switch the motors' power off.</source>
-        <translation>Coupez l'alimentation des moteurs.</translation></message>
+    <message><source>Swap the pair of wires of motor 1 with that of motor 2 (keep their order).</source>
+        <translation>Permutez la paire de fils du moteur 1 avec celle du moteur 2 (gardez leur ordre).</translation></message>
     <message><source>Swap the two wires of the left motor.</source>
         <translation>Permutez les deux fils du moteur gauche.</translation></message>
     <message><source>Swap the two wires of the right motor.</source>
         <translation>Permutez les deux fils du moteur droit.</translation></message>
+    <message><source>No setting does this for serial commands; your own program can do it instead.</source>
+        <translation>Aucun réglage ne fait cela pour les commandes série ; votre propre programme peut s'en charger.</translation></message>
+    <message><source>No setting of the board does this.</source>
+        <translation>Aucun réglage de la carte ne fait cela.</translation></message>
+    <message><source>The board has to know the middle and the ends of each stick. Learning measures them in about two minutes, in a separate window, and ends with a review. The motors stay off meanwhile. Learn before you go on: the next step, which motor is which, needs the directions of the sticks.</source>
+        <translation>La carte doit connaître le milieu et les extrémités de chaque manche. L'apprentissage les mesure en deux minutes environ, dans une fenêtre séparée, et se termine par une vérification. Les moteurs restent arrêtés pendant ce temps. Faites l'apprentissage avant de continuer : l'étape suivante, quel moteur est lequel, a besoin des sens des manches.</translation></message>
+    <message><source>Already learned? Then show which way the sticks go: push, hold and click. In serial mode they move no motor.</source>
+        <translation>Déjà appris ? Montrez alors dans quel sens vont les manches : poussez, maintenez et cliquez. En mode série, ils ne font bouger aucun moteur.</translation></message>
+    <message><source>The stick is fully &amp;right now</source>
+        <translation>Le manche est poussé à fond vers la &amp;droite maintenant</translation></message>
+    <message><source>The stick is fully &amp;forward now</source>
+        <translation>Le manche est poussé à fond vers l'a&amp;vant maintenant</translation></message>
+    <message><source>Both sticks are fully &amp;forward now</source>
+        <translation>Les deux manches sont poussés à fond vers l'a&amp;vant maintenant</translation></message>
+    <message><source>Channel 1 is for left and right of the stick, channel 2 for forward and back.</source>
+        <translation>La voie 1 est pour la gauche et la droite du manche, la voie 2 pour l'avant et l'arrière.</translation></message>
+    <message><source>Short, weak pulses while you hold it with the mouse or the space bar</source>
+        <translation>Impulsions courtes et faibles tant que vous le maintenez avec la souris ou la barre d'espace</translation></message>
+    <message><source>The wheels are &amp;off the ground, and nothing can get caught in them</source>
+        <translation>&amp;Les roues ne touchent pas le sol et rien ne peut s'y prendre</translation></message>
+    <message><source>Wir&amp;es swapped – test again</source>
+        <translation>Fils permutés – tester de &amp;nouveau</translation></message>
+    <message><source>Forget both answers and find out again which motor is which</source>
+        <translation>Oublier les deux réponses et chercher à nouveau quel moteur est lequel</translation></message>
+    <message><source>Nothing has to change: the wheels follow the sticks.</source>
+        <translation>Rien n'est à changer : les roues suivent les manches.</translation></message>
+    <message><source>Switch the motors' power off.</source>
+        <translation>Coupez l'alimentation des moteurs.</translation></message>
+    <message><source>&amp;Learn channels…</source>
+        <translation>Apprendre les &amp;voies…</translation></message>
+    <message><source>Channel 1 is for motor 1, channel 2 for motor 2.</source>
+        <translation>La voie 1 est pour le moteur 1, la voie 2 pour le moteur 2.</translation></message>
+    <message><source>Channel 1 (motor 1)</source>
+        <translation>Voie 1 (moteur 1)</translation></message>
+    <message><source>Channel 2 (motor 2)</source>
+        <translation>Voie 2 (moteur 2)</translation></message>
+    <message><source>{0}: its direction is not known yet.</source>
+        <translation>{0} : son sens n'est pas encore connu.</translation></message>
+    <message><source>{0}: the value rises.</source>
+        <translation>{0} : la valeur augmente.</translation></message>
+    <message><source>{0}: the value falls.</source>
+        <translation>{0} : la valeur diminue.</translation></message>
+    <message><source>{0}: the stick is still near its middle. Push it all the way.</source>
+        <translation>{0} : le manche est encore proche de son milieu. Poussez-le à fond.</translation></message>
     <message><source>Left wheel, forward</source>
         <translation>Roue gauche, vers l'avant</translation></message>
     <message><source>Right wheel, forward</source>
@@ -4825,10 +4867,6 @@ avant {1}</translation></message>
         <translation>Roue droite, vers l'arrière</translation></message>
     <message><source>Nothing</source>
         <translation>Rien</translation></message>
-    <message><source>The wheels are &amp;off the ground, and nothing can get caught in them</source>
-        <translation>&amp;Les roues ne touchent pas le sol et rien ne peut s'y prendre</translation></message>
-    <message><source>Wir&amp;es swapped – test again</source>
-        <translation>Fils permutés – tester de &amp;nouveau</translation></message>
     <message><source>Armed. Hold a button: its motor is driven forward in short, weak pulses; the other one stays at rest. Then say below what turned.</source>
         <translation>Moteurs activés. Maintenez un bouton : son moteur est entraîné vers l'avant par de courtes impulsions faibles ; l'autre reste à l'arrêt. Indiquez ensuite ci-dessous ce qui a tourné.</translation></message>
     <message><source>Motor {0} is driven in pulses. Release the button to stop it.</source>
@@ -4843,26 +4881,32 @@ avant {1}</translation></message>
         <translation>Le moteur 1 entraîne la roue droite, le moteur 2 la roue gauche.</translation></message>
     <message><source>Settings correct this; no wires have to be swapped.</source>
         <translation>Des réglages corrigent cela ; aucun fil n'est à permuter.</translation></message>
-    <message><source>Swap the pair of wires of motor 1 with that of motor 2 (keep their order).</source>
-        <translation>Permutez la paire de fils du moteur 1 avec celle du moteur 2 (gardez leur ordre).</translation></message>
-    <message><source>No setting does this for serial commands; your own program can do it instead.</source>
-        <translation>Aucun réglage ne fait cela pour les commandes série ; votre propre programme peut s'en charger.</translation></message>
-    <message><source>No setting of the board does this.</source>
-        <translation>Aucun réglage de la carte ne fait cela.</translation></message>
-    <message><source>Short, weak pulses while you hold it with the mouse or the space bar</source>
-        <translation>Impulsions courtes et faibles tant que vous le maintenez avec la souris ou la barre d'espace</translation></message>
+    <message><source>Channel 1 (turns)</source>
+        <translation>Voie 1 (tourne)</translation></message>
+    <message><source>Channel 2 (drives)</source>
+        <translation>Voie 2 (avance)</translation></message>
+    <message><source>{0}: no signal arrives.</source>
+        <translation>{0} : aucun signal n'arrive.</translation></message>
     <message><source>What turned, and which way?</source>
         <translation>Qu'est-ce qui a tourné, et dans quel sens ?</translation></message>
-    <message><source>Forget both answers and find out again which motor is which</source>
-        <translation>Oublier les deux réponses et chercher à nouveau quel moteur est lequel</translation></message>
     <message><source>Nothing turned: the pulses stay below the speed ceiling of the Motors page. Raise it, or check the battery and the wires of this motor.</source>
         <translation>Rien n'a tourné : les impulsions restent sous la vitesse maximale de la page Moteurs. Augmentez-la, ou vérifiez la batterie et les fils de ce moteur.</translation></message>
     <message><source>Two motors cannot drive the same wheel: try both buttons again.</source>
         <translation>Deux moteurs ne peuvent pas entraîner la même roue : essayez à nouveau les deux boutons.</translation></message>
+    <message><source>Each is connected to an output of your receiver.</source>
+        <translation>Chacune est reliée à une sortie de votre récepteur.</translation></message>
+    <message><source>Is the transmitter on?</source>
+        <translation>L'émetteur est-il allumé ?</translation></message>
     <message><source>Hold to pulse motor {0}</source>
         <translation>Maintenir : impulsions au moteur {0}</translation></message>
-    <message><source>Remove the mode jumper to set up the board: it accepts settings only without it. To drive, put it on RC, or on analog for a joystick with potentiometers. The board reads it when it is switched on.</source>
-        <translation>Retirez le cavalier de mode pour configurer la carte : elle n'accepte des réglages que sans lui. Pour piloter, placez-le sur RC, ou sur analogique pour un joystick à potentiomètres. La carte le lit à la mise sous tension.</translation></message>
+    <message><source>A transmitter or a joystick: forward and back, left and right with one stick. The board mixes both.</source>
+        <translation>Un émetteur ou un joystick : avant et arrière, gauche et droite avec un seul manche. La carte fait le mixage.</translation></message>
+    <message><source>One stick for each side of the robot, as in a tank.</source>
+        <translation>Un manche pour chaque côté du robot, comme sur un char.</translation></message>
+    <message><source>A program, a microcontroller or this window sends commands over the serial line.</source>
+        <translation>Un programme, un microcontrôleur ou cette fenêtre envoie des commandes par la liaison série.</translation></message>
+    <message><source>Each step can be skipped. The assistant writes nothing by itself: what you choose becomes unapplied changes, which you review at the end.</source>
+        <translation>Chaque étape peut être passée. L'assistant n'écrit rien de lui-même : vos choix deviennent des modifications non appliquées, que vous vérifiez à la fin.</translation></message>
     <message><source>This board was started in {0} mode. Switch it off, remove the mode jumper and switch it on again. This statement then updates by itself.</source>
         <translation>Cette carte a démarré en mode {0}. Coupez son alimentation, retirez le cavalier de mode et remettez l'alimentation. Cette indication se met alors à jour d'elle-même.</translation></message>
     <message><source>The mix jumper is on: remove it, then push a stick again.</source>
@@ -4871,12 +4915,26 @@ avant {1}</translation></message>
         <translation>Le cavalier Mix n'est pas en place : mettez-le, puis poussez de nouveau un manche.</translation></message>
     <message><source>Set the current that your motors can draw continuously; the values above are only examples. Speeds that are set at once, without a ramp, bypass the limit for a moment.</source>
         <translation>Réglez le courant que vos moteurs peuvent absorber en continu ; les valeurs ci-dessus ne sont que des exemples. Les vitesses appliquées d'un coup, sans rampe, contournent la limite un instant.</translation></message>
+    <message><source>If the cable falls out or the computer fails, only the board itself can notice and stop the motors. Without a serial timeout they keep running at their last speed.</source>
+        <translation>Si le câble se débranche ou si l'ordinateur tombe en panne, seule la carte elle-même peut le remarquer et arrêter les moteurs. Sans délai série, ils continuent à tourner à leur dernière vitesse.</translation></message>
+    <message><source>Have the computer send something at least twice in that time; a status query will do. 0.5 s is a good value for most robots. UART-Error Shutdown is switched on with it, as the timeout may need it (twin).</source>
+        <translation>Faites envoyer quelque chose à l'ordinateur au moins deux fois pendant ce délai ; une demande d'état suffit. 0,5 s est une bonne valeur pour la plupart des robots. « Arrêt sur erreur UART » est activé en même temps, car le délai peut en avoir besoin (jumeau).</translation></message>
     <message><source>The board stores: {0}.</source>
         <translation>Valeur enregistrée dans la carte : {0}.</translation></message>
+    <message><source>Review and &amp;apply…</source>
+        <translation>&amp;Vérifier et appliquer…</translation></message>
     <message numerus="yes"><source>%n change(s) not applied yet.</source>
         <translation><numerusform>%n modification pas encore appliquée.</numerusform><numerusform>%n modifications pas encore appliquées.</numerusform></translation></message>
     <message><source>The changes for the motors were not taken over: open the step and click Next.</source>
         <translation>Les modifications pour les moteurs n'ont pas été reprises : ouvrez l'étape et cliquez sur « Suivant ».</translation></message>
+    <message><source>Drive first with the wheels off the ground: forward, back, left, right.</source>
+        <translation>Pilotez d'abord avec les roues décollées du sol : avant, arrière, gauche, droite.</translation></message>
+    <message><source>Switch the board off, put the mode jumper on {0}, {1}.</source>
+        <translation>Coupez l'alimentation de la carte, placez le cavalier de mode sur {0}, {1}.</translation></message>
+    <message><source>Switch on the transmitter, then the board.</source>
+        <translation>Allumez l'émetteur, puis la carte.</translation></message>
+    <message><source>The motors stay off until the sticks are released (safe-start).</source>
+        <translation>Les moteurs restent arrêtés jusqu'à ce que les manches soient relâchés (démarrage sécurisé).</translation></message>
     <message><source>Schematic: the user's guide shows where your board has them.</source>
         <translation>Schéma : le guide d'utilisation montre où ils se trouvent sur votre carte.</translation></message>
     <message><source>Put the mix jumper on: channel 2 drives forward and back, channel 1 turns. It takes effect at once.</source>
@@ -4887,6 +4945,8 @@ avant {1}</translation></message>
         <translation>Le cavalier Mix n'a pas d'importance : il est sans effet sur les commandes série.</translation></message>
     <message><source>Remove the mode jumper and leave it off: the board then accepts settings and serial commands. It reads the jumper when it is switched on.</source>
         <translation>Retirez le cavalier de mode et ne le remettez pas : la carte accepte alors les réglages et les commandes série. Elle lit le cavalier à la mise sous tension.</translation></message>
+    <message><source>Remove the mode jumper to set up the board: it accepts settings only without it. To drive, put it on RC, or on analog for a joystick with potentiometers. The board reads it when it is switched on.</source>
+        <translation>Retirez le cavalier de mode pour configurer la carte : elle n'accepte des réglages que sans lui. Pour piloter, placez-le sur RC, ou sur analogique pour un joystick à potentiomètres. La carte le lit à la mise sous tension.</translation></message>
     <message><source>Current limit of each motor</source>
         <translation>Limite de courant de chaque moteur</translation></message>
     <message><source>off</source><comment>limit</comment>
@@ -4897,10 +4957,6 @@ avant {1}</translation></message>
         <translation>Cet exemple a été fait pour un {0}, qui mesure le courant dans d'autres unités. Votre carte garde sa limite de courant.</translation></message>
     <message><source>Serial timeout in seconds</source>
         <translation>Délai série en secondes</translation></message>
-    <message><source>Review and &amp;apply…</source>
-        <translation>&amp;Vérifier et appliquer…</translation></message>
-    <message><source>All changes are stored.</source>
-        <translation>Toutes les modifications sont enregistrées dans la carte.</translation></message>
     <message><source>The jumpers are not as they have to be, or were not checked.</source>
         <translation>Les cavaliers ne sont pas comme il le faut, ou n'ont pas été vérifiés.</translation></message>
     <message><source>The directions of the sticks are not known.</source>
@@ -4911,28 +4967,22 @@ avant {1}</translation></message>
         <translation>On ne sait pas quel moteur entraîne quelle roue.</translation></message>
     <message><source>The settings for the motors wait for the directions of the sticks.</source>
         <translation>Les réglages des moteurs attendent les sens des manches.</translation></message>
-    <message><source>Switch the board off, put the mode jumper on {0}, {1}.</source>
-        <translation>Coupez l'alimentation de la carte, placez le cavalier de mode sur {0}, {1}.</translation></message>
-    <message><source>Switch on the transmitter, then the board.</source>
-        <translation>Allumez l'émetteur, puis la carte.</translation></message>
-    <message><source>The motors stay off until the sticks are released (safe-start).</source>
-        <translation>Les moteurs restent arrêtés jusqu'à ce que les manches soient relâchés (démarrage sécurisé).</translation></message>
-    <message><source>Drive first with the wheels off the ground: forward, back, left, right.</source>
-        <translation>Pilotez d'abord avec les roues décollées du sol : avant, arrière, gauche, droite.</translation></message>
+    <message><source>Leave the mode jumper off. The first commands can come from the Motors page of this window.</source>
+        <translation>Laissez le cavalier de mode retiré. Les premières commandes peuvent venir de la page Moteurs de cette fenêtre.</translation></message>
+    <message><source>put the mix jumper on</source>
+        <translation>mettez le cavalier Mix</translation></message>
+    <message><source>leave the mix jumper off</source>
+        <translation>laissez le cavalier Mix retiré</translation></message>
     <message><source>&amp;One stick</source>
         <translation>&amp;Un manche</translation></message>
-    <message><source>A transmitter or a joystick: forward and back, left and right with one stick. The board mixes both.</source>
-        <translation>Un émetteur ou un joystick : avant et arrière, gauche et droite avec un seul manche. La carte fait le mixage.</translation></message>
     <message><source>&amp;Two sticks</source>
         <translation>&amp;Deux manches</translation></message>
-    <message><source>One stick for each side of the robot, as in a tank.</source>
-        <translation>Un manche pour chaque côté du robot, comme sur un char.</translation></message>
     <message><source>&amp;A computer</source>
         <translation>Un &amp;ordinateur</translation></message>
-    <message><source>A program, a microcontroller or this window sends commands over the serial line.</source>
-        <translation>Un programme, un microcontrôleur ou cette fenêtre envoie des commandes par la liaison série.</translation></message>
-    <message><source>Each step can be skipped. The assistant writes nothing by itself: what you choose becomes unapplied changes, which you review at the end.</source>
-        <translation>Chaque étape peut être passée. L'assistant n'écrit rien de lui-même : vos choix deviennent des modifications non appliquées, que vous vérifiez à la fin.</translation></message>
+    <message><source>Who drives your robot?</source>
+        <translation>Qui pilote votre robot ?</translation></message>
+    <message><source>Now: to set up</source>
+        <translation>Maintenant : pour configurer</translation></message>
     <message><source>The board does not respond: it may be switched off.</source>
         <translation>La carte ne répond pas : elle est peut-être hors tension.</translation></message>
     <message><source>No board is connected, so its jumpers cannot be checked.</source>
@@ -4953,110 +5003,62 @@ avant {1}</translation></message>
         <translation>&amp;Rover</translation></message>
     <message><source>&amp;Autonomous robot</source>
         <translation>Robot &amp;autonome</translation></message>
-    <message><source>Acceleration: {0}; brake before a reversal: {1}.</source>
-        <translation>Accélération : {0} ; freinage avant inversion : {1}.</translation></message>
-    <message><source>If the cable falls out or the computer fails, only the board itself can notice and stop the motors. Without a serial timeout they keep running at their last speed.</source>
-        <translation>Si le câble se débranche ou si l'ordinateur tombe en panne, seule la carte elle-même peut le remarquer et arrêter les moteurs. Sans délai série, ils continuent à tourner à leur dernière vitesse.</translation></message>
-    <message><source>Have the computer send something at least twice in that time; a status query will do. 0.5 s is a good value for most robots. UART-Error Shutdown is switched on with it, as the timeout may need it (twin).</source>
-        <translation>Faites envoyer quelque chose à l'ordinateur au moins deux fois pendant ce délai ; une demande d'état suffit. 0,5 s est une bonne valeur pour la plupart des robots. « Arrêt sur erreur UART » est activé en même temps, car le délai peut en avoir besoin (jumeau).</translation></message>
-    <message><source>Still open:</source>
-        <translation>Encore à faire :</translation></message>
-    <message><source>put the mix jumper on</source>
-        <translation>mettez le cavalier Mix</translation></message>
-    <message><source>leave the mix jumper off</source>
-        <translation>laissez le cavalier Mix retiré</translation></message>
-    <message><source>Leave the mode jumper off. The first commands can come from the Motors page of this window.</source>
-        <translation>Laissez le cavalier de mode retiré. Les premières commandes peuvent venir de la page Moteurs de cette fenêtre.</translation></message>
-    <message><source>Who drives your robot?</source>
-        <translation>Qui pilote votre robot ?</translation></message>
-    <message><source>Always</source>
-        <translation>Toujours</translation></message>
-    <message><source>Now: to set up</source>
-        <translation>Maintenant : pour configurer</translation></message>
-    <message><source>Later: to drive</source>
-        <translation>Plus tard : pour piloter</translation></message>
     <message><source>How should the motors start and stop?</source>
         <translation>Comment les moteurs doivent-ils démarrer et s'arrêter ?</translation></message>
-    <message><source>Then, by hand:</source>
-        <translation>Ensuite, à la main :</translation></message>
-    <message><source>{0} Then test the motors again.</source>
-        <translation>{0} Testez ensuite à nouveau les moteurs.</translation></message>
     <message><source>Current &amp;limit of each motor</source>
         <translation>&amp;Limite de courant de chaque moteur</translation></message>
-    <message><source>Example of a current limit: {0}.</source>
-        <translation>Exemple de limite de courant : {0}.</translation></message>
+    <message><source>Acceleration: {0}; brake before a reversal: {1}.</source>
+        <translation>Accélération : {0} ; freinage avant inversion : {1}.</translation></message>
     <message><source>&amp;Stop the motors after a silence of</source>
         <translation>&amp;Arrêter les moteurs après un silence de</translation></message>
+    <message><source>Still open:</source>
+        <translation>Encore à faire :</translation></message>
     <message><source>Go to this step</source>
         <translation>Aller à cette étape</translation></message>
-    <message><source>Channel 1 is for motor 1, channel 2 for motor 2.</source>
-        <translation>La voie 1 est pour le moteur 1, la voie 2 pour le moteur 2.</translation></message>
-    <message><source>&amp;Learn channels…</source>
-        <translation>Apprendre les &amp;voies…</translation></message>
-    <message><source>The stick is fully &amp;forward now</source>
-        <translation>Le manche est poussé à fond vers l'a&amp;vant maintenant</translation></message>
-    <message><source>The stick is fully &amp;right now</source>
-        <translation>Le manche est poussé à fond vers la &amp;droite maintenant</translation></message>
-    <message><source>Both sticks are fully &amp;forward now</source>
-        <translation>Les deux manches sont poussés à fond vers l'a&amp;vant maintenant</translation></message>
-    <message><source>Channel 1 is for left and right of the stick, channel 2 for forward and back.</source>
-        <translation>La voie 1 est pour la gauche et la droite du manche, la voie 2 pour l'avant et l'arrière.</translation></message>
-    <message><source>Channel 1 (motor 1)</source>
-        <translation>Voie 1 (moteur 1)</translation></message>
-    <message><source>Channel 2 (motor 2)</source>
-        <translation>Voie 2 (moteur 2)</translation></message>
-    <message><source>{0}: its direction is not known yet.</source>
-        <translation>{0} : son sens n'est pas encore connu.</translation></message>
-    <message><source>{0}: the value rises.</source>
-        <translation>{0} : la valeur augmente.</translation></message>
-    <message><source>{0}: the value falls.</source>
-        <translation>{0} : la valeur diminue.</translation></message>
-    <message><source>{0}: the stick is still near its middle. Push it all the way.</source>
-        <translation>{0} : le manche est encore proche de son milieu. Poussez-le à fond.</translation></message>
-    <message><source>The board has to know the middle and the ends of each stick. Learning measures them in about two minutes, in a separate window, and ends with a review. The motors stay off meanwhile. Learn before you go on: the next step, which motor is which, needs the directions of the sticks.</source>
-        <translation>La carte doit connaître le milieu et les extrémités de chaque manche. L'apprentissage les mesure en deux minutes environ, dans une fenêtre séparée, et se termine par une vérification. Les moteurs restent arrêtés pendant ce temps. Faites l'apprentissage avant de continuer : l'étape suivante, quel moteur est lequel, a besoin des sens des manches.</translation></message>
-    <message><source>Already learned? Then show which way the sticks go: push, hold and click. In serial mode they move no motor.</source>
-        <translation>Déjà appris ? Montrez alors dans quel sens vont les manches : poussez, maintenez et cliquez. En mode série, ils ne font bouger aucun moteur.</translation></message>
-    <message><source>Channel 1 (turns)</source>
-        <translation>Voie 1 (tourne)</translation></message>
-    <message><source>Channel 2 (drives)</source>
-        <translation>Voie 2 (avance)</translation></message>
-    <message><source>{0}: no signal arrives.</source>
-        <translation>{0} : aucun signal n'arrive.</translation></message>
-    <message><source>Each is connected to an output of your receiver.</source>
-        <translation>Chacune est reliée à une sortie de votre récepteur.</translation></message>
-    <message><source>Is the transmitter on?</source>
-        <translation>L'émetteur est-il allumé ?</translation></message>
-    <message><source>{0} applies and checks the settings shown; read its first lines.</source>
-        <translation>{0} applique et vérifie les réglages affichés ; lisez ses premières lignes.</translation></message>
+    <message><source>Then, by hand:</source>
+        <translation>Ensuite, à la main :</translation></message>
+    <message><source>All changes are stored.</source>
+        <translation>Toutes les modifications sont enregistrées dans la carte.</translation></message>
+    <message><source>Always</source>
+        <translation>Toujours</translation></message>
+    <message><source>Later: to drive</source>
+        <translation>Plus tard : pour piloter</translation></message>
+    <message><source>{0} Then test the motors again.</source>
+        <translation>{0} Testez ensuite à nouveau les moteurs.</translation></message>
+    <message><source>Example of a current limit: {0}.</source>
+        <translation>Exemple de limite de courant : {0}.</translation></message>
     <message><source>is not a readable settings file.</source>
         <translation>n'est pas un fichier de réglages lisible.</translation></message>
     <message><source>Calibrations that the board does not show now were kept: {0}.</source>
         <translation>Les étalonnages que la carte n'affiche pas actuellement ont été conservés : {0}.</translation></message>
     <message><source>Export as code</source>
         <translation>Exporter comme code</translation></message>
+    <message><source>{0} applies and checks the settings shown; read its first lines.</source>
+        <translation>{0} applique et vérifie les réglages affichés ; lisez ses premières lignes.</translation></message>
     <message><source>{0} was not saved again: it is still being saved.</source>
         <translation>{0} n'a pas été enregistré une nouvelle fois : son enregistrement est encore en cours.</translation></message>
-    <message><source>The settings shown were saved in {0}.</source>
-        <translation>Les réglages affichés ont été enregistrés dans {0}.</translation></message>
     <message><source>{0}, settings shown</source>
         <translation>{0}, réglages affichés</translation></message>
-    <message><source>{0} was not written: {1}</source>
-        <translation>{0} n'a pas été écrit : {1}</translation></message>
+    <message><source>The settings shown were saved in {0}.</source>
+        <translation>Les réglages affichés ont été enregistrés dans {0}.</translation></message>
     <message><source>{0} was not saved: {1}</source>
         <translation>{0} n'a pas été enregistré : {1}</translation></message>
+    <message><source>{0} was not written: {1}</source>
+        <translation>{0} n'a pas été écrit : {1}</translation></message>
     <message><source>holds settings of a {0}.</source>
         <translation>contient les réglages d'un {0}.</translation></message>
-    <message><source>Reading…</source>
-        <translation>Lecture…</translation></message>
-    <message numerus="yes"><source>%n setting(s) would become edits; nothing is written until you click Apply.</source>
-        <translation><numerusform>%n réglage deviendrait une modification ; rien n'est écrit tant que vous ne cliquez pas sur « Appliquer les réglages ».</numerusform><numerusform>%n réglages deviendraient des modifications ; rien n'est écrit tant que vous ne cliquez pas sur « Appliquer les réglages ».</numerusform></translation></message>
-    <message><source>Compare with a settings file</source>
-        <translation>Comparer avec un fichier de réglages</translation></message>
-    <message><source>{0} cannot be compared with: {1}</source>
-        <translation>{0} ne peut pas être comparé : {1}</translation></message>
     <message><source>&amp;Restore selected as edits</source>
         <translation>&amp;Restaurer la sélection comme modifications</translation></message>
+    <message><source>Turn the selected values into edits and review them; only Apply writes them</source>
+        <translation>Transformer les valeurs sélectionnées en modifications et les vérifier ; seul « Appliquer les réglages » les écrit</translation></message>
+    <message><source>Reading…</source>
+        <translation>Lecture…</translation></message>
+    <message numerus="yes"><source>%n setting(s) not in the snapshot would stay.</source>
+        <translation><numerusform>%n réglage absent de l'instantané resterait inchangé.</numerusform><numerusform>%n réglages absents de l'instantané resteraient inchangés.</numerusform></translation></message>
+    <message numerus="yes"><source>%n setting(s) would become edits; nothing is written until you click Apply.</source>
+        <translation><numerusform>%n réglage deviendrait une modification ; rien n'est écrit tant que vous ne cliquez pas sur « Appliquer les réglages ».</numerusform><numerusform>%n réglages deviendraient des modifications ; rien n'est écrit tant que vous ne cliquez pas sur « Appliquer les réglages ».</numerusform></translation></message>
+    <message><source>This snapshot is of a {0}, and the board here is a {1}: it cannot be restored.</source>
+        <translation>Cet instantané est celui d'un {0}, et la carte ici est un {1} : il ne peut pas être restauré.</translation></message>
     <message><source>{0} is damaged and cannot be restored. {1}</source>
         <translation>{0} est endommagé et ne peut pas être restauré. {1}</translation></message>
     <message><source>{0}, before {1}</source>
@@ -5093,16 +5095,14 @@ avant {1}</translation></message>
         <translation>instantané ({0})</translation></message>
     <message><source>snapshot of {0}, before {1}</source>
         <translation>instantané ({0}), avant : {1}</translation></message>
-    <message><source>Turn the selected values into edits and review them; only Apply writes them</source>
-        <translation>Transformer les valeurs sélectionnées en modifications et les vérifier ; seul « Appliquer les réglages » les écrit</translation></message>
+    <message><source>Compare with a settings file</source>
+        <translation>Comparer avec un fichier de réglages</translation></message>
+    <message><source>{0} cannot be compared with: {1}</source>
+        <translation>{0} ne peut pas être comparé : {1}</translation></message>
     <message><source>This snapshot has no differences to restore.</source>
         <translation>Cet instantané n'a aucune différence à restaurer.</translation></message>
     <message><source>The board, with the edits made here, matches this snapshot.</source>
         <translation>La carte, avec les modifications faites ici, correspond à cet instantané.</translation></message>
-    <message numerus="yes"><source>%n setting(s) not in the snapshot would stay.</source>
-        <translation><numerusform>%n réglage absent de l'instantané resterait inchangé.</numerusform><numerusform>%n réglages absents de l'instantané resteraient inchangés.</numerusform></translation></message>
-    <message><source>Restore snapshot of {0}</source>
-        <translation>Restaurer l'instantané ({0})</translation></message>
     <message><source>Compare &amp;with:</source>
         <translation>Comparer &amp;avec :</translation></message>
     <message><source>Now, with edits</source>
@@ -5115,36 +5115,24 @@ avant {1}</translation></message>
         <translation>Sélectionnez un instantané, ou deux pour les comparer.</translation></message>
     <message numerus="yes"><source>There is no other snapshot of a {0} to compare with. This one has %n setting(s).</source>
         <translation><numerusform>Il n'y a pas d'autre instantané d'un {0} pour comparer. Celui-ci contient %n réglage.</numerusform><numerusform>Il n'y a pas d'autre instantané d'un {0} pour comparer. Celui-ci contient %n réglages.</numerusform></translation></message>
-    <message><source>This snapshot is of a {0}, and the board here is a {1}: it cannot be restored.</source>
-        <translation>Cet instantané est celui d'un {0}, et la carte ici est un {1} : il ne peut pas être restauré.</translation></message>
+    <message><source>Restore snapshot of {0}</source>
+        <translation>Restaurer l'instantané ({0})</translation></message>
     <message><source>Note: this snapshot is of device number {0}, the board here is number {1}.</source>
         <translation>Remarque : cet instantané est celui du numéro d'appareil {0}, la carte ici porte le numéro {1}.</translation></message>
     <message><source>Nothing was restored: {0}</source>
         <translation>Rien n'a été restauré : {0}</translation></message>
+    <message><source>You need a USB-serial adapter with TTL levels (5 V or 3.3 V) and three wires.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Switch the board off. Remove the mode jumper: then it starts in serial mode, which is needed to drive it and to change settings from here. Remove the SO–G jumper, too.&lt;/li&gt;&lt;li&gt;Wire the adapter as shown.&lt;/li&gt;&lt;li&gt;Lift the wheels off the ground, switch the board on, and connect:&lt;/li&gt;&lt;/ol&gt;</source>
+        <translation>Il vous faut un adaptateur USB-série à niveaux TTL (5 V ou 3,3 V) et trois fils.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Coupez l'alimentation de la carte. Retirez le cavalier de mode : elle démarre alors en mode série, nécessaire pour la piloter et modifier ses réglages d'ici. Retirez aussi le cavalier SO–G.&lt;/li&gt;&lt;li&gt;Câblez l'adaptateur comme indiqué.&lt;/li&gt;&lt;li&gt;Soulevez les roues du sol, mettez la carte sous tension et connectez :&lt;/li&gt;&lt;/ol&gt;</translation></message>
+    <message><source>You need an RS-232 port of the computer or an RS-232 adapter, and three wires.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Switch the board off. Remove the mode and SO–G jumpers, as for a TTL adapter.&lt;/li&gt;&lt;li&gt;Wire the port to the RS-232 pins as shown, and leave SI and SO free: the voltages of RS-232 can damage them.&lt;/li&gt;&lt;li&gt;Lift the wheels off the ground, switch the board on, and connect:&lt;/li&gt;&lt;/ol&gt;</source>
+        <translation>Il vous faut un port RS-232 de l'ordinateur ou un adaptateur RS-232, et trois fils.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Coupez l'alimentation de la carte. Retirez les cavaliers de mode et SO–G, comme pour un adaptateur TTL.&lt;/li&gt;&lt;li&gt;Câblez le port aux broches RS-232 comme indiqué et laissez SI et SO libres : les tensions RS-232 peuvent les endommager.&lt;/li&gt;&lt;li&gt;Soulevez les roues du sol, mettez la carte sous tension et connectez :&lt;/li&gt;&lt;/ol&gt;</translation></message>
+    <message><source>You need an RC receiver with a servo cable for each channel, and an adapter to connect the board to this computer.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Set the board up through the adapter first: with the mode jumper on, it accepts no settings.&lt;/li&gt;&lt;li&gt;Switch the board off. Connect the receiver as shown: a servo cable has signal, 5 V and GND. The BEC jumper lets the board feed the receiver, with 100 mA at most.&lt;/li&gt;&lt;li&gt;Put the mode jumper on RC. Lift the wheels off the ground and switch on: the transmitter drives, and this program shows what it does.&lt;/li&gt;&lt;/ol&gt;</source>
+        <translation>Il vous faut un récepteur RC avec un câble servo pour chaque voie, et un adaptateur pour relier la carte à cet ordinateur.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Configurez d'abord la carte par l'adaptateur : quand le cavalier de mode est en place, elle n'accepte aucun réglage.&lt;/li&gt;&lt;li&gt;Coupez l'alimentation de la carte. Raccordez le récepteur comme indiqué : un câble servo comporte signal, 5 V et GND. Le cavalier BEC permet à la carte d'alimenter le récepteur, avec 100 mA au plus.&lt;/li&gt;&lt;li&gt;Placez le cavalier de mode sur RC. Soulevez les roues du sol et mettez sous tension : l'émetteur pilote, et ce programme montre ce qu'il fait.&lt;/li&gt;&lt;/ol&gt;</translation></message>
     <message><source>TReX</source>
         <translation>TReX</translation></message>
     <message><source>Wiring: TX of the adapter to SI, RX to SO, GND to GND of the board</source>
         <translation>Câblage : TX de l'adaptateur vers SI, RX vers SO, GND vers GND de la carte</translation></message>
-    <message><source>Connect my TReX</source>
-        <translation>Connecter mon TReX</translation></message>
-    <message><source>No board at hand?</source>
-        <translation>Pas de carte sous la main ?</translation></message>
-    <message><source>&amp;Try the demo</source>
-        <translation>&amp;Essayer la démo</translation></message>
-    <message><source>Set up, calibrate, drive and understand a Pololu TReX or TReX Jr. You need the board with its supply, and a serial adapter with three wires. No motor moves before you click Run motor, and Esc stops the motors in every window.</source>
-        <translation>Configurer, étalonner, piloter et comprendre un Pololu TReX ou TReX Jr. Il vous faut la carte avec son alimentation, et un adaptateur série avec trois fils. Aucun moteur ne bouge avant que vous ne cliquiez sur « Activer les moteurs », et Échap arrête les moteurs dans toutes les fenêtres.</translation></message>
-    <message><source>You need a USB-serial adapter with TTL levels (5 V or 3.3 V) and three wires.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Switch the board off. Remove the mode jumper: then it starts in serial mode, which is needed to drive it and to change settings from here. Remove the SO–G jumper, too.&lt;/li&gt;&lt;li&gt;Wire the adapter as shown.&lt;/li&gt;&lt;li&gt;Lift the wheels off the ground, switch the board on, and connect:&lt;/li&gt;&lt;/ol&gt;</source>
-        <translation>Il vous faut un adaptateur USB-série à niveaux TTL (5 V ou 3,3 V) et trois fils.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Coupez l'alimentation de la carte. Retirez le cavalier de mode : elle démarre alors en mode série, nécessaire pour la piloter et modifier ses réglages d'ici. Retirez aussi le cavalier SO–G.&lt;/li&gt;&lt;li&gt;Câblez l'adaptateur comme indiqué.&lt;/li&gt;&lt;li&gt;Soulevez les roues du sol, mettez la carte sous tension et connectez :&lt;/li&gt;&lt;/ol&gt;</translation></message>
-    <message><source>TT&amp;L adapter</source>
-        <translation>Adaptate&amp;ur TTL</translation></message>
-    <message><source>You need an RS-232 port of the computer or an RS-232 adapter, and three wires.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Switch the board off. Remove the mode and SO–G jumpers, as for a TTL adapter.&lt;/li&gt;&lt;li&gt;Wire the port to the RS-232 pins as shown, and leave SI and SO free: the voltages of RS-232 can damage them.&lt;/li&gt;&lt;li&gt;Lift the wheels off the ground, switch the board on, and connect:&lt;/li&gt;&lt;/ol&gt;</source>
-        <translation>Il vous faut un port RS-232 de l'ordinateur ou un adaptateur RS-232, et trois fils.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Coupez l'alimentation de la carte. Retirez les cavaliers de mode et SO–G, comme pour un adaptateur TTL.&lt;/li&gt;&lt;li&gt;Câblez le port aux broches RS-232 comme indiqué et laissez SI et SO libres : les tensions RS-232 peuvent les endommager.&lt;/li&gt;&lt;li&gt;Soulevez les roues du sol, mettez la carte sous tension et connectez :&lt;/li&gt;&lt;/ol&gt;</translation></message>
-    <message><source>RS-&amp;232 adapter</source>
-        <translation>Adaptateur RS-&amp;232</translation></message>
-    <message><source>You need an RC receiver with a servo cable for each channel, and an adapter to connect the board to this computer.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Set the board up through the adapter first: with the mode jumper on, it accepts no settings.&lt;/li&gt;&lt;li&gt;Switch the board off. Connect the receiver as shown: a servo cable has signal, 5 V and GND. The BEC jumper lets the board feed the receiver, with 100 mA at most.&lt;/li&gt;&lt;li&gt;Put the mode jumper on RC. Lift the wheels off the ground and switch on: the transmitter drives, and this program shows what it does.&lt;/li&gt;&lt;/ol&gt;</source>
-        <translation>Il vous faut un récepteur RC avec un câble servo pour chaque voie, et un adaptateur pour relier la carte à cet ordinateur.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Configurez d'abord la carte par l'adaptateur : quand le cavalier de mode est en place, elle n'accepte aucun réglage.&lt;/li&gt;&lt;li&gt;Coupez l'alimentation de la carte. Raccordez le récepteur comme indiqué : un câble servo comporte signal, 5 V et GND. Le cavalier BEC permet à la carte d'alimenter le récepteur, avec 100 mA au plus.&lt;/li&gt;&lt;li&gt;Placez le cavalier de mode sur RC. Soulevez les roues du sol et mettez sous tension : l'émetteur pilote, et ce programme montre ce qu'il fait.&lt;/li&gt;&lt;/ol&gt;</translation></message>
-    <message><source>RC recei&amp;ver</source>
-        <translation>&amp;Récepteur RC</translation></message>
+    <message><source>Jumpers to drive</source>
+        <translation>Cavaliers pour la conduite</translation></message>
     <message><source>Wiring: TX of the RS-232 port (pin 3 of nine) to RX, RX (pin 2) to TX, GND (pin 5) to GND of the board</source>
         <translation>Câblage : TX du port RS-232 (broche 3 sur neuf) vers RX, RX (broche 2) vers TX, GND (broche 5) vers GND de la carte</translation></message>
     <message><source>RS-232 port</source>
@@ -5153,12 +5141,24 @@ avant {1}</translation></message>
         <translation>Câblage : voies 1 et 2 du récepteur vers voies 1 et 2 de la carte, 5 V vers 5 V, GND vers GND</translation></message>
     <message><source>Receiver</source>
         <translation>Récepteur</translation></message>
+    <message><source>Connect my TReX</source>
+        <translation>Connecter mon TReX</translation></message>
+    <message><source>No board at hand?</source>
+        <translation>Pas de carte sous la main ?</translation></message>
+    <message><source>&amp;Try the demo</source>
+        <translation>&amp;Essayer la démo</translation></message>
+    <message><source>Set up, calibrate, drive and understand a Pololu TReX or TReX Jr. You need the board with its supply, and a serial adapter with three wires. No motor moves before you click Run motor, and Esc stops the motors in every window.</source>
+        <translation>Configurer, étalonner, piloter et comprendre un Pololu TReX ou TReX Jr. Il vous faut la carte avec son alimentation, et un adaptateur série avec trois fils. Aucun moteur ne bouge avant que vous ne cliquiez sur « Activer les moteurs », et Échap arrête les moteurs dans toutes les fenêtres.</translation></message>
+    <message><source>TT&amp;L adapter</source>
+        <translation>Adaptate&amp;ur TTL</translation></message>
+    <message><source>RS-&amp;232 adapter</source>
+        <translation>Adaptateur RS-&amp;232</translation></message>
+    <message><source>RC recei&amp;ver</source>
+        <translation>&amp;Récepteur RC</translation></message>
     <message><source>Open &amp;settings file…</source>
         <translation>Ouvrir un fichier de réglage&amp;s…</translation></message>
     <message><source>&amp;Open recording…</source>
         <translation>&amp;Ouvrir un enregistrement…</translation></message>
-    <message><source>Jumpers to drive</source>
-        <translation>Cavaliers pour la conduite</translation></message>
     <message><source>First difference, line {0}: {1}. The simulated board: {2} ({3}).</source>
         <translation>Première différence, ligne {0} : {1}. La carte simulée : {2} ({3}).</translation></message>
     <message><source>Compare a traffic log</source>
@@ -5167,6 +5167,8 @@ avant {1}</translation></message>
         <translation>Texte (*.txt *.tsv)</translation></message>
     <message numerus="yes"><source>%n transaction(s): the simulated board replies the same.</source>
         <translation><numerusform>%n transaction : la carte simulée répond la même chose.</numerusform><numerusform>%n transactions : la carte simulée répond la même chose.</numerusform></translation></message>
+    <message><source>Plot of currents in its o&amp;wn window</source>
+        <translation>Courbes des courants dans une &amp;fenêtre séparée</translation></message>
     <message><source>a settings file of a TReX</source>
         <translation>un fichier de réglages d'un TReX</translation></message>
     <message><source>a board</source>
@@ -5231,8 +5233,6 @@ avant {1}</translation></message>
         <translation>Restaurer les réglages d'&amp;usine…</translation></message>
     <message><source>Restore ser&amp;ial defaults…</source>
         <translation>Restaurer les réglages série par &amp;défaut…</translation></message>
-    <message><source>Plot of currents in its o&amp;wn window</source>
-        <translation>Courbes des courants dans une &amp;fenêtre séparée</translation></message>
     <message><source>&amp;Demo TReX panel</source>
         <translation>Panneau &amp;Démo TReX</translation></message>
     <message><source>&amp;Board does not respond…</source>
