@@ -110,6 +110,143 @@ class BoardStatus:
     errors: tuple[str, ...]
 
 
+class _Reports:
+    """Reports from the session's thread; a program that does not look at them keeps the newest."""
+
+    def __init__(self, queue: RequestQueue) -> None:
+        self._queue = queue
+        self._put = self._taken = 0
+
+    def put(self, report: Report) -> None:
+        is_full = self._put - self._taken >= _MOST_WAITING
+        if is_full and isinstance(report, Batch):
+            kept = tuple(one for one in report.samples if isinstance(one, LatchedStatus))
+            if not kept:
+                return
+            report = Batch(kept, report.counters)
+        self._put += 1
+        self._queue.put(report)
+
+    def get(self, seconds: float) -> Report | None:
+        report: Report | None = self._queue.get(seconds)
+        self._taken += report is not None
+        return report
+
+
+class _OpenBoard:
+    """The session of an open line in a thread of its own, and the mirror of its board."""
+
+    def __init__(self, settings: ConnectionSettings) -> None:
+        computer = host()
+        self.settings = settings
+        self.clock = computer.clock
+        self.keeper = Keeper(log.info, log.warning)
+        self.mirror = BoardMirror(self.keeper.memory)
+        self.is_armed = False
+        self.errors: dict[str, None] = {}  # names of the bits since the last status
+        self.listener: Callable[[Sample], object] | None = None
+        self.closed: Closed | None = None
+        self._ids = count(1)
+        self._outcomes: dict[int, Outcome] = {}
+        self._inbox = RequestQueue(computer.condition())
+        self._reports = _Reports(RequestQueue(computer.condition()))
+        session = TrexSession(settings, self._inbox, self._reports.put, computer.open_transport)
+        self._join = computer.start_thread(session.run)
+
+    @property
+    def state(self) -> DeviceState:
+        assert self.mirror.state is not None  # noqa: S101 - it was read
+        return self.mirror.state
+
+    def require_open(self) -> None:
+        if self.closed is not None:
+            raise self.closed.error or PortUnavailable(_NOT_OPEN)
+
+    def put(self, request: object) -> None:
+        self._inbox.put(request)
+
+    def result(self, make: Callable[[int], object], seconds: float) -> object:
+        """Return the value of a request's outcome."""
+        number = next(self._ids)
+        self.require_open()
+        self.put(make(number))
+        self.wait_for(lambda: number in self._outcomes, seconds)
+        outcome = self._outcomes.pop(number)
+        if outcome.error is not None:
+            raise outcome.error
+        return outcome.value
+
+    def stop(self) -> None:
+        self.is_armed = False
+        self.result(Stop, _STOPPING)
+
+    def wait_for(self, condition: Callable[[], bool], seconds: float = 60.0) -> None:
+        end = self.clock() + seconds
+        while not condition():
+            if self.clock() >= end:
+                raise NoReply(f"The board did not answer within {seconds:g} s.")
+            self.pump(end)
+
+    def pump(self, end: float) -> None:
+        """Send a heartbeat if motors are armed, and take the next report and those behind it."""
+        if self.is_armed:
+            self._inbox.put(Heartbeat())
+        seconds = min(max(end - self.clock(), 0.0), HEARTBEAT_INTERVAL)
+        report = self._reports.get(seconds)
+        while report is not None:
+            self._take(report)
+            report = self._reports.get(0.0)
+
+    def _take(self, report: Report) -> None:
+        for event in self.mirror.take(report, self.clock(), utc_now()):
+            if isinstance(event, Sample):
+                self._take_sample(event)
+        match report:
+            case Connected() if self.is_armed:
+                self._fail("The board was restarted or changed, so the motors were stopped.")
+            case Outcome(id=number):
+                self._outcomes[number] = report
+            case NotResponding(reason=reason):
+                self.is_armed = False
+                raise NoReply(f"The board has stopped responding: {reason}")
+            case MotorsStopped(reason=code) if code is not None:
+                cause = _LATE if code is ErrorCode.NO_HEARTBEAT else error_text(code)
+                self._fail(f"{cause} The motors were stopped.")
+            case Closed():
+                self.closed, self.is_armed = report, False
+                self.require_open()
+            case _:
+                pass
+
+    def _take_sample(self, sample: Sample) -> None:
+        if self.listener is not None:
+            self.listener(sample)
+        if not isinstance(sample, LatchedStatus):
+            return
+        names = (*bit_names(sample.status), *bit_names(sample.uart))
+        self.errors |= dict.fromkeys(names)
+        parameters = {} if self.mirror.state is None else self.mirror.state.parameters
+        errors_stop = bool(parameters.get(ParameterKey.UART_ERROR_SHUTDOWN))
+        bits = (sample.status, sample.uart)
+        has_stopped = any(stops_motors(one, errors_stop=errors_stop) for one in bits)
+        if has_stopped and self.is_armed and not sample.is_earlier:
+            self.stop()
+            self._fail(f"The board reports: {', '.join(names)}. The motors were stopped.")
+
+    def _fail(self, text: str) -> None:
+        self.is_armed = False
+        raise MotorsStoppedError(text)
+
+    def close(self) -> Closed | None:
+        self.is_armed = False
+        self._inbox.put(Close())
+        self._join()
+        while self.closed is None and (report := self._reports.get(0.0)) is not None:
+            if isinstance(report, Closed):
+                self.closed = report
+        return self.closed
+
+
 class Trex:
     """A TReX or TReX Jr on a serial line; use it in a `with` statement.
 
@@ -156,30 +293,15 @@ class Trex:
             url, line, device_number, polynomial, others, timeouts=timeouts
         )
         _ = self._settings.framing
-        self._ids = count(1)
-        self._errors: dict[str, None] = {}
-        self._outcomes: dict[int, Outcome] = {}
-        self._closed: Closed | None = Closed(None, may_move=False)
-        self._is_armed = False
-        self._listener: Callable[[Sample], object] | None = None
+        self._opened: _OpenBoard | None = None
 
     def __enter__(self) -> Self:
         """Open the port and read everything that the board stores; this moves nothing."""
-        computer = host()
-        self._clock = computer.clock
-        self._errors, self._outcomes, self._closed = {}, {}, None
-        self._keeper = Keeper(log.info, log.warning)
-        self._board = BoardMirror(self._keeper.memory)
-        self._inbox = RequestQueue(computer.condition())
-        self._reports = _Reports(RequestQueue(computer.condition()))
-        session = TrexSession(
-            self._settings, self._inbox, self._reports.put, computer.open_transport
-        )
-        self._join = computer.start_thread(session.run)
+        opened = self._opened = _OpenBoard(self._settings)
         try:
-            self._wait_for(lambda: self._board.state is not None)
+            opened.wait_for(lambda: opened.mirror.state is not None)
         except BaseException:
-            self._close()
+            opened.close()
             raise
         return self
 
@@ -190,36 +312,41 @@ class Trex:
         traceback: TracebackType | None,
     ) -> None:
         """Stop the motors and close the port; NoReply if a stop was not confirmed."""
-        closed = self._close()
+        closed = None if self._opened is None else self._opened.close()
         if closed is not None and closed.may_move:
             text = "The stop is not confirmed. If a motor still turns, cut its power."
             if error is None:
                 raise NoReply(text)
             error.add_note(text)
 
+    @property
+    def _board(self) -> _OpenBoard:
+        if self._opened is None:
+            raise PortUnavailable(_NOT_OPEN)
+        self._opened.require_open()
+        return self._opened
+
     # --- Reading ------------------------------------------------------------------------
 
     @property
     def state(self) -> DeviceState:
         """What the board stores, as it was last read; the session keeps it up to date."""
-        self._require_open()
-        assert self._board.state is not None  # noqa: S101 - for the type checker
         return self._board.state
 
     def status(self) -> BoardStatus:
         """Return what the board measures now, and the errors since the last call."""
-        self._require_open()
-        newest, begun = self._board.newest, self._clock()
+        board = self._board
+        newest, begun = board.mirror.newest, board.clock()
         wanted = (Raw, Remapped, Currents, Control)
 
         def is_new(kind: type[Sample]) -> bool:
             sample = newest.get(kind)
             return sample is not None and sample.time >= begun
 
-        self._wait_for(lambda: all(map(is_new, wanted)), _STATUS_TIMEOUT)
-        state, unit = self.state, self.state.signature.model.current_unit
+        board.wait_for(lambda: all(map(is_new, wanted)), _STATUS_TIMEOUT)
+        state, unit = board.state, board.state.signature.model.current_unit
         currents = newest[Currents].counts
-        errors, self._errors = tuple(self._errors), {}
+        errors, board.errors = tuple(board.errors), {}
         return BoardStatus(
             product=state.signature.model.name,
             firmware=state.signature.firmware,
@@ -239,22 +366,19 @@ class Trex:
 
     def errors(self) -> tuple[ErrorEntry, ...]:
         """Return every error bit, with its count since the port was opened and what to do."""
-        self._require_open()
-        return self._board.errors.entries
+        return self._board.mirror.errors.entries
 
     def motor_status(self) -> tuple[str, ...]:
         """Return every reason why the motors do what they do, the worst first, as sentences."""
-        self._require_open()
-        statuses = drive_statuses(
-            DriveInputs(board=self._board.inputs(self._clock()), armed=self._is_armed)
-        )
+        board = self._board
+        inputs = DriveInputs(board=board.mirror.inputs(board.clock()), armed=board.is_armed)
+        statuses = drive_statuses(inputs)
         return tuple(f"{status.text} {status.remedy}".strip() for status in statuses)
 
     @property
     def line_quality(self) -> ConnectionQuality:
         """How good the line is: `is_noisy` is `None` until enough was measured."""
-        self._require_open()
-        return self._board.quality
+        return self._board.mirror.quality
 
     def measurements(self, seconds: float) -> Iterator[Row]:
         """Yield a row for each new pair of motor currents, as `trexcmd stream` writes them.
@@ -262,18 +386,19 @@ class Trex:
         Keys have the units: `time_s`, `motor_1_current_A`, `channel_1_us`, …
         """
         table = MeasurementTable(self.state.mode, self.state.signature.model.current_unit)
-        begun, ready = self._clock(), list[Row]()
+        board = self._board
+        begun, ready = board.clock(), list[Row]()
 
         def take(sample: Sample) -> None:
             if sample.time >= begun and table.take(sample):
                 ready.append(table.finish(sample.time - begun))
 
-        while self._clock() - begun < seconds:
-            self._listener = take
+        while board.clock() - begun < seconds:
+            board.listener = take
             try:
-                self._pump(begun + seconds)
+                board.pump(begun + seconds)
             finally:
-                self._listener = None
+                board.listener = None
             while ready:
                 yield ready.pop(0)
 
@@ -339,8 +464,8 @@ class Trex:
 
         `key` is that of a parameter, or such as `rc_channel_2`.
         """
-        self._keeper.load()
-        memory = self._board.memory
+        self._board.keeper.load()
+        memory = self._board.keeper.memory
         notes = {} if memory.record is None else memory.record.settings.notes
         wanted = {**notes, key: clean_note(text)[:LONGEST_NOTE].rstrip()}
         memory.set_notes({key: note for key, note in wanted.items() if note})
@@ -353,11 +478,11 @@ class Trex:
         if not parameters and not calibrations:
             return
         reason = f"library: {', '.join(key for key, _ in (*parameters, *calibrations))}"
-        transaction = self._keeper.begin(
-            self.state, self._settings, reason, parameters, calibrations
+        board, state = self._board, self.state
+        transaction = board.keeper.begin(state, self._settings, reason, parameters, calibrations)
+        written = board.result(
+            lambda number: Write(number, parameters, calibrations, before=state), _WRITING
         )
-        request = Write(next(self._ids), parameters, calibrations, before=self.state)
-        written = self._result(request.id, request, _WRITING)
         assert isinstance(written, Written)  # noqa: S101 - for the type checker
         transaction.finish(written.results, written.state, utc_now())
         for result in written.results:
@@ -390,19 +515,19 @@ class Trex:
         ]
         if auxiliary is not None and not 0 <= index(auxiliary) <= 127:
             raise BadRequest(f"the auxiliary motor's speed is 0 to 127, not {auxiliary}")
-        self._require_open()
-        self._pump(self._clock())  # what was reported meanwhile may forbid it
-        if not self._board.serial_controls:
-            raise BadRequest(self._board.control_text)
-        if not self._is_armed:
-            self._is_armed = True
-            self._inbox.put(Arm())
+        board = self._board
+        board.pump(board.clock())  # what was reported meanwhile may forbid it
+        if not board.mirror.serial_controls:
+            raise BadRequest(board.mirror.control_text)
+        if not board.is_armed:
+            board.is_armed = True
+            board.put(Arm())
         if len(motors) == 2:
-            self._inbox.put(SetMotors((motors[0], motors[1])))
+            board.put(SetMotors((motors[0], motors[1])))
         elif motors:
-            self._inbox.put(motors[0])
+            board.put(motors[0])
         if auxiliary is not None:
-            self._inbox.put(SetAuxiliary(auxiliary, accelerate))
+            board.put(SetAuxiliary(auxiliary, accelerate))
 
     def stop(self) -> None:
         """Brake both motors, switch the auxiliary motor off, and wait for the confirmation.
@@ -410,116 +535,11 @@ class Trex:
         Raises:
             NoReply: the board does not confirm it.
         """
-        self._is_armed = False
-        request = Stop(next(self._ids))
-        self._result(request.id, request, _STOPPING)
+        self._board.stop()
 
     def wait(self, seconds: float) -> None:
         """Let time pass while motors run."""
-        self._require_open()
-        end = self._clock() + seconds
-        while self._clock() < end:
-            self._pump(end)
-
-    # --- The session --------------------------------------------------------------------
-
-    def _require_open(self) -> None:
-        if self._closed is not None:
-            raise self._closed.error or PortUnavailable(_NOT_OPEN)
-
-    def _result(self, number: int, request: object, seconds: float) -> object:
-        self._require_open()
-        self._inbox.put(request)
-        self._wait_for(lambda: number in self._outcomes, seconds)
-        outcome = self._outcomes.pop(number)
-        if outcome.error is not None:
-            raise outcome.error
-        return outcome.value
-
-    def _wait_for(self, condition: Callable[[], bool], seconds: float = 60.0) -> None:
-        end = self._clock() + seconds
-        while not condition():
-            if self._clock() >= end:
-                raise NoReply(f"The board did not answer within {seconds:g} s.")
-            self._pump(end)
-
-    def _pump(self, end: float) -> None:
-        """Send a heartbeat if motors are armed, and take the next report and those behind it."""
-        if self._is_armed:
-            self._inbox.put(Heartbeat())
-        seconds = min(max(end - self._clock(), 0.0), HEARTBEAT_INTERVAL)
-        report = self._reports.get(seconds)
-        while report is not None:
-            self._take(report)
-            report = self._reports.get(0.0)
-
-    def _take(self, report: Report) -> None:
-        for event in self._board.take(report, self._clock(), utc_now()):
-            if isinstance(event, Sample):
-                self._take_sample(event)
-        match report:
-            case Connected() if self._is_armed:
-                self._fail("The board was restarted or changed, so the motors were stopped.")
-            case Outcome(id=number):
-                self._outcomes[number] = report
-            case NotResponding(reason=reason):
-                self._is_armed = False
-                raise NoReply(f"The board has stopped responding: {reason}")
-            case MotorsStopped(reason=code) if code is not None:
-                cause = _LATE if code is ErrorCode.NO_HEARTBEAT else error_text(code)
-                self._fail(f"{cause} The motors were stopped.")
-            case Closed():
-                self._closed, self._is_armed = report, False
-                self._require_open()
-            case _:
-                pass
-
-    def _take_sample(self, sample: Sample) -> None:
-        if self._listener is not None:
-            self._listener(sample)
-        if not isinstance(sample, LatchedStatus):
-            return
-        names = (*bit_names(sample.status), *bit_names(sample.uart))
-        self._errors |= dict.fromkeys(names)
-        errors_stop = bool(self.state.parameters.get(ParameterKey.UART_ERROR_SHUTDOWN))
-        bits = (sample.status, sample.uart)
-        has_stopped = any(stops_motors(one, errors_stop=errors_stop) for one in bits)
-        if has_stopped and self._is_armed and not sample.is_earlier:
-            self.stop()
-            self._fail(f"The board reports: {', '.join(names)}. The motors were stopped.")
-
-    def _fail(self, text: str) -> None:
-        self._is_armed = False
-        raise MotorsStoppedError(text)
-
-    def _close(self) -> Closed | None:
-        self._is_armed = False
-        self._inbox.put(Close())
-        self._join()
-        while self._closed is None and (report := self._reports.get(0.0)) is not None:
-            if isinstance(report, Closed):
-                self._closed = report
-        return self._closed
-
-
-class _Reports:
-    """Reports from the session's thread; a program that does not look at them keeps the newest."""
-
-    def __init__(self, queue: RequestQueue) -> None:
-        self._queue = queue
-        self._put = self._taken = 0
-
-    def put(self, report: Report) -> None:
-        is_full = self._put - self._taken >= _MOST_WAITING
-        if is_full and isinstance(report, Batch):
-            kept = tuple(one for one in report.samples if isinstance(one, LatchedStatus))
-            if not kept:
-                return
-            report = Batch(kept, report.counters)
-        self._put += 1
-        self._queue.put(report)
-
-    def get(self, seconds: float) -> Report | None:
-        report: Report | None = self._queue.get(seconds)
-        self._taken += report is not None
-        return report
+        board = self._board
+        end = board.clock() + seconds
+        while board.clock() < end:
+            board.pump(end)
