@@ -1,9 +1,9 @@
 """Recordings of a board: header, sample kinds, and rows of measurements."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from datetime import UTC, datetime
-from typing import Any
+from typing import Any, Self
 
 from trex_gui import __version__
 from trex_gui.core.errors import BadRequest
@@ -22,6 +22,7 @@ from trex_gui.devices.trex.client.telemetry import (
     Currents,
     LatchedStatus,
     ModeSample,
+    Newest,
     Sample,
 )
 from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetMotor
@@ -248,3 +249,30 @@ class MeasurementTable:
         row = {**self.row, "time_s": round(time, 4)}
         self._clear_status()
         return row
+
+
+@dataclass(slots=True)
+class BoardSnapshot(Newest):
+    """State of a board at a time of a recording. `setpoints` is by motor, 1 or 2."""
+
+    settings: str = ""
+    setpoints: Mapping[int, Drive] = field(default_factory=dict)
+    auxiliary: int | None = None
+
+    @classmethod
+    def at_start(cls, header: Header) -> Self:
+        return cls({ModeSample: ModeSample(header.clock, header.mode)}, header.settings)
+
+    def take(self, record: Record) -> None:
+        match record:
+            case Sample():
+                self.samples[type(record)] = record
+            case SetpointRecord(motor=motor, drive=drive):
+                self.setpoints = {**self.setpoints, motor: drive}
+            case AuxiliarySetpointRecord(speed=speed):
+                self.auxiliary = speed
+            case Marker(kind=kind):
+                if kind == STOP:
+                    self.setpoints, self.auxiliary = {}, None
+            case SettingsSnapshot(text=text):
+                self.settings = text

@@ -5,8 +5,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pytestqt.qtbot import QtBot
 
-from trex_gui.devices.trex.board.newest import Newest
 from trex_gui.devices.trex.calibration.channel_curve import is_mixed
+from trex_gui.devices.trex.client.telemetry import Newest
 from trex_gui.devices.trex.model.mix_jumper import MixJumper
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft

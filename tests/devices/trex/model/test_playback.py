@@ -23,12 +23,12 @@ from tests.support.playing import loading
 from trex_gui.core.events import EventKind
 from trex_gui.core.recording.kinds import Marker
 from trex_gui.core.recording.store import CHUNK
-from trex_gui.devices.trex.board.newest import BoardSnapshot
 from trex_gui.devices.trex.client.telemetry import Control, Currents, ModeSample, Raw, Remapped
 from trex_gui.devices.trex.model.playback import Playback, limits_in
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import Mode
 from trex_gui.devices.trex.recording import (
+    BoardSnapshot,
     Record,
     SetpointRecord,
     SettingsSnapshot,

@@ -6,12 +6,12 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from trex_gui.core.timing import TEXT_INTERVAL
-from trex_gui.devices.trex.board.newest import Newest
 from trex_gui.devices.trex.client.telemetry import (
     Control,
     Currents,
     LatchedStatus,
     ModeSample,
+    Newest,
     Raw,
     Remapped,
     Sample,

@@ -43,7 +43,7 @@ from trex_gui.devices.trex.session.messages import (
     Write,
     Written,
 )
-from trex_gui.devices.trex.session.polling import SampleBatcher
+from trex_gui.devices.trex.session.open_line import SampleBatcher
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import BoardStation
 from trex_gui.devices.trex.simulator.motors import MotorDirection

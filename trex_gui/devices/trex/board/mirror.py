@@ -12,12 +12,11 @@ from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.board.errors import ErrorCounts
 from trex_gui.devices.trex.board.events import StatusEvents, read_event
 from trex_gui.devices.trex.board.memory import BoardMemory
-from trex_gui.devices.trex.board.newest import Newest
 from trex_gui.devices.trex.board.quality import ConnectionQuality
 from trex_gui.devices.trex.board.safe_start import SafeStart
 from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.reading import DeviceState, may_be_same_board
-from trex_gui.devices.trex.client.telemetry import Control, LatchedStatus, Raw, Sample
+from trex_gui.devices.trex.client.telemetry import Control, LatchedStatus, Newest, Raw, Sample
 from trex_gui.devices.trex.driving.board_reasons import BoardInputs, board_inputs
 from trex_gui.devices.trex.driving.timeout_stop import (
     TimeoutStop,

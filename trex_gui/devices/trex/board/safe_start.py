@@ -1,8 +1,7 @@
 """Whether safe-start may hold the motors that channels drive."""
 
-from trex_gui.devices.trex.board.newest import Newest
 from trex_gui.devices.trex.client.reading import DeviceState
-from trex_gui.devices.trex.client.telemetry import Currents, Remapped
+from trex_gui.devices.trex.client.telemetry import Currents, Newest, Remapped
 from trex_gui.devices.trex.driving.board_reasons import NOISE_COUNTS, BoardInputs
 from trex_gui.devices.trex.protocol.calibration import NEARLY_NEUTRAL
 

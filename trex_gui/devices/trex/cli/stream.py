@@ -19,10 +19,10 @@ from trex_gui.core.texts import counted
 from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import agreed
-from trex_gui.devices.trex.client.telemetry import ModeSample, StatusReader
+from trex_gui.devices.trex.client.telemetry import ModeSample, StatusReader, poll
 from trex_gui.devices.trex.protocol.commands import GetMode
 from trex_gui.devices.trex.recording import MeasurementTable, Row
-from trex_gui.devices.trex.session.polling import Schedule, poll, rates
+from trex_gui.devices.trex.session.polling import Schedule, rates
 
 _FLUSH = 0.25  # seconds after which other programs can read what was written
 _SLICE = 0.02

@@ -2,8 +2,8 @@
 
 import contextlib
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, field, replace
+from typing import Any, Self, TypeVar
 
 from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.core.recording.kinds import Column, Physical, SampleKind
@@ -91,6 +91,30 @@ class ModeSample(Sample):
     """The mode, which only changes with a power cycle."""
 
     mode: Mode
+
+
+SampleT = TypeVar("SampleT", bound=Sample)
+
+
+@dataclass(slots=True)
+class Newest:
+    """The newest sample of each polled value."""
+
+    samples: dict[type[Sample], Any] = field(default_factory=dict)
+
+    def __copy__(self) -> Self:
+        return replace(self, samples=self.samples.copy())
+
+    def __getitem__(self, kind: type[SampleT]) -> SampleT:
+        """Return a sample; KeyError while there is none."""
+        sample: SampleT = self.samples[kind]
+        return sample
+
+    def get(self, kind: type[SampleT]) -> SampleT | None:
+        return self.samples.get(kind)
+
+    def take(self, sample: Sample) -> None:
+        self.samples[type(sample)] = sample
 
 
 # --- The table of polled values ---------------------------------------------------------
@@ -270,3 +294,19 @@ class StatusReader:
                 self.uart_due = False
         is_earlier, self._is_first = self._is_first, self._is_first and self.uart_due
         return LatchedStatus(self._clock(), status, uart, is_earlier) if status or uart else None
+
+
+def poll(
+    request: Requester, topic: type[Sample], clock: Callable[[], float], reader: StatusReader
+) -> Sample | None:
+    """Read one topic; return its sample with the time of its reply, `None` if no bit was latched.
+
+    Raises:
+        NoReply, BadReply: as every transaction.
+        PortUnavailable: the line is gone.
+    """
+    polled = POLLED[topic]
+    if polled.sample is None:
+        return reader.read(request)
+    reply = request(polled.query)
+    return polled.sample(clock(), reply)

@@ -9,11 +9,10 @@ from trex_gui.core.events import Event
 from trex_gui.core.files import SettingsError
 from trex_gui.core.recording.kinds import Value
 from trex_gui.core.recording.store import Recording
-from trex_gui.devices.trex.board.newest import BoardSnapshot
 from trex_gui.devices.trex.client.telemetry import Currents
 from trex_gui.devices.trex.model.telemetry import Series, board_traces, values_of_series
 from trex_gui.devices.trex.protocol.parameters import MotorParameter
-from trex_gui.devices.trex.recording import Header, Record
+from trex_gui.devices.trex.recording import BoardSnapshot, Header, Record
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.ui.playback.player import Curves, RecordingPlayer
 from trex_gui.ui.plotting.history import MAX_GAP, SampleHistory

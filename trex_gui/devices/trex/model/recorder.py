@@ -10,7 +10,6 @@ from PySide6.QtCore import QObject, Slot
 from trex_gui.core.events import Event, EventKind
 from trex_gui.core.recording.kept import kept_path, make_room
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.board.newest import BoardSnapshot
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import ModeSample
 from trex_gui.devices.trex.driving.requests import SetMotor, SetpointRequest, setpoints_in
@@ -18,6 +17,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.recording import (
     FORMAT,
     AuxiliarySetpointRecord,
+    BoardSnapshot,
     Header,
     Record,
     SetpointRecord,

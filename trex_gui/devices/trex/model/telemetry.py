@@ -10,8 +10,7 @@ from PySide6.QtCore import QObject, Signal
 
 from trex_gui.core.timing import TEXT_INTERVAL
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.board.newest import Newest
-from trex_gui.devices.trex.client.telemetry import Control, Currents, Raw, Remapped, Sample
+from trex_gui.devices.trex.client.telemetry import Control, Currents, Newest, Raw, Remapped, Sample
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import CHANNELS

@@ -6,7 +6,7 @@ import math
 from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState, agreed, is_several, read_everything
-from trex_gui.devices.trex.client.telemetry import Currents, LatchedStatus, ModeSample
+from trex_gui.devices.trex.client.telemetry import Currents, LatchedStatus, ModeSample, poll
 from trex_gui.devices.trex.driving.motor_output import OutputEvent
 from trex_gui.devices.trex.driving.requests import MotorsStopped
 from trex_gui.devices.trex.protocol.commands import GetMode, GetParameter, Signature
@@ -14,7 +14,7 @@ from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexBadReplyError, 
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.session.messages import Connected, ReadReason
 from trex_gui.devices.trex.session.open_line import OpenLine
-from trex_gui.devices.trex.session.polling import SAFETY_PARAMETERS, Polling, Topic, poll
+from trex_gui.devices.trex.session.polling import SAFETY_PARAMETERS, Polling, Topic
 
 _STALE_READS = 3
 _STALE_READ_INTERVAL = 2.0  # seconds; telemetry goes on between two of these readings

@@ -1,21 +1,43 @@
 """The open line of a session: every part that reads, writes or drives over it."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from trex_gui.core.errors import BadReply, NoReply, StudioError
 from trex_gui.core.session import Closing, Progress
+from trex_gui.core.timing import FRAME
 from trex_gui.core.transport.guarded import GuardedTransport
-from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.client.telemetry import StatusReader
+from trex_gui.devices.trex.client.client import Counters, TrexClient
+from trex_gui.devices.trex.client.telemetry import Sample, StatusReader
 from trex_gui.devices.trex.driving.motor_driver import MotorDriver
 from trex_gui.devices.trex.driving.motor_output import MotorOutput, OutputEvent
 from trex_gui.devices.trex.protocol.commands import Command, ReplyT_co
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexRequestError
-from trex_gui.devices.trex.session.messages import GuardianChanged, NotResponding, Report
-from trex_gui.devices.trex.session.polling import SampleBatcher, Topic
+from trex_gui.devices.trex.session.messages import Batch, GuardianChanged, NotResponding, Report
+from trex_gui.devices.trex.session.polling import Topic
 from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
 from trex_gui.devices.trex.session.request_queue import TrexRequestQueue
+
+
+class SampleBatcher:
+    def __init__(self, report: Callable[[Batch], None]) -> None:
+        self._report = report
+        self._samples: list[Sample] = []
+        self._last_flush = 0.0
+        self.interval = FRAME  # least seconds between two batches
+        self.add = self._samples.append
+        self.extend = self._samples.extend
+
+    def seconds_to_next(self, now: float) -> float:
+        return self._last_flush + self.interval - now if self._samples else math.inf
+
+    def flush(self, counters: Counters, now: float) -> None:
+        self._last_flush = now
+        if self._samples:
+            batch = Batch(tuple(self._samples), replace(counters))
+            self._samples.clear()
+            self._report(batch)
 
 
 @dataclass(slots=True)

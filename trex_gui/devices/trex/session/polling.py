@@ -1,4 +1,4 @@
-"""Which value to poll next, reading it, and batches of the samples.
+"""Which value to poll next.
 
 Each value is polled as often as the board renews it. Polling faster reads the same value again and
 takes time in which a motor command could have been sent.
@@ -9,17 +9,13 @@ one query and the first byte of the next one.
 """
 
 import math
-from collections.abc import Callable, Collection, Mapping
-from dataclasses import replace
+from collections.abc import Collection, Mapping
 
-from trex_gui.core.timing import FRAME
-from trex_gui.devices.trex.client.client import Counters, Requester
-from trex_gui.devices.trex.client.telemetry import POLLED, Control, Raw, Sample, StatusReader
+from trex_gui.devices.trex.client.telemetry import POLLED, Control, Raw, Sample
 from trex_gui.devices.trex.protocol.commands import Command
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
-from trex_gui.devices.trex.session.messages import Batch
 
 SAFETY_PARAMETERS = (
     ParameterKey.SERIAL_TIMEOUT,
@@ -171,39 +167,3 @@ class Polling:
 
 
 # --- Samples ----------------------------------------------------------------------------
-
-
-def poll(
-    request: Requester, topic: Topic, clock: Callable[[], float], reader: StatusReader
-) -> Sample | None:
-    """Read one topic; return its sample with the time of its reply, `None` if no bit was latched.
-
-    Raises:
-        NoReply, BadReply: as every transaction.
-        PortUnavailable: the line is gone.
-    """
-    polled = POLLED[topic]
-    if polled.sample is None:
-        return reader.read(request)
-    reply = request(polled.query)
-    return polled.sample(clock(), reply)
-
-
-class SampleBatcher:
-    def __init__(self, report: Callable[[Batch], None]) -> None:
-        self._report = report
-        self._samples: list[Sample] = []
-        self._last_flush = 0.0
-        self.interval = FRAME  # least seconds between two batches
-        self.add = self._samples.append
-        self.extend = self._samples.extend
-
-    def seconds_to_next(self, now: float) -> float:
-        return self._last_flush + self.interval - now if self._samples else math.inf
-
-    def flush(self, counters: Counters, now: float) -> None:
-        self._last_flush = now
-        if self._samples:
-            batch = Batch(tuple(self._samples), replace(counters))
-            self._samples.clear()
-            self._report(batch)

@@ -27,8 +27,7 @@ from trex_gui.devices.trex.protocol.line_settings import baud_rates
 from trex_gui.devices.trex.session.board_reader import BoardReader
 from trex_gui.devices.trex.session.jobs import JobServer
 from trex_gui.devices.trex.session.messages import ProbeProgress, ReadReason, Report, Request
-from trex_gui.devices.trex.session.open_line import OpenLine
-from trex_gui.devices.trex.session.polling import SampleBatcher
+from trex_gui.devices.trex.session.open_line import OpenLine, SampleBatcher
 from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
 from trex_gui.devices.trex.session.request_queue import TrexRequestQueue
 

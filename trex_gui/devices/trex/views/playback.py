@@ -5,13 +5,13 @@ from PySide6.QtWidgets import QLabel, QWidget
 
 from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import Number, tr
-from trex_gui.devices.trex.board.newest import BoardSnapshot
 from trex_gui.devices.trex.client.telemetry import Control, Currents, ModeSample, Raw, Remapped
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.playback import Playback
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import CHANNELS
+from trex_gui.devices.trex.recording import BoardSnapshot
 from trex_gui.devices.trex.views.motor_controls import StopButton
 from trex_gui.ui.playback.transport import time_text
 from trex_gui.ui.playback.window import RecordingWindow

@@ -14,7 +14,7 @@ from tests.support.virtual_time import VirtualRuntime
 from trex_gui.core.errors import StudioError
 from trex_gui.core.guardian.log import log_file
 from trex_gui.core.timing import Timeouts
-from trex_gui.devices.trex.board.newest import Newest
+from trex_gui.devices.trex.client.telemetry import Newest
 from trex_gui.devices.trex.driving.requests import Heartbeat, MotorsStopped
 from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.device import Device

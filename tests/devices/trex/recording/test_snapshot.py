@@ -3,12 +3,12 @@
 from copy import copy
 
 from trex_gui.core.recording.kinds import Marker
-from trex_gui.devices.trex.board.newest import BoardSnapshot
 from trex_gui.devices.trex.client.telemetry import Control, Currents
 from trex_gui.devices.trex.protocol.driving import Direction, Drive
 from trex_gui.devices.trex.recording import (
     STOP,
     AuxiliarySetpointRecord,
+    BoardSnapshot,
     SetpointRecord,
     SettingsSnapshot,
 )
