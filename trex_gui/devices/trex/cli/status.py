@@ -1,12 +1,14 @@
 """status and get: read the board without changing it."""
 
 import json
-from collections.abc import Mapping, Sequence
 from typing import Any
 
 import click
 
-from trex_gui.core.cli import json_option, print_json
+from trex_gui.core.cli import json_option, print_json, say
+from trex_gui.devices.trex.board.keeper import Keeper
+from trex_gui.devices.trex.board.mirror import BoardMirror
+from trex_gui.devices.trex.cli.changes import say_warning
 from trex_gui.devices.trex.cli.common import (
     PHYSICAL_KEYS,
     complete_parameter,
@@ -20,27 +22,32 @@ from trex_gui.devices.trex.cli.common import (
 )
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState, agreed, query, read_everything
-from trex_gui.devices.trex.client.telemetry import LatchedStatus, StatusReader
+from trex_gui.devices.trex.client.telemetry import (
+    Currents,
+    LatchedStatus,
+    Raw,
+    Remapped,
+    Sample,
+    StatusReader,
+)
 from trex_gui.devices.trex.driving.blockers import Effect
 from trex_gui.devices.trex.driving.board_reasons import (
     LED_TEXTS,
-    NOISE_COUNTS,
     SAFE_START_FLASH,
     SAFE_START_NOTE,
-    board_inputs,
     board_reasons,
     led_patterns,
 )
-from trex_gui.devices.trex.protocol.calibration import NEARLY_NEUTRAL
 from trex_gui.devices.trex.protocol.commands import (
     GetCurrents,
     GetParameter,
     GetRawChannels,
     GetRemappedChannels,
 )
-from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT, who_controls
+from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT
 from trex_gui.devices.trex.protocol.flags import CHANNELS, Status, UartError, bit_names
-from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.session.messages import Batch, Connected, ReadReason
+from trex_gui.devices.trex.settings.board_records import utc_now
 
 _LATCHES_AGAIN = 0.05
 """Seconds after which an error that lasts is latched again; shorter than any serial timeout.
@@ -141,24 +148,26 @@ def board_report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
     remapped = query(client.request, GetRemappedChannels())
     currents = query(client.request, GetCurrents())
     unit = state.signature.model.current_unit
-    joint = state.parameters.get(ParameterKey.MOTOR_MODE) == 1
     client.transport.wait(_LATCHES_AGAIN)
     active = _bits(reader.read(client.request))
-    inputs = board_inputs(
+    now = client.transport.clock()
+    board = _mirror(
+        client,
         state,
-        [raw[channel] for channel in CHANNELS],
-        *active,
-        by_serial=state.serial_controls,
-        joint=joint,
-        is_held=_may_be_held(remapped, currents, joint=joint),
+        Raw(now, tuple(raw.values())),
+        Remapped(now, tuple(remapped.values())),
+        Currents(now, currents),
+        LatchedStatus(now, *active),
     )
+    inputs = board.inputs(now)
+    assert inputs is not None  # noqa: S101 - it was just read
     red, green = led_patterns(inputs)
     return {
         "product": state.signature.model.name,
         "firmware": state.signature.firmware,
         "mode": state.mode.value,
         "mode_text": MODE_TEXT[state.mode],
-        "in_control": who_controls(state.mode, state.serial_controls, joint=joint),
+        "in_control": board.control_text,
         "serial_controls": state.serial_controls,
         "motors": [
             {
@@ -189,11 +198,13 @@ def board_report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
     }
 
 
-def _may_be_held(remapped: Mapping[int, int], currents: Sequence[int], *, joint: bool) -> bool:
-    """Whether a channel commands a speed and no current flows; joint mode measures none."""
-    commands = (remapped[channel] for channel in (1, 2, 3))
-    is_commanded = any(abs(command) > NEARLY_NEUTRAL for command in commands)
-    return is_commanded and not joint and max(currents) <= NOISE_COUNTS
+def _mirror(client: TrexClient, state: DeviceState, *samples: Sample) -> BoardMirror:
+    """Return what is known of a board that was just read."""
+    board = BoardMirror(Keeper(say, say_warning).memory)
+    read = Connected(state, client.echo, ReadReason.OPENED, client.settings)
+    for report in (read, Batch(samples, client.counters)):
+        list(board.take(report, client.transport.clock(), utc_now()))
+    return board
 
 
 def _bits(latched: LatchedStatus | None) -> tuple[Status, UartError]:
