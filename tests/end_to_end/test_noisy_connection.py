@@ -14,13 +14,13 @@ def test_noisy_line_is_named_and_crc_is_set_up(
     window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
     device = window.device
+    window.program.complete()  # each page counts
     window.connect(quick_simulator.url)
     assert window.text("qualityLabel") == ""
 
     def top_of_page() -> int:
         return window.window.pages.mapTo(window.window, QPoint()).y()
 
-    window.program.complete()  # each page counts
     window.window.resize(window.window.minimumSizeHint())
     window.wait_for_files()
     top = top_of_page()

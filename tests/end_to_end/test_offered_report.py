@@ -17,7 +17,7 @@ from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
 from trex_gui.core.files import log_folder
 from trex_gui.core.log_file import ProgramLog, log_file
-from trex_gui.devices.trex.session.session import TrexSession
+from trex_gui.devices.trex.session.open_line import OpenLine
 
 ROOT = Path(__file__).parents[2]
 
@@ -69,7 +69,7 @@ def test_error_of_a_connection_offers_report(
     window.wait(lambda: quick_simulator.show()["motors"][0]["speed"] == 60)
     program_log = ProgramLog(log_file())
     try:
-        monkeypatch.setattr(TrexSession, "_report_guardian", lambda _: 1 // 0)
+        monkeypatch.setattr(OpenLine, "report_guardian", lambda _: 1 // 0)
         window.wait_for_text("bannerText", "Internal error in the connection")
         assert is_stopped(quick_simulator)
     finally:

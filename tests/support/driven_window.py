@@ -26,7 +26,7 @@ from trex_gui import app, composition
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
-from trex_gui.devices.trex.session import session
+from trex_gui.devices.trex.session import board_reader, open_line
 from trex_gui.supervisor import SuspendDetector
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.program import Program
@@ -143,7 +143,7 @@ class Driver(QObject):
         def collect(*_: object) -> None:
             raise SystemExit("on purpose")  # which no handler of errors catches
 
-        setattr(session.TrexSession, "_collect", collect)  # noqa: B010 - on purpose
+        setattr(open_line.OpenLine, "collect", collect)  # noqa: B010 - on purpose
 
     def close_the_descriptor(self) -> None:
         """Close the port, as a fault somewhere else in the process can."""
@@ -157,7 +157,7 @@ class Driver(QObject):
             self._say("hanging")
             time.sleep(HANGING)
 
-        setattr(session, "poll", poll)  # noqa: B010 - not the name's own module
+        setattr(board_reader, "poll", poll)  # noqa: B010 - not the name's own module
 
     def hang(self) -> None:
         self._say("hanging")

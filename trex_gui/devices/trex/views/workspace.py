@@ -226,7 +226,10 @@ class TrexWorkspace(Workspace):
         factory = partial(settings.defaults.preview, serial_only=False)
         serial = partial(settings.defaults.preview, serial_only=True)
         plot_title = tr("Plot of currents in its o&wn window")
-        open_guide = partial(QDesktopServices.openUrl, QUrl(GUIDE))
+
+        def open_guide() -> None:
+            QDesktopServices.openUrl(QUrl(GUIDE))
+
         return {
             Menu.FILE: (
                 Entry("new", tr("&New settings file…"), files.ask_and_begin, keys.New, "new"),
