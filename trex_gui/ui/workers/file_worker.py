@@ -139,7 +139,7 @@ class FileTask(QObject):
                 self._abandoned = worker
                 return False
         if worker is not None:
-            worker.deleteLater()
+            worker.setParent(None)  # Python deletes it, at once
         return self._abandoned is None or self._abandoned.wait(0)
 
     @Slot()
@@ -148,7 +148,7 @@ class FileTask(QObject):
         if worker is not None and self.sender() is worker:
             self._worker = None
             worker.wait()
-            worker.deleteLater()
+            worker.setParent(None)  # Python deletes it, at once
             self.done.emit(worker.outcome)
 
 
