@@ -73,11 +73,9 @@ class ApplyToBoardsDialog(ReusedDialog):
         )
 
         tables = (self._table, 2), self._heading, (self._changes, 3), (self._findings_area, 1)
-        question, buttons = (
-            MessageRoom(self, self._question),
-            (stop, 1, self._write, self._end, close),
-        )
-        ui.column(intro, *tables, self._note, question, ui.row(*buttons), into=self)
+        question = MessageRoom(self, self._question)
+        buttons = ui.row(stop, 1, self._write, self._end, close)
+        ui.column(intro, *tables, self._note, question, buttons, into=self)
 
         self._end.clicked.connect(self.work.cancel)
         self._table.itemChanged.connect(self._on_item_changed)

@@ -143,12 +143,8 @@ class BenchFiles(QObject):
             work = partial(save_picture, path, self._picture())
         else:
             work = partial(save, path, to_csv(run))
-        self._do(
-            work,
-            path,
-            lambda _: tr("Saved as {0}.").format(path.name),
-            tr("{0} was not saved: {1}."),
-        )
+        text = tr("Saved as {0}.").format(path.name)
+        self._start(work, path, lambda _: text, tr("{0} was not saved: {1}."))
 
     def open(self, path: Path) -> None:
         """Read a test and add it to those that were run."""
@@ -157,9 +153,9 @@ class BenchFiles(QObject):
             self._bench.add_run(run)
             return tr("{0}: {1}.").format(path.name, run.title)
 
-        self._do(partial(load_run, path), path, add, tr("{0} was not opened: {1}."))
+        self._start(partial(load_run, path), path, add, tr("{0} was not opened: {1}."))
 
-    def _do(
+    def _start(
         self, work: Callable[[], Any], path: Path, report: Callable[[Any], str], failure: str
     ) -> None:
         """Work in the background, and report the result or the failure."""

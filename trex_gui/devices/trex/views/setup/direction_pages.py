@@ -66,6 +66,7 @@ class SticksPage(QWidget):
         above = learn_text, learn_row, pushed_text, pushing, self._wiring
         channels = chain.from_iterable(zip(self._known.values(), self._bars.values(), strict=True))
         ui.column(*above, *channels, 1, into=self, margins=0, spacing=10)
+
         self._learn.clicked.connect(self.learn_requested)
         device.telemetry.frame_due.connect(self._show_inputs)
 
