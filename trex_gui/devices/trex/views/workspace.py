@@ -26,7 +26,6 @@ from trex_gui.devices.trex.views.pages.calibration.page import CalibrationPage
 from trex_gui.devices.trex.views.pages.channels import ChannelsPage
 from trex_gui.devices.trex.views.pages.currents import CurrentsPage
 from trex_gui.devices.trex.views.pages.errors import ErrorsPage
-from trex_gui.devices.trex.views.pages.motors.page import MotorsPage
 from trex_gui.devices.trex.views.pages.parameters.page import ParametersPage
 from trex_gui.devices.trex.views.pages.status import StatusPage
 from trex_gui.devices.trex.views.prompts import ClosePrompt, RestorePrompt
@@ -148,6 +147,8 @@ class TrexWorkspace(Workspace):
         return page
 
     def _make_motors_page(self) -> QWidget:
+        from trex_gui.devices.trex.views.pages.motors.page import MotorsPage  # noqa: PLC0415 - later
+
         page = MotorsPage(self._device, self)
         page.parameter_wanted.connect(self._show_parameter)
         return page
