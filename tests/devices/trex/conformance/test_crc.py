@@ -5,7 +5,8 @@ Every test of this suite runs with and without; here is what is left to be said.
 
 import pytest
 
-from tests.devices.trex.conformance.trex import Trex, Variant, only, remainder
+from tests.devices.trex.conformance.trex import Trex, Variant, only
+from tests.devices.trex.oracle.framing import remainder
 
 EXAMPLES = [
     ("86 1F", 0x07),

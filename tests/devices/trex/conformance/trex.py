@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 from tests.devices.trex.conformance.ends import LONG_TIMEOUT, End
+from tests.devices.trex.oracle.framing import remainder
 
 QUIET = 0.02
 """Seconds of silence after which no answer comes, where the documents name no other time."""
@@ -67,17 +68,6 @@ def only(
         if choose(variant)
     ]
     return pytest.mark.parametrize("trex", in_gate(chosen), ids=str, indirect=True)
-
-
-def remainder(message: bytes, polynomial: int) -> int:
-    """Divide bit by bit as one does on paper: the message with seven zeros behind it."""
-    bits = [int(bit) for byte in message for bit in f"{byte:08b}"] + [0] * 7
-    divisor = [int(bit) for bit in f"{polynomial:08b}"]
-    for start in range(len(bits) - 7):
-        if bits[start]:
-            for index, bit in enumerate(divisor):
-                bits[start + index] ^= bit
-    return int("".join(map(str, bits[-7:])), 2)
 
 
 def text_of(data: bytes) -> str:

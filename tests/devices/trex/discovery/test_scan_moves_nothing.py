@@ -9,6 +9,7 @@ import itertools
 
 import pytest
 
+from tests.support.matrix import sampled
 from tests.support.virtual import Stage, VirtualTransport
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
@@ -58,8 +59,9 @@ def _board(settings: LineSettings) -> Board:
     return Board(eeprom=eeprom)
 
 
-@pytest.mark.parametrize("device_number", [None, 7])
-@pytest.mark.parametrize("detection", list(Detection))
+@pytest.mark.parametrize(
+    ("detection", "device_number"), sampled(itertools.product(Detection, (None, 7)), every=3)
+)
 def test_connection_probes_start_no_motor_at_any_rate(
     detection: Detection, device_number: int | None
 ) -> None:

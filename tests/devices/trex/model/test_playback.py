@@ -323,7 +323,7 @@ def started_workers(monkeypatch: pytest.MonkeyPatch) -> list[FileWorker]:
 def test_close_while_reading_ends_the_thread(
     tmp_path: Path, qtbot: QtBot, started_workers: list[FileWorker]
 ) -> None:
-    write_an_hour(tmp_path / "long.trexrec", 10)
+    write_an_hour(tmp_path / "long.trexrec", 4)
     playback = loading(Playback(open_recording(tmp_path / "long.trexrec")))
     (thread,) = started_workers
     qtbot.waitUntil(lambda: playback.share > 0)

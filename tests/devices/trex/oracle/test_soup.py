@@ -295,12 +295,6 @@ WITHIN_TIME = examples(
 )
 
 
-@WITHIN_TIME
-@given(random=st.randoms(use_true_random=False))
-def test_simulator_matches_oracle_on_short_streams(random: Random) -> None:
-    pour(random, 40)
-
-
 def poured(examples: int, length: int) -> int:
     """Let hypothesis choose soups, others each time; return how many bytes were compared."""
     total = 0

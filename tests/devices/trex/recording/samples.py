@@ -58,7 +58,7 @@ polled: Mapping[type[Sample], st.SearchStrategy[Sample]] = {
     Control: st.builds(Control, times, st.booleans()),
     ModeSample: st.builds(ModeSample, times, st.sampled_from(Mode)),
 }
-"""Samples of each polled value, for the tests of recordings and messages."""
+"""Samples of each polled value, for the tests of recordings."""
 
 assert polled.keys() == POLLED.keys()
 

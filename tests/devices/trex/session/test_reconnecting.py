@@ -191,8 +191,11 @@ def test_board_reconnects_on_rs232_side() -> None:
     assert (back.settings, back.echo) == (new, True)
 
 
-@pytest.mark.parametrize("expected", [(), (replace(OLD, line=CRC),)], ids=["here", "anywhere"])
-@pytest.mark.parametrize("echo", [False, True])
+@pytest.mark.parametrize(
+    ("expected", "echo"),
+    [((), False), ((replace(OLD, line=CRC),), True)],
+    ids=["here", "anywhere"],
+)
 def test_board_reconnects_when_echo_changes(
     expected: tuple[ConnectionSettings, ...], *, echo: bool
 ) -> None:

@@ -1,6 +1,5 @@
 """What the reader makes of files: good ones, mistaken ones and hostile ones."""
 
-import pickle
 import time
 
 import pytest
@@ -38,11 +37,6 @@ def finding_of(setting: str) -> str:
 def test_factory_settings_are_read_without_findings(model: str, firmware: str | None) -> None:
     settings = factory(model, firmware)
     assert read_settings(write_settings(settings)) == (settings, ())
-
-
-def test_settings_can_be_pickled() -> None:
-    settings, _ = read_settings(write_settings(factory()))
-    assert pickle.loads(pickle.dumps(settings)) == settings
 
 
 def test_partial_file_is_read_and_missing_parameters_counted() -> None:
