@@ -16,6 +16,7 @@ class SimulatedTransport(Generic[LineT]):
     Attributes:
         line: the wire, and the device at its other end.
         sent: all that was written.
+        written: each write with its time.
         closed: whether it was closed.
         fail: what every access raises; `None` while the line is there.
     """
@@ -26,6 +27,7 @@ class SimulatedTransport(Generic[LineT]):
     def __init__(self, line: LineT) -> None:
         self.line = line
         self.sent = bytearray()
+        self.written: list[tuple[float, bytes]] = []
         self.closed = False
         self.fail: Exception | None = None
 
@@ -42,6 +44,7 @@ class SimulatedTransport(Generic[LineT]):
     def write(self, data: bytes) -> None:
         self._may_fail()
         self.sent += data
+        self.written.append((self.clock(), data))
         self.line.send(data)
 
     def read(self, size: int, seconds: float) -> bytes:

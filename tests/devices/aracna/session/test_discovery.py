@@ -5,7 +5,8 @@ from collections.abc import Iterable
 
 import pytest
 
-from tests.devices.trex.discovery.test_prober import OWN, State, hear, orders
+from tests.devices.trex.conftest import orders
+from tests.devices.trex.discovery.test_prober import OWN, State, hear
 from tests.support.aracna import AracnaStage
 from trex_gui.core.discovery.prober import FLUSH_BYTE, FLUSH_LINE
 from trex_gui.core.discovery.scan import PortScan, scan_port

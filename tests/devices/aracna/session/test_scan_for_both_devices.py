@@ -4,7 +4,8 @@ from collections import deque
 
 import pytest
 
-from tests.devices.trex.discovery.test_prober import BOARDS, OWN, State, Wire, hear, orders
+from tests.devices.trex.conftest import orders
+from tests.devices.trex.discovery.test_prober import BOARDS, OWN, State, Wire, hear
 from tests.devices.trex.simulator.ports import a_board
 from tests.support.aracna import AracnaStage
 from tests.support.matrix import sampled

@@ -29,7 +29,6 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
-from trex_gui.devices.trex.simulator.motors import SerialControl
 
 VIRTUAL = ConnectionSettings("virtual")
 PARITIES = (Detection.NONE, Detection.EVEN, Detection.ODD)
@@ -96,22 +95,6 @@ def only(result: PortScan) -> FoundBoard:
 def diagnosis_of(wire: Wire) -> str:
     (line,) = search(wire).lines
     return line
-
-
-@pytest.fixture
-def orders(monkeypatch: pytest.MonkeyPatch) -> list[str]:
-    """Every order that a motor of any simulated board is given, a stop included."""
-    given: list[str] = []
-
-    def drive(control: SerialControl, *words: object, **more: object) -> None:
-        given.append(f"motor {words} {more}")
-
-    def drive_aux(control: SerialControl, *words: object, **more: object) -> None:
-        given.append(f"auxiliary {words} {more}")
-
-    monkeypatch.setattr(SerialControl, "drive", drive)
-    monkeypatch.setattr(SerialControl, "drive_aux", drive_aux)
-    return given
 
 
 # --- The whole search -------------------------------------------------------------------

@@ -10,7 +10,7 @@ import itertools
 import pytest
 
 from tests.support.matrix import sampled
-from tests.support.virtual import Stage, VirtualTransport
+from tests.support.virtual import Stage
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.simulator.firmware import Board
@@ -18,23 +18,12 @@ from trex_gui.devices.trex.simulator.line import TrexLine
 from trex_gui.devices.trex.simulator.memory import Eeprom
 
 
-class _Recorder(VirtualTransport):
-    def __init__(self, line: TrexLine) -> None:
-        super().__init__(line)
-        self.packets: list[bytes] = []
-
-    def write(self, data: bytes) -> None:
-        self.packets.append(data)
-        super().write(data)
-
-
 def _sent_to_nobody(settings: ConnectionSettings) -> list[bytes]:
     """Return what a session sends while nothing answers."""
     stage = Stage(Board())
     stage.line.faults.mute = True
-    stage.transport = recorder = _Recorder(stage.line)
     stage.run(settings)
-    return recorder.packets
+    return [data for _, data in stage.transport.written]
 
 
 def _moves(line: TrexLine, board: Board, packets: list[bytes]) -> list[str]:

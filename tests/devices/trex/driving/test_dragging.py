@@ -21,18 +21,11 @@ def test_drag_sends_newest_positions_and_delivers_last_one(
     start = 1.0 + 4.0 * 1200 / baud
     for move in range(_MOVES):
         stage.script.at(start + move / _RATE, SetMotor(1, Drive.at(move % 128)))
-    sent: list[tuple[float, int]] = []
-    write = stage.transport.write
-
-    def note(data: bytes) -> None:
-        if data[0] == DriveMotor(1, Drive.at(1)).opcode:
-            sent.append((stage.line.now, data[1]))
-        write(data)
-
-    stage.transport.write = note  # type: ignore[method-assign] # to see when
     end = start + _MOVES / _RATE
     speeds = seen_at(stage, end + 0.3, lambda: stage.board.motors[0].speed)
     run_for(stage, end + 0.4, settings)
+    opcode = DriveMotor(1, Drive.at(1)).opcode
+    sent = [(moment, data[1]) for moment, data in stage.transport.written if data[0] == opcode]
     assert speeds == [(_MOVES - 1) % 128]
     assert len(sent) <= _MOVES / _RATE / DRIVE_INTERVAL + 1 + len(REPEATS)
     for moment, speed in sent:

@@ -5,13 +5,13 @@ from itertools import product
 
 import pytest
 
-from tests.devices.trex.driving.test_arming import pulses
 from tests.devices.trex.session.helpers import (
     among,
     commands,
     is_stopped,
     moving,
     outcomes,
+    pulses,
     run_for,
     seen_at,
     staged,

@@ -7,6 +7,7 @@ from tests.support.virtual import Stage, VirtualTransport
 from trex_gui.core.session import Close, Outcome
 from trex_gui.devices.trex.client.client import Requester
 from trex_gui.devices.trex.client.telemetry import PolledValue, Sample
+from trex_gui.devices.trex.driving.requests import HEARTBEAT_INTERVAL, Heartbeat
 from trex_gui.devices.trex.protocol.commands import Command, ReplyT_co
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.framing import Packet, PacketParser
@@ -94,6 +95,12 @@ def is_stopped(board: Board) -> bool:
     return board.aux.speed == 0 and all(
         motor.direction is MotorDirection.BRAKE and motor.speed == 127 for motor in board.motors
     )
+
+
+def pulses(stage: Stage, start: float, end: float) -> None:
+    """Plan the heartbeats of a window between two moments."""
+    for number in range(int((end - start) / HEARTBEAT_INTERVAL) + 1):
+        stage.script.at(start + number * HEARTBEAT_INTERVAL, Heartbeat())
 
 
 def run_for(

@@ -8,7 +8,7 @@ import pytest
 
 from tests.devices.trex.session.helpers import among, commands, run_for, samples, seen_at, staged
 from tests.support.matrix import sampled
-from tests.support.virtual import Stage, VirtualTransport
+from tests.support.virtual import Stage
 from trex_gui.core.session import Outcome
 from trex_gui.core.transport.serial_port import latency_of
 from trex_gui.devices.trex.client.telemetry import Control, Currents, LatchedStatus, ModeSample, Raw
@@ -24,13 +24,12 @@ from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.protocol.framing import Framing
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameter_number
-from trex_gui.devices.trex.session.messages import Connected, NotResponding, Report, Write
+from trex_gui.devices.trex.session.messages import Connected, NotResponding, Write
 from trex_gui.devices.trex.session.polling import (
     silence,
     survives_a_loss,
     too_slow,
 )
-from trex_gui.devices.trex.simulator.line import TrexLine
 
 
 def opening(baud: int) -> float:
@@ -133,41 +132,29 @@ def test_lost_reply_fires_timeout_only_where_predicted(baud: int, tenths: int) -
         assert not survives
 
 
-class TimedTransport(VirtualTransport):
-    """Remembers when each packet was written."""
-
-    def __init__(self, line: TrexLine) -> None:
-        super().__init__(line)
-        self.written: list[tuple[float, bytes]] = []
-
-    def write(self, data: bytes) -> None:
-        self.written.append((self.clock(), data))
-        super().write(data)
-
-
 @pytest.mark.parametrize("ahead", [0.0, 0.1])
 def test_reply_lost_after_arming_lets_no_timeout_fire(ahead: float) -> None:
     """Also the first one, and that of a check whether the stored timeout is the same."""
 
-    def run(seconds: float, armed_at: float = math.inf) -> tuple[TimedTransport, list[Report]]:
+    def run(seconds: float, armed_at: float = math.inf) -> Stage:
         stage, settings = staged()
-        stage.transport = transport = TimedTransport(stage.line)
-        transport.latency = 0.3  # as over a network
+        stage.transport.latency = 0.3  # as over a network
         set_timeout(stage, 5)
-        assert survives_a_loss(settings.line, 0.5, transport.latency)
+        assert survives_a_loss(settings.line, 0.5, stage.transport.latency)
         if armed_at < seconds:
             lose_a_byte = partial(setattr, stage.line.faults, "to_drop", 1)
             stage.script.at(armed_at, Arm()).at(armed_at, SetMotor(1, Drive.at(90)))
             stage.script.at(armed_at, lose_a_byte)
             for beat in range(1, 4):
                 stage.script.at(armed_at + beat * INTERVAL, Heartbeat())
-        return transport, run_for(stage, seconds, settings)
+        run_for(stage, seconds, settings)
+        return stage
 
     query = Framing().encode(GetParameter(parameter_number(ParameterKey.SERIAL_TIMEOUT)))
     start = opening(19200) + 1.0
-    transport, _ = run(start + 1.1)
-    check = next(time for time, data in transport.written if data == query and time > start)
-    _, reports = run(check + 1.0, check - ahead)
+    written = run(start + 1.1).transport.written
+    check = next(time for time, data in written if data == query and time > start)
+    reports = run(check + 1.0, check - ahead).reports
     fired = [
         one.time - check
         for one in samples(reports, LatchedStatus)

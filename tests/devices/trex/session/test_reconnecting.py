@@ -1,6 +1,5 @@
 """A board that comes back with other line settings than it had when its power went off."""
 
-from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from itertools import cycle, pairwise, product
@@ -37,7 +36,7 @@ from trex_gui.devices.trex.session.reconnecting import (
     reconnect_places,
 )
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.motors import MotorDirection, SerialControl
+from trex_gui.devices.trex.simulator.motors import MotorDirection
 
 OLD = ConnectionSettings("virtual")
 EVERYWHERE = [
@@ -105,19 +104,6 @@ def the_return(place: Place, moment: float = 5.0) -> Connected:
     return second
 
 
-@pytest.fixture
-def orders(monkeypatch: pytest.MonkeyPatch) -> list[str]:
-    """Every order that a motor of the simulated board is given, a stop included."""
-    given: list[str] = []
-
-    def order(what: str) -> Callable[..., None]:
-        return lambda _control, *words, **more: given.append(f"{what} {words} {more}")
-
-    monkeypatch.setattr(SerialControl, "drive", order("motor"))
-    monkeypatch.setattr(SerialControl, "drive_aux", order("auxiliary"))
-    return given
-
-
 def moment_of_end(new: LineSettings) -> float:
     return 5.0 if new.baud > 4800 else 14.0
 
@@ -143,30 +129,6 @@ def a_board_is_found_again_at(line: LineSettings, orders: list[str]) -> None:
     assert the_return(place, moment_of_end(line)).settings == new
     assert place.line.host == line
     assert among(place.reports, Batch)[-1].samples
-    assert not orders
-
-
-@pytest.mark.parametrize(
-    ("old", "line"),
-    sampled(
-        product(
-            (
-                LineSettings(57600, Detection.CRC7),
-                LineSettings(38400, Detection.ODD),
-                LineSettings(9600),
-            ),
-            EVERYWHERE[::17],
-        ),
-        every=5,
-    ),
-    ids=lambda line: line.text(),
-)
-def test_board_reconnects_from_various_old_line_settings(
-    old: LineSettings, line: LineSettings, orders: list[str]
-) -> None:
-    new = ConnectionSettings("virtual", line)
-    place = Place(ConnectionSettings("virtual", old)).go(new, new=new)
-    assert the_return(place, moment_of_end(line)).settings == new
     assert not orders
 
 

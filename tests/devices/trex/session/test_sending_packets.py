@@ -2,12 +2,12 @@
 
 import pytest
 
-from tests.devices.trex.driving.test_arming import pulses
 from tests.devices.trex.session.helpers import (
     among,
     is_stopped,
     moving,
     outcomes,
+    pulses,
     run_for,
     samples,
     seen_at,

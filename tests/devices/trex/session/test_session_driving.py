@@ -37,18 +37,10 @@ from trex_gui.devices.trex.session.messages import Connected, Reload, RunCommand
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
-STOP_PACKETS = bytes.fromhex("D0 7F 7F F0 00")
+STOP_PACKET = bytes.fromhex("D0 7F 7F")
 
 
 # --- Driving ----------------------------------------------------------------------------
-
-
-def test_setpoint_reaches_its_motor(stage: Stage) -> None:
-    stage.script.at(1.0, SetMotor(2, Drive.at(-80)))
-    speeds = seen_at(stage, 1.1, lambda: stage.board.motors[1].speed)
-    run_for(stage, 1.2)
-    assert speeds == [80]
-    assert moving(stage.transport.sent)[0] == DriveMotor(2, Drive.at(-80))
 
 
 def test_last_setpoint_acts_immediately_on_fast_line() -> None:
@@ -60,9 +52,8 @@ def test_last_setpoint_acts_immediately_on_fast_line() -> None:
     assert speeds == [99]
 
 
-@pytest.mark.parametrize("baud", [1200, 19200])
-def test_driving_leaves_time_for_polling(baud: int) -> None:
-    stage, settings = staged(baud)
+def test_driving_leaves_time_for_polling() -> None:
+    stage, settings = staged(1200)
     for step in range(600):
         stage.script.at(5.0 + step / 200, SetMotor(1 + step % 2, Drive.at(step % 100)))
     run_for(stage, 8.0, settings)
@@ -109,16 +100,8 @@ def test_stop_is_sent_within_one_transaction(baud: int, within: float) -> None:
     for number, moment in enumerate(requested):
         stage.script.at(moment - 0.5, SetMotor(1, Drive.at(50)))
         stage.script.at(moment, Stop(number))
-    moments: list[float] = []
-    send = stage.transport.write
-
-    def note(data: bytes) -> None:
-        if data == STOP_PACKETS[:3]:
-            moments.append(stage.line.now)
-        send(data)
-
-    stage.transport.write = note  # type: ignore[method-assign] # to see when
     run_for(stage, 9.0, settings)
+    moments = [moment for moment, data in stage.transport.written if data == STOP_PACKET]
     for sent, wanted in zip(moments[: 2 * len(requested) : 2], requested, strict=True):
         assert 0 <= sent - wanted <= within
 

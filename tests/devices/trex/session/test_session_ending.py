@@ -131,12 +131,6 @@ def test_unanswered_stop_delays_close_by_less_than_a_second(
     assert (motor.target_direction.value, motor.target_speed) == ("brake", 127)
 
 
-def test_queued_setpoint_is_not_sent_on_close(stage: Stage) -> None:
-    stage.script.at(1.0, SetMotor(1, Drive.at(100)))
-    run_for(stage, 1.0)
-    assert moving(stage.transport.sent) == []
-
-
 def test_second_close_is_ignored(stage: Stage) -> None:
     stage.script.at(1.0, Close()).at(1.0, Close())
     assert len(among(run_for(stage, 2.0), Closed)) == 1

@@ -94,13 +94,6 @@ def test_releasing_the_button_brakes_and_keeps_motors_armed(setup: GamepadSetup)
     assert not setup.motors.holder
 
 
-def test_full_stick_gives_the_ceiling_speed(setup: GamepadSetup) -> None:
-    setup.motors.set_ceiling(40)
-    setup.pads.press(HOLD)
-    setup.pads.move(Y, 1.0)
-    setup.wait_for_speeds(-40, -40)
-
-
 def test_button_held_before_arming_does_not_drive(setup: GamepadSetup) -> None:
     setup.motors.stop()
     setup.pads.press(HOLD)
