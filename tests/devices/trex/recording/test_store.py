@@ -58,16 +58,6 @@ def test_hour_at_full_rate_is_read_back_unchanged(folder: Path) -> None:
     assert read_file(path) == (HEADER, what, [])
 
 
-def test_chunks_can_be_read_separately_and_backwards(folder: Path) -> None:
-    what = list(an_hour(60))
-    write(folder / "minute.trexrec", what)
-    recording = open_recording(folder / "minute.trexrec")
-    assert recording.count == len(what)
-    for first in reversed(range(1, len(what) + 1, CHUNK)):
-        assert recording.read(first, first + CHUNK - 1) == what[first - 1 : first + CHUNK - 1]
-    recording.close()
-
-
 def test_tables_are_readable_without_the_program(
     folder: Path, ten_seconds: tuple[bytes, list[Record]]
 ) -> None:

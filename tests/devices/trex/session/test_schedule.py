@@ -97,15 +97,6 @@ def test_poll_rates_match_update_rates_of_source() -> None:
         assert rates(source)[Raw] == rates(source)[Remapped] == 50
 
 
-@pytest.mark.parametrize("source", list(InputSource))
-@pytest.mark.parametrize("baud", [19200, 57600, 115200])
-def test_fast_line_meets_every_poll_rate(source: InputSource, baud: int) -> None:
-    wanted = rates(source)
-    polled = simulate(wanted, on_line(baud), 20.0)
-    for topic, rate in wanted.items():
-        assert polled[topic] / 20.0 == pytest.approx(rate, rel=0.01, abs=0.05)
-
-
 def test_late_polls_do_not_lower_rate() -> None:
     schedule = Schedule()
     schedule.start({LatchedStatus: 10.0}, 0.0)

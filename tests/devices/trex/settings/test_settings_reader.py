@@ -57,42 +57,6 @@ def test_file_without_firmware_may_lack_newer_parameter() -> None:
     assert read_settings(write_settings(settings)) == (settings, ())
 
 
-def test_numbers_may_be_hexadecimal() -> None:
-    text = (
-        "product: TReX\nserial_timeout: 0x7f\n"
-        "rc_channel_1: {minimum: 0x0, neutral: 0x10, maximum: 0X20, deadband: 1}\n"
-    )
-    settings, _ = read_settings(text)
-    assert settings.parameters == {"serial_timeout": 127}
-    assert settings.calibrations == {CalibrationKey.RC_CHANNEL_1: Calibration(0, 16, 32, 1)}
-
-
-def test_calibration_may_span_several_lines() -> None:
-    text = (
-        "product: TReX\nanalog_channel_5:\n"
-        "  maximum: 900\n  minimum: 100\n  deadband: 0\n  neutral: 500\n"
-    )
-    settings, _ = read_settings(text)
-    assert settings.calibrations == {CalibrationKey.ANALOG_CHANNEL_5: Calibration(100, 500, 900, 0)}
-
-
-@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
-def test_line_endings_of_every_system_are_read(end: str) -> None:
-    text = write_settings(factory()).replace("\n", end)
-    assert read_settings(text.encode("utf-8")) == (factory(), ())
-
-
-@pytest.mark.parametrize("text", ["\ufeffproduct: TReX\n", b"\xef\xbb\xbfproduct: TReX\n"])
-def test_byte_order_mark_is_ignored(text: str | bytes) -> None:
-    settings, _ = read_settings(text)
-    assert settings == Settings(TREX)
-
-
-def test_comments_and_document_start_may_precede_product() -> None:
-    settings, _ = read_settings("# my bench\n---\nproduct: 'TReX'\n")
-    assert settings.product == TREX
-
-
 def test_unterminated_last_line_is_read_with_warning() -> None:
     settings, findings = read_settings("product: TReX\n\nserial_timeout: 1")
     assert settings.parameters == {"serial_timeout": 1}

@@ -31,14 +31,6 @@ def test_byte_that_begins_during_reply_is_lost(line: TrexLine, overlap: float) -
     assert line.boards[0].counters["bytes_missed"] == 1
 
 
-def test_byte_that_begins_after_reply_is_received(line: TrexLine) -> None:
-    line.send(b"\x81")
-    line.advance(8 * BYTE)
-    line.send(b"\x82")
-    line.advance(0.01)
-    assert line.receive() == b"TReX1.2r"
-
-
 def test_byte_that_spans_power_up_is_lost(line: TrexLine) -> None:
     control(line, "power off")
     line.send(b"\x81")
