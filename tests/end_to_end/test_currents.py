@@ -11,7 +11,6 @@ from shiboken6 import Shiboken
 from tests.support.keyboard import check_keyboard
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
-from trex_gui.core.events import EventKind
 from trex_gui.devices.trex.views.pages.currents_panel import PlotWindow
 from trex_gui.ui.plotting.figures import TraceColumn
 from trex_gui.ui.plotting.panel import TracePanel
@@ -24,13 +23,6 @@ class CurrentsPage(WindowDriver):
         super().__init__(window.program, window.qtbot)
         self.panel = self.open_page("currentsPage").find_only(TracePanel)
         self.parts = WidgetDriver(self.panel, self.qtbot)
-
-    def wait_for_event(self, kind: EventKind, text: str) -> None:
-        def check() -> None:
-            events = [event.text for event in self.device.events.all if event.kind is kind]
-            assert any(text in event for event in events), (text, events)
-
-        self.qtbot.waitUntil(check, timeout=20_000)
 
     def wait_for_cell(self, row: int, column: int, text: str) -> None:
         model = self.parts.find(QTableView, "traceTable").model()

@@ -10,7 +10,6 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QDialog, QWidget
 
 from tests.support.pages.every_dialog import every_aracna_window, every_trex_window
-from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
 from trex_gui.ui.widgets.builders import RedButton
 
@@ -125,41 +124,6 @@ def test_enter_and_space_press_every_button_of_an_aracna(
     walk.through(every_aracna_window(window, tmp_path))
     assert walk.deaf == []
     assert len(walk.pressed) >= 50
-
-
-def test_enter_on_stop_in_review_stops_and_writes_nothing(
-    connected_window: WindowDriver, quick_simulator: SimulatedDevice
-) -> None:
-    window = connected_window
-    window.click("runButton")
-    window.wait(lambda: window.motors.armed)
-    window.motors.set_speed(1, 25)
-    window.wait(lambda: quick_simulator.show()["motors"][0]["speed"] == 25)
-    window.device.parameters.edit("serial_timeout", 9)
-    window.trigger("apply")
-    review = window.dialog("reviewDialog")
-    assert review.root.focusWidget() is review.button("writeButton")
-    stop = review.button("reviewStopButton")
-    review.root.activateWindow()
-    QTest.qWait(0)
-    stop.setFocus()
-    QTest.keyClick(review.root.windowHandle(), ENTER)
-    window.wait(lambda: quick_simulator.show()["motors"][0]["direction"] == "brake")
-    assert window.device.draft.pending == 1
-
-
-def test_enter_on_found_board_connects(
-    window: WindowDriver, quick_simulator: SimulatedDevice
-) -> None:
-    window.program.ports.add_typed(quick_simulator.url)
-    window.trigger("find")
-    dialog = window.dialog("findDialog")
-    dialog.root.activateWindow()
-    QTest.keyClick(dialog.root.windowHandle(), ENTER)  # on Start
-    window.wait(lambda: dialog.has("connectFound0"))
-    window.wait(lambda: dialog.root.focusWidget() is dialog.button("connectFound0"))
-    QTest.keyClick(dialog.root.windowHandle(), ENTER)
-    window.wait(lambda: window.device.is_connected)
 
 
 def test_board_reset_needs_a_press_of_its_own(connected_window: WindowDriver) -> None:

@@ -11,7 +11,6 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
-from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -284,22 +283,6 @@ def test_sigterm_stops_motors_of_hung_window_and_ends_it(
     window.process.send_signal(signal.SIGTERM)
     wait_until_stopped(quick_simulator, "SIGTERM")
     assert window.process.wait(LONG_TIMEOUT) == 128 + signal.SIGTERM
-
-
-def test_second_ctrl_c_ends_hung_window(
-    start: StartWindow, quick_simulator: SimulatedDevice
-) -> None:
-    window = start()
-    window.drive()
-    window.hang()
-    window.process.send_signal(signal.SIGINT)
-    wait_until_stopped(quick_simulator, "SIGINT")
-    while window.process.poll() is None:  # one that comes too soon is taken for the first
-        window.process.send_signal(signal.SIGINT)
-        with suppress(subprocess.TimeoutExpired):
-            window.process.wait(0.5)
-    assert window.process.returncode == 128 + signal.SIGINT
-    assert is_stopped(quick_simulator)
 
 
 @pytest.mark.parametrize(

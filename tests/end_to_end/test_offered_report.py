@@ -17,7 +17,6 @@ from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
 from trex_gui.core.files import log_folder
 from trex_gui.core.log_file import ProgramLog, log_file
-from trex_gui.devices.trex.session.open_line import OpenLine
 
 ROOT = Path(__file__).parents[2]
 
@@ -56,27 +55,6 @@ def test_error_stops_motors_and_offers_report_with_its_traceback(
     assert "CRITICAL trex_gui.supervisor: uncaught exception\nTraceback" in text
     assert "ValueError: on purpose\n" in text
     assert "INFO trex_gui.ui.log: ⚠ Internal error (ValueError), so the motors were" in text
-
-
-def test_error_of_a_connection_offers_report(
-    connected_window: WindowDriver,
-    quick_simulator: SimulatedDevice,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    window = connected_window
-    window.motors.arm()
-    window.motors.set_speed(1, 60)
-    window.wait(lambda: quick_simulator.show()["motors"][0]["speed"] == 60)
-    program_log = ProgramLog(log_file())
-    try:
-        monkeypatch.setattr(OpenLine, "report_guardian", lambda _: 1 // 0)
-        window.wait_for_text("bannerText", "Internal error in the connection")
-        assert is_stopped(quick_simulator)
-    finally:
-        assert program_log.close()
-    window.click("bannerReport")
-    text = read(window.dialog("reportDialog"), "program.txt")
-    assert "ERROR trex_gui.core.session: the line session failed\nTraceback" in text
 
 
 def test_help_menu_opens_the_log_folder(

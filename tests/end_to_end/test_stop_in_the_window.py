@@ -227,21 +227,6 @@ def test_stop_pressed_while_board_is_read_is_sent(
 # --- The lock, and what is said ---------------------------------------------------------
 
 
-def test_motors_cannot_be_armed_during_lockout_after_stop(
-    driving: DrivingWindow,
-) -> None:
-    driving.motors.lockout = 6.0
-    run = driving.button("runButton")
-    driving.click("stopButton")
-    assert not run.isEnabled()
-    driving.motors.arm()
-    driving.expect_stop("red button")
-    driving.wait_for_text("motorStateLabel", "Motors are locked for")
-    driving.wait(run.isEnabled)
-    assert not driving.motors.locked_for
-    driving.drive()
-
-
 def test_disabled_serial_timeout_is_set_with_a_click(driving: DrivingWindow) -> None:
     device = driving.device
     driving.motors.stop()
