@@ -12,7 +12,6 @@ from tests.support.keyboard import check_keyboard
 from tests.support.pages.settings import (
     ComparisonDialog,
     ReviewDialog,
-    SettingsFiles,
     SimulatedPower,
 )
 from tests.support.virtual_devices import VirtualSimulator
@@ -207,28 +206,6 @@ def test_board_decides_about_values_beyond_inferred_limits(
     window.wait_for_files()
     help_text = page.text("parameterHelp")
     assert "This firmware has stored beyond that: wire value 63." in help_text
-
-    edit(window, ignored_channels=0)
-    review.write()
-    review.close()
-    edit(window, ignored_channels=63)
-    review.write()  # no question a second time
-    review.close()
-    assert stored(simulator, key) == 63
-    window.disconnect()
-    window.connect(simulator.url)
-    window.wait_for_files()
-    assert not device.parameters.values.is_doubtful(key, 63), "nor after connecting again"
-    assert device.parameters.values.is_doubtful(key, 62)
-
-    file = SettingsFiles(window).load(
-        tmp_path / "any.txt", "product: TReX\nreversed_channels: 63\n"
-    )
-    assert any("the board decides" in message for _, message in file.findings())
-    file.click("takeChangesButton")
-    review.open()
-    review.click("writeButton")
-    assert review.text("questionText").startswith("Reversed Channels 63: beyond a limit")
 
 
 # --- The power cycle --------------------------------------------------------------------

@@ -62,7 +62,7 @@ def test_load_dialog_compares_the_file_with_the_board(
     assert files.load_dialogs() == []
 
 
-def test_checked_rows_become_edits_and_a_snapshot_reverts_them(
+def test_checked_rows_become_edits(
     connected_window: WindowDriver,
     files: SettingsFiles,
     quick_simulator: SimulatedDevice,
@@ -85,16 +85,6 @@ def test_checked_rows_become_edits_and_a_snapshot_reverts_them(
     stored = device.calibrations.stored(2)
     assert stored is not None
     assert (stored.minimum, stored.deadband) == (2600, 60)
-
-    (snapshot,) = device.writer.history.snapshots()
-    files.files.open_file(snapshot.path)
-    window.wait_for_files()
-    check_keyboard(files.load_dialog().root)
-    files.load_dialog().click("takeChangesButton")
-    assert device.parameters.values.pending == (("serial_timeout", 0),)
-    apply(window)
-    assert quick_simulator.show()["parameters"]["serial_timeout"] == 0
-    assert len(device.writer.history.snapshots()) == 2
 
 
 def test_invalid_files_change_nothing_and_findings_name_lines(
