@@ -19,7 +19,6 @@ from tests.support.accessible_names import spoken_state
 from tests.support.pages.motors import BRAKE, FULL, Gesture, MotorsPage
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
-from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.preferences import Preferences
 
 BACK = ("reverse", 127)
@@ -473,25 +472,3 @@ def test_keys_are_released_when_they_cannot_be_tracked(keys: MotorsPage) -> None
     keys.wait_for_targets(FULL, FULL)
     keys.button("motor1Zero").setFocus()
     keys.wait_for_brake("focus lost")
-
-
-# --- Modes ------------------------------------------------------------------------------
-
-
-def test_joint_mode_drives_one_motor_and_ignores_turning(page: MotorsPage) -> None:
-    page.device.parameters.edit("motor_mode", 1)
-    page.device.writer.apply()
-    page.wait(lambda: not page.device.writer.running)
-    page.simulator.do("power off")
-    page.wait(lambda: page.device.link is ConnectionState.NOT_RESPONDING)
-    assert "does not respond" in page.text("motorsReason")
-    page.simulator.do("power on")
-    page.wait(lambda: page.device.board.is_joint and page.motors.is_available)
-    page.arm()
-    assert page.text("motor1Title") == "Motor (joint)"
-    assert not page.is_enabled("motor2Slider")
-    assert not page.is_enabled("linkMotors")
-    page.hold_pad(1, 1)
-    page.wait_for_targets(FULL, None)
-    page.release_pad()
-    page.wait_for_targets(BRAKE, None)

@@ -47,14 +47,16 @@ def test_recording_is_opened_while_the_window_goes_on(
     window: WindowDriver, recording: Path
 ) -> None:
     """In virtual time a thread has not begun before the test lets time pass."""
+    other = recording.with_name("b.trexrec")
+    shutil.copy(recording, other)
     recordings = trex(window.program).workspace.recordings
-    recordings.open_file(recording)
-    recordings.open_file(recording)  # a second time: ignored
+    for path in (recording, recording, other):  # a second time: ignored
+        recordings.open_file(path)
     assert recordings.windows == []
     window.open_page("motorsPage")
     window.wait_for_files()
-    (opened,) = recordings.windows
-    opened.close()
+    assert [each.player.path for each in recordings.windows] == [recording, other]
+    recordings.close_all()
 
 
 @pytest.mark.parametrize("meanwhile", ["vanishes", "window closes"])
@@ -72,17 +74,6 @@ def test_recording_may_change_its_mind_while_it_is_opened(
     assert recordings.windows == []
     if meanwhile == "vanishes":
         window.wait_for_text("bannerText", "No such file")
-
-
-def test_two_recordings_open_at_the_same_time(window: WindowDriver, recording: Path) -> None:
-    other = recording.with_name("b.trexrec")
-    shutil.copy(recording, other)
-    recordings = trex(window.program).workspace.recordings
-    for path in (recording, other):
-        recordings.open_file(path)
-    window.wait_for_files()
-    assert [each.player.path for each in recordings.windows] == [recording, other]
-    recordings.close_all()
 
 
 def test_settings_file_is_opened_while_the_window_goes_on(

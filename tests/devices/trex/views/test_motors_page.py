@@ -4,12 +4,13 @@ from collections.abc import Iterator
 
 import pytest
 from PySide6.QtCore import QPoint, QRect
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QGroupBox, QSpinBox, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.accessible_names import spoken_state
 from tests.support.simulator import StartSimulator
-from tests.support.window import WidgetDriver
+from tests.support.window import LEFT, WidgetDriver
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.views.bars import CurrentBar
@@ -130,3 +131,26 @@ def test_currents_are_shown_with_their_limits(
     assert not page.has("auxCurrent")
     page.device.disconnect_line()
     page.wait(lambda: spoken_state(first) == "not connected")
+
+
+def test_joint_mode_drives_one_motor_and_ignores_turning(
+    page: MotorsPageDriver, start_simulator: StartSimulator
+) -> None:
+    board = start_simulator("--unpaced")
+    for line in ("eeprom motor_mode 1", "power cycle"):
+        board.do(line)
+    page.connect(board.url)
+    page.device.motors.arm()
+    assert page.text("motor1Title") == "Motor (joint)"
+    assert not page.is_enabled("motor2Slider")
+    assert not page.is_enabled("linkMotors")
+
+    def target() -> tuple[str, int]:
+        motor = board.show()["motors"][0]
+        return motor["target_direction"], motor["target_speed"]
+
+    QTest.mousePress(page.pad, LEFT, pos=page.pad.rect().center())
+    QTest.mouseMove(page.pad, page.pad.rect().topRight())
+    page.wait(lambda: target() == ("forward", 127))
+    QTest.mouseRelease(page.pad, LEFT)
+    page.wait(lambda: target() == ("brake", 127))
