@@ -20,14 +20,6 @@ def open_history(window: WindowDriver) -> HistoryDialog:
     return dialog
 
 
-def apply(window: WindowDriver, **values: int) -> None:
-    """Edit and apply settings without the review, which takes a snapshot before."""
-    for key, value in values.items():
-        window.device.parameters.edit(key, value)
-    with window.qtbot.waitSignal(window.device.applied):
-        window.device.writer.apply()
-
-
 def pending(window: WindowDriver) -> dict[str, int]:
     return dict(window.device.parameters.values.pending)
 
@@ -37,8 +29,8 @@ def test_snapshots_are_restored_partly_and_completely(
 ) -> None:
     window = connected_window
     before = quick_simulator.show()["parameters"]
-    apply(window, serial_timeout=5, motor1_acceleration=9)
-    apply(window, serial_timeout=7, motor2_acceleration=8)
+    window.apply(serial_timeout=5, motor1_acceleration=9)
+    window.apply(serial_timeout=7, motor2_acceleration=8)
     dialog = open_history(window)
     assert dialog.count() == 2
     dialog.select_snapshot(1)
@@ -59,7 +51,7 @@ def test_snapshots_are_restored_partly_and_completely(
     assert quick_simulator.show()["parameters"]["serial_timeout"] == 7
     review = ReviewDialog(window)
     assert review.root.isVisible()
-    apply(window)
+    window.apply()
     assert quick_simulator.show()["parameters"]["serial_timeout"] == 0
     assert quick_simulator.show()["parameters"]["motor1_acceleration"] == 9
     review.root.close()
@@ -68,13 +60,13 @@ def test_snapshots_are_restored_partly_and_completely(
     dialog.wait(lambda: set(dialog.values()) == {"motor1_acceleration", "motor2_acceleration"})
     dialog.click("tickAllButton")
     dialog.click("restoreButton")
-    apply(window)
+    window.apply()
     assert quick_simulator.show()["parameters"] == before
 
 
 def test_edits_count_as_current_settings(connected_window: WindowDriver) -> None:
     window, edit = connected_window, connected_window.device.parameters.edit
-    apply(window, serial_timeout=5)
+    window.apply(serial_timeout=5)
     dialog = open_history(window)
     assert dialog.values() == {"serial_timeout": ("0.5 s", "off")}
     edit("serial_timeout", 9)
@@ -126,8 +118,8 @@ def test_history_dialog_follows_connection_state(
     connected_window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
     window, device = connected_window, connected_window.device
-    apply(window, serial_timeout=5)
-    apply(window, serial_timeout=7)
+    window.apply(serial_timeout=5)
+    window.apply(serial_timeout=7)
     dialog = open_history(window)
     combo = dialog.find(QComboBox, "compareWithCombo")
     assert combo.currentText().startswith("the board")

@@ -117,28 +117,6 @@ def test_safe_start_ends_at_the_learned_rest_positions(
         assert 0 < show()["aux"]["speed"] <= most
 
 
-def test_learning_can_be_cancelled_in_each_step(
-    connected_window: WindowDriver, learning: LearningDialog
-) -> None:
-    learning.use({1: Stick(rest=1523, low=1090, high=1905, noise=2, lost=0.02)})
-    cases: tuple[tuple[Callable[[int], None], Callable[[], object]], ...] = (
-        (learning.start_learning, lambda: learning.click("learnCancelButton")),
-        (learning.go_to_travel, learning.dialog.close),
-        (learning.go_to_review, learning.press_escape),
-    )
-    for step, cancel in cases:
-        step(1)
-        cancel()
-        assert not learning.dialog.isVisible(), step
-        learning.assert_nothing_changed()
-        assert learning.device.writer.history.snapshots() == ()
-
-    assert not learning.dialog.isModal()
-    learning.start_learning(1)
-    connected_window.click("stopButton")
-    learning.wait_for_head("Release every stick")
-
-
 def test_reviewed_values_are_kept_when_learning_is_reopened(
     connected_window: WindowDriver, learning: LearningDialog
 ) -> None:

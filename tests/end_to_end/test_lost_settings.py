@@ -18,20 +18,13 @@ def reconnect(window: WindowDriver, url: str) -> None:
     window.wait(lambda: window.device.kept.files.is_idle)
 
 
-def apply(window: WindowDriver, **values: int) -> None:
-    for key, value in values.items():
-        window.device.parameters.edit(key, value)
-    with window.qtbot.waitSignal(window.device.applied):
-        window.device.writer.apply()
-
-
 def test_settings_that_a_board_lost_are_shown_and_restored(
     window: WindowDriver, quick_simulator: SimulatedDevice, start_simulator: StartSimulator
 ) -> None:
     lost = start_simulator()  # the same board after it lost its settings, to all appearance
     window.connect(quick_simulator.url)
     assert not asked(window), "nothing was applied yet"
-    apply(window, serial_timeout=15, motor1_acceleration=3)
+    window.apply(serial_timeout=15, motor1_acceleration=3)
     reconnect(window, quick_simulator.url)
     assert not asked(window)
 
@@ -46,7 +39,7 @@ def test_settings_that_a_board_lost_are_shown_and_restored(
         "motor1_acceleration",
     }
     window.click("takeChangesButton")
-    apply(window)
+    window.apply()
     assert lost.show()["parameters"]["serial_timeout"] == 15
     reconnect(window, lost.url)
     assert not asked(window)
@@ -63,7 +56,7 @@ def test_snapshots_keep_the_calibrations_that_the_board_hides(
     quick_simulator.do("power cycle")
     window.connect(quick_simulator.url)
     window.wait(lambda: window.device.kept.files.is_idle)
-    apply(window, serial_timeout=15)
+    window.apply(serial_timeout=15)
     (snapshot,) = SettingsHistory().snapshots()
     assert len(SettingsHistory().load(snapshot).calibrations) == 10
     assert "# analog calibrations: read 20" in Path(snapshot.path).read_text()

@@ -5,11 +5,11 @@ from functools import partial
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QPoint, QPointF, QRect, Qt
-from PySide6.QtGui import QWheelEvent
-from PySide6.QtWidgets import QApplication, QFileDialog, QScrollArea, QSlider, QWidget
+from PySide6.QtCore import QPoint, QRect
+from PySide6.QtWidgets import QFileDialog, QScrollArea, QSlider, QWidget
 
 from tests.support.held_line import before_storing
+from tests.support.mouse import turn_wheel
 from tests.support.pages.motors import Gesture
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
@@ -128,18 +128,7 @@ def test_pages_scroll_on_low_screen_and_wheel_moves_no_slider(asking: AskingWind
     slider = asking.find(QSlider, "motor1Slider")
     asking.wait(slider.isEnabled)
     slider.setFocus()
-    place = QPointF(slider.rect().center())
-    turn = QWheelEvent(
-        place,
-        QPointF(slider.mapToGlobal(place.toPoint())),
-        QPoint(),
-        QPoint(0, -120),
-        Qt.MouseButton.NoButton,
-        Qt.KeyboardModifier.NoModifier,
-        Qt.ScrollPhase.NoScrollPhase,
-        False,
-    )
-    QApplication.sendEvent(slider, turn)
+    turn = turn_wheel(slider)
     assert slider.value() == 0
     assert not turn.isAccepted() or bar.value() > 0
 

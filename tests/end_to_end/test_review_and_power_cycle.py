@@ -25,11 +25,7 @@ from trex_gui.devices.trex.settings.rules import LintFinding
 from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter
 from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 
-LINES = (
-    LineSettings(115200),
-    LineSettings(38400, Detection.CRC7),
-    LineSettings(57600, Detection.EVEN, 2),
-)
+LINE = LineSettings(57600, Detection.EVEN, 2)
 CALIBRATION = Calibration(2600, 3750, 5000, 60)
 
 
@@ -284,7 +280,7 @@ def test_defaults_are_compared_and_reviewed_before_writing(
     connected_window: WindowDriver, review: ReviewDialog, simulator: VirtualSimulator
 ) -> None:
     window, device = connected_window, connected_window.device
-    edit(window, serial_timeout=15, motor1_acceleration=5, uart_settings=LINES[2].to_wire())
+    edit(window, serial_timeout=15, motor1_acceleration=5, uart_settings=LINE.to_wire())
     review.write()
     review.close()
     window.trigger("serial_defaults")
@@ -323,7 +319,7 @@ def test_pending_reset_blocks_writing_until_power_cycle(
     power: SimulatedPower,
 ) -> None:
     window, device = connected_window, connected_window.device
-    edit(window, serial_timeout=15, uart_settings=LINES[2].to_wire())
+    edit(window, serial_timeout=15, uart_settings=LINE.to_wire())
     review.write()
     power.cycle()
     review.close()

@@ -25,11 +25,6 @@ def files(connected_window: WindowDriver) -> SettingsFiles:
     return SettingsFiles(connected_window)
 
 
-def apply(window: WindowDriver) -> None:
-    window.device.writer.apply()
-    window.wait(lambda: window.device.draft.pending == 0)
-
-
 def test_load_dialog_compares_the_file_with_the_board(
     connected_window: WindowDriver, files: SettingsFiles, tmp_path: Path
 ) -> None:
@@ -79,7 +74,7 @@ def test_checked_rows_become_edits(
     window.trigger("undo")
     assert device.draft.pending == 0, "loading is one step"
     window.trigger("redo")
-    apply(window)
+    window.apply()
     parameters = quick_simulator.show()["parameters"]
     assert (parameters["serial_timeout"], parameters["motor1_acceleration"]) == (5, 0)
     stored = device.calibrations.stored(2)
@@ -197,7 +192,7 @@ def test_editor_compares_with_the_board_and_sends_to_it(
     dialog = files.load_dialog()
     assert not dialog.has("editFileButton")
     dialog.click("takeChangesButton")
-    apply(window)
+    window.apply()
     assert quick_simulator.show()["parameters"]["serial_timeout"] == 9
     assert path.read_text(encoding="utf-8") == "product: TReX\nserial_timeout: 0\n"
     window.disconnect()

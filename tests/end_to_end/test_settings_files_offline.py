@@ -11,8 +11,6 @@ from shiboken6 import isValid
 
 from tests.support.pages.settings import SettingsFiles, answer_questions
 from tests.support.window import LEFT, WindowDriver
-from trex_gui.core.resource_files import resource
-from trex_gui.devices.trex.views.settings_files import SAMPLES
 
 TEXT = "product: TReX\n# my rover\nserial_timeout: 5  # 0.5 s\n"
 BEGINNINGS = (
@@ -112,9 +110,3 @@ def test_apply_and_undo_shortcuts_work_only_in_main_window(window: WindowDriver)
         ("stop", Qt.ShortcutContext.ApplicationShortcut),
     ):
         assert window.action(key).shortcutContext() is context, key
-
-
-@pytest.mark.parametrize(("name", "title"), SAMPLES.items())
-def test_title_of_a_sample_is_its_first_comment(name: str, title: str) -> None:
-    lines = resource(f"samples/{name}.txt").read_text("utf-8").splitlines()
-    assert lines[1] == f"# {title}."

@@ -85,9 +85,7 @@ def test_traffic_is_listed_from_connect_to_disconnect(
     assert page.column(WORDS)[row] == "get signature → TReX 1.2"
     assert not page.shows("get currents"), "polling is hidden"
 
-    window.device.parameters.edit("serial_timeout", 15)
-    with window.qtbot.waitSignal(window.device.applied):
-        window.device.writer.apply()
+    window.apply(serial_timeout=15)
     page.wait_for_row("set Serial Timeout to 1.5 s (15) → stored")
 
     window.disconnect()

@@ -246,6 +246,13 @@ class WindowDriver(WidgetDriver):
         self.trigger("disconnect")
         self.wait(lambda: self.program.device_manager.current.link is ConnectionState.DISCONNECTED)
 
+    def apply(self, **values: int) -> None:
+        """Edit settings, and apply all edits without the review."""
+        for key, value in values.items():
+            self.device.parameters.edit(key, value)
+        with self.qtbot.waitSignal(self.device.applied):
+            self.device.writer.apply()
+
     def drop(self, *paths: Path) -> bool:
         """Drag files over the window and release them; return whether it takes them."""
         data = QMimeData()

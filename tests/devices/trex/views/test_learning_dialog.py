@@ -1,6 +1,6 @@
 """The dialog that learns channels, by itself, on a simulated board."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 import pytest
@@ -227,6 +227,22 @@ def test_unplugging_ends_each_step_and_changes_nothing(learning: LearningDialog)
         learning.simulator.do("line plug")
         learning.device.connect_to(settings)
         learning.wait(lambda: learning.device.link is ConnectionState.CONNECTED)
+
+
+def test_learning_can_be_cancelled_in_each_step(learning: LearningDialog) -> None:
+    learning.use({1: Stick(rest=1523, low=1090, high=1905, noise=2, lost=0.02)})
+    assert not learning.dialog.isModal()
+    cases: tuple[tuple[Callable[[int], None], Callable[[], object]], ...] = (
+        (learning.start_learning, lambda: learning.click("learnCancelButton")),
+        (learning.go_to_travel, learning.dialog.close),
+        (learning.go_to_review, learning.press_escape),
+    )
+    for step, cancel in cases:
+        step(1)
+        cancel()
+        assert not learning.dialog.isVisible(), step
+        learning.assert_nothing_changed()
+        assert learning.device.writer.history.snapshots() == ()
 
 
 # --- The test of the sticks ------------------------------------------------------------

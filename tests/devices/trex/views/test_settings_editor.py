@@ -38,6 +38,7 @@ from trex_gui.devices.trex.views.count_editor import CountEditor
 from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
 from trex_gui.devices.trex.views.settings_editor.text_page import NumberedText
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
+from trex_gui.devices.trex.views.settings_files import SAMPLES
 from trex_gui.ui.theme.theme import SCHEMES, theme
 
 TEXT = (
@@ -442,3 +443,9 @@ def test_pages_are_saved_as_pdf_and_previewed(open_text: Open, tmp_path: Path) -
         return
     editor.wait(dialog.isVisible)
     dialog.close()
+
+
+@pytest.mark.parametrize(("name", "title"), SAMPLES.items())
+def test_title_of_a_sample_is_its_first_comment(name: str, title: str) -> None:
+    lines = resource(f"samples/{name}.txt").read_text("utf-8").splitlines()
+    assert lines[1] == f"# {title}."
