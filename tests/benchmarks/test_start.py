@@ -40,6 +40,7 @@ program = build()
 program.window.show()
 app.processEvents()
 shown = time.perf_counter()
+program.complete()
 program.connect_to_demo("trex")
 device = program.device_manager.current.device
 while device.telemetry.raw is None:

@@ -101,6 +101,7 @@ def test_delay_from_press_to_wire_stays_below_limit(
     eeprom = Eeprom.open(tmp_path / "board.json", "trex")
     eeprom.write("uart_settings", line.to_wire())
     simulator = start_simulator("--eeprom", str(tmp_path / "board.json"))
+    window.program.complete()
     device, qtbot = window.device, window.qtbot
     device.connect_to(ConnectionSettings(simulator.url, line))
     qtbot.waitUntil(

@@ -60,6 +60,7 @@ def test_telemetry_rate_is_positive_for_every_sample_kind(
     eeprom.write("uart_settings", line.to_wire())
     simulator = start_simulator("--demo", "--eeprom", str(tmp_path / "board.json"))
     settings = ConnectionSettings(simulator.url, line)
+    program.complete()
     if painting:
         _show_every_page(program)
     else:

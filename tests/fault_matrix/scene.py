@@ -102,6 +102,7 @@ class Scene:
     ) -> None:
         self._others = (OTHER, JUNIOR) if other_boards else ()
         self.window = window
+        window.program.complete()
         self.folder = folder / "files"
         self.folder.mkdir()
         self.data = Path(os.environ["TREX_STUDIO_DATA"])

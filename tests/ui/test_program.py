@@ -31,6 +31,7 @@ from trex_gui.composition import build
 app = QApplication([])
 program = build()
 program.window.show()
+program.complete()
 program.connect_to_demo("trex")
 while trex(program).device.telemetry.raw is None:
     app.processEvents()
@@ -45,6 +46,7 @@ def _objects() -> set[QObject]:
 def _use(qtbot: QtBot, url: str, settings: Path) -> None:
     program = build()
     program.window.show()
+    program.complete()
     program.open_named(settings, connecting=False)
     program.window.show_help("safety.md")
     device = trex(program).device
