@@ -54,8 +54,7 @@ class Fault:
 
 def _lines(*lines: str) -> Act:
     def obey(scene: Scene) -> None:
-        for line in lines:
-            scene.board.do(line)
+        scene.board.do(*lines)
 
     return obey
 

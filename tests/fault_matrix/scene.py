@@ -128,8 +128,7 @@ class Scene:
                 self.switch(number, "off")
         else:
             self.line = self.board = start(*options)
-        self.board.do(f"eeprom serial_timeout {SERIAL_TIMEOUT}")
-        self.board.do("power cycle")
+        self.board.do(f"eeprom serial_timeout {SERIAL_TIMEOUT}", "power cycle")
         self.others_before = self.others()
         self.url = self.line.url
         self._labels = [window.root.findChild(QLabel, name) for name in LABELS]

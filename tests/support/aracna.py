@@ -44,10 +44,12 @@ class AracnaStage:
         """The speeds that they hold."""
         return tuple(servo.speed for servo in self.line.servos)
 
-    def do(self, line: str) -> str:
-        """Obey a control line; return what follows `ok`."""
-        answer = control(self.line, line)
-        assert answer.startswith("ok"), f"{line}: {answer}"
+    def do(self, *lines: str) -> str:
+        """Obey control lines; return what follows the last `ok`."""
+        answer = ""
+        for line in lines:
+            answer = control(self.line, line)
+            assert answer.startswith("ok"), f"{line}: {answer}"
         return answer.removeprefix("ok").strip()
 
     def ask(self, line: bytes, seconds: float = 5.0) -> bytes:

@@ -48,10 +48,12 @@ class SimulatedDevice(ABC):
     def end(self) -> None:
         """End it, as pulling the plug would."""
 
-    def do(self, line: str) -> str:
-        """Send a control line; return what follows `ok`."""
-        answer = self.obey(line)
-        assert answer.startswith("ok"), f"{line}: {answer}"
+    def do(self, *lines: str) -> str:
+        """Send control lines; return what follows the last `ok`."""
+        answer = ""
+        for line in lines:
+            answer = self.obey(line)
+            assert answer.startswith("ok"), f"{line}: {answer}"
         return answer.removeprefix("ok").strip()
 
     def show(self, board: str = "") -> dict[str, Any]:

@@ -66,6 +66,11 @@ class VirtualCommand:
         self.wait(timeout)
         return self.result.stdout, self.result.stderr
 
+    def ends(self, exits: int) -> Result:
+        """Let time pass until it has ended, with an exit code as wanted."""
+        assert self.wait() == exits, self.result.output
+        return self.result
+
     @property
     def result(self) -> Result:
         assert self._result is not None

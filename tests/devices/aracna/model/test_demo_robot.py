@@ -49,8 +49,7 @@ def is_whole(servo: DemoServo) -> bool:
 
 def test_servo_faults_are_read_for_each_servo() -> None:
     stage = AracnaStage()
-    for line in ("servo 1 dead", "servo 2 block", "servo 3 load 0.25", "line noise 0.5"):
-        stage.do(line)
+    stage.do("servo 1 dead", "servo 2 block", "servo 3 load 0.25", "line noise 0.5")
     snapshot = snapshot_of(stage)
     assert [servo.dead for servo in snapshot.servos] == [False, True, *[False] * 6]
     assert [servo.blocked for servo in snapshot.servos] == [False, False, True, *[False] * 5]
@@ -61,8 +60,7 @@ def test_servo_faults_are_read_for_each_servo() -> None:
 
 def test_unpowered_servo_is_not_reported_dead() -> None:
     stage = AracnaStage()
-    stage.do("servo 6 dead")
-    stage.do("servo power off")
+    stage.do("servo 6 dead", "servo power off")
     snapshot = snapshot_of(stage)
     assert not snapshot.servo_power
     assert snapshot.power

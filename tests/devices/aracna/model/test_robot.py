@@ -56,8 +56,7 @@ class RobotHarness:
         self.simulator.do("servo 3 block")  # it is on its way for as long as that
         assert self.robot.move(goals)
         self.wait(lambda: self.robot.state.moving is not None)
-        self.simulator.do("servo 3 dead")
-        self.simulator.do("servo 3 free")
+        self.simulator.do("servo 3 dead", "servo 3 free")
 
     def sent_after(self, moment: float) -> int:
         """How many motions were sent later; one sent before may be reported later."""

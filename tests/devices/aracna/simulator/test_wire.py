@@ -113,6 +113,5 @@ def test_cut_beyond_short_reply_applies_to_next_reply(stage: AracnaStage) -> Non
 
 
 def test_cut_can_be_cancelled(stage: AracnaStage) -> None:
-    stage.do("line cut 2")
-    stage.do("line cut off")
+    stage.do("line cut 2", "line cut off")
     assert stage.ask(b".q\n") == VERSION

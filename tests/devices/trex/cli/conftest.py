@@ -35,12 +35,10 @@ def start(virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice) -> Sta
 
 @pytest.fixture
 def trexcmd(start: StartCommand) -> RunCommand:
-    """Run the program to its end."""
+    """Run the program to its end; it ends well where a test does not say otherwise."""
 
-    def run(*words: str, stdin: str | None = None, **environment: str) -> Result:
-        command = start(*words, stdin=stdin, **environment)
-        command.wait()
-        return command.result
+    def run(*words: str, stdin: str | None = None, exits: int = 0, **environment: str) -> Result:
+        return start(*words, stdin=stdin, **environment).ends(exits)
 
     return run
 

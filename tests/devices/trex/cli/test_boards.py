@@ -4,7 +4,6 @@ import json
 from pathlib import Path
 
 import pytest
-from click.testing import Result
 
 from tests.support.simulator import StartSimulator
 from tests.support.virtual_command import RunCommand, StartCommand
@@ -25,13 +24,7 @@ def line(start_simulator: StartSimulator) -> VirtualSimulator:
 
 @pytest.fixture
 def run(start: StartCommand, line: VirtualSimulator) -> RunCommand:
-    def run(*words: str, stdin: str | None = None, **environment: str) -> Result:
-        del stdin, environment
-        command = start(*words, url=line.url)
-        command.wait()
-        return command.result
-
-    return run
+    return lambda *words, exits=0: start(*words, url=line.url).ends(exits)
 
 
 def stored(line: VirtualSimulator, key: str) -> list[int]:
@@ -41,7 +34,6 @@ def stored(line: VirtualSimulator, key: str) -> list[int]:
 def test_boards_lists_each_number(run: RunCommand, line: VirtualSimulator) -> None:
     before = line.show("@7")["motors"]
     result = run("boards", "--json")
-    assert result.exit_code == 0
     found = json.loads(result.stdout)
     assert [(row["device_number"], row["product"], row["firmware"]) for row in found] == [
         (3, "TReX", "1.2"),
@@ -54,9 +46,7 @@ def test_boards_lists_each_number(run: RunCommand, line: VirtualSimulator) -> No
     assert line.show("@7")["motors"] == before
     for name in ("@3", "@7", "@9"):
         line.do(f"{name} power off")
-    result = run("boards")
-    assert result.exit_code == 1
-    assert "No board replies to a device number" in result.stderr
+    assert "No board replies to a device number" in run("boards", exits=1).stderr
 
 
 @pytest.mark.parametrize("command", ["list", "list --device 5", "boards", "status"])
@@ -66,7 +56,6 @@ def test_reserved_number_gets_no_packet(
     sent = bytearray()
     line.on_write = sent.extend
     result = run(*command.split(), "--reserve", "0,3")
-    assert result.exit_code == 0
     assert {byte for byte in sent if byte > 0x7F} == {0x80}
     assert not {0, 3} & {packet[0] for packet in sent.split(b"\x80")[1:]}
     options = "--protocol expanded --device 7 --reserve 0,3"
@@ -75,14 +64,13 @@ def test_reserved_number_gets_no_packet(
 
 @pytest.mark.parametrize("numbers", ["7", "128", "x"])
 def test_reserved_number_is_checked(run: RunCommand, numbers: str) -> None:
-    assert run("status", "--reserve", numbers).exit_code == 2
+    run("status", "--reserve", numbers, exits=2)
 
 
 def test_command_without_a_number_names_the_list_of_boards(
     run: RunCommand, line: VirtualSimulator
 ) -> None:
-    result = run("set", "serial_timeout", "7")
-    assert result.exit_code == 1
+    result = run("set", "serial_timeout", "7", exits=1)
     assert "Several boards reply at once" in result.stderr
     assert "`trexcmd boards` prints the options that reach each." in result.stderr
     assert stored(line, "serial_timeout") == [0, 0, 0]
@@ -93,21 +81,18 @@ def test_boards_that_reply_as_one_are_not_driven(
 ) -> None:
     boards = start_simulator("--unpaced", "--device", "9", "--device", "12")
     for words in (("motor", "1", "20", "--seconds", "1"), ("set", "serial_timeout", "7")):
-        command = start(*words, url=boards.url)
-        command.wait()
-        assert command.result.exit_code == 1
-        assert "Several boards reply at once" in command.result.stderr
+        errors = start(*words, url=boards.url).ends(1).stderr
+        assert "Several boards reply at once" in errors
     for name in ("@9", "@12"):
         assert boards.show(name)["motors"][0]["direction"] == "brake"
         assert boards.show(name)["parameters"]["serial_timeout"] == 0
 
 
 def test_number_of_another_board_is_not_stored(run: RunCommand, line: VirtualSimulator) -> None:
-    result = run("set", *EXPANDED, "device_number", "9")
-    assert result.exit_code == 1
+    result = run("set", *EXPANDED, "device_number", "9", exits=1)
     assert "Another board on this line has the device number 9" in result.stderr
     assert stored(line, "device_number") == [3, 7, 9]
-    assert run("set", *EXPANDED, "device_number", "12").exit_code == 0
+    run("set", *EXPANDED, "device_number", "12")
     assert stored(line, "device_number") == [3, 12, 9]
 
 
@@ -116,13 +101,12 @@ def test_reset_to_the_number_of_another_board_is_refused(
 ) -> None:
     line.do("@3 eeprom serial_timeout 9")
     three = ("--protocol", "expanded", "--device", "3")
-    result = run("restore-defaults", "--yes", *three)
-    assert result.exit_code == 1
+    result = run("restore-defaults", "--yes", *three, exits=1)
     assert "Another board on this line has the device number 7" in result.stderr
     line.do("@3 power cycle")
     assert stored(line, "serial_timeout") == [9, 0, 0]
-    assert run("set", *EXPANDED, "device_number", "12").exit_code == 0
-    assert run("restore-defaults", "--yes", *three).exit_code == 0
+    run("set", *EXPANDED, "device_number", "12")
+    run("restore-defaults", "--yes", *three)
     line.do("@3 power cycle")
     assert stored(line, "device_number") == [7, 12, 9]
 
@@ -133,8 +117,7 @@ def test_file_is_written_to_several_boards(
     path = tmp_path / "fleet.txt"
     save(path, "product: TReX\ndevice_number: 55\nuart_settings: 10\nserial_timeout: 7\n")
     # Every board is checked before the first is written.
-    result = run("set-settings", str(path), "--devices", "3,7,9")
-    assert result.exit_code == 1
+    result = run("set-settings", str(path), "--devices", "3,7,9", exits=1)
     assert "the board is a TReX Jr" in result.stderr
     assert stored(line, "serial_timeout") == [0, 0, 0]
 
@@ -143,7 +126,6 @@ def test_file_is_written_to_several_boards(
     assert stored(line, "serial_timeout") == [0, 0, 0]
 
     result = run("set-settings", str(path), "--devices", "3,7")
-    assert result.exit_code == 0, result.stderr
     assert result.stderr.count("1 of 1 change stored and verified.") == 2
     assert stored(line, "serial_timeout") == [7, 7, 0]
     assert stored(line, "device_number") == [3, 7, 9]
@@ -152,5 +134,4 @@ def test_file_is_written_to_several_boards(
 
 @pytest.mark.parametrize("numbers", ["3,3", "128", "", "3;7"])
 def test_wrong_numbers_are_wrong_usage(run: RunCommand, tmp_path: Path, numbers: str) -> None:
-    result = run("set-settings", str(tmp_path / "any.txt"), "--devices", numbers)
-    assert result.exit_code == 2
+    run("set-settings", str(tmp_path / "any.txt"), "--devices", numbers, exits=2)

@@ -26,7 +26,6 @@ one_setting = pytest.mark.parametrize(
 def memory(trexcmd: RunCommand) -> str:
     """Return all that the board stores."""
     result = trexcmd("get-settings", "-")
-    assert result.exit_code == 0, result.stderr
     return result.stdout
 
 
@@ -38,7 +37,6 @@ def test_changing_one_setting_shows_and_snapshots_old_value(
     trexcmd: RunCommand, words: tuple[str, ...], shown: str, reason: str
 ) -> None:
     result = trexcmd(*words)
-    assert result.exit_code == 0, result.stderr
     assert shown in " ".join(result.stderr.split("\n")).replace("   ", "  ")
     assert "→" not in result.stdout
     (snapshot,) = SettingsHistory().snapshots()
@@ -62,8 +60,7 @@ def test_setting_is_not_stored_if_snapshot_fails(
     before = memory(trexcmd)
     place = tmp_path / "file"
     place.write_text("", encoding="utf-8")
-    result = trexcmd(*words, TREX_STUDIO_DATA=str(place))
-    assert result.exit_code == 1
+    result = trexcmd(*words, TREX_STUDIO_DATA=str(place), exits=1)
     assert "snapshots cannot be made" in result.stderr
     assert result.stdout == ""
     assert memory(trexcmd) == before
@@ -81,7 +78,6 @@ def test_unchanged_setting_is_not_written_again(
     first = trexcmd(*words)
     monkeypatch.setattr("trex_gui.devices.trex.board.keeper.write_all", None)  # calling it fails
     again = trexcmd(*words)
-    assert again.exit_code == 0, again.stderr
     assert again.stdout == first.stdout
     assert "already has this value; nothing is written" in again.stderr
     assert len(SettingsHistory().snapshots()) == 1
@@ -91,7 +87,7 @@ def test_unchanged_setting_is_not_written_again(
     "words", [("set", "serial_timeout", "200"), ("calibration", "set", "1", "3", "2", "1", "0")]
 )
 def test_invalid_value_leaves_no_snapshot(trexcmd: RunCommand, words: tuple[str, ...]) -> None:
-    assert trexcmd(*words).exit_code == 2
+    trexcmd(*words, exits=2)
     assert not SettingsHistory().snapshots()
 
 
@@ -104,27 +100,22 @@ def test_setting_rejected_in_rc_mode_leaves_no_snapshot(
     reason: str,
 ) -> None:
     del shown, reason
-    quick_simulator.do("jumper mode rc")
-    quick_simulator.do("power cycle")
-    result = trexcmd(*words)
-    assert result.exit_code == 1
-    assert "not in serial mode" in result.stderr
+    quick_simulator.do("jumper mode rc", "power cycle")
+    assert "not in serial mode" in trexcmd(*words, exits=1).stderr
     assert not SettingsHistory().snapshots()
 
 
 def test_set_warns_of_conflicting_settings(trexcmd: RunCommand) -> None:
-    assert trexcmd("set", "motor1_current_limit", "20").exit_code == 0
+    trexcmd("set", "motor1_current_limit", "20")
     result = trexcmd("set", "motor_mode", "joint")
-    assert result.exit_code == 0
     assert "Warning: No effect in joint mode: Motor 1 Current Limit" in result.stderr
 
 
 def test_set_rejects_factory_reset(trexcmd: RunCommand, quick_simulator: SimulatedDevice) -> None:
-    assert trexcmd("set", "serial_timeout", "15").exit_code == 0
+    trexcmd("set", "serial_timeout", "15")
     before = memory(trexcmd)
     for value in ("127", "0", "restore"):
-        result = trexcmd("set", "factory_reset", value)
-        assert result.exit_code == 2
+        result = trexcmd("set", "factory_reset", value, exits=2)
         assert "`trexcmd restore-defaults`" in result.stderr
     quick_simulator.do("power cycle")
     assert memory(trexcmd) == before
@@ -140,11 +131,11 @@ def test_diff_reports_settings_for_different_models(trexcmd: RunCommand, tmp_pat
         file.write_text(f"product: {product}\nserial_timeout: 15\n", encoding="utf-8")
     first, second = map(str, files)
     sentence = f"for different models: {first} (TReX) and {second} (TReX Jr)."
-    assert sentence in trexcmd("diff", first, second, TREX_PORT="").stderr
+    assert sentence in trexcmd("diff", first, second, TREX_PORT="", exits=1).stderr
     assert "different models" not in trexcmd("diff", first, first, TREX_PORT="").stderr
     sentence = f"for different models: the board (TReX) and {second} (TReX Jr)."
-    assert sentence in trexcmd("diff", second).stderr
-    assert "different models" not in trexcmd("diff", first).stderr
+    assert sentence in trexcmd("diff", second, exits=1).stderr
+    assert "different models" not in trexcmd("diff", first, exits=1).stderr
 
 
 # --- What the port can do ---------------------------------------------------------------
@@ -165,7 +156,6 @@ def test_baud_rate_that_port_lacks_prints_warning(
     file.write_text("product: TReX\nuart_settings: 10\n", encoding="utf-8")
     words = ("uart_settings", "10") if command == "set" else (str(file),)
     result = trexcmd(*command.split(), *words)
-    assert result.exit_code == 0, result.stderr
     reports = "This computer's serial port does not support 115200 baud" in result.stderr
     assert reports is (rates is not None)
 
@@ -181,7 +171,7 @@ def test_port_rates_are_queried_before_anything_is_sent(
     assert isinstance(quick_simulator, VirtualSimulator)
     monkeypatch.setattr(VirtualTransport, "rates", rates)
     quick_simulator.on_write = lambda _: happened.append("sent")
-    assert trexcmd("set", "serial_timeout", "15").exit_code == 0
+    trexcmd("set", "serial_timeout", "15")
     assert happened.count("queried") == 1
     assert happened[0] == "queried"
     assert "sent" in happened
@@ -193,13 +183,10 @@ def test_port_rates_are_queried_before_anything_is_sent(
 def test_restore_defaults_lists_changes_before_prompt(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
-    quick_simulator.do("eeprom serial_timeout 15")
-    quick_simulator.do("eeprom motor1_acceleration 9")
-    quick_simulator.do("eeprom device_number 9")
-    quick_simulator.do("power cycle")
+    quick_simulator.do("eeprom serial_timeout 15", "eeprom motor1_acceleration 9")
+    quick_simulator.do("eeprom device_number 9", "power cycle")
     before = memory(trexcmd)
-    result = trexcmd("restore-defaults", stdin="n\n")
-    assert result.exit_code == 1
+    result = trexcmd("restore-defaults", stdin="n\n", exits=1)
     said, question, _ = result.stderr.partition("Reset every parameter")
     assert question
     assert "What will change, 3 of 28 parameters:\n" in said
@@ -217,11 +204,10 @@ def test_restore_defaults_lists_changes_before_prompt(
 def test_restore_defaults_names_inferred_defaults(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
-    quick_simulator.do("eeprom device_number 9")
-    quick_simulator.do("power cycle")
-    assert "confirms" not in trexcmd("restore-defaults", stdin="n\n").stderr
+    quick_simulator.do("eeprom device_number 9", "power cycle")
+    assert "confirms" not in trexcmd("restore-defaults", stdin="n\n", exits=1).stderr
     quick_simulator.do("eeprom motor1_acceleration 9")
-    said = trexcmd("restore-defaults", stdin="n\n").stderr
+    said = trexcmd("restore-defaults", stdin="n\n", exits=1).stderr
     assert "No source confirms the default of: Motor 1 Acceleration (inferred).\n" in said
 
 
@@ -231,7 +217,7 @@ def test_restore_defaults_without_changes_still_prompts(
     junior = start_simulator("--model", "trexjr", "--unpaced")
     for url in (None, junior.url):
         words = ("--port", url) if url else ()
-        result = trexcmd("restore-defaults", *words, stdin="n\n")
+        result = trexcmd("restore-defaults", *words, stdin="n\n", exits=1)
         assert "Every parameter already has its default" in result.stderr
         assert "Reset every parameter" in result.stderr
 
@@ -273,8 +259,7 @@ def test_board_that_replaced_the_one_in_the_snapshot_is_not_written_to(
     boards = (quick_simulator, other)
     before = [everything(board) for board in boards]
     exchange_at(quick_simulator, other, lambda _data: bool(SettingsHistory().snapshots()))
-    result = trexcmd(*words, stdin="product: TReX\nserial_timeout: 15\n")
-    assert result.exit_code == 1
+    result = trexcmd(*words, stdin="product: TReX\nserial_timeout: 15\n", exits=1)
     assert message in result.stderr
     assert result.stdout == ""
     assert other.host is None
@@ -306,36 +291,34 @@ def test_notes_of_a_file_are_kept_for_the_board(trexcmd: RunCommand, tmp_path: P
     file = tmp_path / "board.txt"
     note = "# Note on motor_mode: two motors\nmotor_mode"
     file.write_text(memory(trexcmd).replace("motor_mode", note))
-    assert trexcmd("diff", str(file)).stdout.split() == ["motor_mode", "note", "two", "motors"]
+    differing = trexcmd("diff", str(file), exits=1).stdout
+    assert differing.split() == ["motor_mode", "note", "two", "motors"]
     result = trexcmd("set-settings", str(file))
     assert "1 note kept on this computer: a board stores none." in result.stderr
     assert trexcmd("diff", str(file)).stdout == ""
     assert "# Note on motor_mode: two motors\nmotor_mode: 0 " in memory(trexcmd)
-    assert trexcmd("set", "serial_timeout", "1.5 s").exit_code == 0
+    trexcmd("set", "serial_timeout", "1.5 s")
     (snapshot,) = SettingsHistory().snapshots()
     assert SettingsHistory().load(snapshot).notes == {"motor_mode": "two motors"}
     assert trexcmd("export", "--as", "c", "-").stdout.count("// motor_mode: two motors") == 1
 
 
 def test_what_was_applied_last_is_compared_with_the_board(trexcmd: RunCommand) -> None:
-    nothing = trexcmd("diff", "--last")
-    assert nothing.exit_code == 2
+    nothing = trexcmd("diff", "--last", exits=2)
     assert "Nothing was applied to this board from this computer yet." in nothing.stderr
-    assert trexcmd("diff").exit_code == trexcmd("diff", "--last", "x.txt").exit_code == 2
+    trexcmd("diff", exits=2)
+    trexcmd("diff", "--last", "x.txt", exits=2)
 
-    assert trexcmd("set", "serial_timeout", "1.5 s").exit_code == 0
+    trexcmd("set", "serial_timeout", "1.5 s")
     other = data_folder() / "boards" / "trex-1.2-9.txt"
     other.write_text("notes of another board", encoding="utf-8")
-    renumbered = trexcmd("set", "device_number", "9")
-    assert renumbered.exit_code == 0, "the record follows the number"
+    renumbered = trexcmd("set", "device_number", "9")  # the record follows the number
     aside = other.with_name("trex-1.2-9.replaced-1.txt")
     assert f"another board with this device number is in {aside} now" in renumbered.stderr
     assert aside.read_text(encoding="utf-8") == "notes of another board"
-    same = trexcmd("diff", "--last", "--device", "9")
-    assert (same.exit_code, same.stdout) == (0, "")
-    assert trexcmd("raw", "AF 07 00 55 2A").exit_code == 0  # by another program
-    lost = trexcmd("diff", "--last")
-    assert lost.exit_code == 1
+    assert trexcmd("diff", "--last", "--device", "9").stdout == ""
+    trexcmd("raw", "AF 07 00 55 2A")  # by another program
+    lost = trexcmd("diff", "--last", exits=1)
     assert " ".join(lost.stdout.split()) == "serial_timeout 0 → 15 off → 1.5 s"
     assert "New: what was applied 20" in lost.stderr
 
@@ -343,38 +326,33 @@ def test_what_was_applied_last_is_compared_with_the_board(trexcmd: RunCommand) -
 def test_force_lets_the_board_decide_and_remembers_what_it_stored(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
-    refused = trexcmd("set", "ignored_channels", "63")
-    assert refused.exit_code == 2
+    refused = trexcmd("set", "ignored_channels", "63", exits=2)
     assert "(inferred): --force lets the board decide" in refused.stderr
-    rejected = trexcmd("set", "ignored_channels", "63", "--force")
-    assert rejected.exit_code == 1
+    rejected = trexcmd("set", "ignored_channels", "63", "--force", exits=1)
     assert "Ignored Channels: the board rejects this value" in rejected.stderr
 
     quick_simulator.do("accept ignored_channels 127 31")
-    other = trexcmd("set", "ignored_channels", "32", "--force")
-    assert other.exit_code == 1
+    other = trexcmd("set", "ignored_channels", "32", "--force", exits=1)
     assert "wire 32" in other.stderr, "what was wanted"
     assert "none" in other.stderr, "what was stored"
-    assert trexcmd("set", "ignored_channels", "63").exit_code == 2, "neither is remembered"
+    trexcmd("set", "ignored_channels", "63", exits=2)  # neither is remembered
 
     quick_simulator.do("accept ignored_channels 127")
     accepted = trexcmd("set", "ignored_channels", "63", "--force")
-    assert accepted.exit_code == 0, accepted.stderr
     assert "Remembered as accepted by a TReX 1.2: ignored_channels 63." in accepted.stderr
     assert quick_simulator.show()["parameters"]["ignored_channels"] == 63
-    assert trexcmd("set", "ignored_channels", "0").exit_code == 0
-    assert trexcmd("set", "ignored_channels", "63").exit_code == 0, "no question a second time"
+    trexcmd("set", "ignored_channels", "0")
+    trexcmd("set", "ignored_channels", "63")  # no question a second time
 
     file = tmp_path / "board.txt"
-    assert trexcmd("get-settings", str(file)).exit_code == 0
+    trexcmd("get-settings", str(file))
     assert "ignored_channels: 63" in file.read_text(encoding="utf-8")
-    assert trexcmd("set-settings", str(file)).exit_code == 0
+    trexcmd("set-settings", str(file))
     file.write_text("product: TReX\nreversed_channels: 33\n", encoding="utf-8")
-    result = trexcmd("set-settings", str(file))
-    assert result.exit_code == 1
+    result = trexcmd("set-settings", str(file), exits=1)
     assert "line 2: warning: reversed_channels: 0 to 31" in result.stderr
     assert "--force lets the board decide" in result.stderr
     quick_simulator.do("accept reversed_channels 127")
-    assert trexcmd("set-settings", str(file), "--force").exit_code == 0
-    assert trexcmd("set", "motor_mode", "2", "--force").exit_code == 2, "sourced"
-    assert trexcmd("set", "ignored_channels", "128", "--force").exit_code == 2, "seven bits"
+    trexcmd("set-settings", str(file), "--force")
+    trexcmd("set", "motor_mode", "2", "--force", exits=2)  # sourced
+    trexcmd("set", "ignored_channels", "128", "--force", exits=2)  # seven bits

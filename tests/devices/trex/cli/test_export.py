@@ -14,10 +14,9 @@ from trex_gui.devices.trex.settings.history import SettingsHistory
 def test_board_is_exported_in_each_language(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path, language: Language
 ) -> None:
-    assert trexcmd("set", "serial_timeout", "5").exit_code == 0
+    trexcmd("set", "serial_timeout", "5")
     path = tmp_path / f"board{language.suffix}"
-    result = trexcmd("export", "--as", language.value, str(path))
-    assert result.exit_code == 0, result.stderr
+    trexcmd("export", "--as", language.value, str(path))
     text = path.read_text(encoding="utf-8")
     assert "Serial Timeout" in text
     assert "0.5 s" in text
@@ -27,27 +26,25 @@ def test_board_is_exported_in_each_language(
 
 
 def test_export_requires_a_known_language(trexcmd: RunCommand) -> None:
-    assert trexcmd("export", "-").exit_code == 2
-    assert trexcmd("export", "--as", "pascal", "-").exit_code == 2
+    trexcmd("export", "-", exits=2)
+    trexcmd("export", "--as", "pascal", "-", exits=2)
 
 
 def test_export_to_unwritable_path_fails(trexcmd: RunCommand, tmp_path: Path) -> None:
-    result = trexcmd("export", "--as", "c", str(tmp_path / "missing" / "board.c"))
-    assert result.exit_code == 1
+    result = trexcmd("export", "--as", "c", str(tmp_path / "missing" / "board.c"), exits=1)
     assert "missing" in result.stderr
 
 
 def test_set_settings_takes_snapshot_before_writing(trexcmd: RunCommand, tmp_path: Path) -> None:
     path = tmp_path / "wish.txt"
     path.write_text("product: TReX\nserial_timeout: 7\n", encoding="utf-8")
-    assert trexcmd("set-settings", "--dry-run", str(path)).exit_code == 0
+    trexcmd("set-settings", "--dry-run", str(path))
     assert not SettingsHistory().snapshots()
     result = trexcmd("set-settings", str(path))
-    assert result.exit_code == 0, result.stderr
     (snapshot,) = SettingsHistory().snapshots()
     assert str(snapshot.path) in result.stderr
     assert SettingsHistory().load(snapshot).parameters["serial_timeout"] == 0
-    assert trexcmd("set-settings", str(snapshot.path)).exit_code == 0
+    trexcmd("set-settings", str(snapshot.path))
     assert trexcmd("get", "serial_timeout").stdout.startswith("0\t")
 
 
@@ -56,13 +53,13 @@ def test_set_settings_without_changes_takes_no_snapshot(
 ) -> None:
     path = tmp_path / "wish.txt"
     path.write_text("product: TReX\nserial_timeout: 0\n", encoding="utf-8")
-    assert trexcmd("set-settings", str(path)).exit_code == 0
+    trexcmd("set-settings", str(path))
     assert not SettingsHistory().snapshots()
 
 
 def test_restore_defaults_takes_snapshot(trexcmd: RunCommand) -> None:
-    assert trexcmd("set", "serial_timeout", "5").exit_code == 0
-    assert trexcmd("restore-defaults", "--yes").exit_code == 0
+    trexcmd("set", "serial_timeout", "5")
+    trexcmd("restore-defaults", "--yes")
     snapshot, _before_set = SettingsHistory().snapshots()
     assert snapshot.reason == "trexcmd restore-defaults"
     assert SettingsHistory().load(snapshot).parameters["serial_timeout"] == 5
@@ -73,7 +70,6 @@ def test_set_settings_writes_nothing_if_snapshot_fails(trexcmd: RunCommand, tmp_
     path.write_text("product: TReX\nserial_timeout: 7\n", encoding="utf-8")
     place = tmp_path / "file"
     place.write_text("", encoding="utf-8")
-    result = trexcmd("set-settings", str(path), TREX_STUDIO_DATA=str(place))
-    assert result.exit_code == 1
+    result = trexcmd("set-settings", str(path), TREX_STUDIO_DATA=str(place), exits=1)
     assert "snapshots cannot be made" in result.stderr
     assert trexcmd("get", "serial_timeout").stdout.startswith("0\t")

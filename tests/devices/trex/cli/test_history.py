@@ -29,7 +29,6 @@ def take(minutes: int = 0, reason: str = "Apply of 1 setting", **values: int) ->
 
 def test_empty_history_explains_when_snapshots_are_taken(trexcmd: RunCommand) -> None:
     result = trexcmd("history")
-    assert result.exit_code == 0
     assert result.stdout == ""
     assert "Before each Apply" in result.stderr
     assert json.loads(trexcmd("history", "--json").stdout) == []
@@ -38,7 +37,7 @@ def test_empty_history_explains_when_snapshots_are_taken(trexcmd: RunCommand) ->
 def test_escape_sequences_of_names_do_not_reach_the_terminal(trexcmd: RunCommand) -> None:
     path = take(reason="trexcmd set-settings '\x1b]0;title\x07\x1b[2J'")
     path.write_text(path.read_text().replace("FT232R", "FT\x1b[31m232R"))
-    for result in (trexcmd("history"), trexcmd("history", "show", "\x1b[2J")):
+    for result in (trexcmd("history"), trexcmd("history", "show", "\x1b[2J", exits=1)):
         assert not {"\x1b", "\x07"} & set(result.stdout + result.stderr)
 
 
@@ -67,8 +66,7 @@ def test_damaged_snapshot_is_listed_as_damaged(trexcmd: RunCommand) -> None:
     take().write_text("", encoding="utf-8")
     assert "damaged" in trexcmd("history").stdout
     assert "It is empty." in trexcmd("history").stdout
-    result = trexcmd("history", "show", "1")
-    assert result.exit_code == 1
+    trexcmd("history", "show", "1", exits=1)
 
 
 def test_snapshot_is_shown_by_number_and_by_path(trexcmd: RunCommand) -> None:
@@ -87,25 +85,21 @@ def test_unknown_snapshot_number_fails_without_traceback(
     trexcmd: RunCommand, number: str, code: int
 ) -> None:
     take()
-    result = trexcmd("history", "show", number)
-    assert result.exit_code == code
+    result = trexcmd("history", "show", number, exits=code)
     assert result.stdout == ""
     assert "Traceback" not in result.stderr
 
 
 def test_snapshot_number_in_empty_history_fails(trexcmd: RunCommand) -> None:
-    result = trexcmd("history", "path", "1")
-    assert result.exit_code == trexcmd("history", "show", "99").exit_code == 2
-    assert "no snapshots" in result.stderr
+    assert "no snapshots" in trexcmd("history", "path", "1", exits=2).stderr
+    trexcmd("history", "show", "99", exits=2)
 
 
 def test_history_diff_compares_first_snapshot_with_second(trexcmd: RunCommand) -> None:
     take(0, serial_timeout=5)
     take(1, serial_timeout=7)
-    assert trexcmd("history", "diff", "2", "2").exit_code == 0
-    result = trexcmd("history", "diff", "2", "1")
-    assert result.exit_code == 1, result.stderr
-    assert "5 → 7" in result.stdout
+    trexcmd("history", "diff", "2", "2")
+    assert "5 → 7" in trexcmd("history", "diff", "2", "1", exits=1).stdout
 
 
 def test_history_diff_compares_snapshot_with_board(
@@ -113,15 +107,14 @@ def test_history_diff_compares_snapshot_with_board(
 ) -> None:
     quick_simulator.do("eeprom serial_timeout 7")
     take(0, serial_timeout=5)
-    result = trexcmd("history", "diff", "1", "--json")
-    assert result.exit_code == 1, result.stderr
+    result = trexcmd("history", "diff", "1", "--json", exits=1)
     rows = {row["key"]: row for row in json.loads(result.stdout)["differing"]}
     assert (rows["serial_timeout"]["before"], rows["serial_timeout"]["after"]) == (7, 5)
 
 
 @pytest.mark.parametrize("word", ["first", "-1", "1.5", "./1"])
 def test_history_path_accepts_only_numbers(trexcmd: RunCommand, word: str) -> None:
-    assert trexcmd("history", "path", "--", word).exit_code == 2
+    trexcmd("history", "path", "--", word, exits=2)
 
 
 # --- How many are kept ------------------------------------------------------------------
@@ -129,31 +122,28 @@ def test_history_path_accepts_only_numbers(trexcmd: RunCommand, word: str) -> No
 
 def test_history_keep_sets_and_prints_the_limit(trexcmd: RunCommand) -> None:
     assert trexcmd("history", "keep").stdout == "500\n"
-    assert trexcmd("history", "keep", "all").exit_code == 0
+    trexcmd("history", "keep", "all")
     assert trexcmd("history", "keep").stdout == "all\n"
-    assert trexcmd("history", "keep", "20").exit_code == 0
+    trexcmd("history", "keep", "20")
     assert SettingsHistory().bound() == Bound(20)
 
 
 @pytest.mark.parametrize("word", ["0", "-1", "many", "1.5", "10000000", "9" * 5000])
 def test_history_keep_rejects_invalid_limits(trexcmd: RunCommand, word: str) -> None:
-    assert trexcmd("history", "keep", "--", word).exit_code == 2
+    trexcmd("history", "keep", "--", word, exits=2)
     assert SettingsHistory().bound() == Bound()
 
 
 def test_lowering_history_limit_asks_before_deleting(trexcmd: RunCommand) -> None:
     for minutes in range(5):
         take(minutes)
-    result = trexcmd("history", "keep", "2", stdin="n\n")
+    result = trexcmd("history", "keep", "2", stdin="n\n", exits=1)
     assert "Remove the oldest 3 of 5 snapshots permanently?" in result.stderr
-    assert result.exit_code == 1
     assert len(SettingsHistory().snapshots()) == 5
     assert SettingsHistory().bound() == Bound()
-    result = trexcmd("history", "keep", "2", stdin="y\n")
-    assert result.exit_code == 0
-    assert "3 snapshots removed" in result.stderr
+    assert "3 snapshots removed" in trexcmd("history", "keep", "2", stdin="y\n").stderr
     assert len(SettingsHistory().snapshots()) == 2
-    assert trexcmd("history", "keep", "1", "--yes").exit_code == 0
+    trexcmd("history", "keep", "1", "--yes")
     assert len(SettingsHistory().snapshots()) == 1
 
 
@@ -163,29 +153,24 @@ def test_damaged_history_limit_is_reported(
     take()
     (SettingsHistory().folder / BOUND_FILE).write_text("kept: some\n", encoding="utf-8")
     assert "none is removed" in trexcmd("history").stderr
-    result = trexcmd("history", "keep")
-    assert result.exit_code == 1
-    assert "none is removed" in result.stderr
+    assert "none is removed" in trexcmd("history", "keep", exits=1).stderr
     wanted = tmp_path / "wanted.txt"
     wanted.write_text("product: TReX\nserial_timeout: 9\n", encoding="utf-8")
     result = trexcmd("set-settings", str(wanted))
-    assert result.exit_code == 0
     assert "Warning: " in result.stderr
     assert "none is removed" in result.stderr
-    assert trexcmd("history", "keep", "10").exit_code == 0
+    trexcmd("history", "keep", "10")
     assert SettingsHistory().bound() == Bound(10)
 
 
 def test_history_lists_snapshots_without_a_port(trexcmd: RunCommand) -> None:
     take()
-    assert trexcmd("history", TREX_PORT="").exit_code == 0
+    trexcmd("history", TREX_PORT="")
 
 
 def test_json_option_before_subcommand_is_usage_error(trexcmd: RunCommand) -> None:
     take()
-    result = trexcmd("history", "--json", "show", "1")
-    assert result.exit_code == 2
-    assert "after show" in result.stderr
+    assert "after show" in trexcmd("history", "--json", "show", "1", exits=2).stderr
 
 
 def test_completion_describes_snapshot_numbers() -> None:

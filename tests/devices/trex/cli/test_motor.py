@@ -146,9 +146,7 @@ def test_ctrl_c_ends_motor_command_while_its_port_opens(
 def test_motor_stops_after_given_seconds(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
-    result = trexcmd("motor", "1", "50", "--seconds", "0.2")
-    assert result.exit_code == 0, result.stderr
-    assert "Stopped." in result.stderr
+    assert "Stopped." in trexcmd("motor", "1", "50", "--seconds", "0.2").stderr
     assert braked(quick_simulator)
 
 
@@ -156,14 +154,12 @@ def test_motor_command_warns_of_a_timeout_that_may_not_stop(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     run = ("motor", "1", "5", "--seconds", "0.01")
-    quick_simulator.do("eeprom uart_error_shutdown 0")
-    quick_simulator.do("power cycle")
+    quick_simulator.do("eeprom uart_error_shutdown 0", "power cycle")
     errors = trexcmd(*run).stderr
     assert "Serial Timeout is off" in errors
     shutdown = "`trexcmd set uart_error_shutdown on`."
     assert f'Remedy: `trexcmd set serial_timeout "0.5 s"` and {shutdown}' in errors
-    quick_simulator.do("eeprom serial_timeout 5")
-    quick_simulator.do("power cycle")
+    quick_simulator.do("eeprom serial_timeout 5", "power cycle")
     errors = trexcmd(*run).stderr
     assert "UART-Error Shutdown is off (twin), so the motor may keep" in errors
     assert f"Remedy: {shutdown}" in errors
@@ -172,7 +168,7 @@ def test_motor_command_warns_of_a_timeout_that_may_not_stop(
 def test_motor_command_trusts_no_timeout_that_has_failed(
     trexcmd: RunCommand, start: StartCommand, quick_simulator: SimulatedDevice
 ) -> None:
-    assert trexcmd("set", "serial_timeout", "0.5 s").exit_code == 0
+    trexcmd("set", "serial_timeout", "0.5 s")
     records, board = BoardRecords(), BoardIdentity(device_table().model("trex"), "1.2", 7)
     record = records.load(board)
     assert record is not None
@@ -189,9 +185,8 @@ def test_motor_command_trusts_no_timeout_that_has_failed(
 def test_motor_command_feeds_short_serial_timeout(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
-    assert trexcmd("set", "serial_timeout", "0.2 s").exit_code == 0
+    trexcmd("set", "serial_timeout", "0.2 s")
     result = trexcmd("motor", "1", "50", "--seconds", "1")
-    assert result.exit_code == 0, result.stderr
     assert "Serial Timeout" not in result.stderr
     assert "Serial timeout" not in result.stderr
 
@@ -209,10 +204,8 @@ def test_brake_option_brakes_motor(start: StartCommand, quick_simulator: Simulat
 def test_motor_command_fails_in_rc_mode(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
-    quick_simulator.do("jumper mode rc")
-    quick_simulator.do("power cycle")
-    result = trexcmd("motor", "1", "50", "--seconds", "0.1")
-    assert result.exit_code == 1
+    quick_simulator.do("jumper mode rc", "power cycle")
+    result = trexcmd("motor", "1", "50", "--seconds", "0.1", exits=1)
     assert "RC channels control the motors" in result.stderr
     assert "Running" not in result.stderr
 
@@ -228,8 +221,7 @@ def test_motor_2_in_joint_mode_prints_a_warning(
 def test_motor_fault_ends_the_run(start: StartCommand, quick_simulator: SimulatedDevice) -> None:
     command = run_motor_1(start, quick_simulator)
     quick_simulator.do("fault 1 on")
-    _, errors = command.communicate()
-    assert command.returncode == 1
+    errors = command.ends(1).stderr
     assert "Motor 1 fault" in errors
     assert braked(quick_simulator)
 
@@ -248,8 +240,7 @@ def test_lost_data_on_the_line_does_not_end_the_run(
     assert becomes(lambda: counted("received") > came + 20, True)
     assert outputs(quick_simulator) == [60, 0, 0]
     command.send_signal(signal.SIGINT)
-    _, errors = command.communicate()
-    assert command.returncode == 0, errors
+    command.ends(0)
     assert braked(quick_simulator)
 
 
@@ -258,16 +249,14 @@ def test_missing_replies_end_the_run_with_a_message(
 ) -> None:
     command = run_motor_1(start, quick_simulator)
     quick_simulator.do("line mute on")
-    _, errors = command.communicate()
-    assert command.returncode == 1
+    errors = command.ends(1).stderr
     assert "does not confirm" in errors
     assert "cut its power" in errors
     assert braked(quick_simulator)  # it has heard what it could not confirm
 
 
 def test_motor_on_missing_port_fails_with_a_message(trexcmd: RunCommand) -> None:
-    result = trexcmd("motor", "1", "50", TREX_PORT="/dev/no-such-port")
-    assert result.exit_code == 1
+    result = trexcmd("motor", "1", "50", TREX_PORT="/dev/no-such-port", exits=1)
     assert "/dev/no-such-port" in result.stderr
     assert "Stopped." not in result.stderr
 
@@ -278,8 +267,7 @@ def test_interruption_while_connecting_starts_no_motor(
     command = start("motor", "1", "60")
     assert becomes(lambda: quick_simulator.show()["counters"]["line"]["received"] > 0, True)
     command.send_signal(signal.SIGINT)
-    _, errors = command.communicate()
-    assert command.returncode == 1
+    errors = command.ends(1).stderr
     assert "Interrupted before the motor was started." in errors
     assert outputs(quick_simulator) == [0, 0, 0]
 
@@ -290,8 +278,7 @@ def test_unplugging_ends_the_run_with_a_message(
     simulator = start_simulator("--unpaced")
     command = run_motor_1(start, simulator)
     simulator.do("line unplug")
-    _, errors = command.communicate()
-    assert command.returncode == 1
+    errors = command.ends(1).stderr
     assert "Motor 1 may still be turning. Cut the power. The line" in errors
 
 
@@ -314,27 +301,24 @@ def test_unplugging_ends_the_run_with_a_message(
 def test_invalid_motor_arguments_are_usage_errors(
     trexcmd: RunCommand, words: tuple[str, ...]
 ) -> None:
-    assert trexcmd("motor", *words).exit_code == 2
+    trexcmd("motor", *words, exits=2)
 
 
 def test_stop_fails_while_rc_channels_drive(
-    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+    start: StartCommand, trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
-    for line in ("jumper mode rc", "power cycle"):
-        quick_simulator.do(line)
-    assert becomes(lambda: trexcmd("status").exit_code, 0)
+    quick_simulator.do("jumper mode rc", "power cycle")
+    assert becomes(lambda: start("status").wait(), 0)
     quick_simulator.do("channel 1 1900us")
     assert becomes(lambda: quick_simulator.show()["motors"][0]["speed"] > 50, True)
-    result = trexcmd("stop")
-    assert result.exit_code == 1
+    result = trexcmd("stop", exits=1)
     assert "Stopped." not in result.stderr
     assert "Release the sticks, or cut the power." in result.stderr
     assert quick_simulator.show()["motors"][0]["speed"] > 50
 
 
 def test_stop_without_reply_is_reported_as_unconfirmed(trexcmd: RunCommand) -> None:
-    result = trexcmd("stop", "--baud", "57600")
-    assert result.exit_code == 1
+    result = trexcmd("stop", "--baud", "57600", exits=1)
     assert "The stop is not confirmed. If a motor still turns, cut its power." in result.stderr
 
 

@@ -4,7 +4,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from click.testing import Result
 
 from tests.support.matrix import sampled
 from tests.support.simulator import SimulatedDevice, StartSimulator
@@ -25,17 +24,15 @@ class NoisyBoard:
     def __init__(self, runtime: VirtualRuntime, simulator: SimulatedDevice) -> None:
         self._runtime = runtime
         self.simulator = simulator
-        self.run("calibration", "set", "2", "2400", "3700", "5100", "60")
+        self.command("calibration", "set", "2", "2400", "3700", "5100", "60").ends(0)
         for key, value in _STORED.items():
-            assert not self.run("set", key, str(value)).exit_code
+            self.command("set", key, str(value)).ends(0)
         self.earlier = {found.path for found in SettingsHistory().snapshots()}
         self.before = simulator.show()
         simulator.do(f"line noise {_NOISE}")
 
-    def run(self, *words: str) -> Result:
-        command = VirtualCommand(self._runtime, words, {"TREX_PORT": self.simulator.url})
-        command.wait()
-        return command.result
+    def command(self, *words: str) -> VirtualCommand:
+        return VirtualCommand(self._runtime, words, {"TREX_PORT": self.simulator.url})
 
     @property
     def snapshots(self) -> list[Path]:
@@ -76,9 +73,10 @@ def test_restored_settings_are_stored_and_no_others(board: NoisyBoard, tmp_path:
     lines = [f"{key}: {value}" for key, value in wanted.items()]
     path = tmp_path / "wanted.txt"
     path.write_text("\n".join(["product: TReX", *lines, f"rc_channel_1: {{{fields}}}", ""]))
-    result = board.run("set-settings", str(path))
+    command = board.command("set-settings", str(path))
+    command.wait()
     after = board.simulator.show()
-    if result.exit_code == 0:
+    if command.returncode == 0:
         assert after["parameters"] == {**board.before["parameters"], **wanted}
         calibrations = {**board.before["calibrations"], "rc_channel_1": calibration}
         assert after["calibrations"] == calibrations

@@ -10,7 +10,6 @@ def test_defaults_are_restored_at_next_power_up(
     trexcmd("set", "serial_timeout", "15")
     trexcmd("calibration", "set", "1", "2400", "3700", "5100", "60")
     result = trexcmd("restore-defaults", "--yes")
-    assert result.exit_code == 0
     assert "Switch it off and on" in result.stderr
     assert "19200 baud" in result.stderr
     quick_simulator.do("power cycle")
@@ -23,17 +22,14 @@ def test_restore_defaults_requires_confirmation(
 ) -> None:
     trexcmd("set", "serial_timeout", "15")
     for answer in ("n\n", ""):
-        assert trexcmd("restore-defaults", stdin=answer).exit_code == 1
+        trexcmd("restore-defaults", stdin=answer, exits=1)
     quick_simulator.do("power cycle")
     assert quick_simulator.show()["parameters"]["serial_timeout"] == 15
-    assert trexcmd("restore-defaults", stdin="y\n").exit_code == 0
+    trexcmd("restore-defaults", stdin="y\n")
 
 
 def test_restore_defaults_requires_serial_mode(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
-    quick_simulator.do("jumper mode rc")
-    quick_simulator.do("power cycle")
-    result = trexcmd("restore-defaults", "--yes")
-    assert result.exit_code == 1
-    assert "not in serial mode" in result.stderr
+    quick_simulator.do("jumper mode rc", "power cycle")
+    assert "not in serial mode" in trexcmd("restore-defaults", "--yes", exits=1).stderr

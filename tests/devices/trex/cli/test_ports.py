@@ -26,16 +26,13 @@ def test_list_json_names_port_and_board(
 
 
 def test_list_rejects_missing_port(trexcmd: RunCommand) -> None:
-    result = trexcmd("list", "--port", "/dev/ttyNOTHERE")
-    assert result.exit_code == 1
-    assert "There is no port" in result.stdout
+    assert "There is no port" in trexcmd("list", "--port", "/dev/ttyNOTHERE", exits=1).stdout
 
 
 def test_find_prints_the_options_that_reach_the_board(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     result = trexcmd("find")
-    assert result.exit_code == 0, result.stderr
     assert result.stdout == f"--port {quick_simulator.url} --baud 19200\n"
     assert "TReX 1.2" in result.stderr
     commands = [line for line in result.stderr.splitlines() if "trexcmd set" in line]
@@ -50,7 +47,7 @@ def test_find_prints_the_options_that_reach_the_board(
 def test_options_printed_by_find_reach_the_board(
     line: LineSettings, trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
-    assert trexcmd("set", "uart_settings", str(line.to_wire())).exit_code == 0
+    trexcmd("set", "uart_settings", str(line.to_wire()))
     quick_simulator.do("power cycle")
     (row,) = json.loads(trexcmd("find", "--json").stdout)
     assert (row["baud"], row["detection"]) == (line.baud, line.detection.name.lower())
@@ -99,8 +96,7 @@ def test_find_without_board_prints_hints(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("power off")
-    result = trexcmd("find")
-    assert result.exit_code == 1
+    result = trexcmd("find", exits=1)
     assert result.stdout == ""
     assert "an LED is lit" in result.stderr
 
@@ -123,5 +119,4 @@ def test_command_succeeds_on_line_that_swallows_bytes(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, words: tuple[str, ...]
 ) -> None:
     quick_simulator.do("line drop 40")
-    result = trexcmd(*words)
-    assert result.exit_code == 0, result.stderr
+    trexcmd(*words)

@@ -39,12 +39,10 @@ def test_rows_have_units_in_header_and_complete_values(
     def current() -> float:
         return float(json.loads(trexcmd("status", "--json").stdout)["motor_1_current_A"])
 
-    quick_simulator.do("channel 2 1250us")
-    quick_simulator.do("current 1 3.0")
+    quick_simulator.do("channel 2 1250us", "current 1 3.0")
     assert becomes(lambda: measured(quick_simulator)[1], 3125)
     assert becomes(current, 3.0)
     result = trexcmd("stream", "--seconds", "0.5")
-    assert result.exit_code == 0, result.stderr
     rows = rows_of(result.stdout)
     assert len(rows) > 10
     for row in rows:
@@ -70,9 +68,7 @@ def test_channel_without_signal_has_empty_cells(
 def test_analog_board_is_streamed_in_volts(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
-    quick_simulator.do("jumper mode analog")
-    quick_simulator.do("power cycle")
-    quick_simulator.do("channel 1 2.5V")
+    quick_simulator.do("jumper mode analog", "power cycle", "channel 1 2.5V")
     row = rows_of(streamed(trexcmd))[-1]
     assert float(row["channel_1_V"]) == pytest.approx(2.5, abs=0.01)
 
@@ -97,8 +93,7 @@ def test_interrupted_stream_has_complete_rows(
     file = tmp_path / "log.csv"
     command = begin_to_stream(start, file, quick_simulator)
     command.send_signal(signal.SIGINT)
-    _, errors = command.communicate()
-    assert command.returncode == 0, errors
+    errors = command.ends(0).stderr
     text = file.read_text(encoding="utf-8")
     assert text.endswith("\n")
     assert f"{len(rows_of(text))} rows." in errors
@@ -137,10 +132,8 @@ def test_stream_that_ends_early_keeps_its_rows_and_says_why(
 ) -> None:
     file = tmp_path / "log.csv"
     command = begin_to_stream(start, file, quick_simulator)
-    for line in lines:
-        quick_simulator.do(line)
-    _, errors = command.communicate()
-    assert command.returncode == 1
+    quick_simulator.do(*lines)
+    errors = command.ends(1).stderr
     assert why in errors
     assert len(rows_of(file.read_text(encoding="utf-8"))) > 5
 
@@ -151,16 +144,17 @@ def test_old_csv_file_is_replaced_once_a_board_answers(
     file = tmp_path / "data.csv"
     file.write_text("old " * 1000)
     quick_simulator.do("power off")
-    assert trexcmd("stream", "--csv", str(file), "--limit", "1").exit_code == 1
+    trexcmd("stream", "--csv", str(file), "--limit", "1", exits=1)
     assert file.read_text() == "old " * 1000
     quick_simulator.do("power on")
-    assert trexcmd("stream", "--csv", str(file), "--limit", "1").exit_code == 0
+    trexcmd("stream", "--csv", str(file), "--limit", "1")
     assert len(rows_of(file.read_text())) == 1
 
 
 def test_unwritable_csv_file_is_rejected(trexcmd: RunCommand, tmp_path: Path) -> None:
-    result = trexcmd("stream", "--seconds", "1", "--csv", str(tmp_path / "missing" / "log.csv"))
-    assert result.exit_code == 1
+    result = trexcmd(
+        "stream", "--seconds", "1", "--csv", str(tmp_path / "missing" / "log.csv"), exits=1
+    )
     assert "cannot be written" in result.stderr
 
 
@@ -196,4 +190,4 @@ def test_stream_is_thinned_limited_and_separated(
 def test_invalid_stream_arguments_are_usage_errors(
     trexcmd: RunCommand, words: tuple[str, ...]
 ) -> None:
-    assert trexcmd("stream", *words).exit_code == 2
+    trexcmd("stream", *words, exits=2)

@@ -50,9 +50,7 @@ def arming(quick_simulator: SimulatedDevice, qtbot: QtBot, qapp: QApplication) -
 
 @pytest.mark.parametrize("set_up", ["eeprom serial_timeout 0", "eeprom uart_error_shutdown 0"])
 def test_both_settings_are_written_before_the_motors_are_armed(arming: Arming, set_up: str) -> None:
-    arming.simulator.do("eeprom serial_timeout 5")
-    arming.simulator.do(set_up)
-    arming.simulator.do("power cycle")
+    arming.simulator.do("eeprom serial_timeout 5", set_up, "power cycle")
     arming.connect()
     dialog = arming.press_run()
     check_keyboard(dialog.root)

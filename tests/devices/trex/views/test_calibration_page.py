@@ -292,8 +292,7 @@ def test_rc_mode_disables_what_the_board_rejects_and_says_so_once(
     unconnected_page: CalibrationPage, quick_simulator: SimulatedDevice
 ) -> None:
     page, board = unconnected_page, quick_simulator
-    board.do("jumper mode rc")
-    board.do("power cycle")
+    board.do("jumper mode rc", "power cycle")
     page.connect(board.url)
     page.device.calibrations.edit(1, Calibration(2400, 3700, 3800, 60))
     assert page.text("channelDoes").startswith("Channel 1 drives motor 1")
@@ -312,8 +311,7 @@ def test_rc_mode_disables_what_the_board_rejects_and_says_so_once(
     assert not page.has("switchSourceButton")
 
     page.select_source(0)
-    board.do("jumper mode serial")
-    board.do("power cycle")
+    board.do("jumper mode serial", "power cycle")
     page.wait(lambda: page.is_enabled("minimumEdit"))
     assert page.is_enabled("learnButton")
     assert "serial mode only" not in page.note

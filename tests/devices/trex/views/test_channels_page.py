@@ -31,8 +31,7 @@ class ChannelsDriver(WidgetDriver):
         """Change jumpers or stored settings, and connect to the restarted board."""
         self.device.disconnect_line()
         self.wait(lambda: self.device.link is ConnectionState.DISCONNECTED)
-        for line in (*lines, "power cycle"):
-            simulator.do(line)
+        simulator.do(*lines, "power cycle")
         self.connect(simulator.url)
 
     def functions(self) -> list[str]:

@@ -118,9 +118,7 @@ def test_currents_are_shown_with_their_limits(
     page: MotorsPageDriver, start_simulator: StartSimulator
 ) -> None:
     simulator = start_simulator("--unpaced")
-    simulator.do("eeprom motor2_current_limit 20")
-    simulator.do("current 1 3.0")
-    simulator.do("current 2 4.5")
+    simulator.do("eeprom motor2_current_limit 20", "current 1 3.0", "current 2 4.5")
     page.connect(simulator.url)
     first, second = (page.find(CurrentBar, f"motor{motor}Current") for motor in (1, 2))
     page.wait(lambda: spoken_state(second) == "4.50 A, limit 6.00 A")

@@ -216,8 +216,7 @@ def test_board_in_rc_mode_is_explained_and_followed(assistant: Assistant) -> Non
     robot = assistant.robot
     go_to(assistant, assistant.root, SetupStep.JUMPERS)
     assistant.wait_for_text("setupModeCheck", "serial mode")
-    robot.simulator.do("jumper mode rc")
-    robot.simulator.do("power cycle")
+    robot.simulator.do("jumper mode rc", "power cycle")
     assistant.wait_for_text("setupModeCheck", "started in RC mode")
     assert "would drive the motors" in assistant.text("setupMixCheck")
     go_to(assistant, assistant.root, SetupStep.STICKS)
@@ -238,8 +237,7 @@ def test_board_in_rc_mode_is_explained_and_followed(assistant: Assistant) -> Non
     assert robot.device.draft.pending == 0
     assistant.click("setupBackButton")
 
-    robot.simulator.do("jumper mode serial")
-    robot.simulator.do("power cycle")
+    robot.simulator.do("jumper mode serial", "power cycle")
     assistant.wait(lambda: "Next adds 6 changes" in assistant.text("setupEdits"))
 
 
