@@ -12,6 +12,9 @@ from typing import Protocol
 
 import pytest
 
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.devices.trex.simulator.memory import Eeprom
+
 
 @dataclass(frozen=True)
 class Figure:
@@ -94,6 +97,13 @@ def pytest_terminal_summary(
         terminalreporter.section("figures" + (" and ratios to the earlier run" if earlier else ""))
         for one in figures:
             terminalreporter.line(one.row(earlier.get(one.figure)))
+
+
+def fast_board(folder: Path, baud: int) -> tuple[str, str]:
+    """Return the options of a simulator whose board has this baud rate."""
+    board = folder / "board.json"
+    Eeprom.open(board, "trex").write("uart_settings", LineSettings(baud).to_wire())
+    return ("--eeprom", str(board))
 
 
 @pytest.fixture

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.benchmarks.conftest import ReportFigure
+from tests.benchmarks.conftest import ReportFigure, fast_board
 from tests.support.simulator import StartSimulator
 from trex_gui.core.transport.serial_port import SerialTransport
 from trex_gui.devices.trex.client.client import Requester, TrexClient
@@ -28,7 +28,7 @@ from trex_gui.devices.trex.protocol.commands import (
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
-from trex_gui.devices.trex.simulator.memory import CALIBRATION_WRITE, PARAMETER_WRITE, Eeprom
+from trex_gui.devices.trex.simulator.memory import CALIBRATION_WRITE, PARAMETER_WRITE
 
 _ROUNDS = 25
 _IN_EEPROM: dict[type[object], float] = {
@@ -45,9 +45,7 @@ def test_whole_board_takes_little_more_than_wire_time(
     baud: int, start_simulator: StartSimulator, tmp_path: Path, figure: ReportFigure
 ) -> None:
     line = LineSettings(baud)
-    eeprom = Eeprom.open(tmp_path / "board.json", "trex")
-    eeprom.write("uart_settings", line.to_wire())
-    simulator = start_simulator("--eeprom", str(tmp_path / "board.json"))
+    simulator = start_simulator(*fast_board(tmp_path, baud))
     settings = ConnectionSettings(simulator.url, line)
     client = TrexClient(SerialTransport(settings), settings)
     state = read_everything(client.request)

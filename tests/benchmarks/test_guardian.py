@@ -11,12 +11,10 @@ from pathlib import Path
 
 import pytest
 
-from tests.benchmarks.conftest import ReportFigure
+from tests.benchmarks.conftest import ReportFigure, fast_board
 from tests.end_to_end.test_every_stop_cause import DrivingProcess
 from tests.support.pages.motors import is_stopped
 from tests.support.simulator import SimulatorProcess
-from trex_gui.devices.trex.protocol.line_settings import LineSettings
-from trex_gui.devices.trex.simulator.memory import Eeprom
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="pseudo-terminals and signals")
 
@@ -69,12 +67,10 @@ def test_motors_stop_soon_after_a_fault(
 ) -> None:
     cause, limit = FAULTS[fault]
     baud, options = LINES[place]
-    line = LineSettings(baud)
-    eeprom = Eeprom.open(tmp_path / "board.json", "trex")
-    eeprom.write("uart_settings", line.to_wire())
+    board = fast_board(tmp_path, baud)
     worst = 0.0
     for _ in range(_ROUNDS):
-        simulator = SimulatorProcess("--eeprom", str(tmp_path / "board.json"), *options)
+        simulator = SimulatorProcess(*board, *options)
         window = DrivingProcess(simulator, tmp_path, "usual", str(baud))
         try:
             window.drive()

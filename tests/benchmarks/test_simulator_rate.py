@@ -9,12 +9,11 @@ from pathlib import Path
 import pytest
 import serial
 
-from tests.benchmarks.conftest import ReportFigure
+from tests.benchmarks.conftest import ReportFigure, fast_board
 from tests.support.simulator import StartSimulator
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
-from trex_gui.devices.trex.simulator.memory import Eeprom
 
 _TRANSACTIONS = 30_000
 _WANTED_RATE = 20_000
@@ -42,9 +41,7 @@ def test_paced_bytes_take_line_time(
 ) -> None:
     """Null bytes go out without a pause and come back as echo, each when its stop bit ends."""
     settings = LineSettings(baud)
-    eeprom = Eeprom.open(tmp_path / "board.json", "trex")
-    eeprom.write("uart_settings", settings.to_wire())
-    simulator = start_simulator("--echo", "--eeprom", str(tmp_path / "board.json"))
+    simulator = start_simulator("--echo", *fast_board(tmp_path, baud))
     size = round(_SECONDS / settings.seconds(1))
     chunk = max(1, round(0.01 / settings.seconds(1)))  # what a port's own buffer would hold
     with serial.Serial(simulator.url, baud, timeout=2) as port:
@@ -72,9 +69,7 @@ def test_paced_transactions_take_at_least_line_time(
 ) -> None:
     """Requests each after the last answer: the wire, and what two processes add to it."""
     settings = LineSettings(baud)
-    eeprom = Eeprom.open(tmp_path / "board.json", "trex")
-    eeprom.write("uart_settings", settings.to_wire())
-    simulator = start_simulator("--eeprom", str(tmp_path / "board.json"))
+    simulator = start_simulator(*fast_board(tmp_path, baud))
     requests = [(bytes.fromhex(packet), size) for packet, size in _TELEMETRY]
     wire = count = 0.0
     with serial.Serial(simulator.url, baud, timeout=2) as port:

@@ -17,7 +17,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QSlider
 
-from tests.benchmarks.conftest import ReportFigure
+from tests.benchmarks.conftest import ReportFigure, fast_board
 from tests.support.simulator import StartSimulator
 from tests.support.window import WindowDriver
 from trex_gui.core.transport.serial_port import SerialTransport
@@ -26,7 +26,6 @@ from trex_gui.devices.trex.protocol.commands import STOP, Command, ReplyT_co
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.framing import Framing, Reply
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
-from trex_gui.devices.trex.simulator.memory import Eeprom
 from trex_gui.ui.devices.connection import ConnectionState
 
 _PRESSES = 1000
@@ -98,10 +97,7 @@ def test_delay_from_press_to_wire_stays_below_limit(
 ) -> None:
     tap = Wiretap(monkeypatch)
     line = LineSettings(baud)
-    eeprom = Eeprom.open(tmp_path / "board.json", "trex")
-    eeprom.write("uart_settings", line.to_wire())
-    simulator = start_simulator("--eeprom", str(tmp_path / "board.json"))
-    window.program.complete()
+    simulator = start_simulator(*fast_board(tmp_path, baud))
     device, qtbot = window.device, window.qtbot
     device.connect_to(ConnectionSettings(simulator.url, line))
     qtbot.waitUntil(

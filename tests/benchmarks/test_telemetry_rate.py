@@ -10,7 +10,7 @@ import pytest
 from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
-from tests.benchmarks.conftest import ReportFigure
+from tests.benchmarks.conftest import ReportFigure, fast_board
 from tests.support.program import trex
 from tests.support.simulator import StartSimulator
 from tests.support.virtual import Stage
@@ -56,9 +56,7 @@ def test_telemetry_rate_is_positive_for_every_sample_kind(
     figure: ReportFigure,
 ) -> None:
     line = LineSettings(baud)
-    eeprom = Eeprom.open(tmp_path / "board.json", "trex")
-    eeprom.write("uart_settings", line.to_wire())
-    simulator = start_simulator("--demo", "--eeprom", str(tmp_path / "board.json"))
+    simulator = start_simulator("--demo", *fast_board(tmp_path, baud))
     settings = ConnectionSettings(simulator.url, line)
     program.complete()
     if painting:

@@ -11,11 +11,9 @@ from pathlib import Path
 
 import pytest
 
-from tests.benchmarks.conftest import ReportFigure
+from tests.benchmarks.conftest import ReportFigure, fast_board
 from tests.benchmarks.loaded_window import BAUD
 from tests.support.simulator import StartSimulator
-from trex_gui.devices.trex.protocol.line_settings import LineSettings
-from trex_gui.devices.trex.simulator.memory import Eeprom
 
 _RUNS = 3
 _SECONDS = 5.0
@@ -27,9 +25,7 @@ _AT_MOST = {"Status": 12.0, "minimised": 3.0, "hidden": 3.0}  # percent of a cor
 
 @pytest.fixture
 def url(start_simulator: StartSimulator, tmp_path: Path) -> str:
-    board = tmp_path / "board.json"
-    Eeprom.open(board, "trex").write("uart_settings", LineSettings(BAUD).to_wire())
-    return start_simulator("--demo", "--eeprom", str(board)).url
+    return start_simulator("--demo", *fast_board(tmp_path, BAUD)).url
 
 
 def _measure(what: str, url: str, seconds: float, folder: Path) -> dict[str, float]:

@@ -79,6 +79,19 @@ def started(line: socket.socket, silence: float = OFTEN, kind: str = "serial") -
     return guardian
 
 
+@pytest.fixture
+def board(ends: Ends) -> Board:
+    return Board(ends[1])
+
+
+@pytest.fixture
+def guardian(ends: Ends, board: Board) -> GuardianProcess:
+    """A guardian of a board whose motors may move."""
+    guardian = started(ends[0])
+    guardian.watch(STOP)
+    return guardian
+
+
 def wait_until(happened: Callable[[], bool]) -> None:
     end = time.monotonic() + LONG_TIMEOUT
     while not happened():
@@ -98,10 +111,9 @@ def has_ended(guardian: GuardianProcess) -> bool:
     return guardian._process.poll() is not None and guardian._ended.is_set()
 
 
-def test_motors_are_stopped_when_the_program_ends_while_they_may_move(ends: Ends) -> None:
-    board = Board(ends[1])
-    guardian = started(ends[0])
-    guardian.watch(STOP)
+def test_motors_are_stopped_when_the_program_ends_while_they_may_move(
+    guardian: GuardianProcess, board: Board
+) -> None:
     die(guardian)
     wait_until(lambda: has_ended(guardian))
     assert board.received == STOP.packets + 2 * (STOP.packets + STOP.query)
@@ -118,9 +130,8 @@ def logged(guardian: GuardianProcess) -> StopResult:
 
 @pytest.mark.parametrize("confirms", [True, False])
 def test_file_says_that_motors_may_be_moving_until_a_stop_is_confirmed(
-    confirms: bool, ends: Ends, tmp_path: Path
+    board: Board, confirms: bool, ends: Ends, tmp_path: Path
 ) -> None:
-    board = Board(ends[1])
     file = tmp_path / "driven" / "port.txt"
     guardian = GuardianProcess(SharedPort("serial", ends[0].fileno()), OFTEN, file)
     guardian.wait_until_ready(LONG_TIMEOUT)
@@ -139,11 +150,10 @@ def test_file_says_that_motors_may_be_moving_until_a_stop_is_confirmed(
     assert confirms or not is_locked(file)
 
 
-def test_guardian_whose_pipe_the_program_has_closed_goes_on_stopping(ends: Ends) -> None:
-    board = Board(ends[1])
+def test_guardian_whose_pipe_the_program_has_closed_goes_on_stopping(
+    guardian: GuardianProcess, board: Board
+) -> None:
     board.statuses = [b""]
-    guardian = started(ends[0])
-    guardian.watch(STOP)
     assert guardian._process is not None
     assert guardian._process.stdin is not None
     nothing = os.open(os.devnull, os.O_RDONLY)
@@ -157,8 +167,7 @@ def test_guardian_whose_pipe_the_program_has_closed_goes_on_stopping(ends: Ends)
     assert logged(guardian) is StopResult.CONFIRMED
 
 
-def test_suspended_guardian_is_lost_and_may_be_killed(ends: Ends) -> None:
-    board = Board(ends[1])
+def test_suspended_guardian_is_lost_and_may_be_killed(board: Board, ends: Ends) -> None:
     guardian = started(ends[0])
     assert guardian._process is not None
     guardian._process.send_signal(signal.SIGSTOP)
@@ -221,8 +230,7 @@ def test_pipe_in_place_of_the_log_does_not_keep_the_guardian(ends: Ends) -> None
     wait_until(lambda: has_ended(guardian))
 
 
-def test_motors_are_stopped_when_the_heartbeat_is_missing(ends: Ends) -> None:
-    board = Board(ends[1])
+def test_motors_are_stopped_when_the_heartbeat_is_missing(board: Board, ends: Ends) -> None:
     guardian = started(ends[0], silence=0.2)
     guardian.watch(STOP)
     wait_until(lambda: has_ended(guardian))
@@ -231,8 +239,7 @@ def test_motors_are_stopped_when_the_heartbeat_is_missing(ends: Ends) -> None:
     assert not guardian.is_ready
 
 
-def test_guardian_that_was_suspended_itself_does_not_act(ends: Ends) -> None:
-    board = Board(ends[1])
+def test_guardian_that_was_suspended_itself_does_not_act(board: Board, ends: Ends) -> None:
     guardian = started(ends[0], silence=2.0)
     assert guardian._process is not None
     guardian.watch(STOP)
@@ -251,9 +258,8 @@ def test_guardian_that_was_suspended_itself_does_not_act(ends: Ends) -> None:
 
 @pytest.mark.parametrize("messages", [[], [STOP, None]], ids=["never moved", "stopped"])
 def test_nothing_is_sent_if_no_motor_may_move(
-    ends: Ends, messages: list[StopSequence | None]
+    board: Board, ends: Ends, messages: list[StopSequence | None]
 ) -> None:
-    board = Board(ends[1])
     guardian = started(ends[0])
     for message in messages:
         guardian.watch(message)
@@ -263,44 +269,29 @@ def test_nothing_is_sent_if_no_motor_may_move(
     assert not guardian.has_acted
 
 
-def test_end_frees_the_line_without_a_byte(ends: Ends) -> None:
-    board = Board(ends[1])
-    guardian = started(ends[0])
-    guardian.watch(STOP)
+def test_end_frees_the_line_without_a_byte(guardian: GuardianProcess, board: Board) -> None:
     assert not guardian.end()
     wait_until(lambda: has_ended(guardian))
     assert board.received == b""
 
 
-def test_session_can_ask_for_a_stop(ends: Ends) -> None:
-    Board(ends[1])
-    guardian = started(ends[0])
-    guardian.watch(STOP)
-    assert guardian.stop(LONG_TIMEOUT)
-
-
-def test_errors_on_the_line_do_not_confirm_a_stop(ends: Ends) -> None:
-    board = Board(ends[1])
+def test_errors_on_the_line_do_not_confirm_a_stop(guardian: GuardianProcess, board: Board) -> None:
     board.statuses = [b"\x01", b"\x00", b"\x01", b"\x00"]
-    guardian = started(ends[0])
-    guardian.watch(STOP)
     assert guardian.stop(LONG_TIMEOUT)
     assert board.received.count(STOP.query) == 5
 
 
-def test_faults_of_motors_do_not_keep_a_stop_from_being_confirmed(ends: Ends) -> None:
-    board = Board(ends[1])
+def test_faults_of_motors_do_not_keep_a_stop_from_being_confirmed(
+    guardian: GuardianProcess, board: Board
+) -> None:
     board.statuses = [b"\xf0"]
-    guardian = started(ends[0])
-    guardian.watch(STOP)
     assert guardian.stop(LONG_TIMEOUT)
 
 
-def test_silent_board_gets_the_stop_repeated_until_the_session_is_back(ends: Ends) -> None:
-    board = Board(ends[1])
+def test_silent_board_gets_the_stop_repeated_until_the_session_is_back(
+    guardian: GuardianProcess, board: Board
+) -> None:
     board.statuses = [b""]
-    guardian = started(ends[0])
-    guardian.watch(STOP)
     assert not guardian.stop(0)
     wait_until(lambda: board.received.count(STOP.packets) > 3)
     assert not guardian.end()
@@ -323,8 +314,7 @@ def test_guardian_whose_write_is_blocked_has_time_to_break_off(
     assert waits[0] > process._GIVE_UP_S
 
 
-def test_echo_is_not_taken_for_the_status(ends: Ends) -> None:
-    board = Board(ends[1])
+def test_echo_is_not_taken_for_the_status(board: Board, ends: Ends) -> None:
     echo = STOP.packets + STOP.query
     board.statuses = [echo + b"\x01", echo + b"\x00"]
     guardian = started(ends[0])
@@ -351,8 +341,7 @@ def test_request_that_comes_back_byte_by_byte_confirms_nothing(ends: Ends) -> No
     wait_until(lambda: has_ended(guardian))
 
 
-def test_telnet_commands_are_no_status(ends: Ends) -> None:
-    board = Board(ends[1])
+def test_telnet_commands_are_no_status(board: Board, ends: Ends) -> None:
     negotiation = bytes([255, 251, 3, 255, 250, 44, 107, 255, 255, 0, 255, 240])
     board.statuses = [negotiation + b"\x00"]
     guardian = started(ends[0], kind="telnet")
@@ -385,10 +374,9 @@ def test_replies_go_to_the_guardian_of_a_session_that_hangs(
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
-def test_signals_that_end_programs_do_not_end_it(ends: Ends, number: signal.Signals) -> None:
-    Board(ends[1])
-    guardian = started(ends[0])
-    guardian.watch(STOP)
+def test_signals_that_end_programs_do_not_end_it(
+    guardian: GuardianProcess, number: signal.Signals
+) -> None:
     assert guardian._process is not None
     os.kill(guardian._process.pid, number)
     assert guardian.stop(LONG_TIMEOUT)
@@ -425,9 +413,10 @@ def test_process_imports_the_standard_library_only() -> None:
 
 
 @pytest.mark.parametrize("module", ["trex_gui", "trex_gui.cli"])
-def test_executables_run_as_the_guardian(ends: Ends, module: str, tmp_path: Path) -> None:
+def test_executables_run_as_the_guardian(
+    board: Board, ends: Ends, module: str, tmp_path: Path
+) -> None:
     """A frozen application has no Python interpreter beside it: it starts itself."""
-    board = Board(ends[1])
     executable = tmp_path / "trex"
     executable.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m {module} "$@"\n')
     executable.chmod(0o755)

@@ -4,7 +4,6 @@ import array
 import errno
 import os
 import sys
-from collections.abc import Iterator
 from dataclasses import replace
 
 import pytest
@@ -27,15 +26,6 @@ if sys.platform == "win32":
     pytest.skip("has no pseudo-terminals", allow_module_level=True)
 
 linux = pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells")
-
-
-@pytest.fixture
-def terminal() -> Iterator[tuple[int, str]]:
-    """A pseudo-terminal with nobody behind it: its master end, and the path of the other."""
-    master, slave = os.openpty()
-    yield master, os.ttyname(slave)
-    for end in (master, slave):
-        os.close(end)
 
 
 def no_time() -> float:

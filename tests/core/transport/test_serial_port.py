@@ -51,15 +51,6 @@ def patient(transport: SerialTransport, url: str) -> TrexClient:
 
 
 @pytest.fixture
-def terminal() -> Iterator[tuple[int, str]]:
-    """A pseudo-terminal with nobody behind it: its master end, and the path of the other."""
-    master, slave = os.openpty()
-    yield master, os.ttyname(slave)
-    for end in (master, slave):
-        os.close(end)
-
-
-@pytest.fixture
 def opened() -> Iterator[Callable[[str], SerialTransport]]:
     """Open ports that are closed with the test."""
     transports: list[SerialTransport] = []

@@ -111,27 +111,15 @@ def test_command_is_truncated_while_the_one_before_is_parsed(
     assert stage.line.receive() == replies
 
 
+@pytest.mark.parametrize(("sent", "seconds"), [(b".q\n", 0.001), (b".q\n.q\n", 0.0017)])
 @named(BUSY)
 def test_query_to_busy_board_is_answered_once_when_idle(
-    stage: AracnaStage, busy: Callable[[AracnaStage], None]
+    stage: AracnaStage, busy: Callable[[AracnaStage], None], sent: bytes, seconds: float
 ) -> None:
     busy(stage)
     before = stage.line.station.firmware.counters["commands"]
-    stage.line.send(b".q\n")
-    stage.line.advance(0.001)
-    assert stage.line.station.firmware.state is not State.IDLE
-    assert is_free(stage).endswith(VERSION)
-    assert stage.line.station.firmware.counters["commands"] == before + 1
-
-
-@named(BUSY)
-def test_repeated_query_to_busy_board_is_answered_once(
-    stage: AracnaStage, busy: Callable[[AracnaStage], None]
-) -> None:
-    busy(stage)
-    before = stage.line.station.firmware.counters["commands"]
-    stage.line.send(b".q\n.q\n")
-    stage.line.advance(0.0017)
+    stage.line.send(sent)
+    stage.line.advance(seconds)
     assert stage.line.station.firmware.state is not State.IDLE
     assert is_free(stage).endswith(VERSION)
     assert stage.line.station.firmware.counters["commands"] == before + 1
