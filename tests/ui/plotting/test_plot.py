@@ -160,20 +160,6 @@ def drag(plot: TracePlot, times: tuple[float, float], modifiers: Qt.KeyboardModi
 # --- Curves -----------------------------------------------------------------------------
 
 
-def test_curves_are_one_logical_pixel_wide_with_a_thin_pen(plot: TracePlot) -> None:
-    def drawn(ratio: int) -> int:
-        picture = QImage(plot.size() * ratio, QImage.Format.Format_RGB32)
-        picture.setDevicePixelRatio(ratio)
-        plot.render(picture)
-        pixels = np.frombuffer(picture.constBits(), dtype=np.uint32)
-        return int(np.count_nonzero(pixels == theme().color("motor2").rgb()))
-
-    assert drawn(2) == pytest.approx(4 * drawn(1), rel=0.2)
-    assert {
-        curve.item.opts["pen"].width() for curve in (shapes[0] for shapes in plot._shapes.values())
-    } == {1}
-
-
 def test_points_drawn_are_limited_however_long_the_history(plot: TracePlot) -> None:
     long = Source(seconds=0)
     for _ in range(10):

@@ -1,12 +1,11 @@
 """The functions that create widgets."""
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QLocale, QPoint, Qt
+from PySide6.QtCore import QLocale, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
-from trex_gui.ui.theme.theme import SCHEMES, theme
 from trex_gui.ui.widgets import builders
 
 
@@ -64,40 +63,3 @@ def test_point_and_comma_separate_decimals_in_every_language(qtbot: QtBot, langu
         box.lineEdit().insert(pasted)
         QTest.keyClick(box, Qt.Key.Key_Return)
         assert box.value() == 1500
-
-
-@pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
-def test_list_of_combo_box_has_the_background_of_lists(qtbot: QtBot, qapp: QApplication) -> None:
-    theme().install(qapp)
-    page = QWidget()
-    qtbot.addWidget(page)
-    combo = builders.combo_box(page, "whichCombo", "Which", items=["one", "two"])
-    page.show()
-    for scheme in SCHEMES[1:]:
-        theme().set_scheme(scheme)
-        QCoreApplication.processEvents()
-        combo.setCurrentIndex(1)
-        combo.showPopup()
-        beside_text = QPoint(2, 2)
-        shown = combo.view().grab().toImage().pixelColor(beside_text)
-        assert shown == theme().color("base"), scheme
-        combo.hidePopup()
-
-
-def test_layouts_hold_items_with_stretch_and_alignment(qtbot: QtBot) -> None:
-    page = QWidget()
-    qtbot.addWidget(page)
-    first, second, third = (builders.label(page, text=text) for text in ("1", "2", "3"))
-    inner = builders.row(first, 1, spacing=4)
-
-    layout = builders.column(
-        inner, (second, 2), (third, 0, Qt.AlignmentFlag.AlignRight), into=page, margins=3
-    )
-
-    assert page.layout() is layout
-    assert [layout.stretch(place) for place in range(3)] == [0, 2, 0]
-    assert inner.count() == 2
-    item = layout.itemAt(2)
-    assert item is not None
-    assert item.alignment() == Qt.AlignmentFlag.AlignRight
-    assert layout.contentsMargins().left() == 3

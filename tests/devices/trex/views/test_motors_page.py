@@ -4,13 +4,12 @@ from collections.abc import Iterator
 
 import pytest
 from PySide6.QtCore import QPoint, QRect
-from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QGroupBox, QSpinBox, QWidget
+from PySide6.QtWidgets import QApplication, QSpinBox, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.accessible_names import spoken_state
 from tests.support.simulator import StartSimulator
-from tests.support.window import LEFT, WidgetDriver
+from tests.support.window import WidgetDriver
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.views.bars import CurrentBar
@@ -74,27 +73,10 @@ def test_page_says_why_the_ceiling_is_low(
     assert page.find(QSpinBox, "motor1Entry").maximum() == 127
 
 
-def test_controls_grow_with_the_page_and_hold_still_while_armed(
+def test_controls_hold_still_while_armed(
     page: MotorsPageDriver, start_simulator: StartSimulator
 ) -> None:
-    panel = page.find(QGroupBox, "gamepadPanel")
     brake = page.button("motor1Brake")
-
-    def side_of_pad() -> int:
-        return min(page.pad.width(), page.pad.height())
-
-    def room_left() -> int:
-        return page.page.height() - page.place_of(panel).bottom()
-
-    assert 170 <= side_of_pad() <= 210
-    page.resize(1880, 830)
-    assert side_of_pad() > 400
-    assert page.pad.width() == pytest.approx(page.pad.height(), abs=2), "no empty room beside it"
-    assert room_left() < 20
-    assert page.place_of(page.find(QWidget, "auxSlider")).bottom() > 0.4 * page.page.height()
-    page.resize(990, 1200)
-    assert page.pad.width() < 0.45 * page.page.width(), "sliders keep their room"
-
     page.resize(1880, 830)
     page.connect(start_simulator("--unpaced").url)
     page.device.motors.arm()
@@ -129,26 +111,3 @@ def test_currents_are_shown_with_their_limits(
     assert not page.has("auxCurrent")
     page.device.disconnect_line()
     page.wait(lambda: spoken_state(first) == "not connected")
-
-
-def test_joint_mode_drives_one_motor_and_ignores_turning(
-    page: MotorsPageDriver, start_simulator: StartSimulator
-) -> None:
-    board = start_simulator("--unpaced")
-    for line in ("eeprom motor_mode 1", "power cycle"):
-        board.do(line)
-    page.connect(board.url)
-    page.device.motors.arm()
-    assert page.text("motor1Title") == "Motor (joint)"
-    assert not page.is_enabled("motor2Slider")
-    assert not page.is_enabled("linkMotors")
-
-    def target() -> tuple[str, int]:
-        motor = board.show()["motors"][0]
-        return motor["target_direction"], motor["target_speed"]
-
-    QTest.mousePress(page.pad, LEFT, pos=page.pad.rect().center())
-    QTest.mouseMove(page.pad, page.pad.rect().topRight())
-    page.wait(lambda: target() == ("forward", 127))
-    QTest.mouseRelease(page.pad, LEFT)
-    page.wait(lambda: target() == ("brake", 127))
