@@ -20,12 +20,7 @@ from trex_gui.devices.trex.client.client import Requester, TrexClient
 from trex_gui.devices.trex.client.reading import read_everything
 from trex_gui.devices.trex.client.writing import write_all
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
-from trex_gui.devices.trex.protocol.commands import (
-    Command,
-    ReplyT_co,
-    SetCalibration,
-    SetParameter,
-)
+from trex_gui.devices.trex.protocol.commands import Command, ReplyT_co, SetCalibration, SetParameter
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.simulator.memory import CALIBRATION_WRITE, PARAMETER_WRITE

@@ -19,20 +19,12 @@ EVERY = 11
 @pytest.mark.parametrize(
     ("fault", "moment"),
     [
-        pytest.param(
-            *case,
-            id=name_of(*case),
-            marks=[pytest.mark.slow] if number % EVERY else [],
-        )
+        pytest.param(*case, id=name_of(*case), marks=[pytest.mark.slow] if number % EVERY else [])
         for number, case in enumerate(CASES)
     ],
 )
 def test_fault(
-    fault: str,
-    moment: str,
-    window: WindowDriver,
-    start_simulator: StartSimulator,
-    tmp_path: Path,
+    fault: str, moment: str, window: WindowDriver, start_simulator: StartSimulator, tmp_path: Path
 ) -> None:
     run_case(fault, moment, window, start_simulator, tmp_path)
 
@@ -48,10 +40,6 @@ def timeouts(request: pytest.FixtureRequest) -> Timeouts:
 @pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 @pytest.mark.parametrize(("fault", "moment"), [("unplug", "driving"), ("mute", "closing")])
 def test_fault_of_a_real_port(
-    fault: str,
-    moment: str,
-    window: WindowDriver,
-    start_simulator: StartSimulator,
-    tmp_path: Path,
+    fault: str, moment: str, window: WindowDriver, start_simulator: StartSimulator, tmp_path: Path
 ) -> None:
     run_case(fault, moment, window, start_simulator, tmp_path, starved=always)

@@ -401,11 +401,7 @@ PROGRAM_TARGETS = (
         growth=RUN,
     ),
     Target(
-        "opened_files",
-        mutations(_file_samples, YAML),
-        check_opened_file,
-        examples=3,
-        growth=RUN,
+        "opened_files", mutations(_file_samples, YAML), check_opened_file, examples=3, growth=RUN
     ),
     Target(
         "configuration",

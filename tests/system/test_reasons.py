@@ -74,9 +74,7 @@ def said_of_a_mistake(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     return reports
 
 
-def test_stop_reasons_are_clauses_without_stop_or_motor(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_stop_reasons_are_clauses_without_stop_or_motor(monkeypatch: pytest.MonkeyPatch) -> None:
     reasons = [
         *said_by_the_desktop(begins=True),
         *said_by_windows(),

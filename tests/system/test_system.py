@@ -33,9 +33,7 @@ from trex_gui.system.windows_events import (
 pytestmark = pytest.mark.realtime
 
 
-def test_stop_is_sent_in_calling_thread_and_reported_in_gui(
-    qtbot: QtBot,
-) -> None:
+def test_stop_is_sent_in_calling_thread_and_reported_in_gui(qtbot: QtBot) -> None:
     sent_from: list[int] = []
     stopper = StopBroadcaster(lambda: sent_from.append(threading.get_ident()))
     thread = threading.Thread(target=lambda: stopper.stop("why"))
@@ -174,9 +172,7 @@ def test_signals_end_window_even_if_their_action_fails(ending: Ending, qtbot: Qt
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
-def test_second_ctrl_c_stops_again_and_ends_closing_window(
-    qtbot: QtBot,
-) -> None:
+def test_second_ctrl_c_stops_again_and_ends_closing_window(qtbot: QtBot) -> None:
     ending = Ending(grace=60)
 
     def pass_one_on(
@@ -243,9 +239,7 @@ def test_exception_stops_before_it_is_reported(monkeypatch: pytest.MonkeyPatch) 
     assert "ValueError" in order[0]
 
 
-def test_exception_is_reported_even_if_stop_fails(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_exception_is_reported_even_if_stop_fails(monkeypatch: pytest.MonkeyPatch) -> None:
     reported: list[object] = []
     monkeypatch.setattr(sys, "excepthook", lambda *args: reported.append(args))
 

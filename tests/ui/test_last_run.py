@@ -108,9 +108,7 @@ def test_every_board_that_was_left_running_is_tried_and_said(said: Said) -> None
         assert all(f"/dev/ttyNONE{number}" in "".join(lines) for number in (1, 2))
 
 
-def test_unconfirmed_stop_is_said_beside_a_board_that_runs_and_once_without_it(
-    said: Said,
-) -> None:
+def test_unconfirmed_stop_is_said_beside_a_board_that_runs_and_once_without_it(said: Said) -> None:
     file = left("/dev/ttyNONE")
     log_stops("12:03:05 unconfirmed")
     for _ in range(2):  # a connection that begins clears the first one

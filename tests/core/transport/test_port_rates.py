@@ -34,9 +34,7 @@ def no_time() -> float:
 
 
 @linux
-def test_pseudo_terminal_supports_every_rate_and_sends_nothing(
-    terminal: tuple[int, str],
-) -> None:
+def test_pseudo_terminal_supports_every_rate_and_sends_nothing(terminal: tuple[int, str]) -> None:
     master, url = terminal
     transport = SerialTransport(ConnectionSettings(url, LineSettings(14400)))
     assert rates_of(transport._port, baud_rates(), no_time) == frozenset(baud_rates())
@@ -59,9 +57,7 @@ def test_rates_query_restores_port_settings(quick_simulator: SimulatedDevice) ->
 
 
 @linux
-def test_pseudo_terminal_can_be_reconfigured_repeatedly(
-    terminal: tuple[int, str],
-) -> None:
+def test_pseudo_terminal_can_be_reconfigured_repeatedly(terminal: tuple[int, str]) -> None:
     for line in (
         LineSettings(57600, Detection.EVEN, 2),
         LineSettings(57600, Detection.ODD, 2),
@@ -97,9 +93,7 @@ class Adapter:
 
 
 @linux
-def test_rate_far_from_driver_rate_is_unsupported(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_rate_far_from_driver_rate_is_unsupported(monkeypatch: pytest.MonkeyPatch) -> None:
     adapter = Adapter(monkeypatch, 9600, 19200, 57143, 75000)
     assert rates_of(adapter, [9600, 38400, 57600, 76800], no_time) == frozenset(
         {9600, 57600, 76800}

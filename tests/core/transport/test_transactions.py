@@ -4,12 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.support.talk import (
-    Said,
-    pieces_of,
-    reports,
-    rows_of,
-)
+from tests.support.talk import Said, pieces_of, reports, rows_of
 from trex_gui.core.transport.traffic import TrafficDirection, TrafficEvent, TransactionAssembler
 from trex_gui.devices.trex.protocol.commands import (
     Command,

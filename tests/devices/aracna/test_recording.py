@@ -88,19 +88,13 @@ def test_last_goals_positions_and_speeds_fill_later_rows(folder: Path) -> None:
 
 
 def test_partial_answer_keeps_last_known_positions(folder: Path) -> None:
-    _, _, passed = rows(
-        folder,
-        Moved(103.0, (512, 0), (510, 1), 2.0),
-        Passed(104.0, (300,)),
-    )
+    _, _, passed = rows(folder, Moved(103.0, (512, 0), (510, 1), 2.0), Passed(104.0, (300,)))
     assert (passed["motor_0_present_units"], passed["motor_1_present_units"]) == ("300", "1")
 
 
 def test_unreadable_position_leaves_cells_empty(folder: Path) -> None:
     _, _, moved = rows(
-        folder,
-        Moved(101.0, (5, 6), (5, 6), 1.0),
-        Moved(102.0, (5, 6), (5, -1), 1.0),
+        folder, Moved(101.0, (5, 6), (5, 6), 1.0), Moved(102.0, (5, 6), (5, -1), 1.0)
     )
     assert moved["motor_0_present_units"] == "5"
     assert moved["motor_1_present_units"] == moved["motor_1_present_deg"] == ""

@@ -90,12 +90,7 @@ def test_points_are_few_and_keep_every_peak(
     step=st.integers(20, 700),
 )
 def test_statistics_equal_a_plain_sum_of_samples(
-    count: int,
-    capacity: int,
-    seed: int,
-    place: tuple[float, float],
-    holes: list[int],
-    step: int,
+    count: int, capacity: int, seed: int, place: tuple[float, float], holes: list[int], step: int
 ) -> None:
     noise = np.random.default_rng(seed)
     times, values = np.arange(count) / 80, noise.normal(3, 2, size=(1, count))

@@ -507,10 +507,7 @@ def test_events_are_marked_listed_and_navigable(panel: TracePanelDriver) -> None
     assert [one.text for _, one in panel.plot._marks.marks] == ["Stop: the window was closed"]
     listed = panel.events
     texts = [str(listed.model().index(row, 0).data()) for row in range(2)]
-    assert texts == [
-        "0:20.000  The board answers again",
-        "0:45.000  Stop: the window was closed",
-    ]
+    assert texts == ["0:20.000  The board answers again", "0:45.000  Stop: the window was closed"]
     listed.activated.emit(listed.model().index(0, 0))
     assert panel.plot.span.start < 20 < panel.plot.span.end
     assert not panel.plot.span.live

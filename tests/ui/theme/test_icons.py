@@ -2,13 +2,7 @@
 
 import pytest
 from PySide6.QtGui import QAction, QColor, QPixmap
-from PySide6.QtWidgets import (
-    QAbstractButton,
-    QDockWidget,
-    QMessageBox,
-    QStyle,
-    QWidget,
-)
+from PySide6.QtWidgets import QAbstractButton, QDockWidget, QMessageBox, QStyle, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.window import WindowDriver

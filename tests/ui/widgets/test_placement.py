@@ -6,12 +6,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QDialog, QMainWindow, QWidget
 from pytestqt.qtbot import QtBot
 
-from trex_gui.ui.widgets.placement import (
-    fitted,
-    keep_on_screen,
-    restore_geometry,
-    save_geometry,
-)
+from trex_gui.ui.widgets.placement import fitted, keep_on_screen, restore_geometry, save_geometry
 
 NETBOOK = QRect(0, 0, 1024, 600)
 BESIDE = QRect(1920, 30, 1366, 738)  # a second screen, below a panel

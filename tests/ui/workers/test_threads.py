@@ -7,12 +7,7 @@ import pytest
 from PySide6.QtCore import QObject
 from pytestqt.qtbot import QtBot
 
-from trex_gui.ui.workers.threads import (
-    WorkerThread,
-    adopt_orphan,
-    release_orphan,
-    wait_for_orphans,
-)
+from trex_gui.ui.workers.threads import WorkerThread, adopt_orphan, release_orphan, wait_for_orphans
 
 pytestmark = pytest.mark.realtime
 

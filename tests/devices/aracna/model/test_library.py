@@ -76,9 +76,7 @@ def test_invalid_pose_name_is_rejected(library: Library, name: str) -> None:
     assert not library.undo.canUndo()
 
 
-def test_deleted_pose_stays_in_sequences_and_undo_restores_it(
-    library: Library,
-) -> None:
+def test_deleted_pose_stays_in_sequences_and_undo_restores_it(library: Library) -> None:
     library.add_sequence("up", [SequenceStep("flat")])
     library.delete(ItemKind.POSE, "flat")
     assert library.project.pose("flat") is None
@@ -252,11 +250,7 @@ def test_sample_file_opens_without_findings(library: Library) -> None:
     path = resource("aracna/sample.ppr")
     assert opened(library, path) == ()
     assert write_ppr(library.project).encode() == path.read_bytes()
-    assert [one.name for one in library.project.sequences] == [
-        "stand up",
-        "star 6",
-        "push-ups",
-    ]
+    assert [one.name for one in library.project.sequences] == ["stand up", "star 6", "push-ups"]
 
 
 def test_gait_becomes_sequence_and_adds_its_poses_once(library: Library) -> None:
@@ -283,9 +277,7 @@ def test_gait_of_built_in_poses_adds_no_poses(library: Library) -> None:
     )
 
 
-def test_gait_ignores_changed_pose_of_same_name(
-    library: Library,
-) -> None:
+def test_gait_ignores_changed_pose_of_same_name(library: Library) -> None:
     library.set_positions("flat", EIGHT)
     library.add_gait(STAND_UP)
     step = library.project.sequences[0].steps[0]

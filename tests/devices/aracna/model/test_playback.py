@@ -8,13 +8,7 @@ from random import Random
 import pytest
 from pytestqt.qtbot import QtBot
 
-from tests.devices.aracna.recordings import (
-    MOTORS,
-    T0,
-    open_recording,
-    session,
-    write,
-)
+from tests.devices.aracna.recordings import MOTORS, T0, open_recording, session, write
 from tests.support.playing import loading
 from trex_gui.devices.aracna.model.recordings import RobotPlayback
 from trex_gui.devices.aracna.model.robot_state import RobotState

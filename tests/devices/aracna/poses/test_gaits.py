@@ -37,9 +37,7 @@ def test_every_built_in_motion_fits_the_usual_limits() -> None:
 
 
 @pytest.mark.parametrize("number", [0, 2, 4, 6])
-def test_star_gait_lifts_diagonal_legs_and_swings_outer_joints(
-    number: int,
-) -> None:
+def test_star_gait_lifts_diagonal_legs_and_swings_outer_joints(number: int) -> None:
     star = gait(f"star {number}")
     assert [stage.seconds for stage in star.stages] == [0.5, 0.2, 0.5, 0.2]
     off = [[position - 300 for position in stage.pose.positions] for stage in star.stages]

@@ -171,9 +171,7 @@ def test_blanks_around_names_are_ignored() -> None:
 
 
 @pytest.mark.parametrize("lines", [("Pose=a:1\n", "Pose= a :2\n"), ("Pose= a :2\n", "Pose=a:1\n")])
-def test_pose_differing_only_in_blanks_is_renamed(
-    lines: tuple[str, str],
-) -> None:
+def test_pose_differing_only_in_blanks_is_renamed(lines: tuple[str, str]) -> None:
     project, findings = read_ppr(HEAD + "".join(lines) + "Seq=s: a|500\n")
     assert {pose.name: pose.positions[0] for pose in project.poses} == {"a": 1, "a 2": 2}
     [finding] = [one for one in findings if "blanks" in one.message]

@@ -90,9 +90,7 @@ def test_invalid_line_is_unrecognized(line: bytes) -> None:
 
 
 @pytest.mark.parametrize("tail", [b"h\r\n", b"\r\n", b"\n", b",8\r\n", b"12,-1,5\r\n", b"\xff\n"])
-def test_rest_of_partial_first_line_is_ignored(
-    tail: bytes,
-) -> None:
+def test_rest_of_partial_first_line_is_ignored(tail: bytes) -> None:
     reader = Reader()
     assert [reply for reply in reader.feed(tail) if reply != Hello()] == []
     assert reader.feed(b".q1,8\r\n") == [Version(1, 8)]

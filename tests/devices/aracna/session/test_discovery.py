@@ -170,9 +170,7 @@ BEGUN: list[State] = [(first, *rest) for first in range(0x80, 0xF2) for rest in 
 
 
 @pytest.mark.parametrize("own", OWN, ids=lambda own: own.text())
-def test_probe_cannot_form_trex_motor_command(
-    own: LineSettings,
-) -> None:
+def test_probe_cannot_form_trex_motor_command(own: LineSettings) -> None:
     """For any device number, any polynomial, and whatever the board received before."""
     for crc in (False, True) if own.detection is Detection.NONE else (False,):
         assert not _orders_obeyed([(), *BEGUN], [PROBE], own, crc=crc, rinsed=True)

@@ -195,9 +195,7 @@ def test_stuck_motor_ends_playback() -> None:
 
 
 @pytest.mark.parametrize("lost", [1, 2, 3, 20, 33, 34])
-def test_command_after_truncated_reply_succeeds(
-    lost: int,
-) -> None:
+def test_command_after_truncated_reply_succeeds(lost: int) -> None:
     session = ScriptedSession().at(0.2, SetSpeeds(1, SLOW)).at(0.5, Move(2, THERE))
     session.at(0.7, f"line drop {lost}").at(7.0, Move(3, HERE)).until(14.0).run()
     outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
@@ -219,9 +217,7 @@ def test_damaged_speed_reply_fails_in_1_s_and_robot_stays() -> None:
 
 
 @pytest.mark.parametrize("dropped", [1, 2, 4, 11, 33, 34])
-def test_lost_sent_bytes_do_not_prevent_later_move(
-    dropped: int,
-) -> None:
+def test_lost_sent_bytes_do_not_prevent_later_move(dropped: int) -> None:
     session = ScriptedSession().at(0.2, SetSpeeds(9, SLOW)).at(0.5, Move(8, HERE))
     session.at(0.7, f"line drop {dropped} sent")
     session.at(0.7, Move(1, THERE)).at(12.0, Move(2, HERE)).until(16.0).run()

@@ -3,12 +3,7 @@
 from itertools import pairwise
 
 from tests.devices.aracna.session.scripted_session import ScriptedSession
-from trex_gui.devices.aracna.session.messages import (
-    Connected,
-    LineStats,
-    Move,
-    SetSpeeds,
-)
+from trex_gui.devices.aracna.session.messages import Connected, LineStats, Move, SetSpeeds
 from trex_gui.devices.aracna.session.session import STATS_INTERVAL
 
 THERE = (520,) * 8

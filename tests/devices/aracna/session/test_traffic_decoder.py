@@ -27,18 +27,10 @@ ARACNA: list[tuple[Said, str, bool]] = [
         "go to 5, 6 → not a reply of an Aracna: .c5,; the robot has started, busy for a second",
         True,
     ),
-    (
-        (b".c5,6\n", b".h\r\n"),
-        "go to 5, 6 → the robot has started, busy for a second",
-        True,
-    ),
+    ((b".c5,6\n", b".h\r\n"), "go to 5, 6 → the robot has started, busy for a second", True),
     ((b".c5,6\n", b"%!\r\n.c5,6\r\n"), "go to 5, 6 → not a reply of an Aracna: %!; at 5, 6", True),
     ((b"\n", b""), "end an unfinished line in the robot's buffer", False),
-    (
-        (b"", b".h\r\n"),
-        "unsolicited: the robot has started, busy for a second",
-        False,
-    ),
+    ((b"", b".h\r\n"), "unsolicited: the robot has started, busy for a second", False),
     ((b"", b".h"), "unsolicited: incomplete line: .h", True),
 ]
 

@@ -171,9 +171,7 @@ def test_next_command_completes_truncated_one_with_enough_values() -> None:
     assert stage.ask(GOALS) == b".c600,600,600,600,600,600,600,600\r\n"
 
 
-def test_command_sent_right_behind_speeds_is_truncated(
-    stage: AracnaStage,
-) -> None:
+def test_command_sent_right_behind_speeds_is_truncated(stage: AracnaStage) -> None:
     stage.line.send(SPEEDS + b".l1\n")  # ".l" and the newline survive
     stage.line.advance(1)
     assert stage.line.receive() == SPEEDS.replace(b"\n", b"\r\n") + b".l0\r\n"

@@ -65,9 +65,7 @@ def test_second_stop_bit_is_accepted(stage: AracnaStage) -> None:
     assert stage.ask(b".q\n") == VERSION
 
 
-def test_replugged_cable_passes_rest_of_reply(
-    stage: AracnaStage,
-) -> None:
+def test_replugged_cable_passes_rest_of_reply(stage: AracnaStage) -> None:
     stage.line.send(b".q\n")
     stage.line.read(2, 1)
     stage.do("line unplug")

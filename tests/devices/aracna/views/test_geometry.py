@@ -13,10 +13,7 @@ POSITIONS = st.tuples(st.integers(0, 1023), st.integers(0, 1023))
 @given(pair=POSITIONS)
 def test_legs_with_equal_positions_are_mirrored(pair: tuple[int, int]) -> None:
     drawn = {leg.leg: leg for leg in drawn_legs(pair * 4)}
-    for right, left in (
-        (Leg.RIGHT_FRONT, Leg.LEFT_FRONT),
-        (Leg.RIGHT_BACK, Leg.LEFT_BACK),
-    ):
+    for right, left in ((Leg.RIGHT_FRONT, Leg.LEFT_FRONT), (Leg.RIGHT_BACK, Leg.LEFT_BACK)):
         assert drawn[right].foot[0] == pytest.approx(-drawn[left].foot[0], abs=1e-9)
         assert drawn[right].foot[1] == pytest.approx(drawn[left].foot[1], abs=1e-9)
     front, back = drawn[Leg.RIGHT_FRONT].foot, drawn[Leg.RIGHT_BACK].foot

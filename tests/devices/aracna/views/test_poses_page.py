@@ -83,9 +83,7 @@ def test_go_to_requests_positions_when_robot_is_connected(driver: StagedPageDriv
     assert driver.robot.goals == [(512, 550) * 4]
 
 
-def test_position_field_edits_pose_and_shows_clamped_value(
-    driver: StagedPageDriver,
-) -> None:
+def test_position_field_edits_pose_and_shows_clamped_value(driver: StagedPageDriver) -> None:
     driver.library.set_positions("stand", (512, 680) * 4)
     driver.choose_row("aracnaPoses", "stand")
     field = driver.spin("aracnaPosition3")

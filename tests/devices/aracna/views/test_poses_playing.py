@@ -2,12 +2,7 @@
 
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import (
-    QAbstractButton,
-    QAbstractItemView,
-    QAbstractSpinBox,
-    QWidget,
-)
+from PySide6.QtWidgets import QAbstractButton, QAbstractItemView, QAbstractSpinBox, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.devices.aracna.views.poses_stage import EIGHT, StagedPageDriver
@@ -97,9 +92,7 @@ def test_late_motors_are_named_at_their_step(driver: StagedPageDriver) -> None:
     assert "cannot make it" not in driver.summary
 
 
-def test_sequence_is_playable_only_with_all_poses_defined(
-    driver: StagedPageDriver,
-) -> None:
+def test_sequence_is_playable_only_with_all_poses_defined(driver: StagedPageDriver) -> None:
     driver.connect()
     driver.library.add_sequence("gait", [SequenceStep("p1", 500)])
     driver.choose_row("aracnaMotions", "gait")
@@ -171,9 +164,7 @@ def test_panel_survives_deletion_of_library(driver: StagedPageDriver, qtbot: QtB
     assert driver.page.isVisible()
 
 
-def test_menu_plays_only_while_play_is_possible(
-    driver: StagedPageDriver,
-) -> None:
+def test_menu_plays_only_while_play_is_possible(driver: StagedPageDriver) -> None:
     driver.library.add_sequence("bob", [SequenceStep("stand", 500)])
     driver.choose_row("aracnaMotions", "bob")
     driver.page.play()

@@ -33,10 +33,7 @@ def test_profile_is_zero_before_start_and_after_end(profile: Profile) -> None:
 @given(profile=PROFILES, share=st.floats(0, 0.999))
 def test_negative_speed_mirrors_profile(profile: Profile, share: float) -> None:
     turned = Profile(
-        shape=profile.shape,
-        speed=-profile.speed,
-        duration=profile.duration,
-        period=profile.period,
+        shape=profile.shape, speed=-profile.speed, duration=profile.duration, period=profile.period
     )
     moment = profile.duration * share
     assert turned.speed_at(moment) == -profile.speed_at(moment)

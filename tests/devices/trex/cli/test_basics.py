@@ -28,12 +28,7 @@ def test_status_json_contains_product_and_parameters(trexcmd: RunCommand) -> Non
     assert report["firmware"] == "1.2"
     assert report["mode"] == "r"
     assert report["motor_1_current_A"] == 0.0
-    assert report["channels"][0] == {
-        "channel": 1,
-        "raw": 3750,
-        "pulse_us": 1500.0,
-        "remapped": 0,
-    }
+    assert report["channels"][0] == {"channel": 1, "raw": 3750, "pulse_us": 1500.0, "remapped": 0}
     assert len(report["parameters"]) == 28
     assert report["parameters"]["uart_settings"]["value"] == 5
 

@@ -50,11 +50,7 @@ def test_changing_one_setting_shows_and_snapshots_old_value(
 
 @one_setting
 def test_setting_is_not_stored_if_snapshot_fails(
-    trexcmd: RunCommand,
-    tmp_path: Path,
-    words: tuple[str, ...],
-    shown: str,
-    reason: str,
+    trexcmd: RunCommand, tmp_path: Path, words: tuple[str, ...], shown: str, reason: str
 ) -> None:
     del shown, reason
     before = memory(trexcmd)

@@ -96,10 +96,7 @@ Disturb = Callable[[Callable[[SettingsWrite], object]], tuple[SettingsWrite, str
 
 @pytest.fixture
 def disturb(
-    start: StartCommand,
-    trexcmd: RunCommand,
-    start_simulator: StartSimulator,
-    tmp_path: Path,
+    start: StartCommand, trexcmd: RunCommand, start_simulator: StartSimulator, tmp_path: Path
 ) -> Disturb:
     """Disturb the writing of other settings into a board whose bytes take their time.
 

@@ -42,10 +42,7 @@ def test_transcript_of_the_simulator_has_no_difference(
     "options", [("--model", "trexjr", "--firmware", "1.0"), ("--mode", "analog"), ("--echo",)]
 )
 def test_board_begins_as_the_transcript_shows_it(
-    trexcmd: RunCommand,
-    start_simulator: StartSimulator,
-    transcript: Path,
-    options: tuple[str, ...],
+    trexcmd: RunCommand, start_simulator: StartSimulator, transcript: Path, options: tuple[str, ...]
 ) -> None:
     simulator = start_simulator(*options)
     words = ("--port", simulator.url, "--traffic", str(transcript))

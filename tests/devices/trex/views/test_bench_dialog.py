@@ -8,13 +8,7 @@ import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QImage, QKeyEvent, QMouseEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import (
-    QApplication,
-    QCheckBox,
-    QDoubleSpinBox,
-    QSpinBox,
-    QWidget,
-)
+from PySide6.QtWidgets import QApplication, QCheckBox, QDoubleSpinBox, QSpinBox, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.bench.runs import run_of
@@ -102,9 +96,7 @@ def test_space_bar_holds_button_and_repeats_are_ignored(hold_button: HoldButtonD
     assert hold_button.signals == ["held", "released"]
 
 
-def test_returning_mouse_does_not_hold_a_released_button(
-    hold_button: HoldButtonDriver,
-) -> None:
+def test_returning_mouse_does_not_hold_a_released_button(hold_button: HoldButtonDriver) -> None:
     hold_button.press()
     hold_button.move(QPoint(500, 500))
     assert hold_button.signals == ["held", "released"]

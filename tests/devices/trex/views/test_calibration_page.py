@@ -6,11 +6,7 @@ import pytest
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import (
-    QApplication,
-    QSpinBox,
-    QTabBar,
-)
+from PySide6.QtWidgets import QApplication, QSpinBox, QTabBar
 from pytestqt.qtbot import QtBot
 
 from tests.support.keyboard import tab_order

@@ -86,11 +86,7 @@ def test_leds_have_the_words_of_the_status_page() -> None:
         (RC, "fast flash", "safe-start, the motors wait"),
         (RC, PACKETS, "while a packet arrives"),
         (replace(RC, power=False), "off", "the power is off"),
-        (
-            replace(RC, boot_mode=BootStep.LEARN_READY),
-            "blink 1/s",
-            "remove the Mix jumper",
-        ),
+        (replace(RC, boot_mode=BootStep.LEARN_READY), "blink 1/s", "remove the Mix jumper"),
     ],
 )
 def test_led_pattern_is_explained(snapshot: DemoSnapshot, pattern: str, meaning: str) -> None:
@@ -132,10 +128,7 @@ def test_board_state_is_described(snapshot: DemoSnapshot, words: str) -> None:
             replace(SERIAL, jumpers=DemoJumpers("serial", True, True)),
             "Power cycle to start the boot loader.",
         ),
-        (
-            replace(RC, jumpers=DemoJumpers("rc", True, True), boot_mode=BootStep.LEARN_DONE),
-            "",
-        ),
+        (replace(RC, jumpers=DemoJumpers("rc", True, True), boot_mode=BootStep.LEARN_DONE), ""),
     ],
 )
 def test_moved_jumper_hints_at_the_power_cycle(snapshot: DemoSnapshot, hint: str) -> None:

@@ -192,9 +192,7 @@ def test_other_mouse_button_does_not_end_a_drag(controls: DriveControlsDriver) -
     assert controls.slider.held
 
 
-def test_slider_is_released_when_its_key_code_changes(
-    controls: DriveControlsDriver,
-) -> None:
+def test_slider_is_released_when_its_key_code_changes(controls: DriveControlsDriver) -> None:
     controls.slider.setFocus()
     QTest.keyPress(controls.slider, Qt.Key.Key_PageUp)
     assert controls.slider.held
@@ -252,10 +250,7 @@ def test_step_is_sent_at_once(qtbot: QtBot) -> None:
     assert chosen[-1] == 11
 
 
-@pytest.mark.parametrize(
-    "leave",
-    [SpeedEntry.clearFocus, SpeedEntry.hide, SpeedEntry.close],
-)
+@pytest.mark.parametrize("leave", [SpeedEntry.clearFocus, SpeedEntry.hide, SpeedEntry.close])
 def test_unentered_number_is_discarded(qtbot: QtBot, leave: Callable[[SpeedEntry], object]) -> None:
     entry, chosen = typing_in(qtbot, "100")
     entry.show_setpoint(30)

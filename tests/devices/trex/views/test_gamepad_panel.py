@@ -3,12 +3,7 @@
 from collections.abc import Iterator
 
 import pytest
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QSpinBox,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QCheckBox, QSpinBox, QVBoxLayout, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.accessible_names import spoken_state

@@ -5,13 +5,7 @@ from collections.abc import Iterator
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import (
-    QApplication,
-    QComboBox,
-    QSpinBox,
-    QToolButton,
-    QWidget,
-)
+from PySide6.QtWidgets import QApplication, QComboBox, QSpinBox, QToolButton, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.views.parameters import ParametersDriver
@@ -115,10 +109,7 @@ def enter(editor: WidgetDriver, spec: ParameterSpec, wire: int) -> None:
 
 on_each_board = pytest.mark.parametrize(
     ("model_key", "firmware"),
-    [
-        *(pytest.param(*board, marks=pytest.mark.slow) for board in BOARDS[:-1]),
-        BOARDS[-1],
-    ],
+    [*(pytest.param(*board, marks=pytest.mark.slow) for board in BOARDS[:-1]), BOARDS[-1]],
 )
 
 
