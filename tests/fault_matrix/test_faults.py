@@ -12,8 +12,8 @@ from tests.support.simulator import StartSimulator
 from tests.support.window import WindowDriver
 from trex_gui.core.timing import Timeouts
 
-EVERY = 11
-"""Of so many cases the gate runs one; it shares no factor with the number of faults."""
+EVERY = 13
+"""Of so many cases the gate runs one: each fault, and each moment once or twice."""
 
 
 @pytest.mark.parametrize(
