@@ -14,13 +14,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from trex_gui.core.errors import (
-        BadReply,
-        BadRequest,
-        NoReply,
-        PortUnavailable,
-        StudioError,
-    )
+    from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable, StudioError
     from trex_gui.devices.trex.board.errors import ErrorEntry
     from trex_gui.devices.trex.library import BoardStatus, ChannelStatus, MotorsStoppedError, Trex
     from trex_gui.devices.trex.protocol.calibration import Calibration

@@ -220,9 +220,7 @@ class TrexProber:
                 signature = read_signature(client.request, has_crc=client.has_crc)
                 stored_number, stored = (
                     agreed(
-                        client.request,
-                        GetParameter(parameter_number(key)),
-                        has_crc=client.has_crc,
+                        client.request, GetParameter(parameter_number(key)), has_crc=client.has_crc
                     )
                     for key in (ParameterKey.DEVICE_NUMBER, ParameterKey.UART_SETTINGS)
                 )
@@ -291,30 +289,24 @@ class TrexProber:
         if self._strange:
             return self._strange_evidence(url)
         if self.echo:
-            return Evidence.ECHO, (
-                tr(
-                    "No TReX responds on {0}: everything sent comes back, and nothing else, "
-                    "at every rate. Either this is the RS-232 side of a board that is off, or"
-                    " the adapter's TX and RX are joined."
-                ).format(url)
-            )
-        if self._is_fixed:
-            return Evidence.SILENCE, (
-                tr(
-                    "No TReX responds on {0}. Its baud rate is set at the other end of the "
-                    "network, so only that one could be tried, without parity and without "
-                    "CRC."
-                ).format(url)
-            )
-        return Evidence.SILENCE, (
-            tr(
-                "No TReX responds on {0} at any baud rate, with any parity or with CRC. "
-                "Check that the board has power (an LED is lit), that the adapter's TX "
-                "goes to SI and its RX to SO (or both RS-232 pins, never mixed), and that"
-                " ground is connected. A board with a custom CRC polynomial is only found"
-                " by the full scan."
+            return Evidence.ECHO, tr(
+                "No TReX responds on {0}: everything sent comes back, and nothing else, "
+                "at every rate. Either this is the RS-232 side of a board that is off, or"
+                " the adapter's TX and RX are joined."
             ).format(url)
-        )
+        if self._is_fixed:
+            return Evidence.SILENCE, tr(
+                "No TReX responds on {0}. Its baud rate is set at the other end of the "
+                "network, so only that one could be tried, without parity and without "
+                "CRC."
+            ).format(url)
+        return Evidence.SILENCE, tr(
+            "No TReX responds on {0} at any baud rate, with any parity or with CRC. "
+            "Check that the board has power (an LED is lit), that the adapter's TX "
+            "goes to SI and its RX to SO (or both RS-232 pins, never mixed), and that"
+            " ground is connected. A board with a custom CRC polynomial is only found"
+            " by the full scan."
+        ).format(url)
 
     def _strange_evidence(self, url: str) -> tuple[Evidence, str]:
         line, data = self._strange[0]

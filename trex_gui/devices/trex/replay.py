@@ -31,11 +31,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode
 from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL, Malformed, Packet, Reply
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
-from trex_gui.devices.trex.protocol.parameters import (
-    ParameterKey,
-    parameter_number,
-    parameters_of,
-)
+from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameter_number, parameters_of
 from trex_gui.devices.trex.protocol.raw_packets import packets_of
 from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder, last_exchange
 from trex_gui.devices.trex.simulator.firmware import Board

@@ -48,17 +48,17 @@ _STATUS_REMEDIES = {
 _UART_REMEDIES = {
     UartError.TIMEOUT: DriveBlocker.TIMEOUT.remedy,
     UartError.FORMAT: tr_noop(
-        "Check cable and ground, and that no other program sends on this line.",
+        "Check cable and ground, and that no other program sends on this line."
     ),
     UartError.CRC: tr_noop(
-        "Check cable and ground, and that every program on this line uses the same polynomial.",
+        "Check cable and ground, and that every program on this line uses the same polynomial."
     ),
     UartError.FRAMING: tr_noop(
-        "Check cable, ground and baud rate, and keep motor leads away from the line.",
+        "Check cable, ground and baud rate, and keep motor leads away from the line."
     ),
     UartError.DATA_OVERRUN: tr_noop("Use a lower baud rate."),
     UartError.PARITY: tr_noop(
-        "Check cable and ground, and that every program on this line uses the same parity.",
+        "Check cable and ground, and that every program on this line uses the same parity."
     ),
     UartError.READ_OVERRUN: tr_noop("Let no other program send on this line."),
     UartError.SEND_OVERRUN: tr_noop("Let other programs request fewer channels at once."),

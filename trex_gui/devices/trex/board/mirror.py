@@ -18,11 +18,7 @@ from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.reading import DeviceState, may_be_same_board
 from trex_gui.devices.trex.client.telemetry import Control, LatchedStatus, Newest, Raw, Sample
 from trex_gui.devices.trex.driving.board_reasons import BoardInputs, board_inputs
-from trex_gui.devices.trex.driving.timeout_stop import (
-    TimeoutStop,
-    remedy_for_silence,
-    timeout_stop,
-)
+from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop, remedy_for_silence, timeout_stop
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import who_controls
 from trex_gui.devices.trex.protocol.flags import Status, UartError, bit_names
@@ -266,14 +262,14 @@ class BoardMirror:
         """
         if latched.uart & UartError.TIMEOUT:
             return tr(
-                "The board received nothing within its Serial Timeout, so the motors were stopped.",
+                "The board received nothing within its Serial Timeout, so the motors were stopped."
             )
         parameters = {} if self.state is None else self.state.parameters
         if latched.uart and parameters.get(ParameterKey.UART_ERROR_SHUTDOWN):
             names = ", ".join(map(tr, bit_names(latched.uart)))
             text = tr(
                 "The board stopped its motors because of an error on the line ({0}): UART-Error "
-                "Shutdown is set.",
+                "Shutdown is set."
             )
             return text.format(names.lower())
         return ""

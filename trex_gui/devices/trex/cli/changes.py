@@ -9,20 +9,14 @@ from trex_gui.core.texts import counted
 from trex_gui.devices.trex.board.keeper import Keeper, read_record
 from trex_gui.devices.trex.cli.common import as_options, identify
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.client.reading import (
-    DeviceState,
-    read_everything,
-)
+from trex_gui.devices.trex.client.reading import DeviceState, read_everything
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 from trex_gui.devices.trex.session.reconnecting import after_power_cycle
 from trex_gui.devices.trex.settings.accepted import AcceptedValues
 from trex_gui.devices.trex.settings.board_records import BoardRecord
-from trex_gui.devices.trex.settings.comparison import (
-    Comparison,
-    compare,
-)
+from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.settings.document import Settings, open_values, settings_of
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 from trex_gui.devices.trex.settings.rules import Context, lint

@@ -100,11 +100,7 @@ def show(which: str, as_json: bool) -> None:
 @history.command("diff", cls=ComparisonCommand)
 @click.argument("first", metavar="N|FILE", type=FILE, shell_complete=_complete_number)
 @click.argument(
-    "second",
-    metavar="[N|FILE]",
-    required=False,
-    type=FILE,
-    shell_complete=_complete_number,
+    "second", metavar="[N|FILE]", required=False, type=FILE, shell_complete=_complete_number
 )
 @link_options
 @json_option

@@ -41,10 +41,7 @@ from trex_gui.devices.trex.driving.requests import (
     Stop,
     packets,
 )
-from trex_gui.devices.trex.driving.timeout_stop import (
-    TimeoutStop,
-    turning_text,
-)
+from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop, turning_text
 from trex_gui.devices.trex.protocol.commands import GetSerialControl
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
@@ -74,13 +71,7 @@ _SLICE = 0.02  # longest wait in seconds without a look at signals
 @seconds_option
 @click.option("--brake", is_flag=True, help="Brake; SPEED is the braking duty, 0 to 127.")
 def motor(
-    which: str,
-    speed: int,
-    *,
-    accelerate: bool,
-    seconds: float | None,
-    brake: bool,
-    **options: Any,
+    which: str, speed: int, *, accelerate: bool, seconds: float | None, brake: bool, **options: Any
 ) -> None:
     """Run a motor at SPEED, -127 to 127 (auxiliary motor 0 to 127), then stop every motor.
 

@@ -19,12 +19,7 @@ from trex_gui.devices.trex.protocol.commands import (
     SetCalibration,
     SetParameter,
 )
-from trex_gui.devices.trex.protocol.errors import (
-    ErrorCode,
-    Rejected,
-    ResultCode,
-    TrexBadReplyError,
-)
+from trex_gui.devices.trex.protocol.errors import ErrorCode, Rejected, ResultCode, TrexBadReplyError
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec
 
 ValueT = TypeVar("ValueT", int, Calibration)

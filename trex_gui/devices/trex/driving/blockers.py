@@ -40,7 +40,7 @@ class DriveBlocker(Enum):
         Effect.STOPS,
         tr_noop("Channel {0} is required but has no signal."),
         tr_noop(
-            "Safe-start keeps the motors off: switch the transmitter on and release its sticks.",
+            "Safe-start keeps the motors off: switch the transmitter on and release its sticks."
         ),
     )
     CHANNEL_ABOVE = (
@@ -48,14 +48,10 @@ class DriveBlocker(Enum):
         tr_noop("Channel {0} is {1} above neutral."),
         tr_noop(
             "Safe-start holds the motors until it is within about {2} (inferred): release the "
-            "stick, or calibrate the channel (in serial mode).",
+            "stick, or calibrate the channel (in serial mode)."
         ),
     )
-    CHANNEL_BELOW = (
-        Effect.STOPS,
-        tr_noop("Channel {0} is {1} below neutral."),
-        CHANNEL_ABOVE[2],
-    )
+    CHANNEL_BELOW = (Effect.STOPS, tr_noop("Channel {0} is {1} below neutral."), CHANNEL_ABOVE[2])
     OVERRIDE_AT_START = (
         Effect.STOPS,
         tr_noop("Channel 5 requests serial override."),
@@ -70,25 +66,21 @@ class DriveBlocker(Enum):
         Effect.STOPS,
         tr_noop(
             "Motor {0} has no drive: its driver shut down (too hot, a short circuit, or low "
-            "voltage).",
+            "voltage)."
         ),
         tr_noop("Reduce the load, check wires and battery, let it cool."),
     )
     TIMEOUT = (
         Effect.STOPS,
-        tr_noop(
-            "Serial timeout: the board received nothing for {0}.",
-        ),
+        tr_noop("Serial timeout: the board received nothing for {0}."),
         tr_noop("Check the cable, or set a longer Serial Timeout in Parameters."),
     )
     LINE_ERROR = (
         Effect.STOPS,
-        tr_noop(
-            "Serial errors ({0}): the board stops the motors when bytes arrive corrupted.",
-        ),
+        tr_noop("Serial errors ({0}): the board stops the motors when bytes arrive corrupted."),
         tr_noop(
             "Check cable and ground. Without UART-Error Shutdown the Serial Timeout may not stop "
-            "the motors either (twin).",
+            "the motors either (twin)."
         ),
     )
     STOPPING = (
@@ -106,15 +98,9 @@ class DriveBlocker(Enum):
         tr_noop("No board is connected."),
         tr_noop("Choose a port above and press Connect."),
     )
-    OPENING = (
-        Effect.BLOCKS,
-        tr_noop("The program is connecting to the board."),
-    )
+    OPENING = (Effect.BLOCKS, tr_noop("The program is connecting to the board."))
     CLOSING = (Effect.BLOCKS, tr_noop("The connection is being closed."))
-    UNKNOWN = (
-        Effect.BLOCKS,
-        tr_noop("The board has not reported yet what controls the motors."),
-    )
+    UNKNOWN = (Effect.BLOCKS, tr_noop("The board has not reported yet what controls the motors."))
     NOT_SERIAL = (
         Effect.BLOCKS,
         tr_noop("The board reports that serial commands do not control the motors."),
@@ -125,7 +111,7 @@ class DriveBlocker(Enum):
         tr_noop("The RC channels control the motors, not serial commands."),
         tr_noop(
             "To drive by serial commands, turn on the override switch (channel 5), or switch the "
-            "board off, remove the mode jumper and switch it on.",
+            "board off, remove the mode jumper and switch it on."
         ),
     )
     ANALOG_CHANNELS = (
@@ -138,15 +124,8 @@ class DriveBlocker(Enum):
         tr_noop("Commands without a device number would reach several boards."),
         tr_noop("Select one of the boards on this line."),
     )
-    NOT_ALLOWED = (
-        Effect.BLOCKS,
-        tr_noop("The motors cannot be armed at this moment."),
-    )
-    STOPPED = (
-        Effect.BLOCKS,
-        tr_noop("Stopped. {0}"),
-        tr_noop("Run motor arms the motors again."),
-    )
+    NOT_ALLOWED = (Effect.BLOCKS, tr_noop("The motors cannot be armed at this moment."))
+    STOPPED = (Effect.BLOCKS, tr_noop("Stopped. {0}"), tr_noop("Run motor arms the motors again."))
     NOT_ARMED = (
         Effect.BLOCKS,
         tr_noop("Not armed: nothing is sent yet."),
@@ -166,10 +145,7 @@ class DriveBlocker(Enum):
         Effect.NOTE,
         tr_noop("Channel 5 overrides the sticks for as long as its switch is on."),
     )
-    JOINT = (
-        Effect.NOTE,
-        tr_noop("Joint mode: both drivers work as one motor."),
-    )
+    JOINT = (Effect.NOTE, tr_noop("Joint mode: both drivers work as one motor."))
 
     def __init__(self, effect: Effect, text: str, remedy: str = "") -> None:
         self.effect = effect

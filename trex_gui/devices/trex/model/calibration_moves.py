@@ -135,7 +135,7 @@ def why_not_symmetric(calibration: Calibration, source: InputSource, *, larger: 
         return ""
     return tr(
         "That would leave {0} on each side of neutral, {1} of it deadband: too little to reach "
-        "every output value.",
+        "every output value."
     ).format(source.text(travel), source.text(calibration.deadband))
 
 

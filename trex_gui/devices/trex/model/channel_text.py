@@ -83,9 +83,7 @@ def function_text(
     if mode.is_serial:
         text = tr("Read only; does not drive. In RC and analog mode it {1}.")
     elif overridden and channel not in _SWITCHES:
-        text = tr(
-            "Does not drive now: serial commands override it. Otherwise it {1}.",
-        )
+        text = tr("Does not drive now: serial commands override it. Otherwise it {1}.")
     elif overridden and channel == 5:
         text = tr("On now. It {1}.")
     else:
@@ -124,17 +122,17 @@ def source_instructions(source: InputSource, mode: Mode) -> str:
         text = tr(
             "The board reads {0} now, and only shows and accepts calibrations for them. To see "
             "these, make it read {1}: set Channel Input Source, apply, and switch the board off "
-            "and on.",
+            "and on."
         )
     elif source is InputSource.RC:
         text = tr(
             "The board reads {0} now, and only shows and accepts calibrations for them. To see "
-            "these: switch it off, put the mode jumper to RC, switch it on.",
+            "these: switch it off, put the mode jumper to RC, switch it on."
         )
     else:
         text = tr(
             "The board reads {0} now, and only shows and accepts calibrations for them. To see "
-            "these: switch it off, put the mode jumper to analog, switch it on.",
+            "these: switch it off, put the mode jumper to analog, switch it on."
         )
     return text.format(tr(SOURCE_NAMES[mode.source]), tr(SOURCE_NAMES[source]))
 
@@ -151,7 +149,7 @@ def write_failure(error: StudioError) -> str:
     if result is ResultCode.BAD_VALUE:
         return tr(
             "{0} It accepts a calibration only when minimum is not above neutral, neutral is not "
-            "above maximum, and minimum and maximum differ.",
+            "above maximum, and minimum and maximum differ."
         ).format(error_sentence(error))
     if result is ResultCode.NOT_SERIAL_MODE:
         return tr("{0} The edits are kept meanwhile.").format(error_sentence(error))
@@ -190,15 +188,15 @@ def beyond_input(calibration: Calibration, source: InputSource) -> str:
     elif calibration.minimum < lowest and calibration.maximum > highest:
         text = tr(
             "Minimum ({0}) and maximum ({2}) are beyond the input: {3}. Full output is never "
-            "reached.",
+            "reached."
         )
     elif calibration.minimum < lowest:
         text = tr(
-            "Minimum ({0}) is beyond the input: {3}. Full output on that side is never reached.",
+            "Minimum ({0}) is beyond the input: {3}. Full output on that side is never reached."
         )
     elif calibration.maximum > highest:
         text = tr(
-            "Maximum ({2}) is beyond the input: {3}. Full output on that side is never reached.",
+            "Maximum ({2}) is beyond the input: {3}. Full output on that side is never reached."
         )
     else:
         return ""
@@ -226,16 +224,16 @@ def concern(calibration: Calibration, source: InputSource) -> str:
     if at_minimum and at_maximum:
         text = tr(
             "The deadband ({0} to each side of neutral) reaches minimum and maximum: there is "
-            "nothing between 0 and full output.",
+            "nothing between 0 and full output."
         )
     elif at_minimum:
         text = tr(
             "The deadband ({0} to each side of neutral) reaches minimum: there is nothing between "
-            "0 and full output on that side.",
+            "0 and full output on that side."
         )
     elif at_maximum:
         text = tr(
             "The deadband ({0} to each side of neutral) reaches maximum: there is nothing between "
-            "0 and full output on that side.",
+            "0 and full output on that side."
         )
     return text.format(source.text(calibration.deadband))

@@ -9,12 +9,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 from trex_gui.core.errors import StudioError
 from trex_gui.core.session import Close, Outcome, Progress
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.driving.requests import (
-    MotorsStopped,
-    SetpointRequest,
-    Stop,
-    StopSent,
-)
+from trex_gui.devices.trex.driving.requests import MotorsStopped, SetpointRequest, Stop, StopSent
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import (
     BoardElsewhere,

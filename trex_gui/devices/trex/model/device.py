@@ -13,9 +13,7 @@ from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.board.mirror import BoardMirror, BoardRead, LineJudged, MotorsShutDown
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import Sample
-from trex_gui.devices.trex.driving.timeout_stop import (
-    turning_text,
-)
+from trex_gui.devices.trex.driving.timeout_stop import turning_text
 from trex_gui.devices.trex.model.board_events import BoardEvents
 from trex_gui.devices.trex.model.connection import Connection, remedies_for
 from trex_gui.devices.trex.model.drive_controller import DriveController
@@ -28,10 +26,7 @@ from trex_gui.devices.trex.model.settings.kept_files import KeptFiles
 from trex_gui.devices.trex.model.settings.writer import SettingsWriter
 from trex_gui.devices.trex.model.telemetry import Telemetry
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.parameters import (
-    MotorParameter,
-    ParameterKey,
-)
+from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
 from trex_gui.devices.trex.session.messages import (
     Batch,
     Connected,

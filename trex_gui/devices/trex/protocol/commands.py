@@ -490,10 +490,7 @@ class DriveAuxiliary(_MotorCommand):
         return cls(data[0], opcode == cls.opcodes[1])
 
 
-STOP: tuple[Command[None], ...] = (
-    DriveBoth(Drive.brake(), Drive.brake()),
-    DriveAuxiliary(0),
-)
+STOP: tuple[Command[None], ...] = (DriveBoth(Drive.brake(), Drive.brake()), DriveAuxiliary(0))
 """The packets that stop everything: full brake on both motors, auxiliary motor off.
 
 Set commands, so neither acceleration nor a reversal delays them.

@@ -6,11 +6,7 @@ from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr
 from trex_gui.core.transport.settings import SHARED, PortSettings, SerialFormat
 from trex_gui.devices.trex.protocol.flags import seven_bits
-from trex_gui.devices.trex.protocol.framing import (
-    DEFAULT_POLYNOMIAL,
-    Framing,
-    check_polynomial,
-)
+from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL, Framing, check_polynomial
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 
 

@@ -2,13 +2,7 @@
 
 from enum import Enum, IntEnum, unique
 
-from trex_gui.core.errors import (
-    BadReply,
-    BadRequest,
-    CodedError,
-    InternalError,
-    NoReply,
-)
+from trex_gui.core.errors import BadReply, BadRequest, CodedError, InternalError, NoReply
 from trex_gui.core.translation import tr_noop
 from trex_gui.core.transport.settings import PortSettings
 
@@ -32,55 +26,55 @@ class ErrorCode(Enum):
         "adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that "
         "ground is connected, and that the board's serial settings are these. If both LEDs blink "
         "together, the board is in learning mode: remove the SO–G jumper, then switch it off and "
-        "on.",
+        "on."
     )
     NO_BOARD_AT_NUMBER = tr_noop(
         "No TReX responds on {0}. Check that the board has power (an LED is lit), that the "
         "adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that "
         "ground is connected, and that the board's serial settings are these, its device number "
         "is {1}. If both LEDs blink together, the board is in learning mode: remove the SO–G "
-        "jumper, then switch it off and on.",
+        "jumper, then switch it off and on."
     )
     ECHO_ONLY = tr_noop(
         "Everything sent on {0} comes back, and nothing else. Either this is the RS-232 side of a "
-        "board that is off or set to another baud rate, or the adapter's TX and RX are joined.",
+        "board that is off or set to another baud rate, or the adapter's TX and RX are joined."
     )
     OTHER_DEVICE = tr_noop(
         "Something responds on {0}, but not like a TReX. {1} Usually the baud rate, parity or CRC "
-        "differs from the board's setting, or another device is connected.",
+        "differs from the board's setting, or another device is connected."
     )
     BOOT_LOADER = tr_noop(
         "The TReX on {0} is in its boot loader, waiting for new firmware. Check that the mix and "
         "SO–G jumpers are off, then switch the board off and on and connect again. Its serial "
-        "settings may be those of the factory now: 19200 baud, no parity, no CRC.",
+        "settings may be those of the factory now: 19200 baud, no parity, no CRC."
     )
     QIK = tr_noop(
         "The device on {0} responds like a Pololu qik, not like a TReX. This program does not "
-        "support it: choose the port of the TReX, or connect the adapter to the TReX.",
+        "support it: choose the port of the TReX, or connect the adapter to the TReX."
     )
     SEVERAL_BOARDS = tr_noop(
         "Several boards reply at once on {0} at {1}. Find asks for each device number; of boards "
-        "that share one, switch off all but one and give it a number of its own.",
+        "that share one, switch off all but one and give it a number of its own."
     )
     OTHER_BAUD = tr_noop(
         "A {1} responds on {0} at {2}, but this connection uses {3}. Connect with the settings "
-        "of the board.",
+        "of the board."
     )
     OTHER_DETECTION = tr_noop(
         "A {1} responds on {0} with {2}, but this connection uses {3}. Connect with the settings "
-        "of the board.",
+        "of the board."
     )
     OTHER_POLYNOMIAL = tr_noop(
         "A {1} responds on {0} with CRC polynomial {2}, but this connection uses {3}. Connect "
-        "with the settings of the board.",
+        "with the settings of the board."
     )
     OTHER_NUMBER = tr_noop(
         "A {1} responds on {0}, but its device number is {2}, and this connection uses {3}. "
-        "Connect with the settings of the board.",
+        "Connect with the settings of the board."
     )
     REPLIES_LOST = tr_noop(
         "A {1} responds on {0} only some of the time: the line loses or corrupts bytes. Check "
-        "cable and ground, keep motor leads away from them, then connect again.",
+        "cable and ground, keep motor leads away from them, then connect again."
     )
     # Transactions
     NO_REPLY = tr_noop("No reply to {0}.")
@@ -90,83 +84,81 @@ class ErrorCode(Enum):
     READINGS_DIFFER = tr_noop(
         "The board's replies to {0} differ each time: the line corrupts bytes, so what is stored "
         "is not known. Check cable and ground, keep motor leads away from them, or use a lower "
-        "baud rate or CRC.",
+        "baud rate or CRC."
     )
     # Motors
     STOP_UNCONFIRMED = tr_noop(
         "The stop was sent, but the board does not confirm it. If a motor still turns, cut its "
-        "power.",
+        "power."
     )
     STOP_ON_NOISY_LINE = tr_noop(
         "The stop was sent and the board responds, but the line corrupts bytes. It is sent again "
-        "until the line is quiet. If a motor still turns, cut its power.",
+        "until the line is quiet. If a motor still turns, cut its power."
     )
     NO_HEARTBEAT = tr_noop("The program did not respond for more than half a second.")
     MAY_HAVE_RESTARTED = tr_noop(
-        "The motors that were driven draw no current: the board may have restarted.",
+        "The motors that were driven draw no current: the board may have restarted."
     )
     NO_GUARDIAN = tr_noop("The guardian process ended, and another one could not be started.")
     LOCKED_OUT = tr_noop("The motors are locked for a while after a stop; nothing was sent.")
-    NOT_ARMED = tr_noop(
-        "These bytes may move a motor; nothing was sent. Choose Run motor first.",
-    )
+    NOT_ARMED = tr_noop("These bytes may move a motor; nothing was sent. Choose Run motor first.")
     MOVES_ANOTHER_BOARD = tr_noop(
         "These bytes may move a motor of another board, which a stop on this connection does not "
         "reach; nothing was sent. Address device {0} in them, or connect with the compact "
-        "protocol.",
+        "protocol."
     )
     OVERTAKEN_BY_STOP = tr_noop("A stop came first; nothing was sent.")
     # Several boards on one line
     OTHERS_WHILE_DRIVING = tr_noop(
         "Other boards are not looked for while motors are armed or may be moving. Stop the motors "
-        "first.",
+        "first."
     )
     NOT_SELECTED_MOVING = tr_noop(
         "Board {0} was not selected, since no stop of the present one is confirmed. If a motor "
-        "still turns, cut its power.",
+        "still turns, cut its power."
     )
     NOT_SELECTED_SILENT = tr_noop(
         "Board {0} was not selected, since it does not respond. Check that it has power. The "
-        "board that was selected before still is.",
+        "board that was selected before still is."
     )
     NUMBER_TAKEN = tr_noop(
-        "Another board on this line has the device number {0}. Choose a number that is free.",
+        "Another board on this line has the device number {0}. Choose a number that is free."
     )
     # Writes
     BAD_PARAMETER = tr_noop(
-        "{0}: the board does not know this parameter (code 1); its firmware may be too old for it",
+        "{0}: the board does not know this parameter (code 1); its firmware may be too old for it"
     )
     BAD_VALUE = tr_noop("{0}: the board rejects this value (code 2)")
     NOT_SERIAL_MODE = tr_noop(
         "{0}: the board is not in serial mode (code 3); switch it off, remove the mode jumper, "
-        "switch it on again",
+        "switch it on again"
     )
     PARAMETER_MISMATCH = tr_noop(
-        "{0} could not be verified: wrote {1}, but the board reads back {2}",
+        "{0} could not be verified: wrote {1}, but the board reads back {2}"
     )
     CALIBRATION_MISMATCH = tr_noop("{0} could not be verified: the board reads back {1}")
     OTHER_SOURCE = tr_noop("{0} is for {1} inputs, but the board reads {2} now")
     OTHER_BOARD = tr_noop("Another board responds now: {0}. Nothing was written to it.")
     OTHER_BOARD_AFTER_WRITING = tr_noop(
         "Another board responds now: {0}. Settings may have been written to it; compare it with "
-        "its last snapshot.",
+        "its last snapshot."
     )
     OTHER_VALUES = tr_noop(
         "The board no longer stores the settings that were read from it: it is another one, or was "
-        "changed meanwhile. Nothing was written.",
+        "changed meanwhile. Nothing was written."
     )
     STRAY_WRITE = tr_noop(
         "The line corrupted bytes while {0} was written, and another setting may have been changed "
-        "instead. Read the board again and compare it with the last snapshot. {1}",
+        "instead. Read the board again and compare it with the last snapshot. {1}"
     )
     TOO_MANY_DIFFER = tr_noop(
         "{0} settings differ from what was read before, so none was restored: another board may be "
-        "connected.",
+        "connected."
     )
     WRITE_CANCELLED = tr_noop("The writing was cancelled before this was tried.")
     LINE_SETTINGS_UNCERTAIN = tr_noop(
         "{0} {1} may have gone back to the factory default: after a power cycle the board would "
-        "run at {2}",
+        "run at {2}"
     )
     # The session
     SCANNING = tr_noop("The board is not responding; scanning for it.")

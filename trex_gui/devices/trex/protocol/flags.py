@@ -55,27 +55,19 @@ def stops_motors(bits: Status | UartError, *, errors_stop: bool = False) -> bool
 STATUS_MEANING: dict[Status, tuple[str, str]] = {
     Status.MOTOR2_OVER_LIMIT: (
         tr_noop("Motor 2 over current limit"),
-        tr_noop(
-            "The current of motor 2 passed its limit and the limiter lowered its speed.",
-        ),
+        tr_noop("The current of motor 2 passed its limit and the limiter lowered its speed."),
     ),
     Status.MOTOR2_FAULT: (
         tr_noop("Motor 2 fault"),
-        tr_noop(
-            "The driver of motor 2 shut itself down: too hot, short circuit or low voltage.",
-        ),
+        tr_noop("The driver of motor 2 shut itself down: too hot, short circuit or low voltage."),
     ),
     Status.MOTOR1_OVER_LIMIT: (
         tr_noop("Motor 1 over current limit"),
-        tr_noop(
-            "The current of motor 1 passed its limit and the limiter lowered its speed.",
-        ),
+        tr_noop("The current of motor 1 passed its limit and the limiter lowered its speed."),
     ),
     Status.MOTOR1_FAULT: (
         tr_noop("Motor 1 fault"),
-        tr_noop(
-            "The driver of motor 1 shut itself down: too hot, short circuit or low voltage.",
-        ),
+        tr_noop("The driver of motor 1 shut itself down: too hot, short circuit or low voltage."),
     ),
     Status.UART_ERROR: (
         tr_noop("UART error"),
@@ -88,13 +80,13 @@ UART_MEANING: dict[UartError, tuple[str, str]] = {
     UartError.TIMEOUT: (
         tr_noop("Serial timeout"),
         tr_noop(
-            "No byte arrived within the Serial Timeout. The board should have stopped its motors.",
+            "No byte arrived within the Serial Timeout. The board should have stopped its motors."
         ),
     ),
     UartError.FORMAT: (
         tr_noop("Format error"),
         tr_noop(
-            "A packet had an unknown command, a command byte inside it or an invalid data byte.",
+            "A packet had an unknown command, a command byte inside it or an invalid data byte."
         ),
     ),
     UartError.CRC: (
@@ -111,15 +103,12 @@ UART_MEANING: dict[UartError, tuple[str, str]] = {
     ),
     UartError.PARITY: (
         tr_noop("Parity error"),
-        tr_noop(
-            "A byte had the wrong parity: the parity settings differ, or the line is noisy.",
-        ),
+        tr_noop("A byte had the wrong parity: the parity settings differ, or the line is noisy."),
     ),
     UartError.READ_OVERRUN: (
         tr_noop("Read buffer overrun"),
         tr_noop(
-            "More bytes arrived than the board can buffer; something sends while the board "
-            "replies.",
+            "More bytes arrived than the board can buffer; something sends while the board replies."
         ),
     ),
     UartError.SEND_OVERRUN: (

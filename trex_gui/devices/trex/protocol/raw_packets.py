@@ -13,12 +13,7 @@ from trex_gui.devices.trex.protocol.commands import (
     Signature,
 )
 from trex_gui.devices.trex.protocol.descriptions import describe
-from trex_gui.devices.trex.protocol.framing import (
-    EXPANDED_START,
-    Malformed,
-    Packet,
-    PacketParser,
-)
+from trex_gui.devices.trex.protocol.framing import EXPANDED_START, Malformed, Packet, PacketParser
 
 MOST_BYTES = 256  # bytes that are sent at once; the longest packet has 14
 

@@ -22,11 +22,7 @@ from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.settings.edit_files import (
-    BoardIdentity,
-    replace_file,
-    settings_of_board,
-)
+from trex_gui.devices.trex.settings.edit_files import BoardIdentity, replace_file, settings_of_board
 from trex_gui.devices.trex.settings.writer import write_settings
 
 _TITLE = "What this computer keeps of a board: the settings that were applied last"

@@ -92,10 +92,7 @@ def convert(settings: Settings, product: Model, firmware: str | None) -> Convers
     order = list(Fate)
     rows.sort(key=lambda row: order.index(row.fate))
     converted = replace(
-        target,
-        parameters=parameters,
-        calibrations=settings.calibrations,
-        notes=settings.notes,
+        target, parameters=parameters, calibrations=settings.calibrations, notes=settings.notes
     )
     return Conversion(converted, tuple(rows))
 

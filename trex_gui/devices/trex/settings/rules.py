@@ -331,103 +331,71 @@ RULES: Mapping[str, Callable[[_Case], Iterator[_Match]]] = {
 }
 
 _MESSAGES: Mapping[str, str] = {
-    "no_serial_timeout": (
-        tr_noop(
-            "{name} is off while a computer drives the motors: if the cable or the "
-            "computer fails, the motors keep running at their last setpoint."
-        )
+    "no_serial_timeout": tr_noop(
+        "{name} is off while a computer drives the motors: if the cable or the "
+        "computer fails, the motors keep running at their last setpoint."
     ),
-    "timeout_without_shutdown": (
-        tr_noop(
-            "{timeout} of {seconds} may not stop the motors if the cable or the computer fails: "
-            "{shutdown} is off (twin)."
-        )
+    "timeout_without_shutdown": tr_noop(
+        "{timeout} of {seconds} may not stop the motors if the cable or the computer fails: "
+        "{shutdown} is off (twin)."
     ),
-    "limit_in_joint_mode": (
-        tr_noop(
-            "No effect in joint mode: {limits}. The board measures no current then, "
-            "so the motor is not protected."
-        )
+    "limit_in_joint_mode": tr_noop(
+        "No effect in joint mode: {limits}. The board measures no current then, "
+        "so the motor is not protected."
     ),
-    "limit_without_gain": (
-        tr_noop(
-            "{limit} is {value}, but its proportionality constant P, how strongly the"
-            " limiter reacts, is 0. The limit may have no effect then (inferred)."
-        )
+    "limit_without_gain": tr_noop(
+        "{limit} is {value}, but its proportionality constant P, how strongly the"
+        " limiter reacts, is 0. The limit may have no effect then (inferred)."
     ),
-    "limit_without_ramp": (
-        tr_noop(
-            "{limit} is {value} and {ramp} is 0, which means at once. As soon as the "
-            "current falls below the limit, the motor jumps back to its full target "
-            "speed, so it may run in jerks (inferred)."
-        )
+    "limit_without_ramp": tr_noop(
+        "{limit} is {value} and {ramp} is 0, which means at once. As soon as the "
+        "current falls below the limit, the motor jumps back to its full target "
+        "speed, so it may run in jerks (inferred)."
     ),
-    "pwm_above_rating": (
-        tr_noop(
-            "The PWM of motor {motor} runs at {now} (inferred), but the motor driver "
-            "of a {product} is rated for {highest}; above that it gets hot."
-        )
+    "pwm_above_rating": tr_noop(
+        "The PWM of motor {motor} runs at {now} (inferred), but the motor driver "
+        "of a {product} is rated for {highest}; above that it gets hot."
     ),
-    "pwm_above_rating.better": (
-        tr_noop(
-            "The PWM of motor {motor} runs at {now} (inferred), but the motor driver "
-            "of a {product} is rated for {highest}; above that it gets hot. The "
-            "prescaler {prescaler} gives {gives}."
-        )
+    "pwm_above_rating.better": tr_noop(
+        "The PWM of motor {motor} runs at {now} (inferred), but the motor driver "
+        "of a {product} is rated for {highest}; above that it gets hot. The "
+        "prescaler {prescaler} gives {gives}."
     ),
-    "required_but_ignored": (
-        tr_noop(
-            "Both required and ignored: {channels}. The signal moves nothing, but "
-            "without it the motors may not run in RC mode (inferred)."
-        )
+    "required_but_ignored": tr_noop(
+        "Both required and ignored: {channels}. The signal moves nothing, but "
+        "without it the motors may not run in RC mode (inferred)."
     ),
-    "deadband_over_travel": (
-        tr_noop(
-            "The deadband of {channel} reaches from neutral to its {ends}: there is "
-            "nothing between standstill and full speed on that side."
-        )
+    "deadband_over_travel": tr_noop(
+        "The deadband of {channel} reaches from neutral to its {ends}: there is "
+        "nothing between standstill and full speed on that side."
     ),
-    "end_out_of_reach.minimum": (
-        tr_noop(
-            "The minimum of {channel}, {count}, is below {limit}, the lowest count "
-            "that the board measures: full speed on that side is never reached."
-        )
+    "end_out_of_reach.minimum": tr_noop(
+        "The minimum of {channel}, {count}, is below {limit}, the lowest count "
+        "that the board measures: full speed on that side is never reached."
     ),
-    "end_out_of_reach.maximum": (
-        tr_noop(
-            "The maximum of {channel}, {count}, is above {limit}, the highest count "
-            "that the board measures: full speed on that side is never reached."
-        )
+    "end_out_of_reach.maximum": tr_noop(
+        "The maximum of {channel}, {count}, is above {limit}, the highest count "
+        "that the board measures: full speed on that side is never reached."
     ),
-    "polynomial_without_crc": (
-        tr_noop(
-            "{name} is {value} instead of the default {default}, but CRC-7 is not "
-            "switched on: no packet is checked with it."
-        )
+    "polynomial_without_crc": tr_noop(
+        "{name} is {value} instead of the default {default}, but CRC-7 is not "
+        "switched on: no packet is checked with it."
     ),
-    "crc_that_checks_nothing": (
-        tr_noop(
-            "With {value} as {name} the checksum of every packet is 0, so CRC-7 "
-            "detects no errors at all."
-        )
+    "crc_that_checks_nothing": tr_noop(
+        "With {value} as {name} the checksum of every packet is 0, so CRC-7 "
+        "detects no errors at all."
     ),
-    "half_rate": (
-        tr_noop(
-            "A {board} set to {baud} baud really runs at {real} baud; firmware "
-            "{fixed_in} corrects this. Programs must use {real} baud."
-        )
+    "half_rate": tr_noop(
+        "A {board} set to {baud} baud really runs at {real} baud; firmware "
+        "{fixed_in} corrects this. Programs must use {real} baud."
     ),
-    "rate_the_port_lacks": (
-        tr_noop(
-            "This computer's serial port does not support {baud} baud: after the next"
-            " power cycle it could not reach the board any more."
-        )
+    "rate_the_port_lacks": tr_noop(
+        "This computer's serial port does not support {baud} baud: after the next"
+        " power cycle it could not reach the board any more."
     ),
-    "line_will_change": (
-        tr_noop(
-            "After the next power cycle the line settings of the board are {new}; now"
-            " they are {now}. Change the programs that use the board then."
-        )
+    "line_will_change": tr_noop(
+        "After the next power cycle the line settings of the board are {new}; now"
+        " they are {now}. Change the programs that use the board then."
     ),
 }
 """By rule, or by rule and variant."""

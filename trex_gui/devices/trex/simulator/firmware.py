@@ -241,10 +241,7 @@ class Board:
         """Determine who controls the motors, and let the channels drive if they do."""
         timeout = self.memory.active[ParameterKey.SERIAL_TIMEOUT]
         self.serial.hand_over(
-            self.now,
-            timeout,
-            in_control=self.sticks.watch(),
-            shut_down=self._stops_on_timeout,
+            self.now, timeout, in_control=self.sticks.watch(), shut_down=self._stops_on_timeout
         )
         if self.serial.in_control:
             return

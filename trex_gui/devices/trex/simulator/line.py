@@ -191,12 +191,7 @@ class TrexLine(SimulatedLine):
     """One wire with boards; their device numbers at the start name them."""
 
     def __init__(
-        self,
-        boards: Sequence[Board],
-        *,
-        echo: bool = False,
-        paced: bool = True,
-        seed: int = 0,
+        self, boards: Sequence[Board], *, echo: bool = False, paced: bool = True, seed: int = 0
     ) -> None:
         if not boards:
             raise ValueError("a line needs a board")

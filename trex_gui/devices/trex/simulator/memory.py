@@ -23,11 +23,7 @@ from trex_gui.devices.trex.protocol.device_table import HIGHEST_WIRE, device_tab
 from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode, channel_mask
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
-from trex_gui.devices.trex.protocol.parameters import (
-    MotorParameter,
-    ParameterKey,
-    parameters_of,
-)
+from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey, parameters_of
 
 _WHAT = "EEPROM of a simulated TReX"
 _CALIBRATION_KEYS = {InputSource.RC: "rc_calibration", InputSource.ANALOG: "analog_calibration"}

@@ -102,13 +102,9 @@ class Check:
         if threshold is None:
             return ""
         if self.curve.reversed_:
-            text = tr(
-                "Active above {0}, halfway between neutral and maximum (inferred).",
-            )
+            text = tr("Active above {0}, halfway between neutral and maximum (inferred).")
         else:
-            text = tr(
-                "Active below {0}, halfway between neutral and minimum (inferred).",
-            )
+            text = tr("Active below {0}, halfway between neutral and minimum (inferred).")
         if self.curve.is_switched(self.channel, self.neutral.value):
             rest = tr("At rest it is active.")
         else:
@@ -130,11 +126,11 @@ class Check:
         if idle is Way.UP:
             text = tr(
                 "Above its rest position the motor speeds up again, whatever the sign: at {0} to "
-                "{1} of {2}.",
+                "{1} of {2}."
             )
         else:
             text = tr(
                 "Below its rest position the motor speeds up again, whatever the sign: at {0} to "
-                "{1} of {2}.",
+                "{1} of {2}."
             )
         return text.format(self.neutral.source.text(place), speed, FULL_SCALE)

@@ -97,10 +97,7 @@ def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
             tr("The low end is only {0} from the rest position."),
             needed,
         ],
-        (kind.END_TOO_NEAR, "UP"): [
-            tr("The high end is only {0} from the rest position."),
-            needed,
-        ],
+        (kind.END_TOO_NEAR, "UP"): [tr("The high end is only {0} from the rest position."), needed],
         (kind.NOT_HELD, "DOWN"): [tr("The low end was only passed, not held."), hold],
         (kind.NOT_HELD, "UP"): [tr("The high end was only passed, not held."), hold],
         (kind.NOT_HELD, "BOTH"): [

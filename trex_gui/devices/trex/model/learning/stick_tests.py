@@ -101,7 +101,7 @@ class StickTest:
             return tr("Full output reached. Let it rest for a moment.")
         now = signed_text(self.output)
         return tr(
-            "Full output reached. Release it: at rest the output must be 0, but it is {0}.",
+            "Full output reached. Release it: at rest the output must be 0, but it is {0}."
         ).format(now)
 
     def _unreached_text(self) -> str:

@@ -25,11 +25,7 @@ from trex_gui.devices.trex.model.parameters.text import (
     frequency_wires,
 )
 from trex_gui.devices.trex.model.parameters.values import ParameterValues
-from trex_gui.devices.trex.protocol.parameters import (
-    ParameterSet,
-    motor_name,
-    other_motor_key,
-)
+from trex_gui.devices.trex.protocol.parameters import ParameterSet, motor_name, other_motor_key
 from trex_gui.devices.trex.settings.accepted import Accepted
 from trex_gui.ui.devices.undo import Edit
 from trex_gui.ui.translations import error_sentence

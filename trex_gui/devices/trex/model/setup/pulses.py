@@ -76,10 +76,7 @@ class MotorPulses(QObject):
         if self._device.is_connected and not self.wheels_are_free:
             return tr("Lift the robot so that its wheels turn freely, then confirm that here.")
         return held_drive_blocker(
-            self._device,
-            _HOLDER,
-            is_driving=bool(self.motor),
-            wheels_are_free=self.wheels_are_free,
+            self._device, _HOLDER, is_driving=bool(self.motor), wheels_are_free=self.wheels_are_free
         )
 
     def confirm_wheels(self, free: bool) -> None:
