@@ -21,7 +21,7 @@ _SETTERS = {"setToolTip": 0, "showText": 1, "setLabelText": 0, "setInformativeTe
 _WORDS = {"QLabel", "QMessageBox", "ToolTipRole", *_SETTERS}  # in every file with such a text
 _BOXES = {"about", "critical", "information", "question", "warning"}  # of QMessageBox
 _ESCAPED = {"self.text.tool_tip"}  # markup of the program
-_OWN_VALUES = {"__version__", "acceleration_range(spec)", "f'25 {spec.unit}'", "seconds"}
+_OWN_VALUES = {"__version__", "spec.short_range()", "f'25 {spec.unit}'", "seconds"}
 _WITHOUT_TEXT = {"Sign"}  # labels
 _BUILDERS = "ui/widgets/builders.py"
 

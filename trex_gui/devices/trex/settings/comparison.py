@@ -1,7 +1,7 @@
 """What differs between two sets of settings, and what one cannot take from the other."""
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
 from trex_gui.core.translation import cached_text, tr, tr_noop
 from trex_gui.devices.trex.protocol.calibration import (
@@ -11,7 +11,7 @@ from trex_gui.devices.trex.protocol.calibration import (
     CalibrationKey,
 )
 from trex_gui.devices.trex.protocol.device_table import Model
-from trex_gui.devices.trex.protocol.parameters import ParameterKind, ParameterSpec
+from trex_gui.devices.trex.protocol.parameters import ParameterSpec
 from trex_gui.devices.trex.settings.document import Settings, specs_for
 from trex_gui.devices.trex.settings.writer import calibration_text
 
@@ -20,15 +20,12 @@ _NOT_GIVEN = tr_noop("not given")
 
 @dataclass(frozen=True, slots=True)
 class ComparisonRow:
-    """One setting before and after."""
-
     key: str  # of a parameter, or a `CalibrationKey`
     name: str  # for the user
     before: int | Calibration | None  # wire value or calibration; `None`: not known, or not given
     after: int | Calibration | None  # likewise; `None` leaves a setting as it is
     text_before: str  # in physical units; empty for `None`
     text_after: str  # likewise
-    kind: ParameterKind | None = field(default=None, compare=False)  # of a parameter
     note_before: str = ""
     note_after: str = ""
 
@@ -192,7 +189,7 @@ def _parameter_row(key: str, before: Settings, after: Settings) -> ComparisonRow
     old_text = "" if old is None else spec.text(old)
     new_text = "" if new is None else _specs(after)[key].text(new)
     notes = before.notes.get(key, ""), after.notes.get(key, "")
-    return ComparisonRow(key, spec.name, old, new, old_text, new_text, spec.kind, *notes)
+    return ComparisonRow(key, spec.name, old, new, old_text, new_text, *notes)
 
 
 def _calibration_rows(before: Settings, after: Settings) -> Iterator[ComparisonRow]:
@@ -203,7 +200,7 @@ def _calibration_rows(before: Settings, after: Settings) -> Iterator[ComparisonR
         if old is not None or new is not None:
             name = tr("Calibration of {0}").format(key.label)
             notes = before.notes.get(key, ""), after.notes.get(key, "")
-            yield ComparisonRow(key, name, old, new, old_text, new_text, None, *notes)
+            yield ComparisonRow(key, name, old, new, old_text, new_text, *notes)
 
 
 def _counts(rows: list[ComparisonRow], one: str, many: str) -> str:

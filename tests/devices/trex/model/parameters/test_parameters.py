@@ -12,7 +12,6 @@ from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel, Role
 from trex_gui.devices.trex.model.parameters.text import (
     ParameterColumn,
-    acceleration_text,
 )
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.devices.trex.protocol.parameters import ParameterSet, acceleration_wire, parameters_of
@@ -122,7 +121,7 @@ def test_each_cell_has_a_text(qtbot: QtBot) -> None:
 
 def test_every_acceleration_is_shown_as_seconds_that_mean_it() -> None:
     for wire in range(1, 128):
-        seconds, rest = acceleration_text(wire).split(" ", 1)
+        seconds, rest = SPECS["motor1_acceleration"].text(wire).split(" ", 1)
         assert (acceleration_wire(float(seconds)), rest) == (wire, "s to full speed")
 
 

@@ -15,11 +15,9 @@ from trex_gui.devices.trex.protocol.device_table import Model, device_table
 from trex_gui.devices.trex.protocol.parameters import (
     Grade,
     ParameterKind,
-    ParameterSpec,
     motor_name,
     other_motor_key,
     pwm_keys,
-    ramp_seconds,
 )
 from trex_gui.ui.units import units
 
@@ -95,7 +93,7 @@ class ParameterText(QObject):
     def _physical(self, key: str, wires: Sequence[int]) -> str:
         if len(wires) > 1:
             return frequency_text(frequency_code(*wires))
-        return value_text(self._values.specs[key], wires[0])
+        return self._values.specs[key].text(wires[0])
 
     def with_wire(self, key: str, wires: Sequence[int]) -> str:
         """Return wire and physical value, `15 (1.5 s)`, or one number where both are the same."""
@@ -157,14 +155,9 @@ class ParameterText(QObject):
         return self.with_wire(key, wires) if units().own_first else _numbers(wires)
 
     def _range(self, key: str) -> str:
-        spec = self._values.specs[key]
         if len(self.together(key)) > 1:
             return frequency_range(self.frequencies)
-        if spec.kind is ParameterKind.ACCELERATION:
-            return tr("{0} (wire value {1} to {2})").format(
-                acceleration_range(spec), spec.minimum, spec.maximum
-            )
-        return spec.range_text()
+        return self._values.specs[key].range_text()
 
     def _defaults(self, key: str) -> list[int]:
         return [self._values.specs[each].default for each in self.together(key)]
@@ -217,12 +210,6 @@ class ParameterText(QObject):
         return title + "".join(f"<p>{escape(line)}</p>" for line in lines)
 
 
-def value_text(spec: ParameterSpec, wire: int) -> str:
-    """Return a wire value in the unit that the window shows."""
-    is_ramp = spec.kind is ParameterKind.ACCELERATION and wire
-    return acceleration_text(wire) if is_ramp else spec.text(wire)
-
-
 # --- PWM frequency ----------------------------------------------------------------------
 
 
@@ -260,16 +247,3 @@ def _numbers(wires: Sequence[int]) -> str:
     if len(wires) > 1:
         return tr("prescaler {0}, maximum {1}").format(*wires)
     return str(wires[0])
-
-
-# --- Acceleration -----------------------------------------------------------------------
-
-
-def acceleration_text(wire: int) -> str:
-    """Return an acceleration as the time to full speed: `0.5 s to full speed`."""
-    return tr("{0} s to full speed").format(ramp_seconds(wire))
-
-
-def acceleration_range(spec: ParameterSpec) -> str:
-    fast, slow = ramp_seconds(spec.maximum), ramp_seconds(1)
-    return tr("{0} to {1} s to full speed, or {2}").format(fast, slow, spec.zero)

@@ -16,9 +16,7 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QFont
 
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.model.parameters.text import acceleration_text
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibration
-from trex_gui.devices.trex.protocol.parameters import ParameterKind
 from trex_gui.devices.trex.settings.comparison import (
     Comparison,
     ComparisonRow,
@@ -49,8 +47,6 @@ class ComparisonRole(IntEnum):
 
 
 class ComparisonTable(QAbstractTableModel):
-    """One row per setting; the rows that differ, or all."""
-
     ticked_changed = Signal()  # check boxes have changed
 
     def __init__(self, parent: QObject | None = None) -> None:
@@ -222,10 +218,7 @@ class ComparisonTable(QAbstractTableModel):
         """Return one side in physical units; each differing field of a calibration has a line."""
         if value is None:
             return tr("not given")
-        if isinstance(value, int):
-            is_ramp = row.kind is ParameterKind.ACCELERATION and value
-            return acceleration_text(value) if is_ramp else text
-        if row.before == row.after:
+        if isinstance(value, int) or row.before == row.after:
             return text
         source = CALIBRATION_KEYS[row.key].source
         return "\n".join(f"{f} {source.text(getattr(value, f))}" for f in row.differing_fields)

@@ -11,7 +11,6 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.trex.bench.run import LONGEST, SHORTEST, Profile, Shape
 from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.parameters.text import value_text
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.parameters import MotorParameter
 from trex_gui.devices.trex.views.pages.parameters.editors import Editor, editor_for
@@ -247,7 +246,7 @@ class TuningForm(ui.GroupBox):
                 with QSignalBlocker(editor):
                     editor.setValue(wire)
             if parameters.values.is_modified(key) and stored is not None:
-                before = value_text(parameters.values.spec_of(key), stored)
+                before = parameters.values.spec_of(key).text(stored)
                 edited.append(tr("{0} (stored: {1})").format(label.text(), before))
         self._edited.setText(tr("Not applied: {0}").format(", ".join(edited)))
         self._edited.setVisible(bool(edited))

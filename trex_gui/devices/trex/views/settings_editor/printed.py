@@ -19,7 +19,6 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QDialog, QWidget
 
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.model.parameters.text import value_text
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_FIELDS
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.ui.widgets.placement import keep_on_screen
@@ -74,10 +73,10 @@ class PrintedSettings(QObject):
             rows.append(f'<tr><td colspan="{len(titles)}"><br><i>{title}</i></td></tr>')
             for spec in members:
                 wire = self._settings.parameters.get(spec.key)
-                value = tr("not given") if wire is None else value_text(spec, wire)
+                value = tr("not given") if wire is None else spec.text(wire)
                 cells = (spec.name, spec.key, value, "" if wire is None else str(wire))
                 is_changed = wire not in {None, spec.default}
-                rows.append(_row((*cells, value_text(spec, spec.default)), bold=is_changed))
+                rows.append(_row((*cells, spec.text(spec.default)), bold=is_changed))
                 rows += self._note_row(spec.key, len(titles))
         return _table(titles, rows)
 

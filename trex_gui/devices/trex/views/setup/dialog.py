@@ -9,7 +9,6 @@ from PySide6.QtWidgets import QStackedWidget, QWidget
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning
-from trex_gui.devices.trex.model.parameters.text import value_text
 from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup, SetupStep
 from trex_gui.devices.trex.views.motor_controls import StopButton
 from trex_gui.devices.trex.views.setup.direction_pages import SticksPage, WiringPage
@@ -152,8 +151,8 @@ class SetupDialog(ReusedDialog):
         rows = []
         for key, wire in edits.items():
             spec, before = parameters.values.spec_of(key), parameters.values.value_of(key)
-            old = "" if before is None else value_text(spec, before)
-            change = f"{old} → {value_text(spec, wire)}"
+            old = "" if before is None else spec.text(before)
+            change = f"{old} → {spec.text(wire)}"
             rows.append(tr("{0}: {1}").format(spec.name, change))
         text = tr("Next changes {0}. Nothing is written before you apply it.")
         return text.format("; ".join(rows))

@@ -12,7 +12,6 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_texts import timeout_warning_on
-from trex_gui.devices.trex.model.parameters.text import value_text
 from trex_gui.devices.trex.model.setup.presets import LIMITS, Preset
 from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup, SetupStep
 from trex_gui.devices.trex.model.setup.wiring import Driver
@@ -269,7 +268,7 @@ class LimitsPage(QWidget):
         parameters = self._device.parameters
         values = preset.values(parameters.model_key)
         keys = [p.of(1) for p in (MotorParameter.ACCELERATION, MotorParameter.BRAKE_DURATION)]
-        ramp, brake = (value_text(parameters.values.spec_of(key), values[key]) for key in keys)
+        ramp, brake = (parameters.values.spec_of(key).text(values[key]) for key in keys)
         text = tr("Acceleration: {0}; brake before a reversal: {1}.").format(ramp, brake)
         limit = values.get(LIMITS[0])
         if limit is None:

@@ -14,7 +14,6 @@ from trex_gui.devices.trex.model.drive_status import drive_inputs
 from trex_gui.devices.trex.model.drive_texts import channel_text, report_text, setpoint_text
 from trex_gui.devices.trex.model.momentary_drive import MomentaryDrive
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
-from trex_gui.devices.trex.model.parameters.text import value_text
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.views.motor_controls import RunButton
@@ -318,7 +317,7 @@ def _stored_text(parameters: ParameterModel, *, joint: bool, linked: bool) -> st
         wire = parameters.values.stored_of(key)
         if wire is None:
             return ""
-        value = escape(value_text(parameters.values.spec_of(key), wire))
+        value = escape(parameters.values.spec_of(key).text(wire))
         if not linked:
             return value
         return f'<a href="{key}" style="color:{theme().color("link").name()}">{value}</a>'

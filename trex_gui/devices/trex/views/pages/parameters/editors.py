@@ -11,12 +11,10 @@ from trex_gui.core.decimals import quantity
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.parameters.text import (
-    acceleration_range,
     frequency_code,
     frequency_range,
     frequency_text,
     frequency_wires,
-    value_text,
 )
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.device_table import device_table
@@ -41,7 +39,7 @@ class NumberEditor(UnitSpinBox):
         self.setToolTip(plain(spec.range_text()))
 
     def textFromValue(self, val: int) -> str:
-        return str(val) if self.own_first else value_text(self._spec, val)
+        return str(val) if self.own_first else self._spec.text(val)
 
     def parse(self, text: str) -> int:
         number = text.strip()
@@ -66,7 +64,7 @@ class AccelerationEditor(NumberEditor):
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(spec, parent)
         tip = tr("{0}. The board stores the nearest time. Or speed steps, such as {1}.")
-        self.setToolTip(tip.format(acceleration_range(spec), f"25 {spec.unit}"))
+        self.setToolTip(tip.format(spec.short_range(), f"25 {spec.unit}"))
 
     def _physical_wire(self, text: str) -> int:
         return super()._physical_wire(f"{text} s" if BARE.fullmatch(text) else text)
