@@ -29,24 +29,24 @@ DOUBTED = tr_noop(
 class Files(Protocol):
     """What a face does for a `BoardMemory`, at once or later."""
 
-    def find(self, board: BoardIdentity) -> None:
+    def find(self, board: BoardIdentity, /) -> None:
         """Read the record of a board, and call `take_record`."""
 
     def find_lost(self, board: BoardIdentity, adapter: str) -> None:
         """Find what was applied at an adapter to a board with another number; `take_lost`."""
 
-    def save(self, board: BoardIdentity, record: BoardRecord | None) -> None:
+    def save(self, board: BoardIdentity, record: BoardRecord | None, /) -> None:
         """Replace the record of a board; `None` removes it."""
 
     def move(
-        self, old: BoardIdentity, new: BoardIdentity, record: BoardRecord, *, keeps_old: bool
+        self, old: BoardIdentity, new: BoardIdentity, record: BoardRecord, /, *, keeps_old: bool
     ) -> None:
         """Save a record under another identity; a file of another board that has it is renamed.
 
         With `keeps_old` the old file stays as well: it may be of another board.
         """
 
-    def add_accepted(self, kind: Signature, values: Mapping[str, int]) -> None:
+    def add_accepted(self, kind: Signature, values: Mapping[str, int], /) -> None:
         """Remember values beyond inferred limits that boards of this kind store."""
 
     def doubt(self, record: BoardRecord) -> None:

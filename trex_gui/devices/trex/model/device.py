@@ -19,10 +19,9 @@ from trex_gui.devices.trex.model.connection import Connection, remedies_for
 from trex_gui.devices.trex.model.drive_controller import DriveController
 from trex_gui.devices.trex.model.mix_jumper import MixJumper
 from trex_gui.devices.trex.model.motors import Motors
-from trex_gui.devices.trex.model.settings.accepted_memory import AcceptedMemory
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.model.settings.edit_backup import EditBackup
-from trex_gui.devices.trex.model.settings.kept_files import KeptFiles
+from trex_gui.devices.trex.model.settings.kept_files import AcceptedMemory, KeptFiles
 from trex_gui.devices.trex.model.settings.writer import SettingsWriter
 from trex_gui.devices.trex.model.telemetry import Telemetry
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -46,8 +45,6 @@ _TIMEOUT = ParameterKey.SERIAL_TIMEOUT
 
 
 class Device(QObject):
-    """One board, or none."""
-
     # `link`, `status`, `settings`, `may_move`, or what `writer` knows
     link_changed = Signal()
     state_changed = Signal()  # `state` was read again, or forgotten
@@ -68,7 +65,7 @@ class Device(QObject):
         # What this computer keeps: edits over the end of the program; what was applied last, notes
         self.edit_backup = EditBackup(self.draft, self)
         self._accepted = AcceptedMemory(self.parameters, self)
-        self.kept = KeptFiles(self.draft.notes, self._accepted, parent=self)
+        self.kept = KeptFiles(self.draft.notes, self._accepted, self)
         self.board = BoardMirror(self.kept.memory, self.errors_changed.emit)
         self.telemetry = Telemetry(self.motors, self.board.newest, self)
         self.mix_jumper = MixJumper(self.draft, self.telemetry, self)

@@ -196,7 +196,10 @@ class SettingsDraft(QObject):
         wanted = [row for row in chosen if row.after is not None and self.can_edit(row.key)]
         noted = [row for row in chosen if row.brings_note]
         for row in wanted:
-            self._check(row)
+            if isinstance(row.after, Calibration):
+                row.after.encode()
+            elif row.after is not None and row.after != self.parameters.values.stored_of(row.key):
+                self.parameters.values.spec_of(row.key).check(row.after, forced=True)
         with self.one_edit(text):
             for row in wanted:
                 if isinstance(row.after, Calibration):
@@ -205,12 +208,6 @@ class SettingsDraft(QObject):
                     self.parameters.edit(row.key, row.after, alone=True, forced=True)
             for row in noted:
                 self.notes.edit(row.key, row.note_after, name=row.name)
-
-    def _check(self, row: ComparisonRow) -> None:
-        if isinstance(row.after, Calibration):
-            row.after.encode()
-        elif row.after is not None and row.after != self.parameters.values.stored_of(row.key):
-            self.parameters.values.spec_of(row.key).check(row.after, forced=True)
 
     def discard_edits(self) -> None:
         """Go back to the stored settings, in one undo step."""
