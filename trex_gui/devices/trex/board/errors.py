@@ -22,8 +22,6 @@ _OF_MOTOR = {
 
 @dataclass(frozen=True, slots=True)
 class ErrorEntry:
-    """One bit and its history."""
-
     bit: Status | UartError
     name: str
     meaning: str

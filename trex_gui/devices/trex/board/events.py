@@ -25,9 +25,6 @@ class StatusEvents:
     def __init__(self) -> None:
         self._seen: dict[str, float] = {}
 
-    def begin(self) -> None:
-        self._seen.clear()
-
     def of(self, latched: LatchedStatus) -> Iterator[Event]:
         if latched.is_earlier:
             yield _earlier(latched)

@@ -13,12 +13,20 @@ from trex_gui.devices.trex.board.errors import ErrorCounts
 from trex_gui.devices.trex.board.events import StatusEvents, read_event
 from trex_gui.devices.trex.board.memory import BoardMemory
 from trex_gui.devices.trex.board.quality import ConnectionQuality
-from trex_gui.devices.trex.board.safe_start import SafeStart
 from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.reading import DeviceState, may_be_same_board
-from trex_gui.devices.trex.client.telemetry import Control, LatchedStatus, Newest, Raw, Sample
-from trex_gui.devices.trex.driving.board_reasons import BoardInputs, board_inputs
+from trex_gui.devices.trex.client.telemetry import (
+    Control,
+    Currents,
+    LatchedStatus,
+    Newest,
+    Raw,
+    Remapped,
+    Sample,
+)
+from trex_gui.devices.trex.driving.board_reasons import NOISE_COUNTS, BoardInputs, board_inputs
 from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop, remedy_for_silence, timeout_stop
+from trex_gui.devices.trex.protocol.calibration import NEARLY_NEUTRAL
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import who_controls
 from trex_gui.devices.trex.protocol.flags import Status, UartError, bit_names
@@ -65,6 +73,43 @@ class LineJudged:
 
 
 BoardEvent = BoardRead | MotorsShutDown | LineJudged | Sample | Event
+
+
+class SafeStart:
+    """Remembers whether sticks were at rest, or motors drew current, since the board came.
+
+    Inferred: the board has no flag for safe-start. It begins at power-up and when a required
+    channel falls silent, and ends when the channels that drive are near neutral, all at once;
+    how near is inferred, too. Ref: TReX Jr User's Guide 4.e.
+    """
+
+    def __init__(self) -> None:
+        self._is_over = False
+
+    def may_hold(self, state: DeviceState, newest: Newest, *, joint: bool) -> bool:
+        """Return whether a channel commands a speed, no current flows and nothing shows why."""
+        is_commanded = bool(_commands(state, newest, joint=joint))
+        return is_commanded and Currents in newest.samples and not self._is_over and not joint
+
+    def take(
+        self, state: DeviceState, newest: Newest, inputs: BoardInputs | None, *, joint: bool
+    ) -> None:
+        """Follow the newest samples."""
+        values, currents = _commands(state, newest, joint=joint), newest.get(Currents)
+        flows = currents is not None and max(currents.counts) > NOISE_COUNTS
+        if not values or (inputs is not None and inputs.lacks_signal):
+            self._is_over = False
+        elif all(abs(value) <= NEARLY_NEUTRAL for value in values) or flows:
+            self._is_over = True
+
+
+def _commands(state: DeviceState, newest: Newest, *, joint: bool) -> tuple[int, ...]:
+    """Return the commands of the channels that drive; empty if none does, or unknown."""
+    sample = newest.get(Remapped)
+    if state.mode.is_serial or sample is None:
+        return ()
+    first, second, third, *_ = sample.values
+    return (first, third) if joint else (first, second, third)
 
 
 class BoardMirror:
@@ -204,14 +249,14 @@ class BoardMirror:
         elif opened or occasion.power_cycled:
             self.is_joint = _is_joint(state)
         if occasion is not ReadReason.RELOADED:
-            self._safe_start.begin()
+            self._safe_start = SafeStart()
         if is_new:
             self.errors.reset()
         if opened:
             self.connected_at, self.restarts, self.returns = now, 0, 0
             self.counters = Counters()
             self._joint.clear()
-            self._events.begin()
+            self._events = StatusEvents()
         if occasion not in {ReadReason.RELOADED, ReadReason.SELECTED} and self.quality.reset():
             yield LineJudged()
         self.returns += occasion is ReadReason.RETURNED
@@ -287,7 +332,7 @@ class BoardMirror:
 
     def _forget(self) -> Iterator[BoardEvent]:
         self.newest.samples.clear()
-        self._safe_start.begin()
+        self._safe_start = SafeStart()
         if self.quality.reset():
             yield LineJudged()
 

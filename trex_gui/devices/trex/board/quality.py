@@ -38,8 +38,6 @@ class _Mark:
 
 
 class ConnectionQuality:
-    """Judges a line by what its session counts."""
-
     def __init__(self) -> None:
         self.is_noisy: bool | None = None  # `None` until enough was measured
         self.lost = 0.0  # share of transactions without a reply or with a corrupted one
@@ -67,7 +65,11 @@ class ConnectionQuality:
         lost = counters.missing + counters.corrupted
         newest = _Mark(time, counters.requests, lost, counters.unsolicited)
         marks.append(newest)
-        while len(marks) > 2 and self._is_enough(marks[1], newest):
+        while (
+            len(marks) > 2
+            and newest.time - marks[1].time >= _WINDOW
+            and newest.requests - marks[1].requests >= _FEWEST
+        ):
             marks.popleft()
         requests = newest.requests - marks[0].requests
         self.seconds = time - marks[0].time
@@ -88,11 +90,6 @@ class ConnectionQuality:
             self._failed_at = time
         self._failures = failures
         return time - self._failed_at < _NOISE_LASTS
-
-    @staticmethod
-    def _is_enough(oldest: _Mark, newest: _Mark) -> bool:
-        is_long = newest.time - oldest.time >= _WINDOW
-        return is_long and newest.requests - oldest.requests >= _FEWEST
 
 
 def quality_text(quality: ConnectionQuality) -> str:
