@@ -138,7 +138,6 @@ class _OpenBoard:
 
     def __init__(self, settings: ConnectionSettings) -> None:
         computer = host()
-        self.settings = settings
         self.clock = computer.clock
         self.keeper = Keeper(log.info, log.warning)
         self.mirror = BoardMirror(self.keeper.memory)
@@ -149,6 +148,7 @@ class _OpenBoard:
         self._ids = count(1)
         self._outcomes: dict[int, Outcome] = {}
         self._inbox = RequestQueue(computer.condition())
+        self.put = self._inbox.put
         self._reports = _Reports(RequestQueue(computer.condition()))
         session = TrexSession(settings, self._inbox, self._reports.put, computer.open_transport)
         self._join = computer.start_thread(session.run)
@@ -161,9 +161,6 @@ class _OpenBoard:
     def require_open(self) -> None:
         if self.closed is not None:
             raise self.closed.error or PortUnavailable(_NOT_OPEN)
-
-    def put(self, request: object) -> None:
-        self._inbox.put(request)
 
     def result(self, make: Callable[[int], object], seconds: float) -> object:
         """Return the value of a request's outcome."""
@@ -190,7 +187,7 @@ class _OpenBoard:
     def pump(self, end: float) -> None:
         """Send a heartbeat if motors are armed, and take the next report and those behind it."""
         if self.is_armed:
-            self._inbox.put(Heartbeat())
+            self.put(Heartbeat())
         seconds = min(max(end - self.clock(), 0.0), HEARTBEAT_INTERVAL)
         report = self._reports.get(seconds)
         while report is not None:
@@ -215,8 +212,6 @@ class _OpenBoard:
             case Closed():
                 self.closed, self.is_armed = report, False
                 self.require_open()
-            case _:
-                pass
 
     def _take_sample(self, sample: Sample) -> None:
         if self.listener is not None:
@@ -239,7 +234,7 @@ class _OpenBoard:
 
     def close(self) -> Closed | None:
         self.is_armed = False
-        self._inbox.put(Close())
+        self.put(Close())
         self._join()
         while self.closed is None and (report := self._reports.get(0.0)) is not None:
             if isinstance(report, Closed):

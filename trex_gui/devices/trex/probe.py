@@ -79,8 +79,6 @@ class ReplyKind(Enum):
 
 @dataclass(frozen=True, slots=True)
 class ProbeReply:
-    """What was received after a probe, and whether its echo was."""
-
     kind: ReplyKind
     data: bytes = b""
     echo: bool = False

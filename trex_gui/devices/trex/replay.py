@@ -119,8 +119,6 @@ class RecordedTraffic:
             case Packet(command=GetCalibration(channel=channel)), Reply(value=Calibration() as one):
                 if (self.mode.source, channel) not in written:
                     self.calibrations.setdefault((self.mode.source, channel), one)
-            case _:
-                pass
 
     def _learn_number(self, device_number: int | None, written: set[object]) -> None:
         """Take the number by which a board was addressed that has replied."""

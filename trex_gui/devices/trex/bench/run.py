@@ -115,8 +115,6 @@ class Profile:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Plan:
-    """The next test."""
-
     motor: int = 1  # 1 or 2
     profile: Profile = field(default_factory=Profile)
     accelerate: bool = True  # through the board's ramp, brake duration and limit, or at once

@@ -23,8 +23,6 @@ WHY_THESE_VALUES = tr_noop(
 
 @dataclass(frozen=True, slots=True)
 class Proposal:
-    """The values to store for one channel."""
-
     calibration: Calibration | None  # `None` when nothing can be learned; `problems` say why
     reversed_: bool  # whether the channel should be reversed
     reversed_reason: str  # empty when that stays as it is

@@ -246,8 +246,6 @@ class _Run:
                 self._take_outcome(report)
             case Closed(error=error):
                 self._line_error = error
-            case _:
-                pass
 
     def _take_outcome(self, outcome: Outcome) -> None:
         if outcome.id == STOP_ID:

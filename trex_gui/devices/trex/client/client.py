@@ -69,8 +69,6 @@ class Counters:
 
 
 class TrexClient:
-    """Runs transactions on one line."""
-
     def __init__(
         self, transport: Transport, settings: ConnectionSettings, *, echo: bool = False
     ) -> None:

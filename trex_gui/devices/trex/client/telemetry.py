@@ -122,8 +122,6 @@ class Newest:
 
 @dataclass(frozen=True, slots=True)
 class PolledValue:
-    """How a value is read and recorded."""
-
     query: Command[Any]
     rate: float  # times a second; `analog_rate`: with analog inputs, if it differs
     # Makes its sample of a time and the reply; `None`: `StatusReader` reads it

@@ -167,8 +167,6 @@ class _Route(Enum):
 
 @dataclass(slots=True)
 class _Work:
-    """Writes one value after the other."""
-
     request: Requester
     specs: ParameterSet
     total: int

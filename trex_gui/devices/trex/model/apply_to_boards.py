@@ -105,9 +105,8 @@ class ApplyToBoards(QObject):
         self._is_cancelled = True
         if self._device.writer.is_saving_snapshot and self._current is not None:
             self._device.writer.cancel()
-            self._set(self._current, BoardStep.SKIPPED)
-            self._current = None
-            self._go_on()
+            number, self._current = self._current, None
+            self._leave(number, BoardStep.SKIPPED)
 
     def _begin(self, plans: list[BoardPlan], *, is_writing: bool) -> None:
         self.plans = tuple(plans)
@@ -121,6 +120,11 @@ class ApplyToBoards(QObject):
 
     def _set(self, number: int, step: BoardStep, problem: str = "") -> None:
         self._replace(replace(self._plan(number), step=step, problem=problem))
+
+    def _leave(self, number: int, step: BoardStep, problem: str = "") -> None:
+        """Set how a board was left, and go on with the next one."""
+        self._set(number, step, problem)
+        self._go_on()
 
     def _replace(self, plan: BoardPlan) -> None:
         self.plans = tuple(plan if one.number == plan.number else one for one in self.plans)
@@ -155,22 +159,18 @@ class ApplyToBoards(QObject):
                 problem = tr("It does not respond. Check that it has power.")
             else:
                 self._is_cancelled = True
-            self._set(number, BoardStep.FAILED, problem)
-            self._go_on()
+            self._leave(number, BoardStep.FAILED, problem)
             return
         if self.is_writing and self._is_cancelled:
-            self._set(number, BoardStep.SKIPPED)
-            self._go_on()
+            self._leave(number, BoardStep.SKIPPED)
             return
         if (blocker := self._device.writer.blocker) or self._wanted is None:
-            self._set(number, BoardStep.FAILED, blocker)
-            self._go_on()
+            self._leave(number, BoardStep.FAILED, blocker)
             return
         try:
             changes = diff_against_draft(self._device.draft, self._wanted, is_stored=True)
         except BadRequest as unfit:
-            self._set(number, BoardStep.FAILED, error_text(unfit))
-            self._go_on()
+            self._leave(number, BoardStep.FAILED, error_text(unfit))
             return
         if self.is_writing:
             self._write(number, changes)
@@ -199,8 +199,7 @@ class ApplyToBoards(QObject):
     def _write(self, number: int, changes: Comparison) -> None:
         if changes != self._plan(number).changes:
             problem = tr("Not written: the board stores other settings than when it was reviewed.")
-            self._set(number, BoardStep.FAILED, problem)
-            self._go_on()
+            self._leave(number, BoardStep.FAILED, problem)
             return
         values = values_to_write(row for row in changes.rows if row.changed)
         self._current = number
@@ -226,10 +225,8 @@ class ApplyToBoards(QObject):
     @Slot(str)
     def _on_request_failed(self, reason: str) -> None:
         if (number := self._current) is not None:
-            self._current = None
-            self._set(number, BoardStep.FAILED, reason)
-            self._is_cancelled = True
-            self._go_on()
+            self._current, self._is_cancelled = None, True
+            self._leave(number, BoardStep.FAILED, reason)
 
     @Slot()
     def _on_stop_requested(self) -> None:

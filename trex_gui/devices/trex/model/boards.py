@@ -29,8 +29,6 @@ One of them takes at most 4 % of the line, and is sent only while nothing is dri
 
 
 class Presence(Enum):
-    """What is known of a board on the line."""
-
     SELECTED = auto()
     RESPONDING = auto()
     SILENT = auto()

@@ -40,8 +40,6 @@ log = logging.getLogger(__name__)
 
 
 class Connection(DeviceConnection[ConnectionSettings]):
-    """The line to one board, or none."""
-
     device_read = Signal(object)  # the board was read, or read again: the `Connected`
     ready = Signal()  # `device_read` was handled, and `link` is `CONNECTED`
     leaving = Signal()  # the line is about to be closed, or another board selected, on request

@@ -20,7 +20,6 @@ _LINKS = {
 
 
 def drive_inputs(device: Device) -> DriveInputs:
-    """Return what decides now."""
     motors = device.motors
     return DriveInputs(
         board=device.board.inputs(now()),

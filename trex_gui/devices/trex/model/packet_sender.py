@@ -54,7 +54,7 @@ class TrexPacketSender(QObject):
             if _is_risky(packet):
                 said = tr("Sent by hand: {0}").format(packet.words(self._board))
                 self._device.events.add(EventKind.NOTE, said)
-            self._device.connection.traffic.expect_typed(packet.data)
+            self._device.connection.traffic.expect_typed(packet.packet.raw)
             self._device.driving.send_packet(packet, partial(self._on_replied, packet))
 
     @property

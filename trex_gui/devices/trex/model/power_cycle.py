@@ -65,13 +65,11 @@ class PowerCycle(QObject):
         self._go(PowerCycleStage.OFF_WANTED)
 
     def confirm(self) -> None:
-        """Note that the user reports a power cycle."""
         if self._device.is_connected:
             self._device.note_power_cycled()
             self._go(PowerCycleStage.BACK)
 
     def end(self) -> None:
-        """Stop waiting."""
         self.expected = None
         self._go(PowerCycleStage.NONE)
 

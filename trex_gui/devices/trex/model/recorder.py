@@ -148,7 +148,6 @@ class EventRecorder(Recorder):
 
     @property
     def cause(self) -> str:
-        """What happened, for the user."""
         return "" if self._event is None else self._event.text
 
     def put(self, *records: Record) -> None:

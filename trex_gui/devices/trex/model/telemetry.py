@@ -136,7 +136,6 @@ class Telemetry(QObject):
         self.samples += 1
 
     def finish(self) -> None:
-        """Show the samples that were added."""
         self.updated.emit()
         if self._is_seen:
             self.frame_due.emit()

@@ -1,6 +1,5 @@
 """Commands, replies and states of a TReX in words."""
 
-from collections.abc import Mapping
 from typing import Any
 
 from trex_gui.core.translation import Number, tr, tr_noop
@@ -128,7 +127,8 @@ def describe_reply(command: c.Command[Any], value: Any, board: c.Signature | Non
         case c.GetSerialControl(), _:
             return tr("yes") if value else tr("no")
         case ((c.GetRawChannels() | c.GetRemappedChannels()), _):
-            return _by_channel(value)
+            none = tr("no signal")
+            return ", ".join(f"{n}: {none if one is None else one}" for n, one in value.items())
         case c.GetCurrent(motor=motor), _:
             return _current(motor, value, board)
         case c.GetCurrents(), _:
@@ -166,12 +166,6 @@ def who_controls(mode: Mode, by_serial: bool, *, joint: bool) -> str:
 
 def is_refusal(value: object) -> bool:
     return isinstance(value, ResultCode) and value is not ResultCode.OK
-
-
-def _by_channel(values: Mapping[int, int | None]) -> str:
-    none = tr("no signal")
-    said = (f"{channel}: {none if value is None else value}" for channel, value in values.items())
-    return ", ".join(said)
 
 
 def _current(motor: int, count: int, board: c.Signature | None) -> str:

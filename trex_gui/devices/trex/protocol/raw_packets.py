@@ -27,17 +27,13 @@ class RawPacket:
     packet: Packet | Malformed
 
     @property
-    def data(self) -> bytes:
-        return self.packet.raw
-
-    @property
     def hexadecimal(self) -> str:
-        return hex_text(self.data)
+        return hex_text(self.packet.raw)
 
     @property
     def moves(self) -> bool:
         """Whether a board may take it for a motor command, now or with the bytes that follow."""
-        return may_move(self.data)
+        return may_move(self.packet.raw)
 
     @property
     def writes(self) -> bool:

@@ -25,8 +25,6 @@ _SAFETY_READ_INTERVAL = 0.25
 
 
 class BoardReader:
-    """Reads the board of an open line, and reports what it read."""
-
     state: DeviceState  # since everything was read for the first time
 
     def __init__(self, line: OpenLine) -> None:

@@ -23,8 +23,6 @@ from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
 
 
 class TrexRequestQueue:
-    """Sorts requests: those for the motors go to the motor output, the others wait in order."""
-
     def __init__(
         self,
         inbox: Inbox[Request],

@@ -88,7 +88,7 @@ class TrexDecoder(Decoder):
         if not transaction.sent:
             return tr("unsolicited bytes")
         packets = _packets(transaction.sent, _polynomial(transaction.settings))
-        said = "; ".join(map(self._said, packets))
+        said = "; ".join(RawPacket(packet).words(self.board) for packet in packets)
         packet = packets[-1]
         if isinstance(packet, Malformed):
             return said
@@ -109,9 +109,6 @@ class TrexDecoder(Decoder):
             case _:
                 fault = tr("incomplete reply")
         return f"{said} → {fault}"
-
-    def _said(self, packet: Packet | Malformed) -> str:
-        return RawPacket(packet).words(self.board)
 
 
 @lru_cache(maxsize=256)  # polls repeat the same few packets

@@ -5,10 +5,11 @@ import logging
 from collections.abc import Mapping
 from pathlib import Path
 
-from trex_gui.core.files import SettingsError, data_folder, is_there, load, save
+from trex_gui.core.files import SettingsError, data_folder, is_there, load
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.device_table import HIGHEST_WIRE
+from trex_gui.devices.trex.settings.edit_files import replace_file
 
 log = logging.getLogger(__name__)
 
@@ -39,13 +40,7 @@ class AcceptedValues:
         for key, wire in values.items():
             known[key] = known.get(key, frozenset()) | {wire}
         document = self._read() | {_name(board): {key: sorted(all_) for key, all_ in known.items()}}
-        try:
-            self.path.parent.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            raise SettingsError.of(
-                self.path, tr("it cannot be written: {0}").format(error)
-            ) from error
-        save(self.path, json.dumps(document, indent=2) + "\n")
+        replace_file(self.path, json.dumps(document, indent=2) + "\n")
         return known
 
     def _read(self) -> dict[str, object]:

@@ -14,8 +14,6 @@ from trex_gui.devices.trex.settings.writer import calibration_text
 
 
 class Fate(StrEnum):
-    """What a conversion did to a setting."""
-
     CHANGED = "changed"
     LEFT_OUT = "left out"
     CARRIED_OVER = "carried over"

@@ -24,8 +24,6 @@ REACH = (
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """The known settings of one board."""
-
     product: Model
     firmware: str | None = None  # `None`: unknown
     parameters: Mapping[str, int] = field(default_factory=dict)  # wire values by key

@@ -37,8 +37,6 @@ class BoardIdentity:
 
 @dataclass(frozen=True, slots=True)
 class SavedEdits:
-    """The edits of one board, and when they were saved."""
-
     settings: Settings
     saved: datetime
 

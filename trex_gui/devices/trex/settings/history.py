@@ -50,8 +50,6 @@ Order = tuple[datetime, int, str]
 
 @dataclass(frozen=True, slots=True)
 class Snapshot:
-    """The head of a snapshot file."""
-
     path: Path
     taken: datetime  # in UTC
     product: str = ""  # empty if it cannot be read
@@ -179,7 +177,9 @@ class SettingsHistory:
             return Bound(
                 None, _no_bound(path, tr("cannot be read ({0})").format(error.strerror or error))
             )
-        lines = [line.split("#")[0].strip() for line in _text_of(data).splitlines()]
+        lines = [
+            line.split("#")[0].strip() for line in data.decode("utf-8-sig", "replace").splitlines()
+        ]
         words = [line for line in lines if line]
         match = _BOUND.fullmatch(words[0]) if len(words) == 1 else None
         if match is None or len(data) > _LARGEST_BOUND_FILE:
@@ -216,10 +216,11 @@ class SettingsHistory:
             return
         if len(names) <= bound.kept:  # usual, and cheaper than looking at each name
             return
-        own_name, ours = own.name, _saved(own)
-        others = [name for name in names if _NAME.fullmatch(name) and name != own_name]
+        # The file system's clock counts; the name tells apart what was saved at once.
+        ours = _stamp(own)[0], own.name
+        others = [name for name in names if _NAME.fullmatch(name) and name != own.name]
         for name in _oldest(others, len(others) + 1 - bound.kept):
-            if _saved(self.folder / name) < ours:
+            if (_stamp(self.folder / name)[0], name) < ours:
                 _removed(self.folder / name)
 
     def _make_folder(self) -> None:
@@ -264,24 +265,12 @@ def _stamp(path: Path) -> Stamp:
     return found.st_mtime_ns, found.st_size
 
 
-def _saved(path: Path) -> tuple[int, str]:
-    """Return the time of saving by the file system's clock; the name makes it unique."""
-    try:
-        return path.stat().st_mtime_ns, path.name
-    except OSError:
-        return 0, path.name
-
-
 def _removed(path: Path) -> bool:
     try:
         path.unlink(missing_ok=True)
     except OSError:
         return False
     return True
-
-
-def _text_of(data: bytes) -> str:
-    return data.decode("utf-8-sig", errors="replace")
 
 
 def _no_bound(path: Path, why: str) -> str:
@@ -294,7 +283,7 @@ def _look_at(path: Path, taken: datetime) -> Snapshot:
     problem, stamp = "", _stamp(path)
     try:
         with open_ordinary(path) as file:
-            lines = _text_of(file.read(_HEAD_BYTES)).split("\n")
+            lines = file.read(_HEAD_BYTES).decode("utf-8-sig", "replace").split("\n")
         head = [line.rstrip("\r") for line in lines[:_HEAD_LINES]] if lines != [""] else []
     except OSError as error:
         head = []

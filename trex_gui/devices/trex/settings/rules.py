@@ -36,8 +36,6 @@ class Context:
 
 @dataclass(frozen=True, slots=True)
 class LintFinding:
-    """A questionable combination of settings."""
-
     rule: str  # the rule's stable key, such as `limit_in_joint_mode`
     keys: tuple[str, ...]  # the settings concerned
     message: str  # a sentence

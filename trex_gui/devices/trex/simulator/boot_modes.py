@@ -137,8 +137,6 @@ class LearningMode:
                 self._watch(raw)
                 if self._time >= _EXTREMES:
                     self._learn_extremes()
-            case _:
-                pass
 
     def reply(self, byte: int) -> bytes:  # noqa: ARG002 - inferred: there is none
         return b""

@@ -82,8 +82,6 @@ _NEARLY_NEUTRAL = 8  # inferred: how far sticks may be from neutral when safe-st
 
 
 class ChannelControl:
-    """Motor control by the channels."""
-
     def __init__(self, channels: Channels, memory: Memory, mode: Mode) -> None:
         self.safe_start = not mode.is_serial  # stopped until signals are valid and sticks centred
         self.override = False  # whether channel 5 gives control to the serial port

@@ -15,8 +15,6 @@ HIGHEST_READING = 255
 
 @dataclass(frozen=True, slots=True)
 class Constants:
-    """Battery and motors of a board of one model."""
-
     battery: float  # V without load
     battery_resistance: float  # ohm, with cables
     brown_out: float  # V below which the board resets

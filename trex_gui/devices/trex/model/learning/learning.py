@@ -83,7 +83,6 @@ class Learning(QObject):
 
     @property
     def is_test(self) -> bool:
-        """Whether the sticks are only tested."""
         return self._after_stopping is LearningStep.TEST
 
     @property

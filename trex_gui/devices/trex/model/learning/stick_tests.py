@@ -22,8 +22,6 @@ _REST_SECONDS = 0.5  # how long a channel has to give 0 to be at rest
 
 
 class StickTest:
-    """Follows the output of one channel."""
-
     def __init__(self, channel: int) -> None:
         self.channel = channel
         self.output: int | None = None  # -127 to 127 now; `None` without a signal
@@ -178,17 +176,15 @@ class StickTests:
     @property
     def to_learn_again(self) -> tuple[int, ...]:
         """The channels that were moved and are not good so far: learning them may help."""
+        moved = LIMITS[self._device.calibrations.source].moved
+        spans = {channel: high - low for channel, (low, high) in self._reached.items()}
         return tuple(
             test.channel
             for test in self.tests
             if test.output is not None
             and not (test.was_good or test.ignored)
-            and self._has_moved(test.channel)
+            and spans.get(test.channel, 0) > moved
         )
-
-    def _has_moved(self, channel: int) -> bool:
-        low, high = self._reached.get(channel, (0, 0))
-        return high - low > LIMITS[self._device.calibrations.source].moved
 
     @property
     def mode(self) -> str:
@@ -215,8 +211,7 @@ class StickTests:
         """Whether safe-start would release the motors now if the channels were in control."""
         if not self.heard:
             return ""
+        text = tr("In {0} mode safe-start would release the motors now.")
         if reasons := self.safe_start_reasons:
             text = tr("In {0} mode safe-start would hold the motors now. {1}")
-            return text.format(self.mode, reasons)
-        text = tr("In {0} mode safe-start would release the motors now.")
-        return text.format(self.mode)
+        return text.format(self.mode, reasons)

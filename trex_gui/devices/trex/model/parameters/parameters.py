@@ -169,7 +169,6 @@ class ParameterModel(QAbstractTableModel):
         self._announce_pending()
 
     def note_results(self, results: Sequence[WriteResult]) -> None:
-        """Take the reasons of failed writes."""
         for result in results:
             if result.key in self.values.specs:
                 self.values.problems.pop(result.key, None)

@@ -70,7 +70,6 @@ class RobotSetup(QObject):
 
     @property
     def steps(self) -> tuple[SetupStep, ...]:
-        """The steps that apply to the driver."""
         sticks = self.driver.uses_sticks
         left_out = SetupStep.TIMEOUT if sticks else SetupStep.STICKS
         return tuple(step for step in SetupStep if step is not left_out)
