@@ -189,17 +189,12 @@ def audit(profile: str, ignored: tuple[str, ...], as_json: bool, **options: Any)
     with open_line(link_settings(options)) as client:
         state = read_board(client)
     wanted = visible(wanted, state)
-    keys = {*wanted.parameters, *wanted.calibrations} - left_out
+    keys = wanted.keys - left_out
     for key in keys & state.unread.keys():
         raise CommandFailed(f"{key} could not be read: {state.unread[key]}")
-
-    def checked(side: Settings) -> Settings:
-        parameters = {key: wire for key, wire in side.parameters.items() if key in keys}
-        rows = {key: row for key, row in side.calibrations.items() if key in keys}
-        return replace(side, parameters=parameters, calibrations=rows, notes={})
-
+    stored, wanted = (replace(s.only(keys), notes={}) for s in (settings_of(state), wanted))
     names = "the board", name_of(profile)
-    return _print_differences(checked(settings_of(state)), checked(wanted), names, as_json=as_json)
+    return _print_differences(stored, wanted, names, as_json=as_json)
 
 
 @click.command()

@@ -121,8 +121,7 @@ def set_settings(
             if rows:
                 _write(client, chosen, state, command, rows)
         return
-    others = {key: wire for key, wire in wanted.parameters.items() if key not in kept}
-    wanted = replace(wanted, parameters=others)
+    wanted = wanted.without(kept)
     work = []
     for number in devices:
         say(f"Device {number}:")

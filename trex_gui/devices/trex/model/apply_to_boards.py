@@ -85,8 +85,7 @@ class ApplyToBoards(QObject):
         """Read these boards, and find out what the settings change of each."""
         if self.is_running:
             return
-        kept = {key: wire for key, wire in settings.parameters.items() if key not in REACH}
-        self._wanted = replace(settings, parameters=kept)
+        self._wanted = settings.without(REACH)
         self._begin([BoardPlan(number) for number in sorted(numbers)], is_writing=False)
 
     def write(self, numbers: Collection[int]) -> None:

@@ -97,15 +97,7 @@ class BoardRecord:
 
     def before_writing(self, keys: Collection[str]) -> "BoardRecord":
         """Forget values that may change without a confirmation."""
-        settings = self.settings
-        return replace(
-            self,
-            settings=replace(
-                settings,
-                parameters={k: w for k, w in settings.parameters.items() if k not in keys},
-                calibrations={k: c for k, c in settings.calibrations.items() if k not in keys},
-            ),
-        )
+        return replace(self, settings=self.settings.without(keys))
 
     def after_writing(
         self, stored: Settings, source: InputSource, uncertain: Collection[str], now: datetime

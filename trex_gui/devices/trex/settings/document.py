@@ -1,6 +1,6 @@
 """The settings of a board, as read, as written in a file, or as shipped."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 
 from trex_gui.devices.trex.client.reading import DeviceState
@@ -43,6 +43,22 @@ class Settings:
     def calibration_items(self) -> list[tuple[CalibrationKey, Calibration]]:
         """Return the given calibrations, those for RC pulses first."""
         return [(key, self.calibrations[key]) for key in CalibrationKey if key in self.calibrations]
+
+    @property
+    def keys(self) -> set[str]:
+        """The keys of the given parameters and calibrations."""
+        return {*self.parameters, *self.calibrations}
+
+    def only(self, keys: Collection[str]) -> "Settings":
+        """Leave out the parameters and calibrations with other keys."""
+        return replace(
+            self,
+            parameters={key: wire for key, wire in self.parameters.items() if key in keys},
+            calibrations={key: c for key, c in self.calibrations.items() if key in keys},
+        )
+
+    def without(self, keys: Iterable[str]) -> "Settings":
+        return self.only(self.keys.difference(keys))
 
     def without_invalid(self, *, forced: bool = True) -> "Settings":
         """Leave out what no board takes; without `forced`, also what only a board can tell."""

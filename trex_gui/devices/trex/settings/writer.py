@@ -44,8 +44,7 @@ def _text(settings: Settings, title_lines: Sequence[str]) -> str:
     if settings.firmware is not None:
         head.append(f"firmware: {settings.firmware}")
     blocks = [head, *_parameter_blocks(settings), *_calibration_blocks(settings)]
-    given = {*settings.parameters, *settings.calibrations}
-    if left := sorted(settings.notes.keys() - given):
+    if left := sorted(settings.notes.keys() - settings.keys):
         blocks.append(list(chain.from_iterable(note_lines(key, settings.notes) for key in left)))
     return "\n\n".join("\n".join(block) for block in blocks) + "\n"
 

@@ -14,7 +14,7 @@ from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.model.settings.calibrations import Calibrations
 from trex_gui.devices.trex.model.settings.notes import Notes
-from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibration
+from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.device_table import Model
 from trex_gui.devices.trex.protocol.flags import InputSource
@@ -155,17 +155,18 @@ class SettingsDraft(QObject):
     @property
     def stored(self) -> Settings | None:
         """The settings of the board or the file; `None` before the first."""
-        if self._product is None:
-            return None
-        parameters, calibrations = self.parameters.values.all_stored, self.calibrations.all_stored
-        return Settings(self._product, self._firmware, parameters, calibrations, self.notes.all)
+        return self._settings(self.parameters.values.all_stored, self.calibrations.all_stored)
 
     @property
     def shown(self) -> Settings | None:
         """The settings after Apply or Save."""
+        return self._settings(self.parameters.values.all_shown, self.calibrations.all_shown)
+
+    def _settings(
+        self, parameters: Mapping[str, int], calibrations: Mapping[CalibrationKey, Calibration]
+    ) -> Settings | None:
         if self._product is None:
             return None
-        parameters, calibrations = self.parameters.values.all_shown, self.calibrations.all_shown
         return Settings(self._product, self._firmware, parameters, calibrations, self.notes.all)
 
     # --- Edits --------------------------------------------------------------------------
@@ -254,14 +255,7 @@ def diff_against_draft(
     known = {spec.key for spec in shown.specs.readable}
     unread = [key for key in settings.parameters if key in known and not draft.can_edit(key)]
     hidden = [key for key in settings.calibrations if not draft.can_edit(key)]
-    result = compare(
-        shown,
-        replace(
-            settings,
-            parameters={k: w for k, w in settings.parameters.items() if k not in unread},
-            calibrations={k: c for k, c in settings.calibrations.items() if k not in hidden},
-        ),
-    )
+    result = compare(shown, settings.without([*unread, *hidden]))
     not_read = tr("{0} is left out: it could not be read from the board.")
     not_shown = tr(
         "The {0} calibrations are left out: the board accepts them only while it reads its inputs "

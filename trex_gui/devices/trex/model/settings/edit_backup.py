@@ -1,8 +1,7 @@
 """Keeps the edits of a board until they are applied or discarded, even if the program dies."""
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection
 from dataclasses import dataclass, replace
-from typing import TypeVar
 
 from PySide6.QtCore import QObject, Signal, Slot
 
@@ -14,9 +13,6 @@ from trex_gui.devices.trex.settings.comparison import ComparisonRow
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity, EditFiles, SavedEdits
 from trex_gui.ui.translations import error_sentence
-
-KeyT = TypeVar("KeyT", bound=str)
-ValueT = TypeVar("ValueT")
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,7 +87,7 @@ class EditBackup(QObject):
             self.files.read(self._board)
             return
         if self._edits_left is not None:
-            keys = set() if self._undecided is None else _keys(self._undecided)
+            keys = set() if self._undecided is None else self._undecided.keys
             keys |= self._out_of_reach(self._edits_left)
             self._undecided = _only(self._edits_left, keys)
         self._on_changed()
@@ -137,8 +133,7 @@ class EditBackup(QObject):
         stored = self._draft.stored
         if self._board is None or stored is None or not self._is_read:
             return
-        is_simulated = self._board.is_simulated
-        board = BoardIdentity.of(stored, is_simulated=is_simulated)
+        board = BoardIdentity.of(stored, is_simulated=self._board.is_simulated)
         edits = self._edits(stored)
         before, self._board = self._board, board
         if board != before and edits is not None:  # its number was written
@@ -185,22 +180,10 @@ class EditBackup(QObject):
 
     def _out_of_reach(self, edits: Settings) -> set[str]:
         """Return the keys of edits that the draft neither holds nor can take now."""
-        draft = self._draft
-        keys = _keys(edits)
-        return {key for key in keys if not draft.can_edit(key) and not draft.is_modified(key)}
-
-
-def _keys(edits: Settings) -> set[str]:
-    return {*edits.parameters, *edits.calibrations}
+        can_edit, is_modified = self._draft.can_edit, self._draft.is_modified
+        return {key for key in edits.keys if not can_edit(key) and not is_modified(key)}
 
 
 def _only(edits: Settings, keys: Collection[str]) -> Settings | None:
-    parameters = _taken(edits.parameters, keys)
-    calibrations = _taken(edits.calibrations, keys)
-    if not parameters and not calibrations:
-        return None
-    return replace(edits, parameters=parameters, calibrations=calibrations)
-
-
-def _taken(values: Mapping[KeyT, ValueT], keys: Collection[str]) -> dict[KeyT, ValueT]:
-    return {key: value for key, value in values.items() if key in keys}
+    kept = edits.only(keys)
+    return kept if kept.keys else None
