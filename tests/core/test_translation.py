@@ -8,6 +8,7 @@ import pytest
 from PySide6.QtCore import QCoreApplication
 
 from trex_gui.core.translation import Number, tr, use_translations
+from trex_gui.devices.trex.driving.blockers import DriveBlocker, Reason
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameters_of
 from trex_gui.devices.trex.settings.document import Settings
@@ -15,7 +16,12 @@ from trex_gui.devices.trex.settings.edit_in_place import amend
 from trex_gui.devices.trex.settings.writer import write_settings
 from trex_gui.ui.translations import CONTEXT
 
-_WORDS = {"off": "aus", "Serial Timeout": "Serielles Timeout"}
+_WORDS = {
+    "off": "aus",
+    "Serial Timeout": "Serielles Timeout",
+    "Format error": "Formatfehler",
+    "CRC error": "CRC-Fehler",
+}
 
 
 def _english(text: str, _comment: str, _count: int) -> str:
@@ -51,6 +57,12 @@ def test_parameters_and_numbers_follow_the_language() -> None:
     assert timeout().text(15) == "1,5 s"
     assert f"{Number(11.96):.1f} V, {Number(0.5):g}" == "12,0 V, 0,5"
     assert f"{Number(0.125):.1%}" == "12,5\u00a0%"
+
+
+@pytest.mark.usefixtures("german")
+def test_names_of_errors_in_a_reason_are_translated() -> None:
+    reason = Reason(DriveBlocker.LINE_ERROR, (("Format error", "CRC error"),))
+    assert "(formatfehler, crc-fehler)" in reason.text()
 
 
 @pytest.mark.usefixtures("german")

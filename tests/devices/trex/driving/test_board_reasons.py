@@ -139,10 +139,8 @@ def test_reasons_follow_from_what_the_board_reports(
     assert [reason.blocker for reason in board_reasons(board)] == blockers
 
 
-def test_names_of_errors_in_a_reason_are_translated() -> None:
-    words = {"Format error": "Formatfehler", "CRC error": "CRC-Fehler"}
-    reason = Reason(DriveBlocker.LINE_ERROR, (tuple(words),))
-    assert "(formatfehler, crc-fehler)" in reason.text(lambda text: words.get(text, text))
+def test_errors_are_named_in_a_reason() -> None:
+    reason = Reason(DriveBlocker.LINE_ERROR, (("Format error", "CRC error"),))
     assert "(format error, crc error)" in reason.text()
 
 

@@ -74,7 +74,7 @@ def _own_reasons(now: DriveInputs, *, by_serial: bool) -> Iterator[Reason]:
 
 
 def _status(reason: Reason) -> DriveStatus:
-    return DriveStatus(reason.blocker, reason.text(tr), reason.remedy(tr))
+    return DriveStatus(reason.blocker, reason.text(), reason.remedy())
 
 
 def _lost(now: DriveInputs) -> DriveStatus:

@@ -1,13 +1,10 @@
-"""Reasons why motors do not run, with their sentences.
+"""Reasons why motors do not run, with their sentences."""
 
-The command line shows the sentences as they are, the window translates them.
-"""
-
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from enum import Enum, IntEnum, unique
 
-from trex_gui.core.translation import tr_noop
+from trex_gui.core.translation import tr, tr_noop
 
 
 class Effect(IntEnum):
@@ -160,19 +157,18 @@ class Reason:
     blocker: DriveBlocker
     fields: tuple[object, ...] = ()
 
-    def text(self, translate: Callable[[str], str] = str) -> str:
+    def text(self) -> str:
         """Return what keeps the motors from running, as a sentence."""
-        return translate(self.blocker.text).format(*self._words(translate))
+        return tr(self.blocker.text).format(*self._words())
 
-    def remedy(self, translate: Callable[[str], str] = str) -> str:
+    def remedy(self) -> str:
         """Return what the user can do about it, as a sentence; empty if nothing."""
-        remedy = self.blocker.remedy
-        return translate(remedy).format(*self._words(translate)) if remedy else ""
+        return tr(self.blocker.remedy).format(*self._words()) if self.blocker.remedy else ""
 
-    def _words(self, translate: Callable[[str], str]) -> Iterator[object]:
+    def _words(self) -> Iterator[object]:
         for field in self.fields:
             if isinstance(field, tuple):
-                yield ", ".join(translate(str(name)) for name in field).lower()
+                yield ", ".join(tr(str(name)) for name in field).lower()
             else:
                 yield field
 

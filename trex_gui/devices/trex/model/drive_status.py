@@ -46,7 +46,7 @@ def recent_fault_text(device: Device) -> str:
     }
     if not recent or not device.is_connected:
         return ""
-    text = " ".join(Reason(DriveBlocker.FAULT, (motor,)).text(tr) for motor in recent)
+    text = " ".join(Reason(DriveBlocker.FAULT, (motor,)).text() for motor in recent)
     if all(entry.is_doubtful for entry in recent.values()):
         text = tr(_DOUBTFUL).format(text)
     return text

@@ -204,7 +204,7 @@ class StickTests:
             source=self._device.calibrations.source,
             joint=stored_of(ParameterKey.MOTOR_MODE) == 1,
         )
-        return " ".join(reason.text(tr) for reason in reasons)
+        return " ".join(reason.text() for reason in reasons)
 
     @property
     def safe_start_text(self) -> str:
