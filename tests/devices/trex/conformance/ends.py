@@ -59,7 +59,8 @@ class ParserEnd:
     """
 
     def __init__(self, model: str, firmware: str) -> None:
-        self._board = Board(model, firmware, timeout_needs_shutdown=True)
+        self._board = Board(model, firmware)
+        self._board.timeout_needs_shutdown = True
         self._line = TrexLine([self._board])
         self._port = SerialPort(self._board)
         self._resumes_at = math.inf

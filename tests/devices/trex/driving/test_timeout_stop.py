@@ -25,7 +25,8 @@ def keeps_turning(timeout: int, shutdown: int, *, needs_shutdown: bool) -> bool:
     eeprom = Eeprom()
     eeprom.write("serial_timeout", timeout)
     eeprom.write("uart_error_shutdown", shutdown)
-    board = Board(eeprom=eeprom, timeout_needs_shutdown=needs_shutdown)
+    board = Board(eeprom=eeprom)
+    board.timeout_needs_shutdown = needs_shutdown
     board.note_byte()
     board.serial.drive(1, MotorDirection.FORWARD, 60)
     board.advance(2)

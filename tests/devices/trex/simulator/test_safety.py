@@ -21,7 +21,8 @@ class TestSafety:
     def test_timeout_without_shutdown_is_latched_and_stops_under_one_hypothesis(
         self, direction: MotorDirection, *, needs_shutdown: bool
     ) -> None:
-        board = Board(timeout_needs_shutdown=needs_shutdown)
+        board = Board()
+        board.timeout_needs_shutdown = needs_shutdown
         write(board, "uart_error_shutdown", 0)
         write(board, "serial_timeout", 5)
         board.note_byte()
@@ -48,7 +49,8 @@ class TestSafety:
     ) -> None:
         eeprom = Eeprom()
         eeprom.write("serial_timeout", 5)
-        board = Board(mode="rc", eeprom=eeprom, timeout_needs_shutdown=needs_shutdown)
+        board = Board(mode="rc", eeprom=eeprom)
+        board.timeout_needs_shutdown = needs_shutdown
         board.advance(SETTLED)
         board.note_byte()
         board.serial.drive(1, FORWARD, 77)

@@ -94,27 +94,15 @@ def simulate(
     seed: int = 0,
     demo: bool = False,
 ) -> Simulation:
-    boards = [
-        Board(
-            device.model or model,
-            firmware,
-            eeprom=_eeprom(
-                eeprom,
-                device,
-                device.model or model,
-                len(devices),
-                error_shutdown=error_shutdown == "on",
-            ),
-            mode=mode,
-            mix=mix,
-            seed=seed + index,
-            timeout_needs_shutdown=timeout_needs_shutdown == "on",
-        )
-        for index, device in enumerate(devices or [DeviceOption()])
-    ]
-    for board in boards:
+    boards = []
+    for index, device in enumerate(devices or [DeviceOption()]):
+        kind = device.model or model
+        stored = _eeprom(eeprom, device, kind, len(devices), error_shutdown=error_shutdown == "on")
+        board = Board(kind, firmware, eeprom=stored, mode=mode, mix=mix, seed=seed + index)
+        board.timeout_needs_shutdown = timeout_needs_shutdown == "on"
         board.unknown_reply = b"" if unknown_parameter == "silent" else b"\xff"
         board.rejection_is_error = rejected_write == "error"
+        boards.append(board)
     line = TrexLine(boards, echo=echo, paced=paced, seed=seed)
     if demo:
         for board in boards:

@@ -74,11 +74,7 @@ class Board:
         mode: str = "serial",
         mix: bool = False,
         seed: int = 0,
-        timeout_needs_shutdown: bool = False,
     ) -> None:
-        # Whether the serial timeout stops motors only with UART-Error Shutdown set. CMD10 names no
-        # condition; the twin, a qik 2s12v10, has this one.
-        self.timeout_needs_shutdown = timeout_needs_shutdown
         self.eeprom = eeprom if eeprom is not None else Eeprom(model)
         self.model = self.eeprom.model
         self.firmware = firmware
@@ -91,6 +87,9 @@ class Board:
         self.now = self.powered_at = 0.0  # seconds since the start
         self.powered = False
         self.boots = 0  # number of power-ups
+        # Whether the serial timeout stops motors only with UART-Error Shutdown set. CMD10 names no
+        # condition; the twin, a qik 2s12v10, has this one.
+        self.timeout_needs_shutdown = False
         self.unknown_reply = b""  # to reading an unknown parameter, beside the format error
         self.rejection_is_error = False  # whether a rejected write is a format error, too
         self.channels = Channels(InputSource.RC, seed)
