@@ -100,10 +100,10 @@ def test_pinned_rows_come_first_in_their_own_order(model: ParameterModel) -> Non
     model.edit("serial_timeout", 5)
     assert heading(model, "pinned").data() == "Pinned (1 modified)"
     assert heading(model, "serial").data() == "Serial"
-    model.toggle_pin("motor2_current_limit")
-    assert model.pinned == ("serial_timeout", "not_a_key")
-    assert not model.is_pinned("motor1_current_limit")
-    assert model.is_pinned("serial_timeout")
+    model.pin(model.rows.with_toggled("motor2_current_limit"))
+    assert model.rows.pinned == ("serial_timeout", "not_a_key")
+    assert not model.rows.is_pinned("motor1_current_limit")
+    assert model.rows.is_pinned("serial_timeout")
 
 
 def test_grouped_model_passes_qt_model_tester(

@@ -86,7 +86,7 @@ class ParameterModel(QAbstractTableModel):
         self._undo = undo or QUndoStack(self)
         self.values = ParameterValues()
         self.text = ParameterText(self.values, self)
-        self._rows = ParameterRows(self.values, self.text)
+        self.rows = ParameterRows(self.values, self.text)
         self.model_key = ""  # the kind of board that the rows belong to; empty before the first
         self.both_motors = False  # whether an edit for one motor is made for the other, too
         self._headers = (tr("Parameter"), tr("Motor 1"), tr("Motor 2"))
@@ -126,7 +126,7 @@ class ParameterModel(QAbstractTableModel):
         for spec in sorted(specs.readable, key=lambda spec: _GROUPS.index(spec.group)):
             self.values.specs[spec.key] = spec
         self.text.set_board(specs.model)
-        self._rows.arrange()
+        self.rows.arrange()
         self.values.load(
             stored,
             keep_edits=keep_edits and specs.model.key == self.model_key,
@@ -143,22 +143,11 @@ class ParameterModel(QAbstractTableModel):
         if pending != self.values.modified:
             self._announce_pending()
 
-    @property
-    def pinned(self) -> tuple[str, ...]:
-        """Keys of the rows that are kept at the top, without the motor."""
-        return self._rows.pinned
-
     def pin(self, keys: Iterable[str]) -> None:
         self.beginResetModel()
-        self._rows.pinned = tuple(keys)
-        self._rows.arrange()
+        self.rows.pinned = tuple(keys)
+        self.rows.arrange()
         self.endResetModel()
-
-    def is_pinned(self, key: str) -> bool:
-        return self._rows.is_pinned(key)
-
-    def toggle_pin(self, key: str) -> None:
-        self.pin(self._rows.with_toggled(key))
 
     def note_stored(self, stored: Mapping[str, int]) -> None:
         """Take the stored values after a verified write."""
@@ -182,7 +171,7 @@ class ParameterModel(QAbstractTableModel):
             return
         self.values.accepted = dict(accepted)
         for key in accepted:
-            if key in self._rows.places:
+            if key in self.rows.places:
                 self._announce(key)
         self._announce_pending()
 
@@ -191,13 +180,13 @@ class ParameterModel(QAbstractTableModel):
     @property
     def count(self) -> int:
         """The number of settings, one for both motors."""
-        return sum(bool(row.keys) for row in self._rows)
+        return sum(bool(row.keys) for row in self.rows)
 
     @property
     def tasks(self) -> dict[str, str]:
         """The titles of the tasks that have parameters, by task."""
         tasks = {spec.task for spec in self.values.specs.values()}
-        return {task: title for task, title in self._rows.titles.items() if task in tasks}
+        return {task: title for task, title in self.rows.titles.items() if task in tasks}
 
     def is_editable(self, key: str) -> bool:
         """Whether a value of the table can be edited."""
@@ -312,18 +301,18 @@ class ParameterModel(QAbstractTableModel):
 
     def index_of(self, key: str) -> QModelIndex:
         """Return the cell with the value of a parameter, invalid when there is none."""
-        place = self._rows.places.get(key)
+        place = self.rows.places.get(key)
         return QModelIndex() if place is None else self.index(*place)
 
     def rowCount(self, parent: Index | None = None) -> int:
-        return 0 if parent is not None and parent.isValid() else len(self._rows)
+        return 0 if parent is not None and parent.isValid() else len(self.rows)
 
     def columnCount(self, parent: Index | None = None) -> int:
         return 0 if parent is not None and parent.isValid() else _COLUMNS
 
     def keys_at(self, row: int) -> tuple[str, ...]:
         """Return a key for each value of a row: of motors 1 and 2, of the board, or none."""
-        return self._rows[row].keys
+        return self.rows[row].keys
 
     def headerData(
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
@@ -333,7 +322,7 @@ class ParameterModel(QAbstractTableModel):
 
     def _key_at(self, index: Index) -> str:
         """Return the key of a cell; empty in a heading."""
-        keys = self._rows[index.row()].keys if index.isValid() else ()
+        keys = self.rows[index.row()].keys if index.isValid() else ()
         return keys[min(max(index.column() - 1, 0), len(keys) - 1)] if keys else ""
 
     def flags(self, index: Index) -> Qt.ItemFlag:
@@ -350,7 +339,7 @@ class ParameterModel(QAbstractTableModel):
         if not key:
             return self._heading_data(index, role)
         if role == Qt.ItemDataRole.DisplayRole and index.column() == ParameterColumn.NAME:
-            return self._rows[index.row()].name
+            return self.rows[index.row()].name
         source = self._sources.get(role)
         return None if source is None else source(key)
 
@@ -381,12 +370,12 @@ class ParameterModel(QAbstractTableModel):
         return self.text.reset(key) if differs else None
 
     def _heading_data(self, index: Index, role: int) -> Any:
-        heading = self._rows[index.row()]
+        heading = self.rows[index.row()]
         if role == Role.GROUP:
             return heading.group
         if role != Qt.ItemDataRole.DisplayRole or index.column() > 0:
             return None
-        members = (row for row in self._rows if row.group == heading.group)
+        members = (row for row in self.rows if row.group == heading.group)
         keys = (each for row in members for key in row.keys for each in self.text.together(key))
         modified = sum(map(self.values.is_modified, keys))
         text = tr("{0} ({1} modified)") if modified else "{0}"
@@ -414,7 +403,7 @@ class ParameterModel(QAbstractTableModel):
 
     def _announce(self, key: str) -> None:
         """Announce the row of a parameter, and the heading above it."""
-        row = self._rows.places[key][0]
-        heading = next(each for each in range(row, -1, -1) if not self._rows[each].keys)
+        row = self.rows.places[key][0]
+        heading = next(each for each in range(row, -1, -1) if not self.rows[each].keys)
         for place in (row, heading):
             self.dataChanged.emit(self.index(place, 0), self.index(place, _COLUMNS - 1))

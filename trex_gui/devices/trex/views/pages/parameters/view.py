@@ -412,7 +412,7 @@ class ParameterView(QTableView):
             is_other = model.text.value(other_motor) != model.text.value(key)
             self._to_other_motor.setText(tr("Copy to {0}").format(motor_name(other_motor)))
             self._to_other_motor.setEnabled(can_edit and is_other)
-        is_pinned = model.is_pinned(key)
+        is_pinned = model.rows.is_pinned(key)
         self._pin.setText(tr("U&npin") if is_pinned else tr("Pi&n to the top"))
         self._pin.setIconText(tr("U&npin") if is_pinned else tr("Pi&n"))
         lines = self._lines(key)
@@ -424,10 +424,10 @@ class ParameterView(QTableView):
             WireDialog(self._model, open_key, self).show()
 
     def _toggle_pin(self, key: str) -> None:
-        self._model.toggle_pin(key)
-        if self._model.is_pinned(key):
+        self._model.pin(self._model.rows.with_toggled(key))
+        if self._model.rows.is_pinned(key):
             self.scrollToTop()
-        Preferences().set(_PINNED, ",".join(self._model.pinned))
+        Preferences().set(_PINNED, ",".join(self._model.rows.pinned))
 
     def _lines(self, key: str) -> list[str]:
         """Return the value as lines of a settings file."""
