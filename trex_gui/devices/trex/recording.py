@@ -74,37 +74,26 @@ def setpoint_record(
     return AuxiliarySetpointRecord(time, request.speed, request.accelerate)
 
 
-def settings_snapshot(state: DeviceState, time: float) -> SettingsSnapshot:
-    return SettingsSnapshot(time, _settings_text(state))
-
-
-def _settings_text(state: DeviceState) -> str:
+def settings_text(state: DeviceState) -> str:
     return write_settings(settings_of(state))[:LONGEST_TEXT]
 
 
 @dataclass(frozen=True, slots=True)
 class Header:
-    """Describes the recording of a board.
-
-    Attributes:
-        clock: the session's clock (s) at the start.
-        mode: the mode at the start; the unit of the channels follows from it.
-        settings: what the board stored at the start, as the text of a settings file.
-        device_number: `None` where the board was addressed without one.
-    """
+    """Describes the recording of a board."""
 
     started: datetime
-    clock: float
+    clock: float  # the session's clock (s) at the start
     model: Model
     firmware: str
-    mode: Mode
-    settings: str = ""
-    device_number: int | None = None
+    mode: Mode  # at the start; the unit of the channels follows from it
+    settings: str = ""  # what the board stored at the start, as the text of a settings file
+    device_number: int | None = None  # `None` where the board was addressed without one
     program: str = f"TReX Studio {__version__}"
 
     @classmethod
     def of(cls, state: DeviceState, clock: float, device_number: int | None) -> "Header":
-        signature, settings = state.signature, _settings_text(state)
+        signature, settings = state.signature, settings_text(state)
         started = datetime.now(UTC)
         return cls(
             started, clock, signature.model, signature.firmware, state.mode, settings, device_number

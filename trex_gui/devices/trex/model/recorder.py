@@ -21,8 +21,9 @@ from trex_gui.devices.trex.recording import (
     Header,
     Record,
     SetpointRecord,
+    SettingsSnapshot,
     setpoint_record,
-    settings_snapshot,
+    settings_text,
 )
 from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.devices.connection import ConnectionState
@@ -99,10 +100,9 @@ class Recorder(RecordThread[Record]):
         return state.signature, state.source, self._device.connection.selection
 
     def _put_settings(self, state: DeviceState) -> None:
-        snapshot = settings_snapshot(state, now())
-        if snapshot.text != self._settings:
-            self._settings = snapshot.text
-            self.put(snapshot)
+        if (text := settings_text(state)) != self._settings:
+            self._settings = text
+            self.put(SettingsSnapshot(now(), text))
 
     @Slot()
     def _on_link_changed(self) -> None:
