@@ -66,20 +66,13 @@ def attempts(*, full: bool = False) -> Iterator[Attempt]:
 
 @dataclass(frozen=True, slots=True)
 class FoundBoard:
-    """A board, and how to reach it.
+    """A board, and how to reach it."""
 
-    Attributes:
-        settings: what to connect with; addressed by number only where several boards share
-            the line.
-        device_number: the number that it stores, if it was read.
-        note: a hint for the user; may be empty.
-    """
-
-    settings: ConnectionSettings
+    settings: ConnectionSettings  # with a number only where several boards share the line
     signature: Signature
-    device_number: int | None = None
+    device_number: int | None = None  # the number that it stores, if it was read
     echo: bool = False
-    note: str = ""
+    note: str = ""  # a hint for the user; may be empty
 
     @property
     def name(self) -> str:

@@ -1,7 +1,8 @@
 """Transactions: one command out, its whole reply in, before anything else is sent.
 
 A TReX cannot receive while it replies, so there is never a second request in flight. Deadlines
-follow from the time of the bytes on the wire and of the board.
+follow from the time of the bytes on the wire and of the board. Whatever uses the line raises
+`PortUnavailable` if it is gone.
 """
 
 from collections.abc import Callable
@@ -94,7 +95,6 @@ class TrexClient:
             BadRequest: a value does not fit; nothing was sent.
             NoReply: not everything came in time.
             BadReply: the bytes are no reply to this command.
-            PortUnavailable: the line is gone.
         """
         return self._request(command, self.settings.framing).value
 
@@ -116,7 +116,7 @@ class TrexClient:
         Bytes that are no packet have whatever arrives as their reply; its value is `None`.
 
         Raises:
-            NoReply, BadReply, PortUnavailable: as for `request`.
+            NoReply, BadReply: as for `request`.
         """
         if isinstance(packet, Packet):
             framing = replace(self.settings.framing, device_number=packet.device_number)
@@ -185,11 +185,7 @@ class TrexClient:
                 return state
 
     def send(self, command: Command[None]) -> None:
-        """Send a command without a reply; an echo is awaited and not checked.
-
-        Raises:
-            PortUnavailable: the line is gone.
-        """
+        """Send a command without a reply; an echo is awaited and not checked."""
         packet = self.settings.framing.encode(command)
         self.drain()
         self.counters.requests += 1
@@ -205,7 +201,6 @@ class TrexClient:
 
         Raises:
             BadReply: bytes arrive without end; a TReX sends none unsolicited.
-            PortUnavailable: the line is gone.
         """
         self.echo = False
         for _ in range(_ECHO_PROBES):

@@ -1,6 +1,7 @@
 """Reading everything that a board stores and reports.
 
-Plain functions over a `Requester`, so the command line, the session and tests share them.
+Plain functions over a `Requester`, so the command line, the session and tests share them. Each
+raises `PortUnavailable` if the line is gone.
 """
 
 import contextlib
@@ -118,7 +119,7 @@ def other_board(
     `number` of `None` is not compared.
 
     Raises:
-        NoReply, BadReply, PortUnavailable: as for `query`.
+        NoReply, BadReply: as for `query`.
     """
     query_number = GetParameter(parameter_number(ParameterKey.DEVICE_NUMBER))
     for _ in range(2):
@@ -139,7 +140,6 @@ def board_at(client: TrexClient, number: int, *, attempts: int = 1) -> Signature
     Raises:
         BadReply: something replies that cannot be read: several boards have this number, or the
             line corrupts bytes.
-        PortUnavailable: the line is gone.
     """
     if number in client.settings.reserved:
         return None
@@ -162,9 +162,6 @@ def is_several(client: TrexClient, stored_number: int) -> bool:
 
     Boards of one model reply alike, and are read as one that has the bits which all of their
     numbers have. Unless that is the number of one of them, no board responds to it.
-
-    Raises:
-        PortUnavailable: the line is gone.
     """
     if client.settings.device_number is not None:
         return False
@@ -180,7 +177,6 @@ def require_free_number(
 
     Raises:
         BadRequest: one has, or several have, whose replies never can be read.
-        PortUnavailable: the line is gone.
     """
     unreadable = 0
     for _ in range(ATTEMPTS):
@@ -205,7 +201,6 @@ def query(
 
     Raises:
         NoReply, BadReply: each time.
-        PortUnavailable: the line is gone.
     """
     for _ in range(attempts - 1):
         try:
@@ -230,7 +225,7 @@ def agreed(
 
     Raises:
         BadReply: three readings in a row differ from the one before.
-        NoReply, PortUnavailable: as for `query`.
+        NoReply: as for `query`.
     """
     readings = [query(request, command) if earlier is None else earlier]
     if has_crc:
@@ -246,7 +241,7 @@ def agreed(
 
 
 def read_signature(request: Requester, *, has_crc: bool = False) -> Signature:
-    """Return which board responds; NoReply, BadReply and PortUnavailable as for `agreed`."""
+    """Return which board responds; NoReply and BadReply as for `agreed`."""
     signature = query(request, GetSignature(), attempts=CONNECTING_ATTEMPTS)
     return agreed(request, GetSignature(), has_crc=has_crc, earlier=signature)
 
@@ -264,7 +259,6 @@ def read_everything(
 
     Raises:
         NoReply, BadReply: the board does not answer, or is no TReX, or a value was not `agreed`.
-        PortUnavailable: the line is gone.
     """
     readings: dict[Command[Any], Any] = {}
 

@@ -1,6 +1,7 @@
 """Storing one value: write it, read it back, and compare.
 
-Plain functions over a `Requester`, so the command line, the session and tests share them.
+Plain functions over a `Requester`, so the command line, the session and tests share them. Each
+raises `PortUnavailable` if the line is gone.
 """
 
 from collections.abc import Callable
@@ -40,7 +41,6 @@ def write_parameter(
         Rejected: the board rejected it.
         BadReply: the value read back differs.
         NoReply: the board does not respond.
-        PortUnavailable: the line is gone.
     """
     command = SetParameter(spec.number, spec.check(wire, forced=True))
     if not spec.readable:
@@ -67,7 +67,7 @@ def write_calibration(
     Raises:
         BadRequest: minimum, neutral and maximum are not in order; nothing was sent.
         BadReply: the active source, or the value read back, differs.
-        Rejected, NoReply, PortUnavailable: as for `write_parameter`.
+        Rejected, NoReply: as for `write_parameter`.
     """
     what = tr("Calibration of channel {0}").format(key.channel)
     command = SetCalibration(key.channel, wanted)

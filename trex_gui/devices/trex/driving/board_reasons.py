@@ -95,14 +95,8 @@ def safe_start_reasons(
 
     It ends when required channels have a signal (RC), those that drive are near neutral, and
     channel 5 does not override, all at once. Ref: TReX Jr User's Guide 4.e; how near is near,
-    and the threshold of channel 5, are inferred.
-
-    Args:
-        curves: stored curve by channel, as far as known.
-        raw: counts of channels 1-5; `None` without a valid signal.
-        required: the mask of the parameter Required Channels.
-        source: how the inputs are measured.
-        joint: whether both drivers work as one motor.
+    and the threshold of channel 5, are inferred. `curves` are the stored ones by channel, as far as
+    known; `raw` are the counts of channels 1-5; `required` is the mask Required Channels.
     """
     counts = dict(zip(CHANNELS, raw, strict=True))
     reasons = [
@@ -146,16 +140,9 @@ def board_inputs(
     joint: bool,
     is_held: bool,
 ) -> BoardInputs:
-    """Return what decides, from what was read of a board.
+    """Return what decides, from what a board stores, and what it has reported lately.
 
-    Args:
-        state: what the board stores.
-        raw: counts of channels 1-5; `None` while unknown.
-        status: bits reported lately.
-        uart: UART errors reported lately.
-        by_serial: whether serial commands reach the motors.
-        joint: whether both drivers work as one motor now.
-        is_held: whether safe-start may hold the motors.
+    `raw` are the counts of channels 1-5, `None` while unknown.
     """
     stored = state.parameters.get
     curves = {

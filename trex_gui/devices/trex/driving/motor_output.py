@@ -291,11 +291,8 @@ class MotorOutput:
     ) -> None:
         """Take the result of an attempt to stop; the motors are idle from now on.
 
-        Args:
-            now: when.
-            statuses: what was latched meanwhile.
-            confirmed: whether clean statuses followed.
-            final: whether these are sufficient even on a line that damages bytes.
+        `statuses` were latched meanwhile. It is `confirmed` if clean statuses followed; `final`
+        says that these are sufficient even on a line that damages bytes.
         """
         self._sent_at = self._stopped_at = now
         self.refresh.note_stop(now)

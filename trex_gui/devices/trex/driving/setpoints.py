@@ -111,13 +111,9 @@ class SetpointRetry:
     ) -> None:
         """Confirm the setpoints, or schedule them at once after an error.
 
-        Motors that the board has stopped are not started again.
-
-        Args:
-            latched: the status that was read; `None` if nothing was latched.
-            now: when.
-            is_whole: whether no error can be latched that was not read.
-            stops_on_error: whether the board stops its motors on a UART error.
+        Motors that the board has stopped are not started again. `latched` is `None` if nothing was
+        latched. `is_whole`: no error can be latched that was not read. `stops_on_error`: the board
+        stops its motors on a UART error.
         """
         if not self._unconfirmed:
             return

@@ -136,12 +136,8 @@ class Polling:
     ) -> Topic | None:
         """Return the topic to poll now, and count it as polled; `None` while none is due.
 
-        Args:
-            now: seconds.
-            line: gives the time that replies take.
-            timeout: the board's serial timeout in seconds, 0 for none.
-            armed: whether to keep it from expiring.
-            careful: whether to omit queries that one damaged bit turns into a motor command.
+        While `armed` the board's serial `timeout` (seconds, 0 for none) does not expire. `careful`
+        omits queries that one damaged bit turns into a motor command.
         """
         left_out: Collection[Topic] = too_slow(line, timeout) if armed else ()
         if careful:

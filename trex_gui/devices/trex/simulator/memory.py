@@ -137,8 +137,7 @@ class Eeprom:
         except OSError as error:
             with contextlib.suppress(OSError):
                 draft.unlink()
-            message = f"the EEPROM file {self._path} cannot be written: {error}"
-            raise EepromError(message) from error
+            raise EepromError(f"the EEPROM file {self._path} cannot be written: {error}") from error
 
     def _document(self) -> dict[str, Any]:
         document: dict[str, Any] = {
@@ -223,16 +222,13 @@ class Memory:
     """Active and stored settings, and the writes that are going on.
 
     Parameters 0x7B-0x7F take effect after a power cycle, the others when their write ends.
-
-    Attributes:
-        line_settings, baud: active settings of the serial line, and its real bit rate.
-        accepted: by key, the highest value that this firmware takes beyond the inferred limits, and
-            the bits that it stores.
     """
 
     def __init__(self, eeprom: Eeprom, firmware: str) -> None:
         self.parameters = parameters_of(eeprom.model.key, firmware)
         self.writes = 0  # number of finished writes
+        # By key, the highest value that this firmware takes beyond the inferred limits, and the
+        # bits that it stores
         self.accepted: dict[str, tuple[int, int]] = {}
         self.eeprom = eeprom
         self._firmware = firmware
@@ -245,7 +241,7 @@ class Memory:
         self.eeprom.reset_if_pending()
         self.active = self.stored()  # active parameters by key
         self.line_settings = LineSettings.from_wire(self.active[ParameterKey.UART_SETTINGS])
-        self.baud = self.line_settings.real_baud(self._firmware)
+        self.baud = self.line_settings.real_baud(self._firmware)  # the bit rate on the line
 
     def stored(self) -> dict[str, int]:
         return {spec.key: self.eeprom[spec.key] for spec in self.parameters.readable}
@@ -301,8 +297,7 @@ class Memory:
             self._begin_write(spec.key, value, at_once=not spec.needs_power_cycle)
         else:
             # Inferred: 0x7F sets a mark, and the next power-up resets all parameters.
-            step = _Step(PARAMETER_WRITE, self.eeprom.request_reset, lambda: None)
-            self._steps.append(step)
+            self._steps.append(_Step(PARAMETER_WRITE, self.eeprom.request_reset, lambda: None))
         return ResultCode.OK
 
     def _begin_write(self, key: str, value: int, *, at_once: bool) -> None:
