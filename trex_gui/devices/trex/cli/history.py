@@ -55,8 +55,7 @@ def _list(as_json: bool) -> None:
     if problem := history.bound().problem:
         say(f"Warning: {problem}")
     if as_json:
-        rows = [_json_row(number, found) for number, found in enumerate(snapshots, 1)]
-        print_json(rows)
+        print_json([_json_row(number, found) for number, found in enumerate(snapshots, 1)])
         return
     if not snapshots:
         say(

@@ -348,8 +348,7 @@ class _Work:
         return self._stored_parameter(key)
 
     def _stored_parameter(self, key: str) -> int:
-        command = GetParameter(self.specs[key].number)
-        return agreed(self._request, command, has_crc=self.has_crc)
+        return agreed(self._request, GetParameter(self.specs[key].number), has_crc=self.has_crc)
 
     def _name(self, key: str) -> str:
         if key in CALIBRATION_KEYS:

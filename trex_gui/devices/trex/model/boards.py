@@ -164,8 +164,7 @@ class BoardList(QObject):
         self.boards = tuple(found)
         self._remember()
         if len(found) > 1:
-            text = tr("%n board(s) on this line.", "", len(found))
-            self._device.notifier.info.emit(text)
+            self._device.notifier.info.emit(tr("%n board(s) on this line.", "", len(found)))
         else:
             self._device.notifier.info.emit(
                 tr(

@@ -110,8 +110,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
             then(outcome)
 
         self.leaving.emit()
-        text = tr("Selecting device {0} …").format(number)
-        self._set_state(ConnectionState.CONNECTING, text)
+        self._set_state(ConnectionState.CONNECTING, tr("Selecting device {0} …").format(number))
         self.request(lambda request: SelectBoard(request, number, sharing), report)
 
     def stop_now(self, *, ending: bool = False) -> None:

@@ -157,8 +157,7 @@ class Device(QObject):
 
     def warn(self, cause: str, remedies: Remedies = ()) -> None:
         """Show the `loss_text` and its cause until a stop is confirmed."""
-        text = f"{self.loss_text} {cause}"
-        self.notifier.warn(text, remedies, lambda: self.may_stop_matter)
+        self.notifier.warn(f"{self.loss_text} {cause}", remedies, lambda: self.may_stop_matter)
 
     @property
     def serial_timeout_s(self) -> float | None:
@@ -267,8 +266,7 @@ class Device(QObject):
             return
         pending, before = self.draft.pending, self.draft.stored
         if read.is_changed:
-            reason = tr("Nothing was written: other settings were read from the board.")
-            self.writer.give_up(reason)
+            self.writer.give_up(tr("Nothing was written: other settings were read from the board."))
         if read.is_new:
             self.calibrations.forget_seen()
         is_same_kind = self.parameters.model_key == state.signature.model.key
@@ -305,8 +303,7 @@ class Device(QObject):
 
     def _on_selected(self, report: Connected) -> None:
         """Show another board on the line, with its edits; those of the last are kept."""
-        reason = tr("Nothing was written: another board was selected.")
-        self.writer.give_up(reason)
+        self.writer.give_up(tr("Nothing was written: another board was selected."))
         if pending := self.draft.pending:
             text = tr(
                 "%n edit(s) of the former board kept: they return when it is selected again.",
@@ -335,8 +332,7 @@ class Device(QObject):
         self.telemetry.forget()
         self.writer.give_up(tr("Nothing was written: the board does not respond."))
         if self.may_move:
-            text = tr("The board does not respond; the stop is being repeated.")
-            self.warn(text)
+            self.warn(tr("The board does not respond; the stop is being repeated."))
 
     @Slot(object)
     def _on_written(self, written: Written) -> None:

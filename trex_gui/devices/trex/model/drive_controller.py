@@ -34,6 +34,7 @@ from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.protocol.raw_packets import RawPacket
 from trex_gui.devices.trex.session.messages import Connected, ReadReason, SendPacket
+from trex_gui.devices.trex.settings.document import settings_of
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.files import in_background
@@ -370,10 +371,7 @@ def _may_be_same(one: Connected, other: Connected) -> bool:
 
 
 def _identity_of(board: Connected) -> BoardIdentity:
-    signature, parameters = board.state.signature, board.state.parameters
-    number = parameters.get(ParameterKey.DEVICE_NUMBER)
-    is_simulated = bool(board.settings.name)
-    return BoardIdentity(signature.model, signature.firmware, number, is_simulated)
+    return BoardIdentity.of(settings_of(board.state), is_simulated=bool(board.settings.name))
 
 
 def _name_of(board: Connected) -> str:

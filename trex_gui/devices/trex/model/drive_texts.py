@@ -65,8 +65,7 @@ def report_text(device: Device, motor: int) -> str:
     value = telemetry.remapped_of(motor)
     if by_serial and state is not None and not state.mode.is_serial and value is not None:
         value = abs(value) if motor == 3 else value
-        text = signed_text(value)
-        parts.append(tr("channel {0} at {1} (overridden)").format(motor, text))
+        parts.append(tr("channel {0} at {1} (overridden)").format(motor, signed_text(value)))
     return tr("Board: {0}").format(", ".join(parts) or tr("N/A"))
 
 

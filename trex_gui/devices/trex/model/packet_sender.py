@@ -101,8 +101,7 @@ class TrexPacketSender(QObject):
             notifier.error.emit(text.format(packet.hexadecimal, error_text(outcome.error)))
         elif isinstance(outcome.value, bytes) and outcome.value:
             text = tr("Sent {0}; the reply is {1}.")
-            reply = hex_text(outcome.value)
-            notifier.info.emit(text.format(packet.hexadecimal, reply))
+            notifier.info.emit(text.format(packet.hexadecimal, hex_text(outcome.value)))
         else:
             text = tr("Sent {0}; there was no reply.")
             notifier.info.emit(text.format(packet.hexadecimal))

@@ -7,7 +7,7 @@ from trex_gui.core.translation import tr
 from trex_gui.core.transport.settings import SHARED, PortSettings, SerialFormat
 from trex_gui.devices.trex.protocol.flags import seven_bits
 from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL, Framing, check_polynomial
-from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 
 
 def numbers_in(text: str) -> frozenset[int]:
@@ -50,7 +50,7 @@ class ConnectionSettings(PortSettings):
             reach, is_shared, reserved = text.partition(SHARED)
             baud, detection, stop_bits, number, polynomial = reach.split(" ")
             line = LineSettings(int(baud), Detection[detection], int(stop_bits))
-            is_possible = line.baud in baud_rates() and line.stop_bits in {1, 2}
+            line.to_wire()  # raises for what no board has
             settings = replace(
                 self,
                 line=line,
@@ -61,8 +61,6 @@ class ConnectionSettings(PortSettings):
             _ = settings.framing
         except (KeyError, ValueError) as error:
             raise BadRequest(tr("{0!r} are no settings of a board").format(text)) from error
-        if not is_possible:
-            raise BadRequest(tr("{0!r} are no settings of a board").format(text))
         return settings
 
     def at(self, line: SerialFormat) -> PortSettings:

@@ -211,17 +211,10 @@ class Rejected(TrexError):  # noqa: N818 - reads as a result, like `Outcome`
     """The board understood a write and rejected it; `what` was written, for messages."""
 
     def __init__(self, what: str, result: ResultCode) -> None:
-        super().__init__(_REJECTIONS[result], what)
+        super().__init__(ErrorCode[result.name], what)
         self.what = what
         self.result = result
         self.args = (what, result)  # so that it can be pickled
-
-
-_REJECTIONS = {
-    ResultCode.BAD_PARAMETER: ErrorCode.BAD_PARAMETER,
-    ResultCode.BAD_VALUE: ErrorCode.BAD_VALUE,
-    ResultCode.NOT_SERIAL_MODE: ErrorCode.NOT_SERIAL_MODE,
-}
 
 
 def is_unsteady(error: BaseException) -> bool:

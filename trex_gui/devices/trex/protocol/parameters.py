@@ -449,8 +449,7 @@ def parameter_number(key: str) -> int:
         if row["key"] == key:
             number: int = row["number"]
             return number
-    message = tr("the table has no parameter {0!r}").format(key)
-    raise BadRequest(message)
+    raise BadRequest(tr("the table has no parameter {0!r}").format(key))
 
 
 def _read_spec(row: Mapping[str, Any], model: Model) -> ParameterSpec:

@@ -24,8 +24,6 @@ _COMMENT_WIDTH = 86
 _SOURCE_LETTERS = {mode.source: mode.value for mode in Mode if mode.is_serial}
 """The mode letter in serial mode, by the inputs whose calibrations the board then shows."""
 
-_PARITIES = {Detection.EVEN: "EVEN", Detection.ODD: "ODD"}
-
 
 def file_name(settings: Settings, language: Language) -> str:
     """Return a name for the exported file, such as `trex_board.c`.
@@ -75,7 +73,7 @@ def _program(settings: Settings, link: ConnectionSettings, language: Language) -
         line=line.text(),
         new_line=_new_line(link, valid),
         baud=line.baud,
-        parity=_PARITIES.get(line.detection, "NONE"),
+        parity=line.parity.name,
         stop_bits=line.stop_bits,
         # Packets
         device=device,

@@ -76,8 +76,7 @@ class BoardStation:
         self._check_boot()
         if self._input is None:
             deliver = partial(self._take_sampled, self._boot)
-            timeline = self._line.timeline
-            self._input = RateConverter(timeline, self.line_format, self.baud, deliver)
+            self._input = RateConverter(self._line.timeline, self.line_format, self.baud, deliver)
         self._input.receive(byte, host, host.baud, paced=self._line.paced)
 
     def _take_sampled(self, boot: int, byte: int, error: ReceiveError | None, begun: float) -> None:

@@ -356,8 +356,7 @@ def _tip(snapshot: Snapshot, problem: str) -> str:
     when = snapshot.taken.astimezone().strftime("%Y-%m-%d %H:%M:%S")
     lines = [when, snapshot.path.name]
     if problem:
-        text = tr("This snapshot is damaged and cannot be restored. {0}")
-        lines.append(text.format(problem))
+        lines.append(tr("This snapshot is damaged and cannot be restored. {0}").format(problem))
     return "\n".join(lines)
 
 

@@ -70,8 +70,7 @@ class RobotSetup(QObject):
 
     @property
     def steps(self) -> tuple[SetupStep, ...]:
-        sticks = self.driver.uses_sticks
-        left_out = SetupStep.TIMEOUT if sticks else SetupStep.STICKS
+        left_out = SetupStep.TIMEOUT if self.driver.uses_sticks else SetupStep.STICKS
         return tuple(step for step in SetupStep if step is not left_out)
 
     @property

@@ -91,8 +91,7 @@ class Wiring:
         section 3), so turning channel 1 exchanges the motors, and turning both channels
         reverses both motors.
         """
-        wrong = self.rewiring(driver)
-        backward = self.backward - wrong.reverse
+        backward = self.backward - self.rewiring(driver).reverse
         match driver:
             case Driver.ONE_STICK:
                 is_reversed = len(backward) == 2
