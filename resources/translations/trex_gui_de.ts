@@ -1511,10 +1511,10 @@
         <translation>Das Maximum ({2}) liegt außerhalb des Eingangsbereichs: {3}. Der volle Ausgang auf dieser Seite wird nie erreicht.</translation></message>
     <message><source>{0}; it is reversed</source>
         <translation>{0}; er ist umgekehrt</translation></message>
-    <message><source>Selecting device {0} …</source>
-        <translation>Gerät {0} wird ausgewählt …</translation></message>
     <message><source>The board has stopped responding. Is its power on? Waiting for it …</source>
         <translation>Das Board antwortet nicht mehr. Ist es eingeschaltet? Es wird darauf gewartet …</translation></message>
+    <message><source>Selecting device {0} …</source>
+        <translation>Gerät {0} wird ausgewählt …</translation></message>
     <message><source>Connected to {0}.</source>
         <translation>Verbunden mit {0}.</translation></message>
     <message><source>No reply yet. Trying other settings: {0} …</source>
@@ -1543,22 +1543,22 @@
         <translation>{0}. Die Leitung ist geschlossen.</translation></message>
     <message><source>{0}. The board has confirmed the stop.</source>
         <translation>{0}. Das Board hat den Stopp bestätigt.</translation></message>
-    <message><source>Nothing was written: another board was selected.</source>
-        <translation>Es wurde nichts geschrieben: Ein anderes Board wurde ausgewählt.</translation></message>
     <message><source>Edits, notes or settings were kept here for another board with this device number. They are in {0} now.</source>
         <translation>Für ein anderes Board mit dieser Gerätenummer waren hier Änderungen, Notizen oder Einstellungen hinterlegt. Sie sind jetzt in {0}.</translation></message>
-    <message><source>Nothing was written: other settings were read from the board.</source>
-        <translation>Es wurde nichts geschrieben: Vom Board wurden andere Einstellungen gelesen.</translation></message>
     <message numerus="yes"><source>%n edit(s) not applied to the previous {0}: kept, and offered when it is connected again.</source>
         <translation><numerusform>%n Änderung wurde nicht auf {0}, das vorige Board, angewendet: Sie bleibt erhalten und wird angeboten, wenn es wieder verbunden ist.</numerusform><numerusform>%n Änderungen wurden nicht auf {0}, das vorige Board, angewendet: Sie bleiben erhalten und werden angeboten, wenn es wieder verbunden ist.</numerusform></translation></message>
     <message numerus="yes"><source>%n earlier change(s) still pending. Click Apply to write to this board.</source>
         <translation><numerusform>%n frühere Änderung ist noch ausstehend. Klicken Sie auf „Einstellungen anwenden“, um sie auf dieses Board zu schreiben.</numerusform><numerusform>%n frühere Änderungen sind noch ausstehend. Klicken Sie auf „Einstellungen anwenden“, um sie auf dieses Board zu schreiben.</numerusform></translation></message>
+    <message><source>Nothing was written: another board was selected.</source>
+        <translation>Es wurde nichts geschrieben: Ein anderes Board wurde ausgewählt.</translation></message>
     <message numerus="yes"><source>%n edit(s) of the former board kept: they return when it is selected again.</source>
         <translation><numerusform>%n Änderung des bisherigen Boards bleibt erhalten: Sie ist wieder da, wenn es erneut ausgewählt wird.</numerusform><numerusform>%n Änderungen des bisherigen Boards bleiben erhalten: Sie sind wieder da, wenn es erneut ausgewählt wird.</numerusform></translation></message>
     <message><source>Nothing was written: the board does not respond.</source>
         <translation>Es wurde nichts geschrieben: Das Board antwortet nicht.</translation></message>
     <message><source>Noise on the line can turn a motor another way for an instant.</source>
         <translation>Störungen auf der Leitung können einen Motor für einen Augenblick in die andere Richtung drehen.</translation></message>
+    <message><source>Nothing was written: other settings were read from the board.</source>
+        <translation>Es wurde nichts geschrieben: Vom Board wurden andere Einstellungen gelesen.</translation></message>
     <message><source>{0}, device {1}</source>
         <translation>{0}, Gerät {1}</translation></message>
     <message><source>Reading again failed. {0}</source>
@@ -1983,10 +1983,6 @@
         <translation>PWM-Frequenz</translation></message>
     <message><source>{0} to {1}</source>
         <translation>{0} bis {1}</translation></message>
-    <message><source>{0} s to full speed</source>
-        <translation>{0} s bis zur vollen Geschwindigkeit</translation></message>
-    <message><source>{0} to {1} s to full speed, or {2}</source>
-        <translation>{0} bis {1} s bis zur vollen Geschwindigkeit, oder {2}</translation></message>
     <message><source>{0} PWM Frequency</source>
         <translation>PWM-Frequenz {0}</translation></message>
     <message><source>not given</source>
@@ -2021,8 +2017,6 @@
         <translation>Standardwert: {0}{1}.</translation></message>
     <message><source>User's guide, section {0}</source>
         <translation>Benutzerhandbuch, Abschnitt {0}</translation></message>
-    <message><source>{0} (wire value {1} to {2})</source>
-        <translation>{0} (Bytewert {1} bis {2})</translation></message>
     <message><source>Wire value: {0}.</source>
         <translation>Bytewert: {0}.</translation></message>
     <message><source>No source says what the wire values mean{0}.</source>
@@ -2033,8 +2027,6 @@
         <translation>{0} {1}</translation></message>
     <message><source>Recording {0} ended: the board or its input source has changed.</source>
         <translation>Aufzeichnung {0} beendet: Das Board oder seine Eingangsquelle hat sich geändert.</translation></message>
-    <message><source>What the board accepted was not remembered. {0}</source>
-        <translation>Was das Board akzeptiert hat, wurde nicht vermerkt. {0}</translation></message>
     <message><source>calibration of channel {0}: {1}</source>
         <translation>Kalibrierung von Kanal {0}: {1}</translation></message>
     <message><source>Setting</source>
@@ -2071,12 +2063,12 @@
         <translation>Änderungen wiederherstellen</translation></message>
     <message><source>Edits of this board</source>
         <translation>Änderungen an diesem Board</translation></message>
+    <message><source>What the board accepted was not remembered. {0}</source>
+        <translation>Was das Board akzeptiert hat, wurde nicht vermerkt. {0}</translation></message>
     <message><source>What was applied to this board cannot be remembered. {0}</source>
         <translation>Was auf dieses Board angewendet wurde, lässt sich nicht merken. {0}</translation></message>
     <message><source>Note on {0}</source>
         <translation>Notiz zu {0}</translation></message>
-    <message><source>This snapshot is damaged and cannot be restored. {0}</source>
-        <translation>Diese Sicherungskopie ist beschädigt und kann nicht wiederhergestellt werden. {0}</translation></message>
     <message><source>damaged</source>
         <translation>beschädigt</translation></message>
     <message numerus="yes"><source>And %n more problem(s).</source>
@@ -2103,6 +2095,8 @@
         <translation>heute {0}</translation></message>
     <message><source>yesterday {0}</source>
         <translation>gestern {0}</translation></message>
+    <message><source>This snapshot is damaged and cannot be restored. {0}</source>
+        <translation>Diese Sicherungskopie ist beschädigt und kann nicht wiederhergestellt werden. {0}</translation></message>
     <message><source>The board accepts changes in serial mode only: switch it off, remove the mode jumper, switch it on. Edits are kept.</source>
         <translation>Das Board nimmt Änderungen nur im seriellen Modus an: Schalten Sie es aus, ziehen Sie den Modus-Jumper ab, schalten Sie es ein. Änderungen bleiben erhalten.</translation></message>
     <message><source>Nothing was written because no snapshot could be saved first. {0}</source>
@@ -2247,8 +2241,6 @@
         <translation>Umdrehschalter</translation></message>
     <message><source>serial override switch</source>
         <translation>Vorrangschalter (serielle Befehle)</translation></message>
-    <message><source>no signal</source>
-        <translation>kein Signal</translation></message>
     <message><source> Joint mode: both drivers work together as motor 1, motor 2 is ignored.</source>
         <translation> Parallelbetrieb: Beide Treiber arbeiten zusammen als Motor 1, Motor 2 wird ignoriert.</translation></message>
     <message><source>analog</source>
@@ -2263,6 +2255,8 @@
         <translation>setzen</translation></message>
     <message><source>no TReX</source>
         <translation>kein TReX</translation></message>
+    <message><source>no signal</source>
+        <translation>kein Signal</translation></message>
     <message><source>Serial commands control the motors (serial mode).</source>
         <translation>Serielle Befehle steuern die Motoren (serieller Modus).</translation></message>
     <message><source>Serial commands control the motors: channel 5 overrides the other inputs.</source>
@@ -2495,8 +2489,6 @@
         <translation>keine</translation></message>
     <message><source>none or some of the channels 1 to 5, such as 1, 3</source>
         <translation>keiner oder einige der Kanäle 1 bis 5, zum Beispiel 1, 3</translation></message>
-    <message><source>the table has no parameter {0!r}</source>
-        <translation>die Tabelle enthält keinen Parameter {0!r}</translation></message>
     <message><source>{0} is {1}, not {2}</source>
         <translation>{0} ist {1}, nicht {2}</translation></message>
     <message><source>any of 1 to 5</source>
@@ -2509,14 +2501,22 @@
         <translation>{0} bis {1} (Bytewert {2} bis {3})</translation></message>
     <message><source>{0} {1} has no parameter {2!r}{3}</source>
         <translation>{0} {1} hat keinen Parameter {2!r}{3}</translation></message>
+    <message><source>the table has no parameter {0!r}</source>
+        <translation>die Tabelle enthält keinen Parameter {0!r}</translation></message>
     <message><source> or </source>
         <translation> oder </translation></message>
     <message><source>written as {0}, with a baud rate that the board has</source>
         <translation>geschrieben wie {0}, mit einer Baudrate, die das Board hat</translation></message>
     <message><source>; did you mean {0}?</source>
         <translation>; meinten Sie {0}?</translation></message>
+    <message><source>{0} to {1} s to full speed, or {2}</source>
+        <translation>{0} bis {1} s bis zur vollen Geschwindigkeit, oder {2}</translation></message>
     <message><source>channels 1 to 5 (wire value 0 to {0})</source>
         <translation>Kanäle 1 bis 5 (Bytewert 0 bis {0})</translation></message>
+    <message><source>{0} (wire value {1} to {2})</source>
+        <translation>{0} (Bytewert {1} bis {2})</translation></message>
+    <message><source>{0} s to full speed</source>
+        <translation>{0} s bis zur vollen Geschwindigkeit</translation></message>
     <message><source>wire {0}</source>
         <translation>Bytewert {0}</translation></message>
     <message><source>Which bytes? Give them in hexadecimal, such as 86 1F.</source>
@@ -2553,8 +2553,6 @@
         <translation>verfälscht: {0}</translation></message>
     <message><source>accepted values</source>
         <translation>akzeptierte Werte</translation></message>
-    <message><source>it cannot be written: {0}</source>
-        <translation>sie kann nicht geschrieben werden: {0}</translation></message>
     <message><source>{0} is left out: {1} means {2} to a {3}, but {4} to a {5}.</source>
         <translation>{0} wird ausgelassen: {1} bedeutet {2} für einen {3}, aber {4} für einen {5}.</translation></message>
     <message><source>1 parameter</source>
@@ -3023,10 +3021,10 @@
         <translation>Dieser Prüflauf</translation></message>
     <message><source>Change</source>
         <translation>Änderung</translation></message>
-    <message><source>Settled within {0:.0f} % after</source>
-        <translation>Auf {0:.0f} % eingeschwungen nach</translation></message>
     <message><source>Saved as {0}.</source>
         <translation>Gespeichert als {0}.</translation></message>
+    <message><source>Settled within {0:.0f} % after</source>
+        <translation>Auf {0:.0f} % eingeschwungen nach</translation></message>
     <message><source>Click a board, or press Enter, to show it on every page. Motors stop first.</source>
         <translation>Klicken Sie auf ein Board oder drücken Sie Enter, um es auf jeder Seite zu zeigen. Zuvor werden die Motoren gestoppt.</translation></message>
     <message><source>Ask for each device number which board has it; nothing is changed</source>

@@ -1511,10 +1511,10 @@
         <translation>Le maximum ({2}) est hors de la plage de l'entrée : {3}. La sortie maximale de ce côté n'est jamais atteinte.</translation></message>
     <message><source>{0}; it is reversed</source>
         <translation>{0} ; elle est inversée</translation></message>
-    <message><source>Selecting device {0} …</source>
-        <translation>Sélection de l'appareil {0} …</translation></message>
     <message><source>The board has stopped responding. Is its power on? Waiting for it …</source>
         <translation>La carte a cessé de répondre. Est-elle sous tension ? Attente …</translation></message>
+    <message><source>Selecting device {0} …</source>
+        <translation>Sélection de l'appareil {0} …</translation></message>
     <message><source>Connected to {0}.</source>
         <translation>Connecté à {0}.</translation></message>
     <message><source>No reply yet. Trying other settings: {0} …</source>
@@ -1543,22 +1543,22 @@
         <translation>{0}. La liaison est fermée.</translation></message>
     <message><source>{0}. The board has confirmed the stop.</source>
         <translation>{0}. La carte a confirmé l'arrêt.</translation></message>
-    <message><source>Nothing was written: another board was selected.</source>
-        <translation>Rien n'a été écrit : une autre carte a été sélectionnée.</translation></message>
     <message><source>Edits, notes or settings were kept here for another board with this device number. They are in {0} now.</source>
         <translation>Des modifications, des notes ou des réglages étaient conservés ici pour une autre carte ayant ce numéro d'appareil. Ils se trouvent maintenant dans {0}.</translation></message>
-    <message><source>Nothing was written: other settings were read from the board.</source>
-        <translation>Rien n'a été écrit : d'autres réglages ont été lus dans la carte.</translation></message>
     <message numerus="yes"><source>%n edit(s) not applied to the previous {0}: kept, and offered when it is connected again.</source>
         <translation><numerusform>%n modification non appliquée à l'appareil précédent ({0}) : elle est conservée, et proposée quand il sera reconnecté.</numerusform><numerusform>%n modifications non appliquées à l'appareil précédent ({0}) : elles sont conservées, et proposées quand il sera reconnecté.</numerusform></translation></message>
     <message numerus="yes"><source>%n earlier change(s) still pending. Click Apply to write to this board.</source>
         <translation><numerusform>%n modification antérieure encore en attente. Cliquez sur « Appliquer les réglages » pour l'écrire dans cette carte.</numerusform><numerusform>%n modifications antérieures encore en attente. Cliquez sur « Appliquer les réglages » pour les écrire dans cette carte.</numerusform></translation></message>
+    <message><source>Nothing was written: another board was selected.</source>
+        <translation>Rien n'a été écrit : une autre carte a été sélectionnée.</translation></message>
     <message numerus="yes"><source>%n edit(s) of the former board kept: they return when it is selected again.</source>
         <translation><numerusform>%n modification de la carte précédente conservée : elle revient quand cette carte est de nouveau sélectionnée.</numerusform><numerusform>%n modifications de la carte précédente conservées : elles reviennent quand cette carte est de nouveau sélectionnée.</numerusform></translation></message>
     <message><source>Nothing was written: the board does not respond.</source>
         <translation>Rien n'a été écrit : la carte ne répond pas.</translation></message>
     <message><source>Noise on the line can turn a motor another way for an instant.</source>
         <translation>Du bruit sur la liaison peut faire tourner un moteur un instant dans un autre sens.</translation></message>
+    <message><source>Nothing was written: other settings were read from the board.</source>
+        <translation>Rien n'a été écrit : d'autres réglages ont été lus dans la carte.</translation></message>
     <message><source>{0}, device {1}</source>
         <translation>{0}, appareil {1}</translation></message>
     <message><source>Reading again failed. {0}</source>
@@ -1983,10 +1983,6 @@
         <translation>Fréquence PWM</translation></message>
     <message><source>{0} to {1}</source>
         <translation>{0} à {1}</translation></message>
-    <message><source>{0} s to full speed</source>
-        <translation>{0} s jusqu'à la pleine vitesse</translation></message>
-    <message><source>{0} to {1} s to full speed, or {2}</source>
-        <translation>{0} à {1} s jusqu'à la pleine vitesse, ou {2}</translation></message>
     <message><source>{0} PWM Frequency</source>
         <translation>{0} : fréquence PWM</translation></message>
     <message><source>not given</source>
@@ -2021,8 +2017,6 @@
         <translation>Valeur par défaut : {0}{1}.</translation></message>
     <message><source>User's guide, section {0}</source>
         <translation>Guide d'utilisation, section {0}</translation></message>
-    <message><source>{0} (wire value {1} to {2})</source>
-        <translation>{0} (valeur transmise : {1} à {2})</translation></message>
     <message><source>Wire value: {0}.</source>
         <translation>Valeur transmise : {0}.</translation></message>
     <message><source>No source says what the wire values mean{0}.</source>
@@ -2033,8 +2027,6 @@
         <translation>{0} {1}</translation></message>
     <message><source>Recording {0} ended: the board or its input source has changed.</source>
         <translation>L'enregistrement {0} s'est terminé : la carte ou sa source des entrées a changé.</translation></message>
-    <message><source>What the board accepted was not remembered. {0}</source>
-        <translation>Ce que la carte a accepté n'a pas été mémorisé. {0}</translation></message>
     <message><source>calibration of channel {0}: {1}</source>
         <translation>étalonnage de la voie {0} : {1}</translation></message>
     <message><source>Setting</source>
@@ -2071,12 +2063,12 @@
         <translation>Restaurer les modifications</translation></message>
     <message><source>Edits of this board</source>
         <translation>Modifications de cette carte</translation></message>
+    <message><source>What the board accepted was not remembered. {0}</source>
+        <translation>Ce que la carte a accepté n'a pas été mémorisé. {0}</translation></message>
     <message><source>What was applied to this board cannot be remembered. {0}</source>
         <translation>Ce qui a été appliqué à cette carte ne peut pas être mémorisé. {0}</translation></message>
     <message><source>Note on {0}</source>
         <translation>Note sur {0}</translation></message>
-    <message><source>This snapshot is damaged and cannot be restored. {0}</source>
-        <translation>Cet instantané est endommagé et ne peut pas être restauré. {0}</translation></message>
     <message><source>damaged</source>
         <translation>endommagé</translation></message>
     <message numerus="yes"><source>And %n more problem(s).</source>
@@ -2103,6 +2095,8 @@
         <translation>aujourd'hui {0}</translation></message>
     <message><source>yesterday {0}</source>
         <translation>hier {0}</translation></message>
+    <message><source>This snapshot is damaged and cannot be restored. {0}</source>
+        <translation>Cet instantané est endommagé et ne peut pas être restauré. {0}</translation></message>
     <message><source>The board accepts changes in serial mode only: switch it off, remove the mode jumper, switch it on. Edits are kept.</source>
         <translation>La carte n'accepte des modifications qu'en mode série : coupez son alimentation, retirez le cavalier de mode, remettez l'alimentation. Les modifications sont conservées.</translation></message>
     <message><source>Nothing was written because no snapshot could be saved first. {0}</source>
@@ -2247,8 +2241,6 @@
         <translation>interrupteur de retournement</translation></message>
     <message><source>serial override switch</source>
         <translation>interrupteur de priorité série</translation></message>
-    <message><source>no signal</source>
-        <translation>pas de signal</translation></message>
     <message><source> Joint mode: both drivers work together as motor 1, motor 2 is ignored.</source>
         <translation> Mode jumelé : les deux drivers travaillent ensemble comme moteur 1, le moteur 2 est ignoré.</translation></message>
     <message><source>analog</source>
@@ -2263,6 +2255,8 @@
         <translation>régler immédiatement</translation></message>
     <message><source>no TReX</source>
         <translation>aucun TReX</translation></message>
+    <message><source>no signal</source>
+        <translation>pas de signal</translation></message>
     <message><source>Serial commands control the motors (serial mode).</source>
         <translation>Les commandes série commandent les moteurs (mode série).</translation></message>
     <message><source>Serial commands control the motors: channel 5 overrides the other inputs.</source>
@@ -2495,8 +2489,6 @@
         <translation>aucune</translation></message>
     <message><source>none or some of the channels 1 to 5, such as 1, 3</source>
         <translation>aucune, une ou plusieurs des voies 1 à 5, par exemple 1, 3</translation></message>
-    <message><source>the table has no parameter {0!r}</source>
-        <translation>la table n'a pas de paramètre {0!r}</translation></message>
     <message><source>{0} is {1}, not {2}</source>
         <translation>{0} accepte {1}, et non {2}</translation></message>
     <message><source>any of 1 to 5</source>
@@ -2509,14 +2501,22 @@
         <translation>{0} à {1} (valeur transmise : {2} à {3})</translation></message>
     <message><source>{0} {1} has no parameter {2!r}{3}</source>
         <translation>{0} {1} n'a pas de paramètre {2!r}{3}</translation></message>
+    <message><source>the table has no parameter {0!r}</source>
+        <translation>la table n'a pas de paramètre {0!r}</translation></message>
     <message><source> or </source>
         <translation> ou </translation></message>
     <message><source>written as {0}, with a baud rate that the board has</source>
         <translation>une valeur écrite comme {0}, avec un débit que la carte possède</translation></message>
     <message><source>; did you mean {0}?</source>
         <translation> ; vouliez-vous dire {0} ?</translation></message>
+    <message><source>{0} to {1} s to full speed, or {2}</source>
+        <translation>{0} à {1} s jusqu'à la pleine vitesse, ou {2}</translation></message>
     <message><source>channels 1 to 5 (wire value 0 to {0})</source>
         <translation>voies 1 à 5 (valeur transmise : 0 à {0})</translation></message>
+    <message><source>{0} (wire value {1} to {2})</source>
+        <translation>{0} (valeur transmise : {1} à {2})</translation></message>
+    <message><source>{0} s to full speed</source>
+        <translation>{0} s jusqu'à la pleine vitesse</translation></message>
     <message><source>wire {0}</source>
         <translation>valeur transmise {0}</translation></message>
     <message><source>Which bytes? Give them in hexadecimal, such as 86 1F.</source>
@@ -2553,8 +2553,6 @@
         <translation>altéré : {0}</translation></message>
     <message><source>accepted values</source>
         <translation>valeurs acceptées</translation></message>
-    <message><source>it cannot be written: {0}</source>
-        <translation>impossible à écrire : {0}</translation></message>
     <message><source>{0} is left out: {1} means {2} to a {3}, but {4} to a {5}.</source>
         <translation>{0} est omis : {1} signifie {2} pour un {3}, mais {4} pour un {5}.</translation></message>
     <message><source>1 parameter</source>
@@ -3023,10 +3021,10 @@
         <translation>Cet essai</translation></message>
     <message><source>Change</source>
         <translation>Écart</translation></message>
-    <message><source>Settled within {0:.0f} % after</source>
-        <translation>Stabilisé à ±{0:.0f} % après</translation></message>
     <message><source>Saved as {0}.</source>
         <translation>Enregistré sous {0}.</translation></message>
+    <message><source>Settled within {0:.0f} % after</source>
+        <translation>Stabilisé à ±{0:.0f} % après</translation></message>
     <message><source>Click a board, or press Enter, to show it on every page. Motors stop first.</source>
         <translation>Cliquez sur une carte, ou appuyez sur Entrée, pour l'afficher sur toutes les pages. Les moteurs s'arrêtent d'abord.</translation></message>
     <message><source>Ask for each device number which board has it; nothing is changed</source>
