@@ -175,6 +175,7 @@ def _client() -> tuple[object, Feed]:
             client.request(GetSignature() if data[:1] < b"\x80" else GetRawChannels(0x1F))
         client.transport.wait(0.1)
         client.transport.sent.clear()  # type: ignore[attr-defined]  # of the harness
+        client.transport.written.clear()  # type: ignore[attr-defined]
 
     return client, feed
 
