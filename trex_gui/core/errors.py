@@ -1,7 +1,4 @@
-"""Errors that users see; each is a sentence.
-
-They cross threads and processes as values, so every one pickles.
-"""
+"""Errors that users see; each is a sentence. They cross threads as values."""
 
 from collections.abc import Callable
 from enum import Enum

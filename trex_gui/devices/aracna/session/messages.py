@@ -1,4 +1,4 @@
-"""Requests to an Aracna session and its reports: small frozen values that pickle.
+"""Requests to an Aracna session and its reports: small frozen values.
 
 Positions and speeds are tuples with one value for each motor, motor 0 first: positions 0-1023 in
 the servo's units, speeds 0-1023 (0: unlimited). Times are seconds on the session's clock.
