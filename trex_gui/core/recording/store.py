@@ -12,7 +12,7 @@ import shutil
 import sqlite3
 import struct
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from operator import itemgetter
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -22,6 +22,7 @@ from typing import Any, Generic, cast
 from trex_gui.core.files import atomic_file, check_ordinary, open_ordinary
 from trex_gui.core.recording.kinds import (
     LONGEST_TEXT,
+    MARKERS,
     HeaderT,
     Marker,
     RecordingError,
@@ -267,8 +268,7 @@ class Recording(Generic[HeaderT, RecordT]):
             self._database = self._connect()
             with _reported(path, _DAMAGED):
                 self.header = self._read_header()
-                self.kinds = tuple(fmt.kinds(self.header))
-                self._check_tables()
+                self.kinds = self._checked_tables(fmt.kinds(self.header))
                 self.count = self._last_record()  # number of the last record; records count from 1
                 self._valid_types = defaultdict[tuple[str, ...], set[tuple[type, ...]]](set)
         except BaseException:
@@ -361,18 +361,26 @@ class Recording(Generic[HeaderT, RecordT]):
             raise ValueError(tr("the clock in the header is not in seconds"))
         return header
 
-    def _check_tables(self) -> None:
-        """Fail where a table or a column is missing, or is not a plain table."""
+    def _checked_tables(self, kinds: Iterable[SampleKind]) -> tuple[SampleKind, ...]:
+        """Return the kinds that the file has; what is missing may be of a later version.
+
+        Fail without markers, which every version has, and where a table is not a plain one.
+        """
+        found = []
         plain = "SELECT name FROM sqlite_master WHERE type = 'table' AND sql LIKE 'CREATE TABLE%'"
         tables = {name for (name,) in self._database.execute(plain)}
-        for kind in self.kinds:
-            if kind.name not in tables:
-                raise self._error(tr("The table {0} is missing.").format(kind.name))
+        for kind in kinds:
+            lost = "" if kind.name in tables else tr("The table {0} is missing.").format(kind.name)
             info = self._database.execute(f"PRAGMA table_xinfo({kind.name})").fetchall()
             missing = {"record", "clock_s", "time_s", *kind.exported} - {row[1] for row in info}
-            if missing:
+            if missing and not lost:
                 column = f"{kind.name}.{min(missing)}"
-                raise self._error(tr("The column {0} is missing.").format(column))
+                lost = tr("The column {0} is missing.").format(column)
+            if lost and kind is MARKERS:
+                raise self._error(lost)
+            if lost:
+                self.problems.append(lost)
+                continue
             stored = {"record", "clock_s", *(column.name for column in kind.columns)}
             for _, name, *_, hidden in info:
                 if hidden and name in stored:  # an expression could make any amount of data
@@ -381,6 +389,8 @@ class Recording(Generic[HeaderT, RecordT]):
             if [row[1:3] for row in info if row[5]] != [("record", "INTEGER")]:  # else slow to find
                 message = tr("The column {0} is not the key of its table.")
                 raise self._error(message.format(f"{kind.name}.record"))
+            found.append(kind)
+        return tuple(found)
 
     def _last_record(self) -> int:
         last = 0

@@ -22,7 +22,7 @@ from tests.devices.trex.recording.samples import (
 from tests.support.matrix import examples
 from trex_gui.core.recording.kinds import Marker, RecordingError
 from trex_gui.core.recording.store import CHUNK, RecordingWriter
-from trex_gui.devices.trex.client.telemetry import Currents
+from trex_gui.devices.trex.client.telemetry import Currents, ModeSample, Raw, Sample
 from trex_gui.devices.trex.recording import FORMAT, Header, Record
 
 NOT_ENDED = ["It was not ended; samples of the last seconds may be missing."]
@@ -269,8 +269,7 @@ def test_other_database_is_rejected(tmp_path: Path) -> None:
     ("statement", "message"),
     [
         ("PRAGMA user_version = 2", "format, 2, is not known. A later version"),
-        ("DROP TABLE raw", "The table raw is missing"),
-        ("ALTER TABLE mode RENAME COLUMN mode TO other", r"The column mode\.mode is missing"),
+        ("DROP TABLE marker", "The table marker is missing"),
         ("DELETE FROM header WHERE key = 'model'", r"the header is incomplete \('model'\)"),
         ("UPDATE header SET value = 'no' WHERE key = 'model'", "the header is incomplete"),
         ("UPDATE header SET value = 'soon' WHERE key = 'started_utc'", "Invalid isoformat"),
@@ -288,6 +287,30 @@ def test_unusable_file_is_rejected_with_reason(
     database(path, statement)
     with pytest.raises(RecordingError, match=message):
         open_recording(path)
+
+
+@pytest.mark.parametrize(
+    ("statement", "lost", "problem"),
+    [
+        ("DROP TABLE raw", Raw, "The table raw is missing."),
+        (
+            "ALTER TABLE mode RENAME COLUMN mode TO x",
+            ModeSample,
+            "The column mode.mode is missing.",
+        ),
+    ],
+)
+def test_recording_without_a_value_has_the_others(
+    tmp_path: Path, statement: str, lost: type[Sample], problem: str
+) -> None:
+    """As one of a version that did not poll it."""
+    path = tmp_path / "a.trexrec"
+    write(path, list(an_hour(1)))
+    whole = read_file(path)[1]
+    database(path, statement)
+    _, records, problems = read_file(path)
+    assert records == [record for record in whole if not isinstance(record, lost)]
+    assert problems == [problem]
 
 
 @pytest.mark.parametrize(
