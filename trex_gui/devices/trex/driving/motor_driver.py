@@ -7,7 +7,7 @@ confirmed if the board replies with its status and has latched no UART error sin
 import logging
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from trex_gui.core.errors import BadReply, BadRequest, NoReply
 from trex_gui.core.session import SHORTEST_WAIT
@@ -50,32 +50,20 @@ The window waits for a second; the last round may begin just before this time.
 """
 
 
+@dataclass(slots=True, eq=False)
 class MotorDriver:
     """Drives and stops the motors of one board when its owner lets it use the line.
 
     Every method that uses the line raises `PortUnavailable` if it is gone.
-
-    Args:
-        output: the state; requests go into it.
-        client: runs the transactions; the owner replaces it when the board moved.
-        status: reads the status that confirms stops.
-        take_statuses: receives the bits that confirming a stop has cleared.
-        is_closing: whether to abort stops without a reply: the port is about to be closed.
     """
 
-    def __init__(
-        self,
-        output: MotorOutput,
-        client: TrexClient,
-        status: StatusReader,
-        take_statuses: Callable[[Sequence[LatchedStatus]], None] = lambda _: None,
-        is_closing: Callable[[], bool] = lambda: False,
-    ) -> None:
-        self.output = output
-        self.client = client
-        self._status = status
-        self._take_statuses = take_statuses
-        self._is_closing = is_closing
+    output: MotorOutput  # the state; requests go into it
+    client: TrexClient  # runs the transactions; the owner replaces it when the board moved
+    _status: StatusReader  # reads the status that confirms stops
+    # Receives the bits that confirming a stop has cleared
+    _take_statuses: Callable[[Sequence[LatchedStatus]], None] = lambda _: None
+    # Whether to abort stops without a reply: the port is about to be closed
+    _is_closing: Callable[[], bool] = lambda: False
 
     def _send_stop(self) -> None:
         for command in STOP:

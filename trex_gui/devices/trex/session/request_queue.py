@@ -2,6 +2,7 @@
 
 from collections import deque
 from collections.abc import Callable
+from dataclasses import dataclass, field
 
 from trex_gui.core.session import Close, Inbox, Outcome
 from trex_gui.devices.trex.driving.motor_output import MotorOutput
@@ -22,25 +23,18 @@ from trex_gui.devices.trex.session.messages import (
 from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
 
 
+@dataclass(slots=True, eq=False)
 class TrexRequestQueue:
-    def __init__(
-        self,
-        inbox: Inbox[Request],
-        output: MotorOutput,
-        liveness: LivenessMonitor,
-        report: Callable[[Outcome], None],
-        clock: Callable[[], float],
-    ) -> None:
-        self.jobs: deque[Job] = deque()
-        self.is_closing = False  # whether a `Close` came
-        self.is_watched = True  # whether anything shows or records samples
-        # Id of the `SelectBoard` that chose the present board; 0 before the first
-        self.selection = 0
-        self._inbox = inbox
-        self._output = output
-        self._liveness = liveness
-        self._report = report
-        self._clock = clock
+    _inbox: Inbox[Request]
+    _output: MotorOutput
+    _liveness: LivenessMonitor
+    _report: Callable[[Outcome], None]
+    _clock: Callable[[], float]
+    jobs: deque[Job] = field(default_factory=deque)
+    is_closing: bool = False  # whether a `Close` came
+    is_watched: bool = True  # whether anything shows or records samples
+    # Id of the `SelectBoard` that chose the present board; 0 before the first
+    selection: int = 0
 
     def collect(self, seconds: float = 0.0) -> None:
         """Sort every request that has come, waiting up to `seconds` for the first.
