@@ -6,7 +6,6 @@ from functools import partial
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import SettingsError
-from trex_gui.core.transport.adapters import adapter_key
 from trex_gui.devices.trex.board.memory import DOUBTED, BoardMemory
 from trex_gui.devices.trex.board.transaction import WriteTransaction
 from trex_gui.devices.trex.client.client import TrexClient
@@ -52,16 +51,6 @@ class Keeper:
         self._is_failing = False
         self._sought: BoardIdentity | None = None
         self.memory = BoardMemory(self)
-
-    @classmethod
-    def of(cls, state: DeviceState, link: ConnectionSettings, say: Say, warn: Say) -> "Keeper":
-        """Return that of a board which was just read, with its record."""
-        keeper = cls(say, warn)
-        keeper.memory.take_board(
-            settings_of(state), state.source, utc_now(), opened=True, adapter=adapter_key(link.url)
-        )
-        keeper.load()
-        return keeper
 
     def load(self) -> None:
         """Read the record of the board, if that was not done yet."""

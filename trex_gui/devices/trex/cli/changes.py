@@ -6,6 +6,7 @@ from dataclasses import replace
 from trex_gui.core.cli import Interruption, ProgressLine, say
 from trex_gui.core.files import Finding, SettingsError
 from trex_gui.core.texts import counted
+from trex_gui.core.transport.adapters import adapter_key
 from trex_gui.devices.trex.board.keeper import Keeper, read_record
 from trex_gui.devices.trex.cli.common import as_options, identify
 from trex_gui.devices.trex.client.client import TrexClient
@@ -15,7 +16,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 from trex_gui.devices.trex.session.reconnecting import after_power_cycle
 from trex_gui.devices.trex.settings.accepted import AcceptedValues
-from trex_gui.devices.trex.settings.board_records import BoardRecord
+from trex_gui.devices.trex.settings.board_records import BoardRecord, utc_now
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.settings.document import Settings, open_values, settings_of
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
@@ -63,7 +64,13 @@ def require_consent(
 
 
 def keeper_of(client: TrexClient, state: DeviceState) -> Keeper:
-    return Keeper.of(state, client.settings, say, say_warning)
+    """Return the keeper of a board that was just read, with its record."""
+    keeper, adapter = Keeper(say, say_warning), adapter_key(client.settings.url)
+    keeper.memory.take_board(
+        settings_of(state), state.source, utc_now(), opened=True, adapter=adapter
+    )
+    keeper.load()
+    return keeper
 
 
 def require_serial_mode(state: DeviceState, what: str) -> None:

@@ -13,7 +13,6 @@ from trex_gui.core.texts import counted
 from trex_gui.devices.trex.cli.common import link_options
 from trex_gui.devices.trex.cli.files import FILE, ComparisonCommand, read_file
 from trex_gui.devices.trex.cli.files import diff as diff_settings
-from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.devices.trex.settings.history import SettingsHistory, Snapshot
 
 
@@ -87,11 +86,7 @@ def show(which: str, as_json: bool) -> None:
         "product": settings.product.name,
         "firmware": settings.firmware,
         "parameters": dict(settings.parameters),
-        "calibrations": {
-            key: asdict(settings.calibrations[key])
-            for key in CalibrationKey
-            if key in settings.calibrations
-        },
+        "calibrations": {key: asdict(found) for key, found in settings.calibration_items()},
     }
     print_json(report)
 

@@ -59,9 +59,7 @@ class MixJumper(QObject):
     def _on_text_due(self) -> None:
         telemetry, draft = self._telemetry, self._draft
         reported = telemetry.remapped
-        if (
-            draft.parameters.values.active_of(ParameterKey.MOTOR_MODE) == 1
-        ):  # joint: nothing is mixed
+        if draft.parameters.values.active_of(ParameterKey.MOTOR_MODE) == 1:  # nothing is mixed
             self.forget()
             return
         one, two, flip = (draft.stored_curve(channel) for channel in (1, 2, 4))
