@@ -188,7 +188,7 @@ def test_board_decides_about_values_beyond_inferred_limits(
     simulator.do("accept ignored_channels 127 31")
     write_anyway()
     assert "reads back channels 1, 2, 3, 4, 5" in review.rows()[0][-1]
-    assert device.parameters.values.stored_of(key) == 31
+    assert device.parameters.values.stored.get(key) == 31
     review.close()
     edit(window, ignored_channels=0)
     simulator.do("accept ignored_channels 127")
@@ -348,7 +348,7 @@ def test_pending_reset_blocks_writing_until_power_cycle(
     power.cycle()
     assert not device.draft.reset_pending
     assert stored(simulator, "serial_timeout") == 0
-    assert device.parameters.values.stored_of("serial_timeout") == 0
+    assert device.parameters.values.stored.get("serial_timeout") == 0
     assert device.settings is not None
     assert device.settings.line == LineSettings()
     review.open()

@@ -245,7 +245,7 @@ def test_typed_bytes_are_explained_and_sent(
     page.type_into("transcriptBytes", "AF 07 05 55 2A", enter=False)
     assert "set Serial Timeout to 0.5 s (5) (stored at once" in meaning()
     page.click("transcriptSendButton")
-    page.wait(lambda: window.device.parameters.values.stored_of("serial_timeout") == 5)
+    page.wait(lambda: window.device.parameters.values.stored.get("serial_timeout") == 5)
 
     page.type_into("transcriptBytes", "81 9F 07 9F 08 82 C2 50", enter=False)
     assert "set motor 1 to forward 80 (may move a motor)\nand 2 more packets" in meaning()

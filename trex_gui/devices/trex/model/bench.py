@@ -303,8 +303,8 @@ class Bench(QObject):
 
     def _settings(self) -> tuple[tuple[str, str], ...]:
         parameters = self._device.parameters
-        stored = {key: parameters.values.stored_of(key) for key in self.tuned_keys()}
+        stored = {key: parameters.values.stored.get(key) for key in self.tuned_keys()}
         specs = (
-            (parameters.values.spec_of(k), wire) for k, wire in stored.items() if wire is not None
+            (parameters.values.specs[k], wire) for k, wire in stored.items() if wire is not None
         )
         return tuple((spec.name, spec.text(wire)) for spec, wire in specs)

@@ -81,7 +81,7 @@ class BoardList(QObject):
         device = self._device
         if device.settings is not None and device.settings.device_number is not None:
             return device.settings.device_number
-        return device.parameters.values.stored_of(ParameterKey.DEVICE_NUMBER)
+        return device.parameters.values.stored.get(ParameterKey.DEVICE_NUMBER)
 
     @property
     def has_several(self) -> bool:

@@ -127,7 +127,7 @@ class Device(QObject):
         """Model, firmware and device number; empty while no board is connected."""
         if self.state is None or not self.is_connected:
             return ""
-        number = self.parameters.values.stored_of(ParameterKey.DEVICE_NUMBER)
+        number = self.parameters.values.stored.get(ParameterKey.DEVICE_NUMBER)
         name = str(self.state.signature)
         return name if number is None else tr("{0}, device {1}").format(name, number)
 
@@ -147,8 +147,8 @@ class Device(QObject):
     def current_limit(self, motor: int) -> float | None:
         """Return the limit in A that the board stores; `None` when off or not known."""
         key = MotorParameter.CURRENT_LIMIT.of(motor)
-        wire = self.parameters.values.stored_of(key)
-        return wire * self.parameters.values.spec_of(key).scale if wire else None
+        wire = self.parameters.values.stored.get(key)
+        return wire * self.parameters.values.specs[key].scale if wire else None
 
     @property
     def loss_text(self) -> str:

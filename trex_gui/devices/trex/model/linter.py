@@ -71,6 +71,6 @@ class BoardLinter(SettingsLinter):
             self._drove = False
             self.set_context(None)
             return
-        stored = self._device.parameters.values.stored_of(ParameterKey.SERIAL_TIMEOUT)
+        stored = self._device.parameters.values.stored.get(ParameterKey.SERIAL_TIMEOUT)
         self._drove |= self._device.motors.armed or bool(stored)  # a timeout is set for a computer
         self.set_context(Context(self._drove, self._device.connection.port_rates, settings.line))

@@ -95,7 +95,7 @@ class SettingsCommands(QObject):
     def _propose(self, change: Callable[[int], LineSettings], text: str) -> None:
         """Edit the line settings that the board stores, and let the user review that."""
         key, parameters = ParameterKey.UART_SETTINGS, self._device.parameters
-        if parameters.values.stored_of(key) != parameters.values.active_of(key):
+        if parameters.values.stored.get(key) != parameters.values.active_of(key):
             self.power.guide()
             return
         self.parameter_wanted.emit(key)

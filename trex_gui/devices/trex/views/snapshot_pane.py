@@ -203,7 +203,7 @@ class SnapshotPane(QWidget):
             "",
             len(self._rows.table.ticked),
         )
-        here = self._device.parameters.values.stored_of(ParameterKey.DEVICE_NUMBER)
+        here = self._device.parameters.values.stored.get(ParameterKey.DEVICE_NUMBER)
         number = snapshot.device_number
         if number is not None and here is not None and number != here:
             text += " " + tr(

@@ -357,7 +357,7 @@ def test_dropped_values_do_not_request_a_test(setup: LearningSetup, how: str) ->
     (draft.undo.undo if how == "undo" else draft.discard_edits)()
     setup.device.parameters.edit("serial_timeout", 9)
     setup.write()
-    assert setup.device.parameters.values.stored_of("serial_timeout") == 9
+    assert setup.device.parameters.values.stored.get("serial_timeout") == 9
     assert setup.requested_tests == []
 
 

@@ -341,7 +341,7 @@ def test_side_panel_explains_wire_value_default_and_source(model: ParameterModel
 
 def test_side_panel_shows_the_grade_of_each_range_and_default(model: ParameterModel) -> None:
     for key in FACTORY:
-        specs = [model.values.spec_of(each) for each in model.text.together(key)]
+        specs = [model.values.specs[each] for each in model.text.together(key)]
         for word, fields in ("Range: ", ("min", "max")), ("Default: ", ("default",)):
             (sentence,) = (text for text in model.text.about(key) if text.startswith(word))
             assert sentence.endswith(f"{max(spec.grade(*fields) for spec in specs).mark}."), key

@@ -148,7 +148,7 @@ def test_edit_is_shown_and_pending(model: ParameterModel, qtbot: QtBot) -> None:
     assert text(model, "serial_timeout") == "1.5 s"
     assert of(model, "serial_timeout", Role.DIRTY) is True
     assert model.values.value_of("serial_timeout") == 15
-    assert model.values.stored_of("serial_timeout") == SPECS["serial_timeout"].default
+    assert model.values.stored.get("serial_timeout") == SPECS["serial_timeout"].default
 
 
 def test_edit_announces_only_its_row(model: ParameterModel, qtbot: QtBot) -> None:
@@ -207,7 +207,7 @@ def test_written_value_is_stored_and_not_pending(model: ParameterModel, qtbot: Q
     with qtbot.waitSignal(model.pending_changed) as pending:
         model.note_stored({"serial_timeout": 9})
     assert pending.args == [0]
-    assert model.values.stored_of("serial_timeout") == 9
+    assert model.values.stored.get("serial_timeout") == 9
 
 
 def test_failed_write_stays_pending_with_a_reason(model: ParameterModel) -> None:

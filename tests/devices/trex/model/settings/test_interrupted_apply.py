@@ -236,4 +236,4 @@ def test_renumbered_board_reconnects_after_power_cycle(
     addressed.until_link(ConnectionState.CONNECTED)
     assert addressed.device.settings is not None
     assert addressed.device.settings.device_number == 9
-    assert addressed.device.parameters.values.stored_of("device_number") == 9
+    assert addressed.device.parameters.values.stored.get("device_number") == 9

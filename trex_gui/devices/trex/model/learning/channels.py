@@ -109,7 +109,7 @@ class LearnedChannel:
         self.number = number
         self.source = source
         self.curve_before = device.draft.stored_curve(number)  # without pending edits
-        self.reversed_now = is_in(parameters.values.stored_of(ParameterKey.REVERSED_CHANNELS))
+        self.reversed_now = is_in(parameters.values.stored.get(ParameterKey.REVERSED_CHANNELS))
         self._parabolic = is_in(parameters.values.value_of(ParameterKey.PARABOLIC_CHANNELS))
         self._ignored = is_in(parameters.values.value_of(ParameterKey.IGNORED_CHANNELS))
         self.raw: int | None = None  # the newest count; `None` without a signal

@@ -64,7 +64,7 @@ class PendingLearnedValues(QObject):
 
     def _turned(self) -> set[int]:
         """Return the channels whose direction a pending edit would change."""
-        stored = channels_in(self._device.parameters.values.stored_of(_REVERSED) or 0)
+        stored = channels_in(self._device.parameters.values.stored.get(_REVERSED) or 0)
         return self._wanted_reversed() ^ set(stored)
 
     def _wanted_reversed(self) -> set[int]:

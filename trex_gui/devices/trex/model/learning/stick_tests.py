@@ -196,7 +196,7 @@ class StickTests:
         """Why safe-start would hold the motors now if the channels were in control."""
         if not self.heard:
             return ""
-        stored_of = self._device.parameters.values.stored_of
+        stored_of = self._device.parameters.values.stored.get
         reasons = safe_start_reasons(
             self._curves,
             self._counts,

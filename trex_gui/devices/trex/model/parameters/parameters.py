@@ -152,7 +152,7 @@ class ParameterModel(QAbstractTableModel):
     def note_stored(self, stored: Mapping[str, int]) -> None:
         """Take the stored values after a verified write."""
         for key, wire in stored.items():
-            if key in self.values.specs and wire != self.values.stored_of(key):
+            if key in self.values.specs and wire != self.values.stored.get(key):
                 self.values.note_stored(self.values.specs[key], wire)
                 self._announce(key)
         self._announce_pending()
@@ -227,7 +227,7 @@ class ParameterModel(QAbstractTableModel):
             return  # an editor that was opened and left does not edit the other motor either
         wanted = {key: values.get(key, values.get(other_motor_key(key) or "", 0)) for key in keys}
         for key, wire in wanted.items():
-            if wire != self.values.stored_of(key):
+            if wire != self.values.stored.get(key):
                 self.values.specs[key].check(
                     wire, forced=forced or not self.values.is_doubtful(key, wire)
                 )
@@ -240,7 +240,7 @@ class ParameterModel(QAbstractTableModel):
     def restore(self, key: str) -> None:
         """Go back to the stored value; with `both_motors`, each to its own."""
         if self.is_editable(key):
-            self._change({each: self.values.stored_of(each) for each in self._all_with(key)})
+            self._change({each: self.values.stored.get(each) for each in self._all_with(key)})
 
     def leave_out(self, key: str) -> None:
         if self.values.can_leave_out(key):
@@ -259,7 +259,7 @@ class ParameterModel(QAbstractTableModel):
     def discard_edits(self) -> None:
         """Go back to the stored values, one undo step for each."""
         for key in self.values.modified:
-            self._change({key: self.values.stored_of(key)})
+            self._change({key: self.values.stored.get(key)})
 
     def _with_other_motor(self, keys: Sequence[str]) -> tuple[str, ...]:
         others = map(self.values.other_motor_of, keys if self.both_motors else ())

@@ -53,18 +53,11 @@ class ParameterValues:
 
     # --- What is known ------------------------------------------------------------------
 
-    def spec_of(self, key: str) -> ParameterSpec:
-        return self.specs[key]
-
     def value_of(self, key: str) -> int | None:
         """Return the value after Apply or Save; `None`: not read, or left out."""
         if key in self.removed:
             return None
         return self.edited.get(key, self.stored.get(key))
-
-    def stored_of(self, key: str) -> int | None:
-        """Return the stored value; `None`: not read."""
-        return self.stored.get(key)
 
     def active_of(self, key: str) -> int | None:
         """Return the active value, which may differ from the stored one; `None`: not read."""
@@ -100,7 +93,7 @@ class ParameterValues:
 
     def is_doubtful(self, key: str, wire: int) -> bool:
         """Whether only a board can tell if it takes this value, and none has yet."""
-        is_known = wire in self.accepted.get(key, ()) or wire == self.stored_of(key)
+        is_known = wire in self.accepted.get(key, ()) or wire == self.stored.get(key)
         return self.specs[key].is_open(wire) and not is_known
 
     def doubtful(self, rows: Iterable[ComparisonRow]) -> list[str]:

@@ -61,14 +61,14 @@ class SettingsDraft(QObject):
         if key == ParameterKey.FACTORY_RESET:
             return tr("Reset to factory defaults")
         parameters = self.parameters
-        return parameters.values.spec_of(key).name if parameters.index_of(key).isValid() else key
+        return parameters.values.specs[key].name if parameters.index_of(key).isValid() else key
 
     def stored_curve(self, channel: int) -> ChannelCurve | None:
         """Return the curve of a channel (1-5) with the stored values, if they are known."""
         calibration = self.calibrations.stored(channel)
         if calibration is None:
             return None
-        return ChannelCurve.stored(channel, calibration, self.parameters.values.stored_of)
+        return ChannelCurve.stored(channel, calibration, self.parameters.values.stored.get)
 
     def select_state(self, state: DeviceState, connection: ConnectionSettings | None) -> None:
         """Take what another board on the same line stores; edits are forgotten.
@@ -199,8 +199,8 @@ class SettingsDraft(QObject):
         for row in wanted:
             if isinstance(row.after, Calibration):
                 row.after.encode()
-            elif row.after is not None and row.after != self.parameters.values.stored_of(row.key):
-                self.parameters.values.spec_of(row.key).check(row.after, forced=True)
+            elif row.after is not None and row.after != self.parameters.values.stored.get(row.key):
+                self.parameters.values.specs[row.key].check(row.after, forced=True)
         with self.one_edit(text):
             for row in wanted:
                 if isinstance(row.after, Calibration):

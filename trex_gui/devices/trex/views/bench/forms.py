@@ -214,7 +214,7 @@ class TuningForm(ui.GroupBox):
             self._form.removeRow(0)
         self._fields.clear()
         for key in keys:
-            spec = self._device.parameters.values.spec_of(key)
+            spec = self._device.parameters.values.specs[key]
             editor = editor_for(spec, self._editors)
             editor.setObjectName(f"bench_{key}")
             editor.setAccessibleName(spec.name)
@@ -239,14 +239,14 @@ class TuningForm(ui.GroupBox):
         parameters = self._device.parameters
         edited = []
         for key, (label, editor) in self._fields.items():
-            wire, stored = parameters.values.value_of(key), parameters.values.stored_of(key)
+            wire, stored = parameters.values.value_of(key), parameters.values.stored.get(key)
             if wire is None:
                 continue
             if editor.value() != wire:
                 with QSignalBlocker(editor):
                     editor.setValue(wire)
             if parameters.values.is_modified(key) and stored is not None:
-                before = parameters.values.spec_of(key).text(stored)
+                before = parameters.values.specs[key].text(stored)
                 edited.append(tr("{0} (stored: {1})").format(label.text(), before))
         self._edited.setText(tr("Not applied: {0}").format(", ".join(edited)))
         self._edited.setVisible(bool(edited))

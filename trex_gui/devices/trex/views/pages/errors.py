@@ -174,7 +174,7 @@ class ErrorsPage(QWidget):
     def _show_entry(self, items: dict[_Column, QTableWidgetItem], entry: ErrorEntry) -> None:
         device = self._device
         is_active = device.is_connected and device.board.errors.is_active(entry, now())
-        errors_stop = device.parameters.values.stored_of(ParameterKey.UART_ERROR_SHUTDOWN) == 1
+        errors_stop = device.parameters.values.stored.get(ParameterKey.UART_ERROR_SHUTDOWN) == 1
         is_stopping = is_active and stops_motors(entry.bit, errors_stop=errors_stop)
         last, doubt = tr("never"), ""
         if entry.is_earlier:

@@ -115,7 +115,7 @@ class DefaultsDialog(ReusedDialog):
         if not self._is_confirming or self._device.state is None:
             self._taken.show_note("")
             return
-        number = self._device.parameters.values.spec_of(ParameterKey.DEVICE_NUMBER).default
+        number = self._device.parameters.values.specs[ParameterKey.DEVICE_NUMBER].default
         text = tr(
             "It gets device number {0}, which another board on this line has: both would reply at "
             "once, and neither could be read. Give that board another number first."
@@ -142,7 +142,7 @@ class DefaultsDialog(ReusedDialog):
         self._take.setEnabled(can_write and bool(ticked))
         self._reset.setEnabled(can_write)
         self._sure.setEnabled(can_write)
-        specs = [self._device.parameters.values.spec_of(row.key) for row in ticked]
+        specs = [self._device.parameters.values.specs[row.key] for row in ticked]
         unsure = unconfirmed_defaults(specs)
         self._inferred.setText(tr("No source confirms the default of: {0}.").format(unsure))
         self._inferred.setVisible(bool(unsure))

@@ -334,7 +334,7 @@ class ReviewDialog(ReusedDialog):
             )
             parts.append(text.format(", ".join(key.label for key in keys)))
         ticked = (row for row in self._rows.table.ticked if not row.is_calibration)
-        specs = [self._device.parameters.values.spec_of(row.key) for row in ticked]
+        specs = [self._device.parameters.values.specs[row.key] for row in ticked]
         if later := [spec.name for spec in specs if spec.needs_power_cycle]:
             text = tr("Active only after the board is switched off and on: {0}.")
             parts.append(text.format(", ".join(later)))

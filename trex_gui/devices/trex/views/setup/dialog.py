@@ -150,7 +150,7 @@ class SetupDialog(ReusedDialog):
             )
         rows = []
         for key, wire in edits.items():
-            spec, before = parameters.values.spec_of(key), parameters.values.value_of(key)
+            spec, before = parameters.values.specs[key], parameters.values.value_of(key)
             old = "" if before is None else spec.text(before)
             change = f"{old} → {spec.text(wire)}"
             rows.append(tr("{0}: {1}").format(spec.name, change))

@@ -235,7 +235,7 @@ class LimitsPage(QWidget):
             return
         for preset, explained in zip(Preset, self._explained[1:], strict=True):
             explained.setText(self._text_of(preset))
-        spec = parameters.values.spec_of(LIMITS[0])
+        spec = parameters.values.specs[LIMITS[0]]
         stored = parameters.values.value_of(LIMITS[0]) or 0
         wire = stored if setup.current_limit is None else setup.current_limit
         with QSignalBlocker(self._limit):
@@ -268,17 +268,17 @@ class LimitsPage(QWidget):
         parameters = self._device.parameters
         values = preset.values(parameters.model_key)
         keys = [p.of(1) for p in (MotorParameter.ACCELERATION, MotorParameter.BRAKE_DURATION)]
-        ramp, brake = (parameters.values.spec_of(key).text(values[key]) for key in keys)
+        ramp, brake = (parameters.values.specs[key].text(values[key]) for key in keys)
         text = tr("Acceleration: {0}; brake before a reversal: {1}.").format(ramp, brake)
         limit = values.get(LIMITS[0])
         if limit is None:
             return text
-        amps = parameters.values.spec_of(LIMITS[0]).text(limit)
+        amps = parameters.values.specs[LIMITS[0]].text(limit)
         return f"{text} {tr('Example of a current limit: {0}.').format(amps)}"
 
     @Slot(float)
     def _on_limit_changed(self, amps: float) -> None:
-        scale = self._device.parameters.values.spec_of(LIMITS[0]).scale
+        scale = self._device.parameters.values.specs[LIMITS[0]].scale
         self._setup.choose_current_limit(round(amps / scale))
 
 
@@ -323,10 +323,10 @@ class TimeoutPage(QWidget):
         warning = settings and timeout_warning_on(settings, seconds, stop, is_guarded=True)
         self._short.show_note(warning.text if warning else "", alarming=True)
         parameters, key = self._device.parameters, ParameterKey.SERIAL_TIMEOUT
-        wire = parameters.values.stored_of(key)
+        wire = parameters.values.stored.get(key)
         text = tr("The board stores: {0}.")
         self._now.setText(
-            "" if wire is None else text.format(parameters.values.spec_of(key).text(wire))
+            "" if wire is None else text.format(parameters.values.specs[key].text(wire))
         )
 
 

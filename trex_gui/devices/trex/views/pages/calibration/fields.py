@@ -172,7 +172,7 @@ class ChannelOptions(QWidget):
         """Return a channel's bit of a mask; False when the mask was not read."""
         if not self._parameters.values.can_edit(key):
             return False
-        read = self._parameters.values.stored_of if stored else self._parameters.values.value_of
+        read = self._parameters.values.stored.get if stored else self._parameters.values.value_of
         return bool((read(key) or 0) >> (channel - 1) & 1)
 
     def is_edited(self, channel: int) -> bool:

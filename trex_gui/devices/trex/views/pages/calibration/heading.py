@@ -197,7 +197,7 @@ class OtherSource(QWidget):
         name, wire = tr(channel_text.SOURCE_NAMES[source]), int(source is InputSource.ANALOG)
         is_serial = state.mode.is_serial
         is_edited = parameters.values.value_of(_KEY) == wire
-        is_stored = parameters.values.stored_of(_KEY) == wire
+        is_stored = parameters.values.stored.get(_KEY) == wire
         text = channel_text.source_instructions(source, state.mode)
         if is_serial and is_stored and is_edited:
             text = tr("Stored: the board reads {0} after the next power cycle.").format(name)

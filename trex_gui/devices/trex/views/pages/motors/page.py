@@ -314,10 +314,10 @@ def _stored_text(parameters: ParameterModel, *, joint: bool, linked: bool) -> st
     """Return the stored settings; `linked`: each value is a link to the key of its parameter."""
 
     def link(key: str) -> str:
-        wire = parameters.values.stored_of(key)
+        wire = parameters.values.stored.get(key)
         if wire is None:
             return ""
-        value = escape(parameters.values.spec_of(key).text(wire))
+        value = escape(parameters.values.specs[key].text(wire))
         if not linked:
             return value
         return f'<a href="{key}" style="color:{theme().color("link").name()}">{value}</a>'
@@ -327,7 +327,7 @@ def _stored_text(parameters: ParameterModel, *, joint: bool, linked: bool) -> st
         "brake_duration": tr("brake duration"),
         "current_limit": tr("current limit"),
     }
-    stored = parameters.values.stored_of
+    stored = parameters.values.stored.get
     same = all(stored(f"motor1_{key}") == stored(f"motor2_{key}") for key in names)
     parts = []
     for motor in (1,) if same or joint else (1, 2):

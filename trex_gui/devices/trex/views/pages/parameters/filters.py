@@ -81,7 +81,7 @@ class ParameterFilter(QSortFilterProxyModel):
         model = self.parameters
         values = [model.index_of(key) for key in model.keys_at(row)]
         members = [each for key in model.keys_at(row) for each in model.text.together(key)]
-        specs = [model.values.spec_of(key) for key in members]
+        specs = [model.values.specs[key] for key in members]
         if self._task and specs[0].task != self._task:
             return False
         if self._modified_only and not any(value.data(Role.DIRTY) for value in values):

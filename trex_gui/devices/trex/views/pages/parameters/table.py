@@ -148,7 +148,7 @@ class ParameterHelp(LinkLabel):
 
     def _lines(self, key: str) -> list[str]:
         text = self._model.text
-        specs = [self._model.values.spec_of(each) for each in text.together(key)]
+        specs = [self._model.values.specs[each] for each in text.together(key)]
         names = "<br>".join(f"{spec.number:#04x}, <code>{spec.key}</code>" for spec in specs)
         address, title = map(escape, text.guide(key))
         notes = escape(" ".join(text.notes(key)))

@@ -76,7 +76,7 @@ class ParameterDelegate(UnitDelegate):
         editor: Editor = (
             FrequencyEditor(text.frequencies, parent)
             if is_frequency
-            else editor_for(self._model.values.spec_of(key), parent)
+            else editor_for(self._model.values.specs[key], parent)
         )
         editor.setAccessibleName(text.title(key))
         editor.setProperty(_UNTOUCHED, index.data(Qt.ItemDataRole.EditRole) is None)
@@ -453,7 +453,7 @@ class WireDialog(QDialog):
         self.setObjectName("wireDialog")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self._model, self._key = model, key
-        spec = model.values.spec_of(key)
+        spec = model.values.specs[key]
         self.setWindowTitle(spec.name)
         text = tr(
             "{0} is {1}{2}. No document confirms this limit. You can try any wire value from "
