@@ -36,6 +36,7 @@ from trex_gui.devices.trex.session.messages import (
     NotResponding,
     ReadReason,
     Report,
+    Written,
 )
 from trex_gui.devices.trex.settings.document import factory_settings
 
@@ -207,6 +208,17 @@ def test_joint_mode_begins_with_the_next_start(watched: Watched) -> None:
     assert watched.joint()
     watched.read(state(), ReadReason.RESTARTED)
     assert not watched.joint()
+
+
+def test_joint_mode_waits_for_the_next_start_beyond_the_end_of_the_line(watched: Watched) -> None:
+    watched.read(state())
+    watched.board.note_written(Written((), state(motor_mode=1), LINE))
+    watched.close()
+    watched.read(state(motor_mode=1))
+    assert not watched.joint()
+    watched.close()
+    watched.read(state(motor_mode=1, device_number=9))
+    assert watched.joint(), "it is another board"
 
 
 def test_record_follows_the_board(watched: Watched) -> None:

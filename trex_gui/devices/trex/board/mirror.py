@@ -246,7 +246,7 @@ class BoardMirror:
         is_new = is_other and not (is_known and url == report.settings.url)
         if occasion is ReadReason.SELECTED and before is not None:
             self._select(f"{url} {_identity(before)}", f"{url} {_identity(state)}", state)
-        elif opened or occasion.power_cycled:
+        elif occasion.power_cycled or (opened and not may_be_same):
             self.is_joint = _is_joint(state)
         if occasion is not ReadReason.RELOADED:
             self._safe_start = SafeStart()
