@@ -186,6 +186,26 @@ def test_drive_ends_with_what_happened(
         Program(virtual_time, run).end()
 
 
+def test_silent_board_is_not_driven_again(
+    virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
+) -> None:
+    def run() -> None:
+        with Trex(quick_simulator.url) as board:
+            quick_simulator.do("line mute on")
+            with pytest.raises(NoReply):
+                board.wait(20)
+            with pytest.raises(NoReply, match="does not respond"):
+                board.drive(80)
+            assert "does not respond" in board.motor_status()[0]
+            quick_simulator.do("line mute off")
+            board.wait(3)
+            board.drive(60)
+            board.wait(0.5)
+            assert motor(quick_simulator) == ("forward", 60)
+
+    Program(virtual_time, run).end()
+
+
 def test_program_knows_why_motors_do_not_run_and_how_good_the_line_is(
     virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
 ) -> None:

@@ -31,6 +31,7 @@ from trex_gui.devices.trex.client.telemetry import (
     Remapped,
     Sample,
 )
+from trex_gui.devices.trex.driving.blockers import DriveBlocker, Reason
 from trex_gui.devices.trex.driving.requests import (
     HEARTBEAT_INTERVAL,
     Arm,
@@ -366,8 +367,9 @@ class Trex:
     def motor_status(self) -> tuple[str, ...]:
         """Return every reason why the motors do what they do, the worst first, as sentences."""
         board = self._board
-        inputs = DriveInputs(board=board.mirror.inputs(board.clock()), armed=board.is_armed)
-        statuses = drive_statuses(inputs)
+        link = None if board.mirror.is_responding else DriveBlocker.SILENT
+        inputs = board.mirror.inputs(board.clock())
+        statuses = drive_statuses(DriveInputs(board=inputs, link=link, armed=board.is_armed))
         return tuple(f"{status.text} {status.remedy}".strip() for status in statuses)
 
     @property
@@ -501,6 +503,7 @@ class Trex:
 
         Raises:
             BadRequest: a speed does not fit, or serial commands do not reach the motors.
+            NoReply: the board does not respond.
         """
         speeds = {1: motor_1, 2: motor_2}
         motors = [
@@ -512,6 +515,8 @@ class Trex:
             raise BadRequest(f"the auxiliary motor's speed is 0 to 127, not {auxiliary}")
         board = self._board
         board.pump(board.clock())  # what was reported meanwhile may forbid it
+        if not board.mirror.is_responding:
+            raise NoReply(Reason(DriveBlocker.SILENT).text())
         if not board.mirror.serial_controls:
             raise BadRequest(board.mirror.control_text)
         if not board.is_armed:
