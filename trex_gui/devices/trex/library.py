@@ -17,6 +17,7 @@ from trex_gui.core.errors import describe as error_text
 from trex_gui.core.host import host
 from trex_gui.core.session import Close, Closed, Outcome, RequestQueue
 from trex_gui.core.timing import Timeouts
+from trex_gui.core.transport.adapters import adapter_key
 from trex_gui.devices.trex.board.drive_status import DriveInputs, drive_statuses
 from trex_gui.devices.trex.board.errors import ErrorEntry
 from trex_gui.devices.trex.board.keeper import Keeper
@@ -142,6 +143,7 @@ class _OpenBoard:
         self.clock = computer.clock
         self.keeper = Keeper(log.info, log.warning)
         self.mirror = BoardMirror(self.keeper.memory)
+        self.mirror.adapter = adapter_key(settings.url)
         self.is_armed = False
         self.errors: dict[str, None] = {}  # names of the bits since the last status
         self.listener: Callable[[Sample], object] | None = None

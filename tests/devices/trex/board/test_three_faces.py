@@ -2,15 +2,19 @@
 
 import re
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import pytest
 from pytestqt.qtbot import QtBot
+from serial.tools import list_ports
+from serial.tools.list_ports_common import ListPortInfo
 
 from tests.support.library_program import Program
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_command import VirtualCommand
 from tests.support.virtual_time import VirtualRuntime
+from trex_gui.core.files import data_folder
 from trex_gui.devices.trex import Calibration, Trex
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
@@ -73,12 +77,14 @@ def by_window(bench: Bench, qtbot: QtBot) -> None:
     qtbot.waitUntil(device.shut_down)
 
 
-def by_command(bench: Bench, _qtbot: QtBot) -> None:
-    def run(*words: str) -> None:
-        command = VirtualCommand(bench.runtime, words, {"TREX_PORT": bench.simulator.url}, None)
-        command.wait()
-        assert command.result.exit_code == 0, command.result.output
+def run_command(bench: Bench, *words: str) -> None:
+    command = VirtualCommand(bench.runtime, words, {"TREX_PORT": bench.simulator.url}, None)
+    command.wait()
+    assert command.result.exit_code == 0, command.result.output
 
+
+def by_command(bench: Bench, _qtbot: QtBot) -> None:
+    run = partial(run_command, bench)
     file = bench.folder / "settings.txt"
     lines = ["product: TReX", *(f"{key}: {wire}" for key, wire in VALUES.items())]
     file.write_text("\n".join(lines), "utf-8")
@@ -130,3 +136,34 @@ def test_each_face_keeps_the_same(
     assert len([name for name in kept["window"] if name.startswith("snapshot")]) == 4
     assert NOTE in kept["window"]["trex-1.2-9.txt"]
     assert '"uart_error_shutdown"' in kept["window"]["accepted_values.json"]
+
+
+def note_by_library(bench: Bench) -> None:
+    def change() -> None:
+        with Trex(bench.simulator.url) as board:
+            board.set_note("serial_timeout", NOTE)
+
+    Program(bench.runtime, change).end()
+
+
+@pytest.mark.parametrize(
+    "face",
+    [
+        lambda bench: run_command(bench, "set", "serial_timeout", "7"),
+        lambda bench: run_command(bench, "motor", "1", "20", "--seconds", "0.2"),
+        note_by_library,
+    ],
+    ids=["set", "motor", "library"],
+)
+def test_faces_without_a_window_know_the_adapter(
+    face: Callable[[Bench], None],
+    virtual_time: VirtualRuntime,
+    quick_simulator: SimulatedDevice,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    port = ListPortInfo(quick_simulator.url)
+    port.vid, port.pid, port.serial_number = 0x0403, 0x6001, "A10KX7YZ"
+    monkeypatch.setattr(list_ports, "comports", lambda: [port])
+    face(Bench(quick_simulator, virtual_time, data_folder()))
+    text = (data_folder() / "boards" / "trex-1.2-7.txt").read_text("utf-8")
+    assert "# adapter: 0403:6001-A10KX7YZ" in text

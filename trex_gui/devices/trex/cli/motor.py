@@ -20,6 +20,7 @@ from trex_gui.core.errors import (
 from trex_gui.core.host import host
 from trex_gui.core.session import Close, Closed, Outcome
 from trex_gui.core.texts import hex_text
+from trex_gui.core.transport.adapters import adapter_key
 from trex_gui.core.transport.linux_ports import holder_of
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.board.keeper import Keeper
@@ -94,6 +95,7 @@ def run_motors(
         transport = host().open_transport(settings)
     with Interruption(precious=True) as interrupted:
         run = _Run(orders, math.inf if seconds is None else seconds, interrupted, transport)
+        run.board.adapter = adapter_key(settings.url)
         TrexSession(settings, run, run.take, lambda _settings: transport).run()
     run.conclude()
 
@@ -174,7 +176,7 @@ class _Run:
     _transport: Transport
     _requests: deque[Request] = field(default_factory=deque)
     _keeper: Keeper = field(default_factory=lambda: Keeper(say, say_warning))
-    _board: BoardMirror = field(init=False)
+    board: BoardMirror = field(init=False)
     _now: float = 0.0
     _end: float = math.inf
     _heartbeat_at: float = math.inf
@@ -187,7 +189,7 @@ class _Run:
     _line_error: StudioError | None = None
 
     def __post_init__(self) -> None:
-        self._board = BoardMirror(self._keeper.memory)
+        self.board = BoardMirror(self._keeper.memory)
 
     # --- The inbox ----------------------------------------------------------------------
 
@@ -227,7 +229,7 @@ class _Run:
             cause = "A setting of the board changed" if is_changed else "The board was restarted"
             self._finish(f"{cause}, so the motors were stopped.")
             return  # no file is saved while motors may move
-        for event in self._board.take(report, self._now, utc_now()):
+        for event in self.board.take(report, self._now, utc_now()):
             match event:
                 case LatchedStatus():
                     self._take_status(event)
@@ -261,13 +263,13 @@ class _Run:
 
     def _connected(self, state: DeviceState) -> None:
         if not state.serial_controls:
-            self._finish(self._board.control_text)
+            self._finish(self.board.control_text)
             return
         is_ignored = any(isinstance(one, SetMotor) and one.motor == 2 for one in self._orders)
-        if self._board.is_joint and is_ignored:
+        if self.board.is_joint and is_ignored:
             say("Warning: in joint mode both drivers work as motor 1; motor 2 is ignored.")
         self._keeper.load()
-        silence = self._board.timeout_stop
+        silence = self.board.timeout_stop
         if not silence.is_reliable:
             program = "" if self._is_guarded else ", and also if this program is killed"
             verb = "may keep" if silence is TimeoutStop.DOUBTFUL else "keeps"
@@ -306,7 +308,7 @@ class _Run:
             text = str(error)
             if self._is_running and isinstance(error, PortUnavailable):
                 motors = {one.motor for one in self._orders if not isinstance(one, SendPacket)}
-                text = f"{turning_text(motors)} {self._board.silence_remedy} {text}"
+                text = f"{turning_text(motors)} {self.board.silence_remedy} {text}"
             raise CommandFailed(text) from error
         if self._is_running:
             say("Stopped.")
