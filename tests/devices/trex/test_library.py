@@ -266,6 +266,25 @@ def test_nothing_is_done_outside_of_the_block(
     Program(virtual_time, run).end()
 
 
+def test_block_within_the_block_leaves_the_line_to_the_outer_one(
+    virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
+) -> None:
+    board = Trex(quick_simulator.url)
+
+    def run() -> None:
+        with board:
+            board.drive(60)
+            with pytest.raises(PortUnavailable, match="open already"), board:
+                pass
+            board.wait(0.2)
+            assert motor(quick_simulator) == ("forward", 60)
+        assert motor(quick_simulator) == STOPPED
+        with board:
+            pass
+
+    Program(virtual_time, run).end()
+
+
 def test_invalid_values_send_nothing(
     virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
 ) -> None:

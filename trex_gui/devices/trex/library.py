@@ -295,6 +295,8 @@ class Trex:
 
     def __enter__(self) -> Self:
         """Open the port and read everything that the board stores; this moves nothing."""
+        if self._opened is not None and self._opened.closed is None:
+            raise PortUnavailable("The line is open already.")  # and stays so until its block ends
         opened = self._opened = _OpenBoard(self._settings)
         try:
             opened.wait_for(lambda: opened.mirror.state is not None)
