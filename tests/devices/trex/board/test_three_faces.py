@@ -150,10 +150,9 @@ def note_by_library(bench: Bench) -> None:
     "face",
     [
         lambda bench: run_command(bench, "set", "serial_timeout", "7"),
-        lambda bench: run_command(bench, "motor", "1", "20", "--seconds", "0.2"),
         note_by_library,
     ],
-    ids=["set", "motor", "library"],
+    ids=["set", "library"],
 )
 def test_faces_without_a_window_know_the_adapter(
     face: Callable[[Bench], None],
@@ -167,3 +166,11 @@ def test_faces_without_a_window_know_the_adapter(
     face(Bench(quick_simulator, virtual_time, data_folder()))
     text = (data_folder() / "boards" / "trex-1.2-7.txt").read_text("utf-8")
     assert "# adapter: 0403:6001-A10KX7YZ" in text
+
+
+def test_run_of_a_motor_keeps_nothing(
+    virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
+) -> None:
+    bench = Bench(quick_simulator, virtual_time, data_folder())
+    run_command(bench, "motor", "1", "20", "--seconds", "0.2")
+    assert not (data_folder() / "boards").exists()

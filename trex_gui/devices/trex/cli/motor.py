@@ -59,7 +59,8 @@ from trex_gui.devices.trex.session.messages import (
     SendPacket,
 )
 from trex_gui.devices.trex.session.session import TrexSession
-from trex_gui.devices.trex.settings.board_records import utc_now
+from trex_gui.devices.trex.settings.board_records import BoardRecord, utc_now
+from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 
 _SLICE = 0.02  # longest wait in seconds without a look at signals
 
@@ -162,6 +163,13 @@ def _setpoint(which: str, speed: int, *, accelerate: bool, brake: bool) -> Setpo
     return setpoint
 
 
+class _Reader(Keeper):
+    """Reads what is kept of a board: a run changes no setting, so it saves nothing."""
+
+    def save(self, board: BoardIdentity, record: BoardRecord | None) -> None:
+        pass
+
+
 @dataclass(slots=True)
 class _Run:
     """Drives motors through a session on the same thread, as its inbox and its listener.
@@ -175,7 +183,7 @@ class _Run:
     _interrupted: Interruption
     _transport: Transport
     _requests: deque[Request] = field(default_factory=deque)
-    _keeper: Keeper = field(default_factory=lambda: Keeper(say, say_warning))
+    _keeper: Keeper = field(default_factory=lambda: _Reader(say, say_warning))
     board: BoardMirror = field(init=False)
     _now: float = 0.0
     _end: float = math.inf
