@@ -1117,6 +1117,8 @@
         <translation>ein Prüflauf dauert {0:g} bis {1:g} s, nicht {2:g} s</translation></message>
     <message><source>the period of a bench test is {0:g} to {1:g} s, not {2:g} s</source>
         <translation>die Periode eines Prüflaufs ist {0:g} bis {1:g} s, nicht {2:g} s</translation></message>
+    <message><source>{0} Doubtful: the line is noisy and has no CRC.</source>
+        <translation>{0} Zweifelhaft: Die Leitung ist gestört und hat kein CRC.</translation></message>
     <message><source>The board does not respond; the stop is being repeated.</source>
         <translation>Das Board antwortet nicht; der Stopp wird wiederholt.</translation></message>
     <message><source>See the rows below.</source>
@@ -1591,8 +1593,6 @@
         <translation>Eine Einstellung des Boards hat sich geändert, daher wurden die Motoren gestoppt.</translation></message>
     <message><source>The board was restarted, so the motors were stopped.</source>
         <translation>Das Board wurde neu gestartet, daher wurden die Motoren gestoppt.</translation></message>
-    <message><source>{0} Doubtful: the line is noisy and has no CRC.</source>
-        <translation>{0} Zweifelhaft: Die Leitung ist gestört und hat kein CRC.</translation></message>
     <message><source>Setpoint: none</source>
         <translation>Sollwert: keiner</translation></message>
     <message><source>forward</source>

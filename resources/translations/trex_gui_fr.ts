@@ -1117,6 +1117,8 @@
         <translation>un essai au banc dure de {0:g} à {1:g} s, pas {2:g} s</translation></message>
     <message><source>the period of a bench test is {0:g} to {1:g} s, not {2:g} s</source>
         <translation>la période d'un essai au banc va de {0:g} à {1:g} s, pas {2:g} s</translation></message>
+    <message><source>{0} Doubtful: the line is noisy and has no CRC.</source>
+        <translation>{0} Douteux : la liaison est bruitée et n'a pas de CRC.</translation></message>
     <message><source>The board does not respond; the stop is being repeated.</source>
         <translation>La carte ne répond pas ; l'ordre d'arrêt est répété.</translation></message>
     <message><source>See the rows below.</source>
@@ -1591,8 +1593,6 @@
         <translation>Un réglage de la carte a changé ; les moteurs ont donc été arrêtés.</translation></message>
     <message><source>The board was restarted, so the motors were stopped.</source>
         <translation>La carte a été redémarrée ; les moteurs ont donc été arrêtés.</translation></message>
-    <message><source>{0} Doubtful: the line is noisy and has no CRC.</source>
-        <translation>{0} Douteux : la liaison est bruitée et n'a pas de CRC.</translation></message>
     <message><source>Setpoint: none</source>
         <translation>Consigne : aucune</translation></message>
     <message><source>forward</source>

@@ -86,6 +86,11 @@ RC = BoardInputs(mode=Mode.RC, by_serial=False)
             "Motor 1",
         ),
         (
+            DriveInputs(board=replace(SERIAL, faults=(1, 2), doubtful=(1,))),
+            [DriveBlocker.FAULT, DriveBlocker.FAULT, DriveBlocker.NOT_ARMED],
+            "Doubtful: the line is noisy",
+        ),
+        (
             DriveInputs(board=replace(SERIAL, faults=(2,)), armed=True),
             [DriveBlocker.FAULT, DriveBlocker.RUNNING],
             "Motor 2",

@@ -283,8 +283,16 @@ def test_stop_of_the_board_precedes_the_samples_that_show_it(watched: Watched) -
 
 def test_bits_after_a_corrupted_reply_are_doubtful_without_a_crc(watched: Watched) -> None:
     watched.read(state())
-    watched.sample(LatchedStatus(1.0, Status.MOTOR1_FAULT, NO_UART), corrupted=1)
+    watched.sample(LatchedStatus(1.0, Status.MOTOR2_FAULT, NO_UART))
+    watched.sample(
+        Control(1.0, by_serial=True),
+        LatchedStatus(1.0, Status.MOTOR1_FAULT, NO_UART),
+        corrupted=1,
+    )
     assert watched.board.errors.entries[0].is_doubtful
+    inputs = watched.board.inputs(1.0)
+    assert inputs is not None
+    assert (inputs.faults, inputs.doubtful) == ((1, 2), (1,))
 
 
 # --- The line ---------------------------------------------------------------------------

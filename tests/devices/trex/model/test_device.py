@@ -8,14 +8,9 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.devices.trex.board import WriteResult
-from trex_gui.devices.trex.client.client import Counters
-from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.drive_status import recent_fault_text
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.flags import Status, UartError
-from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import now, runtime
 
@@ -379,21 +374,3 @@ def test_device_does_not_change_after_shutdown(connected: RecorderOfBoard, qtbot
     assert connected.links == links
     assert connected.failures == []
     assert connected.device.state is None
-
-
-def test_fault_on_a_noisy_line_without_crc_is_doubtful(recorder: RecorderOfBoard) -> None:
-    recorder.connect(recorder.simulator.url)
-    device = recorder.device
-
-    def report(failures: int) -> str:
-        status = LatchedStatus(now(), Status.MOTOR1_FAULT, UartError(0))
-        counters = Counters(requests=1000 + failures, corrupted=failures)
-        device.connection.sampled.emit(Batch((status,), counters))
-        return recent_fault_text(device)
-
-    assert "noisy" not in report(0)
-    assert "noisy" in report(1)
-    begin = now()
-    recorder.until(lambda: now() > begin + 6)
-    assert recent_fault_text(device) == ""
-    assert "noisy" not in report(0)

@@ -36,6 +36,7 @@ class DriveStatus:
     remedy: str = ""
 
 
+_DOUBTFUL = tr_noop("{0} Doubtful: the line is noisy and has no CRC.")
 _SILENT_WHILE_DRIVEN = tr_noop("The board does not respond; the stop is being repeated.")
 
 
@@ -50,7 +51,7 @@ def drive_statuses(now: DriveInputs) -> tuple[DriveStatus, ...]:
     if now.board is None:
         return (_status(Reason(DriveBlocker.UNKNOWN)),)
     reasons = [*board_reasons(now.board), *_own_reasons(now, by_serial=now.board.by_serial)]
-    return tuple(map(_status, worst_first(reasons)))
+    return tuple(_status(one, now.board) for one in worst_first(reasons))
 
 
 def _own_reasons(now: DriveInputs, *, by_serial: bool) -> Iterator[Reason]:
@@ -73,8 +74,11 @@ def _own_reasons(now: DriveInputs, *, by_serial: bool) -> Iterator[Reason]:
         yield Reason(DriveBlocker.NOT_ARMED)
 
 
-def _status(reason: Reason) -> DriveStatus:
-    return DriveStatus(reason.blocker, reason.text(), reason.remedy())
+def _status(reason: Reason, board: BoardInputs | None = None) -> DriveStatus:
+    text, is_fault = reason.text(), reason.blocker is DriveBlocker.FAULT
+    if board is not None and is_fault and reason.fields[0] in board.doubtful:
+        text = tr(_DOUBTFUL).format(text)
+    return DriveStatus(reason.blocker, text, reason.remedy())
 
 
 def _lost(now: DriveInputs) -> DriveStatus:

@@ -1,7 +1,7 @@
 """What is known of a board, from the reports of its session: no Qt, no threads, no I/O."""
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import datetime
 from functools import reduce
 from operator import or_
@@ -29,7 +29,12 @@ from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop, remedy_for_s
 from trex_gui.devices.trex.protocol.calibration import NEARLY_NEUTRAL
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import who_controls
-from trex_gui.devices.trex.protocol.flags import Status, UartError, bit_names
+from trex_gui.devices.trex.protocol.flags import (
+    MOTOR_FAULTS,
+    Status,
+    UartError,
+    bit_names,
+)
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.session.messages import (
     Batch,
@@ -177,16 +182,20 @@ class BoardMirror:
         if self.state is None or self.serial_controls is None:
             return None
         raw = self.newest.get(Raw)
-        recent = [entry.bit for motor in (1, 2) for entry in self.errors.recent(motor, now)]
-        return board_inputs(
+        recent = [entry for motor in (1, 2) for entry in self.errors.recent(motor, now)]
+        bits = [entry.bit for entry in recent]
+        inputs = board_inputs(
             self.state,
             None if raw is None else raw.counts,
-            reduce(or_, (bit for bit in recent if isinstance(bit, Status)), Status(0)),
-            reduce(or_, (bit for bit in recent if isinstance(bit, UartError)), UartError(0)),
+            reduce(or_, (bit for bit in bits if isinstance(bit, Status)), Status(0)),
+            reduce(or_, (bit for bit in bits if isinstance(bit, UartError)), UartError(0)),
             by_serial=self.serial_controls,
             joint=self.is_joint,
             is_held=self._safe_start.may_hold(self.state, self.newest, joint=self.is_joint),
         )
+        doubtful = {entry.bit for entry in recent if entry.is_doubtful}
+        of_motors = (motor for motor in inputs.faults if MOTOR_FAULTS[motor] in doubtful)
+        return replace(inputs, doubtful=tuple(of_motors))
 
     # --- Reports ------------------------------------------------------------------------
 

@@ -38,6 +38,7 @@ class BoardInputs:
     safe_start: tuple[Reason, ...] = ()  # why it does not end, see `safe_start_reasons`
     is_held: bool = False  # whether safe-start may hold the motors: the board has no flag for it
     faults: tuple[int, ...] = ()  # motors whose driver shut down recently
+    doubtful: tuple[int, ...] = ()  # of them those where the reply may have been corrupted
     over_limit: tuple[int, ...] = ()  # motors whose current passed its limit recently
     uart: UartError = _NO_ERROR  # recent UART errors
     error_shutdown: bool = False  # whether the board is set to stop the motors at a UART error

@@ -1,14 +1,10 @@
 """Whether the motors follow the setpoints of the window, and which drivers have shut down."""
 
-from trex_gui.core.translation import tr, tr_noop
-from trex_gui.devices.trex.board.drive_status import DriveInputs
-from trex_gui.devices.trex.driving.blockers import DriveBlocker, Reason
+from trex_gui.devices.trex.board.drive_status import DriveInputs, drive_statuses
+from trex_gui.devices.trex.driving.blockers import DriveBlocker
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.protocol.flags import MOTOR_FAULTS
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import now
-
-_DOUBTFUL = tr_noop("{0} Doubtful: the line is noisy and has no CRC.")
 
 _LINKS = {
     ConnectionState.DISCONNECTED: DriveBlocker.NO_BOARD,
@@ -38,15 +34,5 @@ def drive_inputs(device: Device) -> DriveInputs:
 
 def recent_fault_text(device: Device) -> str:
     """Return which motor drivers have shut down recently, as sentences; empty if none has."""
-    recent = {
-        motor: entry
-        for motor, bit in MOTOR_FAULTS.items()
-        for entry in device.board.errors.recent(motor, now())
-        if entry.bit is bit
-    }
-    if not recent or not device.is_connected:
-        return ""
-    text = " ".join(Reason(DriveBlocker.FAULT, (motor,)).text() for motor in recent)
-    if all(entry.is_doubtful for entry in recent.values()):
-        text = tr(_DOUBTFUL).format(text)
-    return text
+    statuses = drive_statuses(drive_inputs(device))
+    return " ".join(one.text for one in statuses if one.blocker is DriveBlocker.FAULT)
