@@ -4,16 +4,16 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
+from tests.devices.trex.oracle import remapping as oracle
 from tests.support.matrix import examples
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.protocol.calibration import (
-    DEFAULT_CALIBRATION,
+    CALIBRATION_FIELDS,
     Calibration,
     CalibrationKey,
     encode_14_bits,
     remap,
 )
-from trex_gui.devices.trex.protocol.commands import GetRawChannels
 from trex_gui.devices.trex.protocol.flags import InputSource
 
 modest = examples(50)
@@ -21,7 +21,6 @@ TYPICAL = Calibration(2500, 3750, 5000, 75)
 
 coded = st.integers(0, 0x3FFF)
 any_calibration = st.builds(Calibration, coded, coded, coded, coded)
-raw_counts = st.integers(0, 0xFFFF)
 
 
 @st.composite
@@ -115,30 +114,17 @@ def test_neutral_may_equal_minimum_or_maximum(calibration: Calibration) -> None:
     assert calibration.problem() is None
 
 
-def test_default_rc_calibration_spans_1_to_2_ms() -> None:
-    assert DEFAULT_CALIBRATION[InputSource.RC] == Calibration(2500, 3750, 5000, 75)
-
-
-def test_default_analog_calibration_spans_0_to_5_v() -> None:
-    assert DEFAULT_CALIBRATION[InputSource.ANALOG] == Calibration(0, 512, 1023, 20)
-
-
 @pytest.mark.parametrize(
     ("raw", "output"),
     [
-        (3750, 0),
         (3825, 0),
-        (3675, 0),
         (3826, 0),  # 127 * 1 / 1175 rounded down
         (3835, 1),  # 127 * 10 / 1175 = 1.08
         (4413, 63),  # 127 * 588 / 1175 = 63.55
         (4999, 126),
         (5000, 127),
-        (6250, 127),
         (3087, -63),
-        (2501, -126),
         (2500, -127),
-        (1250, -127),
     ],
 )
 def test_typical_channel_is_remapped_linearly(raw: int, output: int) -> None:
@@ -152,97 +138,38 @@ def test_parabolic_channel_is_remapped_quadratically(raw: int, output: int) -> N
     assert remap(raw, TYPICAL, parabolic=True) == output
 
 
-def test_side_narrower_than_deadband_jumps_from_0_to_full() -> None:
-    narrow = Calibration(1000, 2000, 2050, 100)
-    assert [remap(raw, narrow) for raw in (2050, 2100, 2101)] == [0, 0, 127]
-
-
-def test_ignored_channel_gives_0() -> None:
-    assert remap(5000, TYPICAL, ignored=True) == 0
-
-
-def test_channel_without_signal_gives_0() -> None:
-    assert remap(None, TYPICAL) == 0
-
-
-def test_invalid_pulse_reported_by_board_gives_0() -> None:
-    raw = GetRawChannels(0x01).parse(bytes.fromhex("ff ff"))[1]
-    assert remap(raw, TYPICAL) == 0
-
-
 @modest
 @given(
-    raw=st.none() | raw_counts | st.integers(),
-    calibration=any_calibration,
+    calibration=any_calibration | calibrations(),
+    raw=st.sampled_from([None, oracle.INVALID]) | st.integers(0, oracle.INVALID),
+    field=st.sampled_from(CALIBRATION_FIELDS),
+    beyond=st.none() | st.integers(-1, 1),
     parabolic=st.booleans(),
     reversed_=st.booleans(),
     ignored=st.booleans(),
 )
-def test_remapped_output_never_exceeds_127(
-    raw: int | None, calibration: Calibration, parabolic: bool, reversed_: bool, ignored: bool
+def test_remapping_matches_oracle_everywhere_and_beside_its_corners(
+    calibration: Calibration,
+    raw: int | None,
+    field: str,
+    beyond: int | None,
+    parabolic: bool,
+    reversed_: bool,
+    ignored: bool,
 ) -> None:
-    output = remap(raw, calibration, parabolic=parabolic, reversed_=reversed_, ignored=ignored)
-    assert -127 <= output <= 127
-
-
-@modest
-@given(
-    calibration=calibrations(),
-    # 0xFFFF is no count: it says that there is none.
-    counts=st.lists(raw_counts.filter(lambda count: count != 0xFFFF), min_size=2, max_size=8),
-    parabolic=st.booleans(),
-)
-def test_higher_count_never_gives_lower_output(
-    calibration: Calibration, counts: list[int], parabolic: bool
-) -> None:
-    outputs = [remap(raw, calibration, parabolic=parabolic) for raw in sorted(counts)]
-    assert outputs == sorted(outputs)
-
-
-@modest
-@given(calibration=calibrations(), beyond=st.integers(0, 5000), parabolic=st.booleans())
-def test_output_is_full_at_maximum_and_above(
-    calibration: Calibration, beyond: int, parabolic: bool
-) -> None:
-    raw = calibration.maximum + beyond
-    assume(raw - calibration.neutral > calibration.deadband)
-    assert remap(raw, calibration, parabolic=parabolic) == 127
-
-
-@modest
-@given(calibration=calibrations(), beyond=st.integers(0, 5000), parabolic=st.booleans())
-def test_output_is_full_reverse_at_minimum_and_below(
-    calibration: Calibration, beyond: int, parabolic: bool
-) -> None:
-    raw = calibration.minimum - beyond
-    assume(calibration.neutral - raw > calibration.deadband)
-    assert remap(raw, calibration, parabolic=parabolic) == -127
-
-
-@modest
-@given(calibration=calibrations(), part=st.floats(-1, 1), parabolic=st.booleans())
-def test_output_is_0_within_deadband(
-    calibration: Calibration, part: float, parabolic: bool
-) -> None:
-    raw = calibration.neutral + int(part * calibration.deadband)
-    assert remap(raw, calibration, parabolic=parabolic) == 0
-
-
-@modest
-@given(raw=raw_counts, calibration=any_calibration | calibrations(), parabolic=st.booleans())
-def test_reversed_channel_gives_negated_output(
-    raw: int, calibration: Calibration, parabolic: bool
-) -> None:
-    ahead = remap(raw, calibration, parabolic=parabolic)
-    assert remap(raw, calibration, parabolic=parabolic, reversed_=True) == -ahead
-
-
-@modest
-@given(raw=raw_counts, calibration=any_calibration | calibrations())
-def test_parabolic_output_never_exceeds_linear_output(raw: int, calibration: Calibration) -> None:
-    linear, parabolic = remap(raw, calibration), remap(raw, calibration, parabolic=True)
-    assert abs(parabolic) <= abs(linear)
-    assert linear * parabolic >= 0
+    if beyond is not None:
+        corner = getattr(calibration, field) + calibration.neutral * (field == "deadband")
+        raw = max(0, corner + beyond)
+    values = oracle.Calibration(*(getattr(calibration, name) for name in CALIBRATION_FIELDS))
+    assert remap(
+        raw, calibration, parabolic=parabolic, reversed_=reversed_, ignored=ignored
+    ) == oracle.remapped(
+        oracle.INVALID if raw is None else raw,
+        values,
+        parabolic=parabolic,
+        reverse=reversed_,
+        ignored=ignored,
+    )
 
 
 @pytest.mark.parametrize("key", CalibrationKey)
