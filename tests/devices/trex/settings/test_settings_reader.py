@@ -292,6 +292,9 @@ def test_error_contains_file_name() -> None:
         read_settings("", "bench.txt")
     assert caught.value.name == "bench.txt"
     assert str(caught.value).startswith("bench.txt: line 1: ")
+    with pytest.raises(SettingsError) as caught:
+        read_settings("product: TReX\nspeed: 1\nwidth: 1\n", "bench.txt")
+    assert str(caught.value).splitlines() == ["bench.txt:", *map(str, caught.value.findings)]
 
 
 # Hostile files
