@@ -128,13 +128,6 @@ def test_counts_round_trip(source: InputSource) -> None:
 
 
 @pytest.mark.parametrize(
-    ("source", "unit", "highest"), [(InputSource.RC, "µs", 6250), (InputSource.ANALOG, "V", 1023)]
-)
-def test_source_has_unit_and_highest_count(source: InputSource, unit: str, highest: int) -> None:
-    assert (source.unit, source.highest_count) == (unit, highest)
-
-
-@pytest.mark.parametrize(
     ("source", "least", "most"), [(InputSource.RC, 500.0, 2500.0), (InputSource.ANALOG, 0.0, 5.0)]
 )
 def test_counts_span_physical_range_of_source(

@@ -1,55 +1,61 @@
-"""How a command is wrapped: compact or expanded, with or without CRC-7."""
+"""How a command is wrapped; CRC-7 against a long division by hand, as the guide describes it."""
+
+from collections.abc import Callable
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
+from tests.devices.trex.oracle.framing import remainder
+from tests.support.matrix import examples
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.trex.protocol.commands import (
-    Command,
-    DriveAuxiliary,
-    GetRawChannels,
-    GetSignature,
-    SetParameter,
-)
-from trex_gui.devices.trex.protocol.framing import Framing
+from trex_gui.devices.trex.protocol.framing import Framing, PacketParser, crc7
 
 
 @pytest.mark.parametrize(
-    ("command", "device_number", "packet"),
+    ("packet", "crc"),
     [
-        (GetRawChannels(), None, "86 1f 07"),
-        (GetSignature(), None, "81 48"),
-        (DriveAuxiliary(127), None, "f0 7f 4d"),
-        (SetParameter(0x00, 7), None, "af 00 07 55 2a 47"),
-        (GetRawChannels(), 7, "80 07 06 1f 0b"),
+        ("86 1f", 0x07),
+        ("81", 0x48),
+        ("f0 7f", 0x4D),
+        ("af 00 07 55 2a", 0x47),
+        ("80 07 06 1f", 0x0B),
     ],
 )
-def test_crc_follows_packet_and_covers_all_of_it(
-    command: Command[object], device_number: int | None, packet: str
+def test_guide_packets_have_their_printed_crc(packet: str, crc: int) -> None:
+    assert crc7(bytes.fromhex(packet)) == crc
+
+
+@examples(40)
+@given(data=st.binary(max_size=24), polynomial=st.integers(0x80, 0xFF))
+def test_crc_is_remainder_of_long_division(data: bytes, polynomial: int) -> None:
+    assert crc7(data, polynomial) == remainder(data, polynomial)
+
+
+def test_every_polynomial_gives_right_crc_of_single_bytes() -> None:
+    for polynomial in range(0x80, 0x100):
+        for byte in (0x00, 0x01, 0x55, 0x80, 0x86, 0xFF):
+            data = bytes([byte])
+            assert crc7(data, polynomial) == remainder(data, polynomial)
+
+
+@pytest.mark.parametrize("polynomial", [0x00, 0x09, 0x7F, 0x100, -0x77])
+@pytest.mark.parametrize(
+    "use",
+    [
+        lambda polynomial: crc7(b"\x81", polynomial),
+        lambda polynomial: Framing(None, polynomial),
+        PacketParser,
+    ],
+)
+def test_polynomial_without_top_bit_is_rejected_with_limits(
+    use: Callable[[int], object], polynomial: int
 ) -> None:
-    assert Framing(device_number, 0x89).encode(command) == bytes.fromhex(packet)
+    with pytest.raises(BadRequest, match="0x80 to 0xFF"):
+        use(polynomial)
 
 
 @pytest.mark.parametrize("device_number", [-1, 128, 255])
-def test_invalid_device_number_is_rejected_with_limits(
-    device_number: int,
-) -> None:
+def test_invalid_device_number_is_rejected_with_limits(device_number: int) -> None:
     with pytest.raises(BadRequest, match=f"device number is 0 to 127, not {device_number}"):
         Framing(device_number)
-
-
-@pytest.mark.parametrize("polynomial", [0x00, 0x09, 0x7F, 0x100])
-def test_polynomial_without_top_bit_is_rejected_with_limits(polynomial: int) -> None:
-    with pytest.raises(BadRequest, match="0x80 to 0xFF"):
-        Framing(None, polynomial)
-
-
-def test_invalid_parameter_value_is_rejected_on_encode() -> None:
-    with pytest.raises(BadRequest, match="parameter value is 0 to 127, not 128"):
-        Framing().encode(SetParameter(0, 128))
-
-
-@pytest.mark.parametrize(
-    ("framing", "size"), [(Framing(), 0), (Framing(7), 0), (Framing(7, 0x89), 1)]
-)
-def test_crc_adds_one_byte_when_enabled(framing: Framing, size: int) -> None:
-    assert framing.crc_size == size

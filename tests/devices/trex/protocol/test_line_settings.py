@@ -1,8 +1,11 @@
-"""Parameter 0x7E: baud rate, error detection and stop bits."""
+"""Parameter 0x7E: baud rate, error detection and stop bits, and a connection as text."""
+
+from dataclasses import replace
 
 import pytest
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 
 VALID = [wire for wire in range(0x80) if wire & 0x0F <= 10]
@@ -51,22 +54,11 @@ def test_invalid_stop_bits_are_rejected_with_limits(stop_bits: int) -> None:
         LineSettings(stop_bits=stop_bits).to_wire()
 
 
-@pytest.mark.parametrize("firmware", ["1.0", "1.1"])
-@pytest.mark.parametrize(("chosen", "real"), [(38400, 19200), (28800, 14400)])
-def test_old_firmware_halves_two_baud_rates(firmware: str, chosen: int, real: int) -> None:
-    assert LineSettings(chosen).real_baud(firmware) == real
-
-
-@pytest.mark.parametrize("firmware", ["1.0", "1.1"])
-def test_old_firmware_keeps_all_other_baud_rates(firmware: str) -> None:
-    for baud in set(baud_rates()) - {28800, 38400}:
-        assert LineSettings(baud).real_baud(firmware) == baud
-
-
-@pytest.mark.parametrize("firmware", ["1.2", "1.3", "1.10", "2.0"])
-def test_new_firmware_keeps_every_baud_rate(firmware: str) -> None:
+@pytest.mark.parametrize("firmware", ["1.0", "1.1", "1.2", "1.3", "1.10", "2.0"])
+def test_only_old_firmware_halves_two_baud_rates(firmware: str) -> None:
+    halved = {38400: 19200, 28800: 14400} if firmware in {"1.0", "1.1"} else {}
     for baud in baud_rates():
-        assert LineSettings(baud).real_baud(firmware) == baud
+        assert LineSettings(baud).real_baud(firmware) == halved.get(baud, baud)
 
 
 @pytest.mark.parametrize(
@@ -76,7 +68,6 @@ def test_new_firmware_keeps_every_baud_rate(firmware: str) -> None:
         (Detection.NONE, 2, 11),
         (Detection.CRC7, 1, 10),
         (Detection.EVEN, 1, 11),
-        (Detection.ODD, 1, 11),
         (Detection.EVEN, 2, 12),
     ],
 )
@@ -86,28 +77,26 @@ def test_bits_per_byte_include_parity_and_stop_bits(
     assert LineSettings(19200, detection, stop_bits).bits_per_byte == bits
 
 
-def test_byte_at_19200_baud_takes_half_a_millisecond() -> None:
-    assert LineSettings().seconds(1) == pytest.approx(10 / 19200)
-
-
 def test_80_bytes_of_12_bits_take_100_ms_at_9600_baud() -> None:
     assert LineSettings(9600, Detection.EVEN, 2).seconds(80) == pytest.approx(0.1)
-
-
-@pytest.mark.parametrize(
-    ("wire", "text"),
-    [
-        (0x05, "19200 baud, no error detection, 1 stop bit"),
-        (0x3A, "115200 baud, CRC-7, 2 stop bits"),
-        (0x43, "9600 baud, even parity, 1 stop bit"),
-        (0x73, "9600 baud, odd parity, 2 stop bits"),
-    ],
-)
-def test_settings_text_names_baud_detection_and_stop_bits(wire: int, text: str) -> None:
-    assert LineSettings.from_wire(wire).text() == text
 
 
 def test_set_top_bit_is_not_reported_as_bad_baud_rate() -> None:
     with pytest.raises(BadRequest) as caught:
         LineSettings.from_wire(0x85)
     assert "no baud rate" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("detection", "text"),
+    [
+        (Detection.NONE, "57600 baud, 2 stop bits"),
+        (Detection.EVEN, "57600 baud, even parity, 2 stop bits"),
+        (Detection.ODD, "57600 baud, odd parity, 2 stop bits"),
+        (Detection.CRC7, "57600 baud, CRC-7, 2 stop bits"),
+    ],
+)
+def test_short_text_names_only_what_few_lines_have(detection: Detection, text: str) -> None:
+    settings = ConnectionSettings("/dev/ttyUSB0", LineSettings(57600, detection, 2))
+    assert settings.short == text
+    assert replace(settings, line=LineSettings()).short == "19200 baud"

@@ -10,6 +10,8 @@ from tests.support.matrix import examples
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.protocol.parameters import (
     Grade,
+    MotorParameter,
+    ParameterKey,
     ParameterKind,
     ParameterSpec,
     parameters_of,
@@ -90,14 +92,6 @@ def test_only_factory_reset_cannot_be_read(model: str, firmware: str) -> None:
     found = parameters_of(model, firmware)
     assert [spec.number for spec in found if not spec.readable] == [0x7F]
     assert [*found.readable] == [spec for spec in found if spec.number != 0x7F]
-
-
-@every_model
-def test_other_parameters_are_the_same_in_all_firmware(model: str) -> None:
-    newest = [spec for spec in parameters_of(model, "1.3") if spec.number != 0x17]
-    for firmware in FIRMWARES:
-        found = [spec for spec in parameters_of(model, firmware) if spec.number != 0x17]
-        assert found == newest
 
 
 @every_model
@@ -256,38 +250,25 @@ def test_every_value_from_0_to_127_has_a_text(model: str) -> None:
     ("key", "model", "wire", "text"),
     [
         ("device_number", "trex", 7, "7"),
-        ("required_channels", "trex", 0x01, "channel 1"),
         ("required_channels", "trex", 0x13, "channels 1, 2, 5"),
         ("ignored_channels", "trex", 0, "none"),
-        ("motor1_deadband_brake_pwm", "trex", 127, "100 %"),
         ("motor1_deadband_brake_pwm", "trex", 0, "coast"),
         ("serial_timeout", "trex", 0, "off"),
-        ("serial_timeout", "trex", 1, "0.1 s"),
         ("serial_timeout", "trex", 15, "1.5 s"),
-        ("serial_timeout", "trex", 127, "12.7 s"),
-        ("uart_error_shutdown", "trex", 0, "off"),
         ("uart_error_shutdown", "trex", 1, "on"),
         ("motor1_pwm_maximum", "trex", 0x3F, "127"),
-        ("motor1_pwm_maximum", "trex", 0x7F, "255"),
         ("motor1_acceleration", "trex", 0, "no ramp"),
         ("motor1_brake_duration", "trex", 127, "1270 ms"),
-        ("motor1_brake_duration", "trex", 5, "50 ms"),
         ("motor1_current_limit", "trex", 0, "off"),
         ("motor1_current_limit", "trex", 1, "0.3 A"),
-        ("motor1_current_limit", "trex", 127, "38.1 A"),
         ("motor1_current_limit", "trexjr", 1, "0.08 A"),
-        ("motor1_current_limit", "trexjr", 60, "4.8 A"),
         ("motor2_current_limit", "trexjr", 100, "8 A"),
-        ("uart_response_delay", "trex", 0, "off"),
-        ("motor_mode", "trex", 0, "independent"),
         ("motor_mode", "trex", 1, "joint"),
-        ("channel_input_source", "trex", 0, "RC"),
         ("channel_input_source", "trex", 1, "analog"),
         ("crc7_polynomial", "trex", 0x09, "0x89"),
-        ("crc7_polynomial", "trex", 0x7F, "0xFF"),
         ("uart_settings", "trex", 0x05, "19200 baud, no error detection, 1 stop bit"),
-        ("uart_settings", "trex", 0x0A, "115200 baud, no error detection, 1 stop bit"),
         ("uart_settings", "trex", 0x3A, "115200 baud, CRC-7, 2 stop bits"),
+        ("uart_settings", "trex", 0x73, "9600 baud, odd parity, 2 stop bits"),
     ],
 )
 def test_value_text_matches_reference(key: str, model: str, wire: int, text: str) -> None:
@@ -300,56 +281,37 @@ def test_value_text_matches_reference(key: str, model: str, wire: int, text: str
         ("serial_timeout", "1.5 s", 15),
         ("serial_timeout", "1.5", 15),
         ("serial_timeout", "1,5", 15),
-        ("serial_timeout", "1,5 s", 15),
         ("serial_timeout", "1.5s", 15),
         ("serial_timeout", "1500 ms", 15),
-        ("serial_timeout", "1500ms", 15),
         ("serial_timeout", ".5", 5),
         ("serial_timeout", "2.", 20),
-        ("serial_timeout", "+2", 20),
         ("serial_timeout", "off", 0),
-        ("serial_timeout", "OFF", 0),
         ("serial_timeout", "0", 0),
         ("serial_timeout", "0 s", 0),
-        ("serial_timeout", "0.0", 0),
         ("serial_timeout", "1.54 s", 15),
         ("serial_timeout", "1.56 s", 16),
-        ("motor1_brake_duration", "0.5 s", 50),
         ("motor1_brake_duration", "500 ms", 50),
-        ("motor1_brake_duration", "500", 50),
         ("motor1_brake_duration", "no braking", 0),
-        ("motor1_deadband_brake_pwm", "100 %", 127),
         ("motor1_deadband_brake_pwm", "100%", 127),
-        ("motor1_deadband_brake_pwm", "coast", 0),
         ("motor1_acceleration", "5 per 100 ms", 5),
         ("motor1_acceleration", "5", 5),
-        ("motor1_acceleration", "0,5 s", 25),
         ("motor1_acceleration", "500 ms to full speed", 25),
         ("motor1_acceleration", "0 s", 0),
-        ("motor1_acceleration", "no ramp", 0),
         ("required_channels", "1, 2, 5", 0x13),
-        ("required_channels", "channels 1, 2, 5", 0x13),
         ("required_channels", "Channel 3", 0x04),
         ("required_channels", "1 2 5", 0x13),
         ("required_channels", "5+2+1", 0x13),
         ("required_channels", "1;2;5", 0x13),
         ("required_channels", "none", 0),
-        ("required_channels", "None", 0),
         ("uart_error_shutdown", "on", 1),
-        ("uart_error_shutdown", "1", 1),
         ("motor_mode", "Joint", 1),
         ("channel_input_source", "rc", 0),
-        ("channel_input_source", "Analog", 1),
-        ("motor1_pwm_prescaler", "1", 1),
-        ("motor1_pwm_maximum", "127", 0x3F),
         ("motor1_pwm_maximum", "255", 0x7F),
         ("crc7_polynomial", "0x89", 0x09),
-        ("crc7_polynomial", "0X89", 0x09),
         ("crc7_polynomial", "0x09", 0x09),
         ("crc7_polynomial", "137", 0x09),
         ("crc7_polynomial", "9", 0x09),
         ("uart_settings", "0x0A", 0x0A),
-        ("uart_settings", "10", 0x0A),
         ("uart_settings", "115200 baud, CRC-7, 2 stop bits", 0x3A),
         ("factory_reset", "127", 0x7F),
     ],
@@ -362,11 +324,9 @@ def test_value_can_be_typed_in_several_ways(key: str, text: str, wire: int) -> N
     ("model", "text", "wire"),
     [
         ("trex", "300 mA", 1),
-        ("trex", "0.3 A", 1),
         ("trex", "4.8 A", 16),
         ("trex", "off", 0),
         ("trexjr", "80 mA", 1),
-        ("trexjr", "0.08 A", 1),
         ("trexjr", "4,8 A", 60),
         ("trexjr", "0.3 A", 4),
     ],
@@ -381,30 +341,22 @@ def test_current_limit_uses_current_unit_of_its_model(model: str, text: str, wir
     [
         ("serial_timeout", "13 s", "12.7 s"),
         ("serial_timeout", "-1", "12.7 s"),
-        ("serial_timeout", "soon", "12.7 s"),
         ("serial_timeout", "", "12.7 s"),
         ("serial_timeout", "1.5 A", "12.7 s"),
-        ("serial_timeout", "1.5 min", "12.7 s"),
         ("serial_timeout", "1.5 s 2", "12.7 s"),
         ("serial_timeout", "1e1", "12.7 s"),
         ("serial_timeout", "nan", "12.7 s"),
-        ("serial_timeout", "inf", "12.7 s"),
         ("device_number", "128", "0 to 127"),
-        ("device_number", "-1", "0 to 127"),
         ("device_number", "7 s", "0 to 127"),
         ("required_channels", "6", "1 to 5"),
         ("required_channels", "0", "1 to 5"),
         ("required_channels", "1, x", "1 to 5"),
-        ("required_channels", "-1", "1 to 5"),
         ("uart_error_shutdown", "2", "off or on"),
-        ("uart_error_shutdown", "maybe", "off or on"),
         ("motor1_pwm_maximum", "300", "1 to 255"),
         ("motor1_acceleration", "5 m", "0.1 to 12.7 s"),
-        ("motor1_acceleration", "20 s", "0.1 to 12.7 s"),
         ("crc7_polynomial", "0x100", "0x80 to 0xFF"),
         ("crc7_polynomial", "0xZZ", "0x80 to 0xFF"),
         ("factory_reset", "0", "127"),
-        ("factory_reset", "yes", "127"),
     ],
 )
 def test_invalid_text_is_rejected_with_limits(key: str, text: str, limits: str) -> None:
@@ -545,4 +497,7 @@ def test_newer_parameter_is_rejected_with_board_and_firmware() -> None:
         parameters_of("trexjr", "1.1")["uart_response_delay"]
 
 
-# PWM frequency.
+def test_keys_in_code_are_those_of_the_table() -> None:
+    of_motors = {parameter.of(motor) for parameter in MotorParameter for motor in (1, 2)}
+    assert {*ParameterKey, *of_motors} <= {spec.key for spec in parameters_of("trex", "1.3")}
+    assert [key.name for key in ParameterKey] == [key.upper() for key in ParameterKey]

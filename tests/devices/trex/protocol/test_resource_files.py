@@ -1,19 +1,8 @@
 """The program finds its own files."""
 
-import tomllib
-
 import pytest
 
 from trex_gui.core.resource_files import resource
-
-
-def test_parameter_table_is_found_and_is_toml() -> None:
-    table = tomllib.loads(resource("trex_parameters.toml").read_text(encoding="utf-8"))
-    assert set(table["models"]) == {"trex", "trexjr"}
-
-
-def test_folder_is_found() -> None:
-    assert resource("icons").is_dir()
 
 
 def test_path_is_absolute_in_any_current_folder(
