@@ -62,11 +62,6 @@ def test_reserved_number_gets_no_packet(
     assert command != "boards" or options in result.stdout
 
 
-@pytest.mark.parametrize("numbers", ["7", "128", "x"])
-def test_reserved_number_is_checked(run: RunCommand, numbers: str) -> None:
-    run("status", "--reserve", numbers, exits=2)
-
-
 def test_command_without_a_number_names_the_list_of_boards(
     run: RunCommand, line: VirtualSimulator
 ) -> None:
@@ -130,8 +125,3 @@ def test_file_is_written_to_several_boards(
     assert stored(line, "serial_timeout") == [7, 7, 0]
     assert stored(line, "device_number") == [3, 7, 9]
     assert stored(line, "uart_settings") == [5, 5, 5]
-
-
-@pytest.mark.parametrize("numbers", ["3,3", "128", "", "3;7"])
-def test_wrong_numbers_are_wrong_usage(run: RunCommand, tmp_path: Path, numbers: str) -> None:
-    run("set-settings", str(tmp_path / "any.txt"), "--devices", numbers, exits=2)

@@ -79,14 +79,6 @@ def test_unchanged_setting_is_not_written_again(
     assert len(SettingsHistory().snapshots()) == 1
 
 
-@pytest.mark.parametrize(
-    "words", [("set", "serial_timeout", "200"), ("calibration", "set", "1", "3", "2", "1", "0")]
-)
-def test_invalid_value_leaves_no_snapshot(trexcmd: RunCommand, words: tuple[str, ...]) -> None:
-    trexcmd(*words, exits=2)
-    assert not SettingsHistory().snapshots()
-
-
 @one_setting
 def test_setting_rejected_in_rc_mode_leaves_no_snapshot(
     trexcmd: RunCommand,

@@ -25,11 +25,6 @@ def test_board_is_exported_in_each_language(
     assert motor["target_speed"] == 0 or motor["target_direction"] == "brake"
 
 
-def test_export_requires_a_known_language(trexcmd: RunCommand) -> None:
-    trexcmd("export", "-", exits=2)
-    trexcmd("export", "--as", "pascal", "-", exits=2)
-
-
 def test_export_to_unwritable_path_fails(trexcmd: RunCommand, tmp_path: Path) -> None:
     result = trexcmd("export", "--as", "c", str(tmp_path / "missing" / "board.c"), exits=1)
     assert "missing" in result.stderr

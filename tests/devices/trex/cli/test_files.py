@@ -179,10 +179,6 @@ def test_check_settings_writes_checked_file(
     assert trexcmd("check-settings", str(file), "-").stdout == out.read_text(encoding="utf-8")
 
 
-def test_check_settings_rejects_two_outputs_to_stdout(trexcmd: RunCommand, saved: Path) -> None:
-    trexcmd("check-settings", str(saved), "-", "--json", exits=2)
-
-
 FAULTY = """# My rover, do not lose this
 product: trex
 motor1_current_limit: 20  # about 6 A

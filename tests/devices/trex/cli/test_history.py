@@ -112,11 +112,6 @@ def test_history_diff_compares_snapshot_with_board(
     assert (rows["serial_timeout"]["before"], rows["serial_timeout"]["after"]) == (7, 5)
 
 
-@pytest.mark.parametrize("word", ["first", "-1", "1.5", "./1"])
-def test_history_path_accepts_only_numbers(trexcmd: RunCommand, word: str) -> None:
-    trexcmd("history", "path", "--", word, exits=2)
-
-
 # --- How many are kept ------------------------------------------------------------------
 
 

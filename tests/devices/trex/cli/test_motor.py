@@ -282,28 +282,6 @@ def test_unplugging_ends_the_run_with_a_message(
     assert "Motor 1 may still be turning. Cut the power. The line" in errors
 
 
-@pytest.mark.parametrize(
-    "words",
-    [
-        ("1", "128"),
-        ("1", "-128"),
-        ("3", "10"),
-        ("aux", "-1"),
-        ("aux", "128"),
-        ("aux", "5", "--brake"),
-        ("1", "-5", "--brake"),
-        ("1", "fast"),
-        ("1",),
-        ("1", "5", "--seconds", "0"),
-        ("1", "5", "--secnds", "1"),
-    ],
-)
-def test_invalid_motor_arguments_are_usage_errors(
-    trexcmd: RunCommand, words: tuple[str, ...]
-) -> None:
-    trexcmd("motor", *words, exits=2)
-
-
 def test_stop_fails_while_rc_channels_drive(
     start: StartCommand, trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:

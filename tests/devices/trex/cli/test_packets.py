@@ -57,13 +57,6 @@ def test_decode_explains_invalid_bytes(trexcmd: RunCommand) -> None:
     assert "4 of 5 are not packets" in result.stderr
 
 
-@pytest.mark.parametrize("words", [("8G",), (), (" ",), ("--crc", "--polynomial", "11", "81")])
-def test_invalid_decode_arguments_are_usage_errors(
-    trexcmd: RunCommand, words: tuple[str, ...]
-) -> None:
-    trexcmd("decode", *words, exits=2)
-
-
 # --- raw ----------------------------------------------------------------------------------
 
 
@@ -115,13 +108,6 @@ def test_raw_motor_command_is_followed_by_a_stop(
     other = trexcmd(*words, "--protocol", "expanded", "C2 50", exits=1)
     assert "another board, which a stop on this connection does not reach" in other.stderr
     assert outputs(quick_simulator) == [0, 0, 0]
-
-
-@pytest.mark.parametrize("words", [("8G",), ("--seconds", "1", "81"), ("81 " * 300,)])
-def test_invalid_raw_arguments_are_usage_errors(
-    trexcmd: RunCommand, words: tuple[str, ...]
-) -> None:
-    trexcmd("raw", *words, exits=2)
 
 
 # --- --traffic ----------------------------------------------------------------------------

@@ -172,22 +172,3 @@ def test_stream_is_thinned_limited_and_separated(
     assert times[-1] < 1.2
     assert [row["uart_format"] for row in rows].count("1") == 1, "no error bit is left out"
     assert len(trexcmd("stream", "--json", "--limit", "2").stdout.splitlines()) == 2
-
-
-@pytest.mark.parametrize(
-    "words",
-    [
-        ("--seconds", "0"),
-        ("--seconds", "x"),
-        ("--json", "--csv", "-"),
-        ("--limit", "0"),
-        ("--interval", "-1"),
-        ("--separator", "ab"),
-        ("--separator", "."),
-        ("--json", "--separator", ";"),
-    ],
-)
-def test_invalid_stream_arguments_are_usage_errors(
-    trexcmd: RunCommand, words: tuple[str, ...]
-) -> None:
-    trexcmd("stream", *words, exits=2)
