@@ -22,6 +22,19 @@ one_setting = pytest.mark.parametrize(
     ids=["set", "calibration set"],
 )
 
+WANTED = "product: TReX\nserial_timeout: 15\n"
+
+every_write = pytest.mark.parametrize(
+    "words",
+    [
+        ("set", "serial_timeout", "15"),
+        CALIBRATION,
+        ("set-settings", "-"),
+        ("restore-defaults", "--yes"),
+    ],
+    ids=["set", "calibration set", "set-settings", "restore-defaults"],
+)
+
 
 def memory(trexcmd: RunCommand) -> str:
     """Return all that the board stores."""
@@ -48,15 +61,14 @@ def test_changing_one_setting_shows_and_snapshots_old_value(
     assert {found.minimum for found in kept.calibrations.values()} == {2500}
 
 
-@one_setting
-def test_setting_is_not_stored_if_snapshot_fails(
-    trexcmd: RunCommand, tmp_path: Path, words: tuple[str, ...], shown: str, reason: str
+@every_write
+def test_nothing_is_stored_if_snapshot_fails(
+    trexcmd: RunCommand, tmp_path: Path, words: tuple[str, ...]
 ) -> None:
-    del shown, reason
     before = memory(trexcmd)
     place = tmp_path / "file"
     place.write_text("", encoding="utf-8")
-    result = trexcmd(*words, TREX_STUDIO_DATA=str(place), exits=1)
+    result = trexcmd(*words, stdin=WANTED, TREX_STUDIO_DATA=str(place), exits=1)
     assert "snapshots cannot be made" in result.stderr
     assert result.stdout == ""
     assert memory(trexcmd) == before
@@ -79,17 +91,12 @@ def test_unchanged_setting_is_not_written_again(
     assert len(SettingsHistory().snapshots()) == 1
 
 
-@one_setting
-def test_setting_rejected_in_rc_mode_leaves_no_snapshot(
-    trexcmd: RunCommand,
-    quick_simulator: SimulatedDevice,
-    words: tuple[str, ...],
-    shown: str,
-    reason: str,
+@every_write
+def test_write_rejected_in_rc_mode_leaves_no_snapshot(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice, words: tuple[str, ...]
 ) -> None:
-    del shown, reason
     quick_simulator.do("jumper mode rc", "power cycle")
-    assert "not in serial mode" in trexcmd(*words, exits=1).stderr
+    assert "not in serial mode" in trexcmd(*words, stdin=WANTED, exits=1).stderr
     assert not SettingsHistory().snapshots()
 
 
@@ -174,6 +181,7 @@ def test_restore_defaults_lists_changes_before_prompt(
     quick_simulator.do("eeprom serial_timeout 15", "eeprom motor1_acceleration 9")
     quick_simulator.do("eeprom device_number 9", "power cycle")
     before = memory(trexcmd)
+    trexcmd("restore-defaults", stdin="", exits=1)
     result = trexcmd("restore-defaults", stdin="n\n", exits=1)
     said, question, _ = result.stderr.partition("Reset every parameter")
     assert question
@@ -185,8 +193,9 @@ def test_restore_defaults_lists_changes_before_prompt(
         "serial_timeout": ["15", "→", "0"],
     }
     assert result.stdout == ""
-    assert memory(trexcmd) == before
     assert not SettingsHistory().snapshots()
+    quick_simulator.do("power cycle")
+    assert memory(trexcmd) == before
 
 
 def test_restore_defaults_names_inferred_defaults(
@@ -213,16 +222,7 @@ def test_restore_defaults_without_changes_still_prompts(
 # --- Another board ----------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(
-    "words",
-    [
-        ("set", "serial_timeout", "15"),
-        CALIBRATION,
-        ("set-settings", "-"),
-        ("restore-defaults", "--yes"),
-    ],
-    ids=["set", "calibration set", "set-settings", "restore-defaults"],
-)
+@every_write
 @pytest.mark.parametrize(
     ("model", "stored", "message"),
     [
@@ -247,7 +247,7 @@ def test_board_that_replaced_the_one_in_the_snapshot_is_not_written_to(
     boards = (quick_simulator, other)
     before = [everything(board) for board in boards]
     exchange_at(quick_simulator, other, lambda _data: bool(SettingsHistory().snapshots()))
-    result = trexcmd(*words, stdin="product: TReX\nserial_timeout: 15\n", exits=1)
+    result = trexcmd(*words, stdin=WANTED, exits=1)
     assert message in result.stderr
     assert result.stdout == ""
     assert other.host is None
@@ -344,3 +344,39 @@ def test_force_lets_the_board_decide_and_remembers_what_it_stored(
     trexcmd("set-settings", str(file), "--force")
     trexcmd("set", "motor_mode", "2", "--force", exits=2)  # sourced
     trexcmd("set", "ignored_channels", "128", "--force", exits=2)  # seven bits
+
+
+def test_defaults_are_restored_at_next_power_up(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
+    trexcmd("set", "serial_timeout", "15")
+    trexcmd("calibration", "set", "1", "2400", "3700", "5100", "60")
+    result = trexcmd("restore-defaults", stdin="y\n")
+    assert "Switch it off and on" in result.stderr
+    assert "19200 baud" in result.stderr
+    quick_simulator.do("power cycle")
+    assert quick_simulator.show()["parameters"]["serial_timeout"] == 0
+    assert "2400 3700 5100 60" in trexcmd("calibration", "get").stdout
+
+
+def test_set_settings_takes_snapshot_before_writing(trexcmd: RunCommand, tmp_path: Path) -> None:
+    path = tmp_path / "wish.txt"
+    path.write_text("product: TReX\nserial_timeout: 7\n", encoding="utf-8")
+    trexcmd("set-settings", "--dry-run", str(path))
+    assert not SettingsHistory().snapshots()
+    trexcmd("set-settings", "-", stdin="product: TReX\nserial_timeout: 0\n")
+    assert not SettingsHistory().snapshots(), "nothing changes"
+    result = trexcmd("set-settings", str(path))
+    (snapshot,) = SettingsHistory().snapshots()
+    assert str(snapshot.path) in result.stderr
+    assert SettingsHistory().load(snapshot).parameters["serial_timeout"] == 0
+    trexcmd("set-settings", str(snapshot.path))
+    assert trexcmd("get", "serial_timeout").stdout.startswith("0\t")
+
+
+def test_restore_defaults_takes_snapshot(trexcmd: RunCommand) -> None:
+    trexcmd("set", "serial_timeout", "5")
+    trexcmd("restore-defaults", "--yes")
+    snapshot, _before_set = SettingsHistory().snapshots()
+    assert snapshot.reason == "trexcmd restore-defaults"
+    assert SettingsHistory().load(snapshot).parameters["serial_timeout"] == 5

@@ -9,6 +9,10 @@ import pytest
 from tests.devices.trex.cli.conftest import becomes
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_command import RunCommand, StartCommand
+from trex_gui.core.files import Finding, SettingsError
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.reader import read_settings
+from trex_gui.devices.trex.settings.writer import write_settings
 
 
 @pytest.fixture
@@ -39,15 +43,13 @@ def stored(simulator: SimulatedDevice, key: str) -> int:
     return value
 
 
-def test_get_settings_saves_complete_settings_file(saved: Path) -> None:
+def test_get_settings_saves_complete_settings_file(trexcmd: RunCommand, saved: Path) -> None:
     text = saved.read_text(encoding="utf-8")
+    assert trexcmd("get-settings", "-").stdout == text
+    assert trexcmd("check-settings", str(saved), TREX_PORT="").output == ""
     assert text.startswith("product: TReX\n")
     assert "rc_channel_5: {minimum: 2500" in text
     assert sum(":" in line and not line.startswith("#") for line in text.splitlines()) == 35
-
-
-def test_dash_writes_to_standard_output(trexcmd: RunCommand, saved: Path) -> None:
-    assert trexcmd("get-settings", "-").stdout == saved.read_text(encoding="utf-8")
 
 
 def test_set_settings_writes_only_differences(
@@ -59,7 +61,7 @@ def test_set_settings_writes_only_differences(
         motor1_acceleration=9,
         rc_channel_2="{minimum: 2400, neutral: 3700, maximum: 5100, deadband: 60}",
     )
-    result = trexcmd("set-settings", str(file))
+    result = trexcmd("set-settings", "-", stdin=file.read_text(encoding="utf-8"))
     assert "28 parameters: 2 will change, 26 match" in result.stderr
     assert "3 of 3 changes stored and verified" in result.stderr
     assert stored(quick_simulator, "serial_timeout") == 15
@@ -73,14 +75,6 @@ def test_dry_run_prints_old_and_new_and_writes_nothing(
     result = trexcmd("set-settings", str(changed(saved, serial_timeout=15)), "--dry-run")
     assert result.stdout.split() == ["serial_timeout", "0", "→", "15", "off", "→", "1.5", "s"]
     assert stored(quick_simulator, "serial_timeout") == 0
-
-
-def test_set_settings_reads_standard_input(
-    trexcmd: RunCommand, saved: Path, quick_simulator: SimulatedDevice
-) -> None:
-    text = changed(saved, serial_timeout=15).read_text(encoding="utf-8")
-    trexcmd("set-settings", "-", stdin=text)
-    assert stored(quick_simulator, "serial_timeout") == 15
 
 
 @pytest.mark.parametrize(
@@ -137,25 +131,20 @@ def test_conflicting_settings_print_a_warning(trexcmd: RunCommand, saved: Path) 
     assert "No effect in joint mode" in trexcmd("set-settings", str(file)).stderr
 
 
-def test_check_settings_of_valid_file_prints_nothing(trexcmd: RunCommand, saved: Path) -> None:
-    assert trexcmd("check-settings", str(saved), TREX_PORT="").output == ""
-
-
-def test_check_settings_names_each_error_with_its_line(trexcmd: RunCommand, saved: Path) -> None:
-    file = changed(saved, serial_timeout=200, motor_mode=7)
-    result = trexcmd("check-settings", str(file), exits=1)
+def test_check_settings_names_each_error_with_its_line(
+    trexcmd: RunCommand, saved: Path, tmp_path: Path
+) -> None:
+    file, out = changed(saved, serial_timeout=200, motor_mode=7), tmp_path / "out.txt"
+    result = trexcmd("check-settings", str(file), str(out), exits=1)
     assert f"{file}: line 7: serial_timeout: 0 to 127" in result.stderr
     assert "motor_mode" in result.stderr
     assert "2 errors" in result.stderr
-
-
-def test_check_settings_prints_findings_as_json(trexcmd: RunCommand, saved: Path) -> None:
-    result = trexcmd("check-settings", str(changed(saved, serial_timeout=200)), "--json", exits=1)
-    report = json.loads(result.stdout)
-    (finding,) = report["findings"]
+    assert not out.exists()
+    report = json.loads(trexcmd("check-settings", str(file), "--json", exits=1).stdout)
     assert not report["usable"]
+    finding, _ = report["findings"]
     assert (finding["key"], finding["severity"]) == ("serial_timeout", "error")
-    assert isinstance(finding["line"], int)
+    assert finding["line"] == 7
 
 
 def test_check_settings_prints_warnings_as_json(trexcmd: RunCommand, saved: Path) -> None:
@@ -169,14 +158,46 @@ def test_check_settings_prints_warnings_as_json(trexcmd: RunCommand, saved: Path
     assert warning["keys"] == ["motor1_current_limit", "motor1_current_limit_p"]
 
 
-def test_check_settings_writes_checked_file(
-    trexcmd: RunCommand, saved: Path, tmp_path: Path
+COMMENTED = """\
+# The rover of the school, front axle.
+product: TReX
+motor_mode: 0        # two motors
+
+serial_timeout: 0x0F # so that it stops when the cable breaks
+# Do not change without asking:
+motor1_acceleration: 12
+"""
+
+
+def test_check_settings_writes_the_file_as_it_is_and_ends_its_last_line(
+    trexcmd: RunCommand, tmp_path: Path
 ) -> None:
-    out = tmp_path / "out.txt"
-    file = changed(saved, serial_timeout="0x0F")
-    trexcmd("check-settings", str(file), str(out))
-    assert out.read_bytes() == file.read_bytes()
-    assert trexcmd("check-settings", str(file), "-").stdout == out.read_text(encoding="utf-8")
+    file, out = tmp_path / "in.txt", tmp_path / "out.txt"
+    whole = ("\ufeff" + COMMENTED.replace("\n", "\r\n")).encode()
+    file.write_bytes(whole.rstrip())
+    assert "the last line has no end" in trexcmd("check-settings", str(file), str(out)).stderr
+    assert out.read_bytes() == whole
+    assert "no end" not in trexcmd("check-settings", str(out), str(file)).stderr
+    assert file.read_bytes() == whole
+    file.write_text(COMMENTED, encoding="utf-8")
+    assert trexcmd("check-settings", str(file), "-").stdout == COMMENTED
+
+
+def test_file_that_cannot_be_edited_in_place_is_rewritten(
+    trexcmd: RunCommand, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """No such file is known, but `amend` may reject one."""
+
+    def refuse(text: str, settings: Settings) -> str:
+        del text, settings
+        raise SettingsError("settings", [Finding(None, None, "it cannot be changed in place")])
+
+    monkeypatch.setattr("trex_gui.devices.trex.cli.check.amend", refuse)
+    file, out = tmp_path / "in.txt", tmp_path / "out.txt"
+    file.write_text(COMMENTED, encoding="utf-8")
+    result = trexcmd("check-settings", str(file), str(out))
+    assert "Comments and order could not be kept: " in result.stderr
+    assert out.read_text(encoding="utf-8") == write_settings(read_settings(COMMENTED)[0])
 
 
 FAULTY = """# My rover, do not lose this
@@ -318,10 +339,6 @@ def test_diff_compares_two_files_without_a_board(trexcmd: RunCommand, saved: Pat
     assert [(row["key"], row["before"], row["after"]) for row in report["differing"]] == [
         ("serial_timeout", 0, 15)
     ]
-
-
-def test_diff_of_equal_settings_is_empty(trexcmd: RunCommand, saved: Path) -> None:
-    assert trexcmd("diff", str(saved)).stdout == ""
 
 
 @pytest.mark.parametrize("trouble", ["power off", "interrupted"])

@@ -11,7 +11,6 @@ import pytest
 from tests.devices.trex.cli.conftest import becomes
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_command import RunCommand, StartCommand, VirtualCommand
-from trex_gui.core.files import Finding, SettingsError
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.protocol.parameters import parameters_of
@@ -157,9 +156,7 @@ def given(trexcmd: RunCommand, path: Path, **values: int) -> str:
 @pytest.mark.parametrize(
     ("values", "options"),
     [
-        ({"uart_settings": 0x48}, "--baud 57600 --parity even"),
         ({"uart_settings": 0x7A}, "--baud 115200 --parity odd --stop-bits 2"),
-        ({"uart_settings": 0x21}, "--baud 2400 --crc"),
         ({"uart_settings": 0x2A, "crc7_polynomial": 0x15}, "--baud 115200 --crc --polynomial 95"),
     ],
 )
@@ -224,64 +221,3 @@ def test_unchanged_line_settings_print_no_options(
 
 def test_restore_defaults_without_line_change_prints_no_options(trexcmd: RunCommand) -> None:
     assert "reach it with" not in trexcmd("restore-defaults", "--yes").stderr
-
-
-# --- check-settings IN OUT --------------------------------------------------------------
-
-COMMENTED = """\
-# The rover of the school, front axle.
-product: TReX
-motor_mode: 0        # two motors
-
-serial_timeout: 0x0F # so that it stops when the cable breaks
-# Do not change without asking:
-motor1_acceleration: 12
-"""
-
-
-@pytest.mark.parametrize("line_end", ["\n", "\r\n"])
-@pytest.mark.parametrize("mark", ["", "\ufeff"])
-def test_check_settings_keeps_comments_order_and_spelling(
-    trexcmd: RunCommand, tmp_path: Path, line_end: str, mark: str
-) -> None:
-    file, out = tmp_path / "in.txt", tmp_path / "out.txt"
-    data = (mark + COMMENTED.replace("\n", line_end)).encode()
-    file.write_bytes(data)
-    trexcmd("check-settings", str(file), str(out))
-    assert out.read_bytes() == data
-
-
-@pytest.mark.parametrize("line_end", ["\n", "\r\n"])
-def test_missing_final_line_end_is_added(
-    trexcmd: RunCommand, tmp_path: Path, line_end: str
-) -> None:
-    file, out = tmp_path / "in.txt", tmp_path / "out.txt"
-    whole = COMMENTED.replace("\n", line_end).encode()
-    file.write_bytes(whole.rstrip())
-    assert "the last line has no end" in trexcmd("check-settings", str(file), str(out)).stderr
-    assert out.read_bytes() == whole
-    assert "no end" not in trexcmd("check-settings", str(out)).stderr
-
-
-def test_file_that_cannot_be_edited_in_place_is_rewritten(
-    trexcmd: RunCommand, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """No such file is known, but `amend` may reject one."""
-
-    def refuse(text: str, settings: Settings) -> str:
-        del text, settings
-        raise SettingsError("settings", [Finding(None, None, "it cannot be changed in place")])
-
-    monkeypatch.setattr("trex_gui.devices.trex.cli.check.amend", refuse)
-    file, out = tmp_path / "in.txt", tmp_path / "out.txt"
-    file.write_text(COMMENTED, encoding="utf-8")
-    result = trexcmd("check-settings", str(file), str(out))
-    assert "Comments and order could not be kept: " in result.stderr
-    assert out.read_text(encoding="utf-8") == write_settings(read_settings(COMMENTED)[0])
-
-
-def test_check_settings_of_invalid_file_writes_nothing(trexcmd: RunCommand, tmp_path: Path) -> None:
-    file, out = tmp_path / "in.txt", tmp_path / "out.txt"
-    file.write_text(COMMENTED.replace("0x0F", "200"), encoding="utf-8")
-    trexcmd("check-settings", str(file), str(out), exits=1)
-    assert not out.exists()

@@ -295,9 +295,13 @@ def test_stop_fails_while_rc_channels_drive(
     assert quick_simulator.show()["motors"][0]["speed"] > 50
 
 
-def test_stop_without_reply_is_reported_as_unconfirmed(trexcmd: RunCommand) -> None:
+def test_stop_without_reply_is_reported_as_unconfirmed(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
     result = trexcmd("stop", "--baud", "57600", exits=1)
     assert "The stop is not confirmed. If a motor still turns, cut its power." in result.stderr
+    quick_simulator.do("power off")
+    assert "No TReX responds" in trexcmd("stop", "--timeout=0", exits=1).stderr
 
 
 @pytest.mark.realtime

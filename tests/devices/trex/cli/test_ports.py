@@ -17,9 +17,8 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 
 
-def test_list_json_names_port_and_board(
-    trexcmd: RunCommand, quick_simulator: SimulatedDevice
-) -> None:
+def test_list_names_port_and_board(trexcmd: RunCommand, quick_simulator: SimulatedDevice) -> None:
+    assert trexcmd("list").stdout == f"{quick_simulator.url}\tTReX 1.2\n"
     (row,) = json.loads(trexcmd("list", "--json").stdout)
     assert row["port"] == quick_simulator.url
     assert (row["product"], row["firmware"]) == ("TReX", "1.2")
@@ -108,9 +107,7 @@ def test_find_without_board_prints_hints(
     "words",
     [
         ("status",),
-        ("get", "serial_timeout"),
         ("set", "serial_timeout", "5"),
-        ("get-settings", "-"),
         ("find",),
     ],
     ids=lambda words: words[0],
