@@ -26,12 +26,6 @@ def without_crc(variant: Variant) -> bool:
     return not variant.crc
 
 
-@pytest.mark.parametrize(("packet", "crc"), EXAMPLES)
-def test_crc_is_remainder_of_long_division(packet: str, crc: int) -> None:
-    """User's Guide 5.e: seven zero bits appended, polynomial 0x89. No board is needed."""
-    assert remainder(bytes.fromhex(packet), 0x89) == crc
-
-
 @only(with_crc)
 @pytest.mark.parametrize(("packet", "crc"), EXAMPLES)
 def test_packets_with_example_crc_are_accepted(trex: Trex, packet: str, crc: int) -> None:
@@ -73,12 +67,6 @@ def test_packet_without_crc_is_accepted_if_crc_is_disabled(trex: Trex) -> None:
     """CMD10 General Overview: "if cyclic redundancy check is enabled"."""
     assert trex.everything(trex.head("82")) == b"r"
     assert trex.ask("85") == "00"
-
-
-@only(with_crc)
-def test_default_polynomial_is_0x89(trex: Trex) -> None:
-    """User's Guide 5.e."""
-    assert trex.number("9F 7D") | 0x80 == 0x89
 
 
 @only(with_crc)

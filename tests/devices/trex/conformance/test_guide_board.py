@@ -121,7 +121,7 @@ def test_safe_start_lasts_while_channel_5_overrides(trex: Trex) -> None:
 
 
 @only(in_the_parser)  # only in virtual time it is in our hands
-@pytest.mark.parametrize("moment", [0.0025, 0.0050, 0.0075, 0.0100])
+@pytest.mark.parametrize("moment", [0.0025, 0.0075])
 def test_safe_start_holds_at_any_power_up_time_between_pulses(trex: Trex, moment: float) -> None:
     """User's Guide 4.e: "all motor channels near neutral, and ch 5 not overriding, all at once"."""
     for channel in (1, 2, 3):

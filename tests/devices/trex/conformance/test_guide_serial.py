@@ -232,11 +232,6 @@ def test_null_command_is_echoed_on_rs_232(trex: Trex) -> None:
     assert trex.everything(b"\xff") == b"\xff"
 
 
-def test_ttl_has_no_echo(trex: Trex) -> None:
-    """MH 15."""
-    assert trex.unanswered(b"\xff", "C2 20")
-
-
 @pytest.fixture
 def chain() -> WireEnd:
     """Three boards on one line, one of them a TReX Jr."""

@@ -53,15 +53,6 @@ def test_set_command_ignores_acceleration_and_brake_duration(trex: Trex) -> None
     assert outputs(trex) == [("reverse", 0x20), ("forward", 0x30), 0x40]
 
 
-def test_motor_commands_have_no_reply(trex: Trex) -> None:
-    """CMD10 0xC0 - 0xF1: "returns nothing", each of them."""
-    for command in (*range(0xC0, 0xF0), 0xF0, 0xF1):
-        trex.report(f"{command:02X} 20 21" if 0xD0 <= command < 0xF0 else f"{command:02X} 20")
-        trex.nothing_more_comes(0.0)
-    assert trex.unanswered()
-    assert trex.ask("84") == "00"
-
-
 def test_set_both_sets_two_directions_and_two_speeds(trex: Trex) -> None:
     """CMD10 0xD0 - 0xDF: bits 1:0 and the first byte are motor 1, 3:2 and the second motor 2."""
     for bits in range(16):

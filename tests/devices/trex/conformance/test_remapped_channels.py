@@ -62,58 +62,6 @@ def test_value_at_ends_and_within_deadband(trex: Trex, widths: tuple[int, ...], 
         assert trex.ask("87 01") == byte, width
 
 
-def test_magnitude_grows_with_distance_from_neutral(trex: Trex) -> None:
-    """CMD10 0x87: "scaling the raw channel based on channel calibration settings"."""
-    trex.connect(c1="1100us", c2="1300us", c3="1500us")
-    found = [value(trex, 1), value(trex, 2), value(trex, 3)]
-    trex.connect(c1="1700us", c2="1900us")
-    found += [value(trex, 1), value(trex, 2)]
-    assert found == sorted(set(found))
-    assert found[0] == -found[4]
-    assert found[1] == -found[3]
-    assert found[2] == 0
-
-
-def test_remapped_value_follows_calibration(trex: Trex) -> None:
-    """CMD10 0x87: max, neutral, min and deadband that can be user-specified."""
-    trex.connect(c1="1750us")  # 4375 counts
-    assert 0 < value(trex) < 127
-    for minimum, neutral, maximum, deadband, expected in (
-        (2500, 3750, 4375, 100, 127),
-        (2500, 4375, 5000, 100, 0),
-        (4375, 4700, 5000, 100, -127),
-        (2500, 3750, 5000, 625, 0),
-    ):
-        assert trex.ask(calibration(1, minimum, neutral, maximum, deadband)) == "00"
-        assert value(trex) == expected
-
-
-def test_reversed_channels_parameter_negates_values(trex: Trex) -> None:
-    """CMD10 0x87: parameter 0x03; inferred: bit n is channel n+1."""
-    trex.connect(c1="1800us", c2="1800us", c3="1800us")
-    before = value(trex)
-    assert before > 0
-    for mask in (0b001, 0b010, 0b100):
-        assert trex.ask(f"AF 03 {mask:02X} 55 2A") == "00"
-        for channel in (1, 2, 3):
-            assert value(trex, channel) == (-before if mask >> channel - 1 & 1 else before)
-
-
-def test_parabolic_channels_parameter_lowers_values_between_ends(trex: Trex) -> None:
-    """CMD10 0x87: parameter 0x04; a parabola lies below the line between its ends."""
-    trex.connect(c1="1800us", c2="1800us", c3="1800us")
-    linear = trex.number("87 01")
-    for mask in (0b001, 0b010, 0b100):
-        assert trex.ask(f"AF 04 {mask:02X} 55 2A") == "00"
-        values = [value(trex, channel) for channel in (1, 2, 3)]
-        for channel, found in enumerate(values):
-            assert 0 < found < linear if mask >> channel & 1 else found == linear
-    assert trex.ask("AF 04 01 55 2A") == "00"
-    for end, full in (("1000us", -127), ("1500us", 0), ("2000us", 127)):
-        trex.connect(c1=end)
-        assert value(trex) == full
-
-
 def test_mix_jumper_affects_only_channels_1_and_2(trex: Trex) -> None:
     """CMD10 0x87; one channel turns, the other drives (User's Guide 4.a)."""
     trex.connect(c2="2000us", c3="2000us")
