@@ -13,9 +13,9 @@ from trex_gui.devices.trex.protocol.errors import (
 )
 
 
-@pytest.mark.parametrize("code", list(ErrorCode))
-def test_every_code_has_a_sentence(code: ErrorCode) -> None:
-    assert "{" not in describe(code, ("A", "B", "C", "D"))
+def test_every_code_has_a_sentence() -> None:
+    for code in ErrorCode:
+        assert "{" not in describe(code, ("A", "B", "C", "D"))
 
 
 def test_error_inside_an_error_is_translated_too() -> None:

@@ -75,7 +75,7 @@ def assert_replays_equal(what: list[Record], path: Path) -> None:
 
 
 def test_recorded_seconds_of_session_replay_unchanged(tmp_path: Path) -> None:
-    what = record_virtually(15, tmp_path / "a.trexrec")
+    what = record_virtually(12, tmp_path / "a.trexrec")
     assert len(what) > 2 * CHUNK
     assert any(isinstance(record, SetpointRecord) for record in what)
     assert_replays_equal(what, tmp_path / "a.trexrec")

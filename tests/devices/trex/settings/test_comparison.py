@@ -11,7 +11,7 @@ from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibra
 from trex_gui.devices.trex.settings.comparison import ComparisonRow, compare
 from trex_gui.devices.trex.settings.document import Settings
 
-modest = examples(20, phases=[Phase.generate])
+modest = examples(12, phases=[Phase.generate])
 RC_1 = CalibrationKey.RC_CHANNEL_1
 STICK = Calibration(2500, 3750, 5000, 75)
 STICK_TEXT = "1000 / 1500 / 2000 µs, deadband 30 µs"

@@ -211,12 +211,14 @@ _MANY = """
 import sys
 from datetime import UTC, datetime
 from pathlib import Path
-from tests.devices.trex.settings.test_history import settings_of_a_board
+from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.history import SettingsHistory
 history = SettingsHistory(Path(sys.argv[1]))
+model = device_table().model("trexjr")
 sys.stdin.readline()
 for number in range(20):
-    settings = settings_of_a_board(serial_timeout=int(sys.argv[2]) + number)
+    settings = Settings(model, "1.2", {"serial_timeout": int(sys.argv[2]) + number})
     history.take(settings, adapter="", reason="", now=datetime(2026, 11, 21, tzinfo=UTC))
 """
 
@@ -353,7 +355,7 @@ def test_file_in_place_of_folder_is_reported(tmp_path: Path) -> None:
         take(SettingsHistory(tmp_path / "snapshots"))
 
 
-@examples(25)
+@examples(15)
 @given(adapter=st.text(max_size=80), reason=st.text(max_size=80))
 def test_snapshot_accepts_any_adapter_and_reason(
     tmp_path_factory: pytest.TempPathFactory, adapter: str, reason: str
