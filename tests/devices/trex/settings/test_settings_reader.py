@@ -32,13 +32,6 @@ def finding_of(setting: str) -> str:
 # Good files
 
 
-@pytest.mark.parametrize("model", ["trex", "trexjr"])
-@pytest.mark.parametrize("firmware", [None, "1.0", "1.3"])
-def test_factory_settings_are_read_without_findings(model: str, firmware: str | None) -> None:
-    settings = factory(model, firmware)
-    assert read_settings(write_settings(settings)) == (settings, ())
-
-
 def test_partial_file_is_read_and_missing_parameters_counted() -> None:
     text = "product: TReX Jr\nfirmware: 1.2\nserial_timeout: 5\nmotor_mode: 1\n"
     settings, findings = read_settings(text)
@@ -77,7 +70,6 @@ def test_unknown_firmware_gives_warning() -> None:
     ("setting", "sentence"),
     [
         ("serial_timeout: 300", "serial_timeout: 0 to 127 (off to 12.7 s), not 300"),
-        ("serial_timeout: -1", "serial_timeout: 0 to 127 (off to 12.7 s), not -1"),
         ("serial_timeout: 1.5", "serial_timeout: 0 to 127 (off to 12.7 s), not 1.5"),
         (
             "serial_timeout: 1.5 s",
@@ -95,7 +87,6 @@ def test_unknown_firmware_gives_warning() -> None:
             "serial_timeout: 0 to 127 (off to 12.7 s), not 5 in quotes; write 5",
         ),
         ("serial_timeout:", "serial_timeout: 0 to 127 (off to 12.7 s), not nothing"),
-        ("serial_timeout: ~", "serial_timeout: 0 to 127 (off to 12.7 s), not ~"),
         ("serial_timeout: [5]", "serial_timeout: 0 to 127 (off to 12.7 s), not a list"),
         (
             "serial_timeout: {a: 5}",
@@ -103,7 +94,6 @@ def test_unknown_firmware_gives_warning() -> None:
         ),
         ("serial_timeout: |\n  5", "serial_timeout: 0 to 127 (off to 12.7 s), not a block of text"),
         ("device_number: 010", "device_number: 0 to 127, not 010"),
-        ("device_number: 1_0", "device_number: 0 to 127, not 1_0"),
         ("device_number: true", "device_number: 0 to 127, not true"),
         (
             f"device_number: {'9' * 5000}",
@@ -113,12 +103,7 @@ def test_unknown_firmware_gives_warning() -> None:
             "motor_mode: joint",
             "motor_mode: 0 (independent) or 1 (joint), not joint; joint is written 1",
         ),
-        ("motor_mode: 2", "motor_mode: 0 (independent) or 1 (joint), not 2"),
         ("uart_error_shutdown: yes", "uart_error_shutdown: 0 (off) or 1 (on), not yes"),
-        (
-            "uart_error_shutdown: on",
-            "uart_error_shutdown: 0 (off) or 1 (on), not on; on is written 1",
-        ),
         (
             "uart_settings: 0xFFF",
             f"uart_settings: {UART_RANGE}, not 0xFFF",
@@ -131,17 +116,10 @@ def test_unknown_firmware_gives_warning() -> None:
             "serial_timeot: 5",
             "serial_timeot: there is no such setting; did you mean serial_timeout?",
         ),
-        (
-            "Serial-Timeout: 5",
-            "Serial-Timeout: there is no such setting; did you mean serial_timeout?",
-        ),
         ("rc_chanel_3: 5", "rc_chanel_3: there is no such setting; did you mean rc_channel_3?"),
-        ("firmwear: 1.2", "firmwear: there is no such setting; did you mean firmware?"),
         ("hovercraft: 5", "hovercraft: there is no such setting"),
         ("factory_reset: 127", "factory_reset: is a command to the board, not a setting"),
         ("firmware: new", "firmware: a version such as 1.3, not new"),
-        ("firmware:", "firmware: a version such as 1.3, not nothing"),
-        ("firmware: [1]", "firmware: a version such as 1.3, not a list"),
         ("[a, b]: 5", "a name belongs before the colon, not a list or a group"),
         (
             "rc_channel_1: 5",
@@ -166,10 +144,6 @@ def test_unknown_firmware_gives_warning() -> None:
         (
             "rc_channel_1: {minimum: 1, neutral: 2, maximum: 16384, deadband: 0}",
             "rc_channel_1: maximum is 0 to 16383, not 16384",
-        ),
-        (
-            "rc_channel_1: {minimum: 1, neutral: yes, maximum: 3, deadband: 0}",
-            "rc_channel_1: neutral is 0 to 16383, not yes",
         ),
         (
             "rc_channel_1: {minimum: 1, neutral: 2, maximum: 3, deadband: {a: 1}}",
@@ -206,16 +180,8 @@ def test_repeated_setting_is_reported_with_first_line() -> None:
             "line 1: product: TReX or TReX Jr, not trex jr; did you mean TReX Jr?",
         ),
         (
-            "product: TReXJr\n",
-            "line 1: product: TReX or TReX Jr, not TReXJr; did you mean TReX Jr?",
-        ),
-        (
             "product:\n",
             "line 1: product: TReX or TReX Jr, not nothing; these are not settings of a TReX",
-        ),
-        (
-            "product: [TReX]\n",
-            "line 1: product: TReX or TReX Jr, not a list; these are not settings of a TReX",
         ),
         (
             "\nserial_timeout: 5\n",
@@ -226,7 +192,6 @@ def test_repeated_setting_is_reported_with_first_line() -> None:
             "line 2: product: must be the first setting of the file",
         ),
         ("", "line 1: there are no settings here; the first is 'product: TReX'"),
-        ("# nothing\n", "line 1: there are no settings here; the first is 'product: TReX'"),
         *((text, FOREIGN) for text in ("TReX\n", "- TReX\n", "[board]\nx = 1\n")),
         ("# QGroundControl\n1\t1\tACRO_BAL_PITCH\t1.0\t9\n1\t1\tX\t3\t9\n", FOREIGN),
         ("INPUT_MODE\tSERIAL\nINPUT_MINIMUM\t0\n", FOREIGN),
@@ -307,16 +272,13 @@ BOMB = "product: TReX\na: &a [1, 1]\nb: &b [*a, *a, *a]\nc: [*b, *b, *b]\n"
     ("text", "line", "words"),
     [
         (BOMB, 2, "anchors"),
-        ("product: TReX\na: *b\n", 2, "anchors"),
         ("product: TReX\nrc_channel_1: {minimum: &a 5}\n", 2, "anchors"),
         ("&a product: TReX\n", 1, "anchors"),
         ("product: !!str TReX\n", 1, "tags"),
         ("product: TReX\n\na: !!python/object/apply:os.system ['true']\n", 3, "tags"),
-        ("!x\nproduct: TReX\n", 1, "tags"),
         ("product: TReX\nserial_timeout: ! 5\n", 2, "tags"),
         ("product: TReX\n<<: {serial_timeout: 5}\n", 2, "merge keys"),
         ("product: TReX\n--- \nproduct: TReX\n", 2, "a second document"),
-        ("product: TReX\n...\n---\n", 3, "a second document"),
         ("[" * 5000, 1, "nested too deeply"),
         ("product: TReX\nx: " + "{a: " * 5000, 2, "nested too deeply"),
         ("product: TReX\nx: [[[ 'no end\n", 2, "nested too deeply"),  # refused where it is found
@@ -324,7 +286,6 @@ BOMB = "product: TReX\na: &a [1, 1]\nb: &b [*a, *a, *a]\nc: [*b, *b, *b]\n"
         ("? " * 5000, 1, "nested too deeply"),
         ("product: TReX\nx: [" + "1, " * 60000 + "]\n", 2, "more settings here than any board"),
         (b"product: TReX\nfirm\x00ware: 1\n", 2, "binary"),
-        (b"\x7fELF\x02\x01\x01\x00", 1, "binary"),
         (b"\x00product: TReX\n", 1, "binary"),
         ("product: TReX\n".encode("utf-16"), 1, "this is UTF-16 text"),
         (b"product: TReX\n# 30 \xb5s\n", 2, "not UTF-8"),
@@ -337,7 +298,6 @@ BOMB = "product: TReX\na: &a [1, 1]\nb: &b [*a, *a, *a]\nc: [*b, *b, *b]\n"
         ("product: TReX\nserial_timeout 5\nmotor_mode: 1\n", 3, "damaged here"),
         ("product: TReX\nrc_channel_1: {minimum: 1, neu", 2, "is incomplete"),
         ('product: TReX\na: "\\UFFFFFFFF"\n', 2, "cannot be read"),
-        ('product: TReX\na: "\\U00110000"\n', 2, "cannot be read"),
         (f"%YAML {'9' * 5000}.1\n---\nproduct: TReX\n", 1, "cannot be read"),
     ],
 )

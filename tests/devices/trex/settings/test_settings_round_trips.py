@@ -1,6 +1,7 @@
 """Whatever is written reads back, and whatever is read ends in a sentence at worst."""
 
-import pytest
+from dataclasses import replace
+
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -34,6 +35,12 @@ def test_written_settings_read_back_equal_whatever_the_title(
     read, _ = read_settings(text.encode("utf-8"))
     assert read == given_settings
     assert write_settings(read, title_lines=titles) == text
+    turned = replace(
+        given_settings,
+        parameters=dict(reversed(given_settings.parameters.items())),
+        calibrations=dict(reversed(given_settings.calibrations.items())),
+    )
+    assert write_settings(turned, title_lines=titles) == text
 
 
 @modest
@@ -44,23 +51,6 @@ def test_truncated_file_is_read_or_rejected_with_line(cut: int) -> None:
     last = data.count(b"\n") + 1
     assert all(found.line is not None and found.line <= last for found in errors)
     assert read is not None or errors
-
-
-@modest
-@given(cut=st.integers(len("product: TReX"), len(WHOLE) - 1))
-def test_truncated_file_is_never_read_without_finding(cut: int) -> None:
-    text = WHOLE[:cut]
-    read, errors = outcome(text)
-    if read is None:
-        assert errors
-    elif set(read.parameters) != set(factory().parameters) or not text.endswith("\n"):
-        assert read_settings(text)[1]
-
-
-@pytest.mark.parametrize("text", ["device_number: 7\n", "motor_mode: 0 "])
-def test_mistake_is_reported_with_its_line_and_key(text: str) -> None:
-    line = WHOLE[: WHOLE.index(text)].count("\n") + 1
-    key, value = text.split(":")
-    with pytest.raises(SettingsError) as caught:
-        read_settings(WHOLE.replace(text, f"{key}: 5{value.strip()}00{value[-1]}"))
-    assert [(found.line, found.key) for found in caught.value.findings] == [(line, key)]
+    if read is not None and data != WHOLE.encode("utf-8"):
+        is_complete = set(read.parameters) == set(factory().parameters)
+        assert (is_complete and data.endswith(b"\n")) or read_settings(data)[1]
