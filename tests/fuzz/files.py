@@ -467,15 +467,15 @@ def check_transcript(data: bytes, folder: Path) -> None:
 FILE_TARGETS = (
     Target("transcripts", mutations(_transcript_samples, TRANSCRIPT), check_transcript),
     Target("guardian_log", mutations(guardian_samples, GUARDIAN), check_guardian_log),
-    Target("settings", mutations(settings_samples, YAML), check_settings, examples=20),
-    Target("board_records", mutations(_record_samples, YAML), check_record, examples=20),
-    Target("snapshots", mutations(_snapshot_samples, YAML), check_snapshot, examples=20),
+    Target("settings", mutations(settings_samples, YAML), check_settings, examples=12),
+    Target("board_records", mutations(_record_samples, YAML), check_record, examples=10),
+    Target("snapshots", mutations(_snapshot_samples, YAML), check_snapshot, examples=10),
     Target("poses", mutations(pose_samples, POSES), check_poses),
     Target("bench", mutations(lambda: [to_csv(SAVED).encode()], BENCH), check_bench),
     Target(
         "gamepad", mutations(lambda: [GamepadProfile().to_text().encode()], JSON), check_profile
     ),
     Target("eeprom", mutations(_eeprom_samples, JSON), check_eeprom),
-    Target("recordings", mutations(recording_samples), check_recording, examples=25),
-    Target("statements", mutations(_statement_samples, SQL), check_statements, examples=10),
+    Target("recordings", mutations(recording_samples), check_recording, examples=15),
+    Target("statements", mutations(_statement_samples, SQL), check_statements, examples=6),
 )

@@ -384,24 +384,24 @@ RUN = 10_000  # bytes that the harness, and Qt, keep of a run; a program ends af
 OUTPUT = 100_000  # click keeps what its test runner captured
 
 PROGRAM_TARGETS = (
-    Target("trexcmd", _vectors(main), check_trexcmd, examples=25, growth=OUTPUT),
+    Target("trexcmd", _vectors(main), check_trexcmd, examples=15, growth=OUTPUT),
     Target(
         "pending_edits",
         mutations(settings_samples, YAML),
         check_pending_edits,
-        examples=10,
+        examples=6,
         growth=RUN,
     ),
-    Target("trex_sim", _vectors(simulator.main), check_trex_sim, examples=30, growth=OUTPUT),
+    Target("trex_sim", _vectors(simulator.main), check_trex_sim, examples=20, growth=OUTPUT),
     Target(
         "trex_gui",
         mutations(_trex_gui_samples, [*GUI_WORDS, *map(os.fsencode, VALUES)]),
         check_trex_gui,
-        examples=10,
+        examples=6,
         growth=RUN,
     ),
     Target(
-        "opened_files", mutations(_file_samples, YAML), check_opened_file, examples=3, growth=RUN
+        "opened_files", mutations(_file_samples, YAML), check_opened_file, examples=2, growth=RUN
     ),
     Target(
         "configuration",

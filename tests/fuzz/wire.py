@@ -441,13 +441,13 @@ WIRE_TARGETS = (
         "board_replies",
         _mutated(CALM, b"\x01" + b"\0\x6f" * 30, b"\x06" + b"\0\0\0\x83TReX" * 10),
         check_board_replies,
-        examples=10,
+        examples=6,
     ),
     Target(
         "robot_replies",
         _mutated(CALM, b"\0\x6f" * 30, b"\0\0\0\x97.q1,8\r\n" * 4),
         check_robot_replies,
-        examples=15,
+        examples=8,
     ),
     Target(
         "scan",
@@ -460,7 +460,7 @@ WIRE_TARGETS = (
         "board_requests",
         _mutated(b"\0\0" + ALL, b"\x07\0" + ALL, words=PACKETS),
         check_board_requests,
-        examples=30,
+        examples=15,
     ),
     Target(
         "robot_requests",
@@ -472,6 +472,6 @@ WIRE_TARGETS = (
         "control",
         _mutated(b"\n".join(map(str.encode, CONTROL_LINES)), words=WORDS),
         check_control,
-        examples=30,
+        examples=15,
     ),
 )
