@@ -474,4 +474,5 @@ WIRE_TARGETS = (
         check_control,
         examples=15,
     ),
+    Target("network_port", _mutated(*TELNET, words=TELNET), check_network_port, examples=20),
 )
