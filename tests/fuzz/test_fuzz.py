@@ -237,4 +237,4 @@ def test_memory_of_long_lived_object_does_not_grow(name: str) -> None:
         return _weight(subject)
 
     before = feed_many(50)
-    assert feed_many(200) < before + 5000
+    assert feed_many(100) < before + 2500

@@ -73,20 +73,6 @@ def test_analog_board_is_streamed_in_volts(
     assert float(row["channel_1_V"]) == pytest.approx(2.5, abs=0.01)
 
 
-def test_error_is_reported_in_one_row_only(
-    trexcmd: RunCommand, quick_simulator: SimulatedDevice
-) -> None:
-    trexcmd("raw", "41")
-    rows = rows_of(streamed(trexcmd))
-    assert [row["uart_format"] for row in rows].count("1") == 1
-    assert [row["status_uart_error"] for row in rows].count("1") == 1
-
-
-def test_json_stream_has_one_object_per_line(trexcmd: RunCommand) -> None:
-    rows = [json.loads(line) for line in streamed(trexcmd, "--json").splitlines()]
-    assert rows[0]["channel_1_us"] == 1500.0
-
-
 def test_interrupted_stream_has_complete_rows(
     start: StartCommand, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
@@ -149,13 +135,8 @@ def test_old_csv_file_is_replaced_once_a_board_answers(
     quick_simulator.do("power on")
     trexcmd("stream", "--csv", str(file), "--limit", "1")
     assert len(rows_of(file.read_text())) == 1
-
-
-def test_unwritable_csv_file_is_rejected(trexcmd: RunCommand, tmp_path: Path) -> None:
-    result = trexcmd(
-        "stream", "--seconds", "1", "--csv", str(tmp_path / "missing" / "log.csv"), exits=1
-    )
-    assert "cannot be written" in result.stderr
+    missing = trexcmd("stream", "--csv", str(tmp_path / "missing" / "log.csv"), exits=1)
+    assert "cannot be written" in missing.stderr
 
 
 def test_stream_is_thinned_limited_and_separated(
@@ -171,4 +152,6 @@ def test_stream_is_thinned_limited_and_separated(
     assert all(later - earlier > 0.249 for earlier, later in itertools.pairwise(times))
     assert times[-1] < 1.2
     assert [row["uart_format"] for row in rows].count("1") == 1, "no error bit is left out"
-    assert len(trexcmd("stream", "--json", "--limit", "2").stdout.splitlines()) == 2
+    assert [row["status_uart_error"] for row in rows].count("1") == 1
+    first, _ = map(json.loads, trexcmd("stream", "--json", "--limit", "2").stdout.splitlines())
+    assert first["channel_1_us"] == 1500.0

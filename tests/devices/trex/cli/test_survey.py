@@ -93,7 +93,7 @@ def keyed(facts: Mapping[int, Any]) -> dict[str, Any]:
     return {f"0x{number:02X}": fact for number, fact in facts.items()}
 
 
-@pytest.mark.parametrize("seed", sampled(range(200), every=100))
+@pytest.mark.parametrize("seed", sampled(range(200), every=200))
 def test_every_fact_of_a_hidden_table_is_found_and_nothing_changes(
     trexcmd: RunCommand, quick_simulator: VirtualSimulator, tmp_path: Path, seed: int
 ) -> None:

@@ -289,7 +289,7 @@ def pour(random: Random, size: int) -> int:
 
 # Streams are short and shown whole; shrinking one outlasts the time that a test has.
 WITHIN_TIME = examples(
-    40,
+    25,
     phases=(Phase.explicit, Phase.reuse, Phase.generate),
     suppress_health_check=list(HealthCheck),
 )

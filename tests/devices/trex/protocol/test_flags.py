@@ -66,16 +66,8 @@ def test_every_bit_is_explained_highest_first(
         assert explanation.endswith(".")
 
 
-@pytest.mark.parametrize(
-    ("mask", "channels"),
-    [(0, ()), (0x01, (1,)), (0x10, (5,)), (0x13, (1, 2, 5)), (0x1F, (1, 2, 3, 4, 5))],
-)
-def test_mask_bit_n_is_channel_n_plus_1(mask: int, channels: tuple[int, ...]) -> None:
-    assert channels_in(mask) == channels
-    assert channel_mask(channels) == mask
-
-
-def test_channel_masks_round_trip() -> None:
+def test_mask_bit_n_is_channel_n_plus_1() -> None:
+    assert [channels_in(mask) for mask in (0, 0x01, 0x13)] == [(), (1,), (1, 2, 5)]
     assert all(channel_mask(channels_in(mask)) == mask for mask in range(32))
 
 
@@ -90,9 +82,7 @@ def test_invalid_channel_number_is_rejected(channel: int) -> None:
     [
         (InputSource.RC, 3750, 1500, "1500 µs"),
         (InputSource.RC, 3637, 1454.8, "1455 µs"),
-        (InputSource.RC, 2715, 1086, "1086 µs"),
         (InputSource.RC, 6250, 2500, "2500 µs"),
-        (InputSource.RC, 0, 0, "0 µs"),
         (InputSource.ANALOG, 1023, 5, "5.00 V"),
         (InputSource.ANALOG, 512, 2.502, "2.50 V"),
         (InputSource.ANALOG, 0, 0, "0.00 V"),
@@ -108,9 +98,7 @@ def test_count_converts_to_pulse_width_or_voltage(
 @pytest.mark.parametrize(
     ("source", "physical", "count"),
     [
-        (InputSource.RC, 1000, 2500),
         (InputSource.RC, 1500, 3750),
-        (InputSource.RC, 2000, 5000),
         (InputSource.ANALOG, 5, 1023),
         (InputSource.ANALOG, 0, 0),
     ],

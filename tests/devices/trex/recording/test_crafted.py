@@ -14,7 +14,7 @@ from trex_gui.core.recording.kinds import RecordingError
 @pytest.fixture(scope="module")
 def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("crafted") / "whole.trexrec"
-    write(path, list(an_hour(20)))
+    write(path, list(an_hour(5)))
     return path
 
 
@@ -47,7 +47,7 @@ def test_record_with_an_absurd_time_is_left_out(craft: Callable[..., Path], cloc
     first = "SELECT min(record) FROM currents"
     path = craft(f"UPDATE currents SET clock_s = {clock} WHERE record = ({first})")
     _, records, problems = read_file(path)
-    assert len(records) == len(list(an_hour(20))) - 1
+    assert len(records) == len(list(an_hour(5))) - 1
     (problem,) = problems
     assert problem.endswith("its time is not in the recording.")
 
@@ -69,7 +69,7 @@ def test_huge_text_is_not_read(craft: Callable[..., Path]) -> None:
         f" VALUES (100000, ({clock}), 'stop', hex(zeroblob(1000000)))"
     )
     _, records, problems = read_file(path)
-    assert len(records) == len(list(an_hour(20)))
+    assert len(records) == len(list(an_hour(5)))
     (problem,) = problems
     assert problem.startswith("Samples of marker among records")
 

@@ -230,7 +230,7 @@ def test_cut_file_keeps_its_intact_samples(
     assert len(found) > len(what) // 4
 
 
-@examples(40)
+@examples(25)
 @given(share=st.floats(0, 1), bits=st.integers(1, 255), second=st.floats(0, 1))
 def test_flipped_bytes_raise_only_recording_errors(
     folder: Path,
