@@ -212,9 +212,7 @@ class Rejected(TrexError):  # noqa: N818 - reads as a result, like `Outcome`
 
     def __init__(self, what: str, result: ResultCode) -> None:
         super().__init__(ErrorCode[result.name], what)
-        self.what = what
         self.result = result
-        self.args = (what, result)  # so that it can be pickled
 
 
 def is_unsteady(error: BaseException) -> bool:
