@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.devices.trex.conformance.trex import Trex, Variant, calibration, only, words
+from tests.devices.trex.conformance.trex import Trex, calibration, only, words
 
 CHANNELS = range(1, 6)
 GIVEN = {
@@ -74,11 +74,7 @@ def test_channel_with_default_values_has_its_bit_clear(trex: Trex) -> None:
     assert trex.ask("95") == "00"
 
 
-def in_the_parser(variant: Variant) -> bool:
-    return variant.end == "parser"
-
-
-@only(in_the_parser)  # learning takes 15 seconds, in which nothing is on the wire
+@only(end="parser")  # learning takes 15 seconds, in which nothing is on the wire
 def test_automatic_calibration_sets_bits_of_its_channels(trex: Trex) -> None:
     """CMD10 0x95; how it is done: manual page 11."""
     trex.do("jumper mix on")

@@ -5,7 +5,7 @@ Every test of this suite runs with and without; here is what is left to be said.
 
 import pytest
 
-from tests.devices.trex.conformance.trex import Trex, Variant, only
+from tests.devices.trex.conformance.trex import Trex, only
 from tests.devices.trex.oracle.framing import remainder
 
 EXAMPLES = [
@@ -18,15 +18,7 @@ EXAMPLES = [
 """The first as the guide computes it, the others by hand."""
 
 
-def with_crc(variant: Variant) -> bool:
-    return variant.crc
-
-
-def without_crc(variant: Variant) -> bool:
-    return not variant.crc
-
-
-@only(with_crc)
+@only(crc=True)
 @pytest.mark.parametrize(("packet", "crc"), EXAMPLES)
 def test_packets_with_example_crc_are_accepted(trex: Trex, packet: str, crc: int) -> None:
     """User's Guide 5.e."""
@@ -34,7 +26,7 @@ def test_packets_with_example_crc_are_accepted(trex: Trex, packet: str, crc: int
     assert trex.ask("85") == "00"
 
 
-@only(with_crc)
+@only(crc=True)
 @pytest.mark.parametrize("query", ["81", "82", "84", "86 13", "87 1F", "8F", "90", "95", "9F 7D"])
 def test_crc_follows_every_query_reply(trex: Trex, query: str) -> None:
     """CMD10 General Overview: "at the end of all data packets transmitted"."""
@@ -44,13 +36,13 @@ def test_crc_follows_every_query_reply(trex: Trex, query: str) -> None:
     assert crc < 0x80
 
 
-@only(with_crc)
+@only(crc=True)
 def test_crc_follows_reply_to_set_command(trex: Trex) -> None:
     """CMD10 General Overview."""
     assert trex.everything("AF 0E 05 55 2A") == bytes([0, remainder(b"\x00", 0x89)])
 
 
-@only(with_crc)
+@only(crc=True)
 def test_packet_with_flipped_data_bit_is_discarded(trex: Trex) -> None:
     """CMD10 0x85: a CRC that does not match is an error; no single flipped bit goes unseen."""
     packet = trex.packet("F0 7F")
@@ -62,14 +54,14 @@ def test_packet_with_flipped_data_bit_is_discarded(trex: Trex) -> None:
     assert trex.show()["aux"]["speed"] == 0
 
 
-@only(without_crc)
+@only(crc=False)
 def test_packet_without_crc_is_accepted_if_crc_is_disabled(trex: Trex) -> None:
     """CMD10 General Overview: "if cyclic redundancy check is enabled"."""
     assert trex.everything(trex.head("82")) == b"r"
     assert trex.ask("85") == "00"
 
 
-@only(with_crc)
+@only(crc=True)
 @pytest.mark.parametrize("value", [0x00, 0x09, 0x37, 0x7F])
 def test_polynomial_parameter_has_implied_top_bit(trex: Trex, value: int) -> None:
     """User's Guide 5.e."""

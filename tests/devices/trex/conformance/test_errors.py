@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.devices.trex.conformance.trex import Trex, Variant, calibration, only
+from tests.devices.trex.conformance.trex import Trex, calibration, only
 
 KNOWN = {
     *range(0x80, 0x88), *range(0x8D, 0x96), 0x9F, *range(0xA0, 0xA5), 0xAF, *range(0xC0, 0xF2),
@@ -13,15 +13,6 @@ CALIBRATION = calibration(1, 2532, 3750, 5032, 32)
 
 EVEN, ODD = 0x40, 0x60
 """In UART settings; inferred, from the bits of the board's processor."""
-
-
-def with_crc(variant: Variant) -> bool:
-    return variant.crc
-
-
-def without_crc_on_the_wire(variant: Variant) -> bool:
-    """Parity and CRC exclude each other (User's Guide 5.a), and only a UART sees parity."""
-    return not variant.crc and variant.end == "wire"
 
 
 def wrong_crc(trex: Trex, text: str) -> bytes:
@@ -63,7 +54,8 @@ def test_uart_hardware_error_sets_its_bit(trex: Trex, name: str, bit: int) -> No
     assert trex.number("85") == bit
 
 
-@only(without_crc_on_the_wire)
+# Parity and CRC exclude each other (User's Guide 5.a), and only a UART sees parity.
+@only(end="wire", crc=False)
 @pytest.mark.parametrize("parity", [EVEN, ODD], ids=["even", "odd"])
 def test_parity_mismatch_sets_parity_error(trex: Trex, parity: int) -> None:
     """CMD10 0x85: bit 2; the parity of the host is always that of the board."""
@@ -74,7 +66,7 @@ def test_parity_mismatch_sets_parity_error(trex: Trex, parity: int) -> None:
     assert trex.ask("85") == "04"
 
 
-@only(lambda variant: variant.end == "wire")  # only a UART can tell what is a parity error
+@only(end="wire")  # only a UART can tell what is a parity error
 def test_no_parity_error_occurs_without_parity(trex: Trex) -> None:
     """CMD10 0x85."""
     trex.do("line error parity 1")
@@ -82,7 +74,7 @@ def test_no_parity_error_occurs_without_parity(trex: Trex) -> None:
     assert trex.ask("85") == "00"
 
 
-@only(with_crc)
+@only(crc=True)
 def test_crc_mismatch_sets_crc_error(trex: Trex) -> None:
     """CMD10 0x85: bit 5."""
     assert trex.unanswered(wrong_crc(trex, "86 1F"))
@@ -90,7 +82,7 @@ def test_crc_mismatch_sets_crc_error(trex: Trex) -> None:
     assert trex.ask("85") == "20"
 
 
-@only(with_crc)
+@only(crc=True)
 def test_packet_with_crc_error_is_discarded(trex: Trex) -> None:
     """CMD10 0x85: "discarded as untrustworthy"."""
     assert trex.unanswered(
@@ -104,7 +96,7 @@ def test_packet_with_crc_error_is_discarded(trex: Trex) -> None:
     assert trex.ask("9F 0E") == "00"
 
 
-@only(with_crc)
+@only(crc=True)
 def test_packet_without_crc_is_not_executed(trex: Trex) -> None:
     """CMD10 General Overview: the CRC "must be tacked onto the end of every command packet"."""
     assert trex.unanswered(trex.head("81"))

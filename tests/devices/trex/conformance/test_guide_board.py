@@ -2,12 +2,7 @@
 
 import pytest
 
-from tests.devices.trex.conformance.trex import Trex, Variant, only
-
-
-def in_the_parser(variant: Variant) -> bool:
-    return variant.end == "parser"
-
+from tests.devices.trex.conformance.trex import Trex, only
 
 # Models
 
@@ -120,7 +115,7 @@ def test_safe_start_lasts_while_channel_5_overrides(trex: Trex) -> None:
     assert not trex.show()["safe_start"]
 
 
-@only(in_the_parser)  # only in virtual time it is in our hands
+@only(end="parser")  # only in virtual time it is in our hands
 @pytest.mark.parametrize("moment", [0.0025, 0.0075])
 def test_safe_start_holds_at_any_power_up_time_between_pulses(trex: Trex, moment: float) -> None:
     """User's Guide 4.e: "all motor channels near neutral, and ch 5 not overriding, all at once"."""
@@ -132,7 +127,7 @@ def test_safe_start_holds_at_any_power_up_time_between_pulses(trex: Trex, moment
     check_that_channel_5_keeps_safe_start(trex)
 
 
-@only(in_the_parser)  # more than half a second of silence is much at the terminal
+@only(end="parser")  # more than half a second of silence is much at the terminal
 @pytest.mark.parametrize(("silence", "runs"), [(0.4, True), (0.6, False)])
 def test_silent_required_channel_starts_safe_start_after_500_ms(
     trex: Trex, silence: float, runs: bool

@@ -7,23 +7,8 @@ companion program of the maker (C-SHARP).
 import pytest
 
 from tests.devices.trex.conformance.ends import LONG_TIMEOUT, WireEnd
-from tests.devices.trex.conformance.trex import RATES, Trex, Variant, only
+from tests.devices.trex.conformance.trex import RATES, Trex, only
 from trex_gui.devices.trex.simulator.command import DeviceOption
-
-
-def on_the_wire(variant: Variant) -> bool:
-    """For what only a wire has: rates, an echo, bytes that pass each other."""
-    return variant.end == "wire"
-
-
-def in_compact_on_the_wire(variant: Variant) -> bool:
-    """For rates: neither protocol nor CRC has to do with them, a CRC only proves the bytes."""
-    return variant.end == "wire" and not variant.expanded and variant.crc
-
-
-def with_crc(variant: Variant) -> bool:
-    return variant.crc
-
 
 # 5.b, protocols
 
@@ -85,7 +70,7 @@ def test_serial_error_stops_motors_if_shutdown_is_enabled(trex: Trex, error: str
     check_the_shutdown(trex, error)
 
 
-@only(with_crc)
+@only(crc=True)
 def test_crc_error_stops_motors_if_shutdown_is_enabled(trex: Trex) -> None:
     """User's Guide 5.b: "if a serial error occurs"."""
     check_the_shutdown(trex, "crc")
@@ -135,7 +120,7 @@ def test_null_command_has_no_reply_and_no_effect(trex: Trex) -> None:
     assert trex.ask("84") == "00"
 
 
-@only(on_the_wire)
+@only(end="wire")
 @pytest.mark.parametrize("baud", [19200, 115200])
 def test_bytes_sent_during_a_reply_are_lost(trex: Trex, baud: int) -> None:
     """User's Guide 5: bytes sent meanwhile are lost."""
@@ -147,10 +132,10 @@ def test_bytes_sent_during_a_reply_are_lost(trex: Trex, baud: int) -> None:
     assert trex.ask("82") == "72"
 
 
-# 5.a, the line
+# 5.a, the line. Neither protocol nor CRC has to do with rates, a CRC only proves the bytes.
 
 
-@only(on_the_wire)
+@only(end="wire")
 def test_new_board_uses_19200_baud_without_error_detection(trex: Trex) -> None:
     """User's Guide 5.a."""
     trex.do("factory")
@@ -159,7 +144,7 @@ def test_new_board_uses_19200_baud_without_error_detection(trex: Trex) -> None:
     assert trex.everything(b"\x80\x07\x01") == b"TReX1.2"
 
 
-@only(in_compact_on_the_wire)
+@only(end="wire", expanded=False, crc=True)
 @pytest.mark.parametrize("baud", [1200, 9600, 14400, 19200, 28800, 38400, 57600, 115200])
 def test_board_runs_at_each_of_its_baud_rates(trex: Trex, baud: int) -> None:
     """User's Guide 5.a: 1200 to 115200; those of the eleven that are sourced."""
@@ -168,7 +153,7 @@ def test_board_runs_at_each_of_its_baud_rates(trex: Trex, baud: int) -> None:
     assert trex.show()["active_uart"]["baud"] == baud
 
 
-@only(in_compact_on_the_wire, firmware="1.0")
+@only(end="wire", expanded=False, crc=True, firmware="1.0")
 @pytest.mark.parametrize(("chosen", "real"), [(38400, 19200), (28800, 14400)])
 def test_old_firmware_halves_two_baud_rates(trex: Trex, chosen: int, real: int) -> None:
     """F1491."""
@@ -179,7 +164,7 @@ def test_old_firmware_halves_two_baud_rates(trex: Trex, chosen: int, real: int) 
     assert trex.ask("82") == "72"
 
 
-@only(in_compact_on_the_wire, firmware="1.0")
+@only(end="wire", expanded=False, crc=True, firmware="1.0")
 @pytest.mark.parametrize("baud", [rate for rate in RATES[3:] if rate not in {28800, 38400}])
 def test_old_firmware_keeps_all_other_baud_rates(trex: Trex, baud: int) -> None:
     """F1491."""
@@ -216,7 +201,7 @@ def test_old_firmware_has_no_parameter_17(trex: Trex) -> None:
 # RS-232, and several boards
 
 
-@only(on_the_wire, echo=True)
+@only(end="wire", echo=True)
 def test_rs_232_echoes_everything_sent(trex: Trex) -> None:
     """MH 15; the answer follows."""
     query, drive = trex.packet("82"), trex.packet("C2 20")
@@ -226,7 +211,7 @@ def test_rs_232_echoes_everything_sent(trex: Trex) -> None:
     assert len(reply) == len(query) + 1 + trex.variant.crc
 
 
-@only(on_the_wire, echo=True)
+@only(end="wire", echo=True)
 def test_null_command_is_echoed_on_rs_232(trex: Trex) -> None:
     """C-SHARP: reading 0xFF back means RS-232."""
     assert trex.everything(b"\xff") == b"\xff"

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.devices.trex.conformance.trex import Trex, Variant, only
+from tests.devices.trex.conformance.trex import Trex, only
 
 DIRECTIONS = ("brake", "reverse", "forward", "brake")
 """By the two direction bits: 00 and 11 brake low."""
@@ -87,11 +87,7 @@ def test_accelerate_both_sets_two_target_directions_and_speeds(trex: Trex) -> No
     assert outputs(trex) == [(first, 0x21), (second, 0x43), 0x13]
 
 
-def in_the_parser(variant: Variant) -> bool:
-    return variant.end == "parser"
-
-
-@only(in_the_parser)  # no time passes there while bytes come
+@only(end="parser")  # no time passes there while bytes come
 def test_accelerate_commands_act_with_next_update(trex: Trex) -> None:
     """CMD10 0xC4: the "fixed update cycle"."""
     for command in (*range(0xC4, 0xC8), *range(0xCC, 0xD0), *range(0xE0, 0xF0), 0xF1):

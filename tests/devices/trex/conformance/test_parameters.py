@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.devices.trex.conformance.trex import RATES, WITH_CRC, Trex, Variant, only
+from tests.devices.trex.conformance.trex import RATES, WITH_CRC, Trex, only
 
 IMMEDIATE = {
     0x00: 9, 0x01: 3, 0x02: 4, 0x03: 1, 0x04: 2, 0x05: 60, 0x06: 61, 0x07: 50, 0x08: 0,
@@ -124,11 +124,7 @@ def test_channel_input_source_7c_takes_effect_after_restart(trex: Trex) -> None:
     assert trex.ask("82") == "61"
 
 
-def with_crc(variant: Variant) -> bool:
-    return variant.crc
-
-
-@only(with_crc)
+@only(crc=True)
 def test_crc_polynomial_7d_takes_effect_after_restart(trex: Trex) -> None:
     """CMD10 0xAF; the polynomial is eight bits of which the first is 1 (User's Guide 5.e)."""
     assert trex.ask(write(0x7D, 0x65)) == "00"
@@ -141,11 +137,7 @@ def test_crc_polynomial_7d_takes_effect_after_restart(trex: Trex) -> None:
     assert trex.ask("86 1F")
 
 
-def on_the_wire(variant: Variant) -> bool:
-    return variant.end == "wire"
-
-
-@only(on_the_wire)  # bytes have no rate in the parser
+@only(end="wire")  # bytes have no rate in the parser
 def test_uart_settings_7e_take_effect_after_restart(trex: Trex) -> None:
     """CMD10 0xAF; 57600 baud: one of the rates of User's Guide 5.a."""
     crc = WITH_CRC if trex.variant.crc else 0

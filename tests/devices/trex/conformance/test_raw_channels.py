@@ -4,7 +4,7 @@ from itertools import pairwise
 
 import pytest
 
-from tests.devices.trex.conformance.trex import Trex, Variant, channels, only, words
+from tests.devices.trex.conformance.trex import Trex, channels, only, words
 
 PULSES = {1: 1100, 2: 1300, 3: 1500, 4: 1700, 5: 1900}
 """µs on each channel."""
@@ -12,10 +12,6 @@ PULSES = {1: 1100, 2: 1300, 3: 1500, 4: 1700, 5: 1900}
 
 def connect_all(trex: Trex) -> None:
     trex.connect(**{f"c{channel}": f"{width}us" for channel, width in PULSES.items()})
-
-
-def in_the_parser(variant: Variant) -> bool:
-    return variant.end == "parser"
 
 
 def measure_analog_inputs(trex: Trex) -> None:
@@ -98,7 +94,7 @@ def test_analog_value_is_proportional_to_voltage(trex: Trex) -> None:
         assert abs(value - (0.5 + channel) / 0.00489) <= 1.5
 
 
-@only(in_the_parser)  # statistics: too long in real time, and there is no more to it than here
+@only(end="parser")  # statistics: too long in real time, and there is no more to it than here
 def test_analog_value_is_average_of_16_samples(trex: Trex) -> None:
     """CMD10 0x86: noise of 400 mV, 82 counts a sample, is a quarter of that in an average."""
     measure_analog_inputs(trex)

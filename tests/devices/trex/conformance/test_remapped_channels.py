@@ -4,7 +4,7 @@ from itertools import product
 
 import pytest
 
-from tests.devices.trex.conformance.trex import Trex, Variant, calibration, channels, only
+from tests.devices.trex.conformance.trex import Trex, calibration, channels, only
 
 # What lies between the documented points is inferred (linear outside the deadband), so these
 # tests stay with the points and with what must be equal or opposite.
@@ -105,11 +105,7 @@ def test_inverted_robot_applies_raw_channel_1_to_motor_2(
     assert trex.target(2) == ("reverse", 127)
 
 
-def in_compact(variant: Variant) -> bool:
-    return not variant.expanded
-
-
-@only(in_compact)  # what is driven here is not the exchange
+@only(expanded=False)  # what is driven here is not the exchange
 def test_serial_program_can_mimic_rc_mode(trex: Trex) -> None:
     """CMD10 0x87: "by requesting the remapped channel values and setting" the motors to them."""
     driven = []

@@ -2,7 +2,7 @@
 
 import json
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import product
 from typing import Any
@@ -55,17 +55,21 @@ def in_gate(variants: Sequence[Variant]) -> list[Any]:
 
 
 def only(
-    choose: Callable[[Variant], bool] = lambda _: True,
     *,
+    end: str = "",
+    expanded: bool | None = None,
+    crc: bool | None = None,
     model: str = "trex",
     firmware: str = "1.2",
     echo: bool = False,
 ) -> pytest.MarkDecorator:
-    """Run a test in some of the variants, or with another board than a TReX 1.2."""
+    """Run a test in the variants with these traits, or with another board than a TReX 1.2."""
     chosen = [
         replace(variant, model=model, firmware=firmware, echo=echo)
         for variant in VARIANTS
-        if choose(variant)
+        if end in {"", variant.end}
+        and expanded in {None, variant.expanded}
+        and crc in {None, variant.crc}
     ]
     return pytest.mark.parametrize("trex", in_gate(chosen), ids=str, indirect=True)
 

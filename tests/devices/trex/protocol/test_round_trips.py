@@ -83,7 +83,6 @@ commands = st.one_of(*BY_CLASS.values())
 polynomials = st.none() | st.integers(0x80, 0xFF)
 framings = st.builds(Framing, st.none() | seven_bits, polynomials)
 
-bytes_of_a_reply = st.integers(0, 0xFF)
 REPLIES: dict[type[Command[Any]], st.SearchStrategy[bytes]] = {
     GetSignature: st.sampled_from([b"TReX1.0", b"TReX1.3", b"TReXJr1.0", b"TReXJr1.2"]),
     GetMode: st.sampled_from([b"R", b"A", b"r", b"a"]),
