@@ -130,17 +130,25 @@ def test_any_signal_gives_valid_calibration_or_fatal_problem(
     assert all(problem_text(problem).endswith((".", "?")) for problem in proposal.problems)
 
 
-def kinds(
-    stick: Stick, channel: int = 1, moves: tuple[tuple[float, float], ...] = HOLD
-) -> list[ProblemKind]:
-    return [problem.kind for problem in learn(stick, channel, moves).problems]
-
-
 ONLY_UP = ((0.3, 1.0), (0.3, 1.0), (0.3, 0.0), (0.3, 0.0))
 
 
-def test_stick_that_never_moves_is_reported() -> None:
-    assert kinds(Stick(noise=1), moves=((2.0, 0.0),)) == [ProblemKind.NEVER_MOVED]
+@pytest.mark.parametrize(
+    ("stick", "moves", "kind"),
+    [
+        (Stick(noise=1), ((2.0, 0.0),), ProblemKind.NEVER_MOVED),
+        (Stick(), ONLY_UP, ProblemKind.ONE_DIRECTION),
+        (Stick(low=1440), HOLD, ProblemKind.END_TOO_NEAR),
+        (Stick(low=1300), HOLD, ProblemKind.UNEVEN),
+    ],
+)
+def test_travel_that_does_not_fit_is_reported(
+    stick: Stick, moves: tuple[tuple[float, float], ...], kind: ProblemKind
+) -> None:
+    proposal = learn(stick, moves=moves)
+    assert [problem.kind for problem in proposal.problems] == [kind]
+    if kind is ProblemKind.UNEVEN:
+        assert proposal.calibration is not None
 
 
 def test_too_little_travel_is_reported_with_required_travel() -> None:
@@ -150,25 +158,11 @@ def test_too_little_travel_is_reported_with_required_travel() -> None:
     assert "127 speeds" in problem_text(problem)
 
 
-def test_travel_in_one_direction_is_reported() -> None:
-    assert kinds(Stick(), moves=ONLY_UP) == [ProblemKind.ONE_DIRECTION]
-
-
-def test_end_too_near_neutral_is_reported() -> None:
-    assert kinds(Stick(low=1440)) == [ProblemKind.END_TOO_NEAR]
-
-
 def test_neutral_outside_travel_is_reported() -> None:
     neutral = neutral_of(Stick())
     moved = Stick(rest=1700, low=1650, high=2000)
     travel = travel_of(moved, neutral)
     assert [problem.kind for problem in travel.problems] == [ProblemKind.NEUTRAL_OUTSIDE]
-
-
-def test_uneven_travel_is_reported_and_still_proposed() -> None:
-    proposal = learn(Stick(low=1300))
-    assert [problem.kind for problem in proposal.problems] == [ProblemKind.UNEVEN]
-    assert proposal.calibration is not None
 
 
 def test_outlier_pulses_do_not_extend_travel() -> None:
@@ -342,23 +336,22 @@ def test_deadband_below_noise_is_reported() -> None:
 
 
 @pytest.mark.parametrize(
-    ("wanted", "words"),
+    ("channel", "points", "words"),
     [
-        (Calibration(2550, 3750, 4950, 3000), "reaches minimum and maximum: there is nothing"),
-        (Calibration(3700, 3750, 4950, 75), "reaches minimum: there is nothing between 0 and"),
-        (Calibration(1000, 3750, 4950, 75), "Minimum (400 µs) is beyond the input"),
-        (Calibration(2550, 3750, 5050, 75), "Maximum is beyond the 2000 µs that was reached"),
-        (Calibration(2450, 3750, 4950, 75), "Minimum is beyond the 1000 µs that was reached"),
-        (Calibration(2550, 3500, 4950, 75), "It rests at 1500 µs: with this neutral it would"),
+        (1, (2550, 3750, 4950, 3000), "reaches minimum and maximum: there is nothing"),
+        (1, (3700, 3750, 4950, 75), "reaches minimum: there is nothing between 0 and"),
+        (1, (1000, 3750, 4950, 75), "Minimum (400 µs) is beyond the input"),
+        (1, (2550, 3750, 5050, 75), "Maximum is beyond the 2000 µs that was reached"),
+        (1, (2450, 3750, 4950, 75), "Minimum is beyond the 1000 µs that was reached"),
+        (1, (2550, 3500, 4950, 75), "It rests at 1500 µs: with this neutral it would"),
+        (3, (1250, 2750, 4700, 3000), "reaches maximum: there is nothing between 0 and full"),
     ],
 )
-def test_unsuitable_calibration_is_reported(wanted: Calibration, words: str) -> None:
-    assert words in " ".join(texts(check(Stick(), 1, wanted)))
-
-
-def test_deadband_wider_than_throttle_travel_is_reported() -> None:
-    (text, *_) = texts(check(THROTTLE, 3, Calibration(1250, 2750, 4700, 3000)))
-    assert "reaches maximum: there is nothing between 0 and full output" in text
+def test_unsuitable_calibration_is_reported(
+    channel: int, points: tuple[int, int, int, int], words: str
+) -> None:
+    stick = THROTTLE if channel == 3 else Stick()
+    assert words in " ".join(texts(check(stick, channel, Calibration(*points))))
 
 
 @pytest.mark.parametrize("channel", [1, 3, 4])
@@ -412,23 +405,20 @@ def test_stick_held_off_rest_while_sampled_is_reported(off: float, up: bool, see
     assert Check(1, ChannelCurve(taken), neutral, travel).problems == ()
 
 
-@pytest.mark.parametrize("last", [(0.5, 1.0), (0.5, -1.0), (0.5, 0.7)])
-def test_stick_held_off_rest_after_travel_keeps_neutral(last: tuple[float, float]) -> None:
+@pytest.mark.parametrize("held", [1.0, -1.0, 0.7])
+def test_stick_held_off_rest_after_travel_keeps_neutral(held: float) -> None:
     neutral = neutral_of(Stick())
-    travel = travel_of(Stick(), neutral, moves=(*HOLD, last, (0.5, last[1])))
+    travel = travel_of(Stick(), neutral, moves=(*HOLD, (0.5, held), (0.5, held)))
     assert travel.settled is not None
     assert travel.rest == neutral.value
+    travel = travel_of(Stick(), neutral, moves=(*HOLD, (1.0, 0.4 * held)))
+    assert travel.settled is None, "it moves"
 
 
 def test_noisy_stick_settles_when_let_go() -> None:
     stick = Stick(noise=12)
     travel = travel_of(stick, neutral_of(stick), moves=(*HOLD, (0.5, 0.0)))
     assert travel.settled == pytest.approx(3750, abs=15)
-
-
-def test_moving_stick_has_not_settled() -> None:
-    travel = travel_of(Stick(), neutral_of(Stick()), moves=(*HOLD, (1.0, 0.4)))
-    assert travel.settled is None
 
 
 # --- Sticks of two axes -----------------------------------------------------------------
