@@ -251,11 +251,9 @@ def test_flipped_bytes_raise_only_recording_errors(
         assert problems or len(found) >= len(what) - 400
 
 
-def database(path: Path, *statements: str) -> None:
+def database(path: Path, script: str) -> None:
     with contextlib.closing(sqlite3.connect(path)) as changed:
-        for statement in statements:
-            changed.execute(statement)
-        changed.commit()
+        changed.executescript(script)
 
 
 def test_other_database_is_rejected(tmp_path: Path) -> None:
@@ -273,6 +271,22 @@ def test_other_database_is_rejected(tmp_path: Path) -> None:
         ("DELETE FROM header WHERE key = 'model'", r"the header is incomplete \('model'\)"),
         ("UPDATE header SET value = 'no' WHERE key = 'model'", "the header is incomplete"),
         ("UPDATE header SET value = 'soon' WHERE key = 'started_utc'", "Invalid isoformat"),
+        *(
+            (f"UPDATE header SET value = {clock} WHERE key = 'clock_s'", "It is damaged")
+            for clock in ("9e999", "-9e999", "1e308", "-1e308", "'soon'")
+        ),
+        (
+            "UPDATE header SET value = hex(zeroblob(40000)) WHERE key = 'settings'",
+            "the header is incomplete",
+        ),
+        (
+            (
+                "DROP TABLE marker;"
+                "CREATE TABLE marker (record INTEGER PRIMARY KEY, clock_s REAL, marker_kind TEXT,"
+                " time_s REAL AS (clock_s), text TEXT AS (hex(zeroblob(100000))))"
+            ),
+            r"marker\.text is computed",
+        ),
         (
             "UPDATE header SET value = 'Mule 2' WHERE key LIKE 'device%'",
             "a recording of another device: Mule 2. It opens where .* choose its port or its demo",
@@ -318,6 +332,10 @@ def test_recording_without_a_value_has_the_others(
     [
         ("UPDATE mode SET mode = 'x'", "'x' is not a valid Mode"),
         ("UPDATE mode SET clock_s = 'noon'", "its time is not a number"),
+        *(
+            (f"UPDATE mode SET clock_s = {clock}", "its time is not in the recording.")
+            for clock in ("9e999", "-9e999", "1e308", "-1e308", "1e9")
+        ),
         ("UPDATE mode SET mode = x'00'", "mode is not TEXT"),
     ],
 )
@@ -332,6 +350,21 @@ def test_damaged_record_is_skipped_and_reported(
     assert len(found) == len(what) - 1
     assert reported.startswith("Record ")
     assert problem in reported
+
+
+def test_huge_text_is_not_read(tmp_path: Path) -> None:
+    path = tmp_path / "a.trexrec"
+    what = list(an_hour(1))
+    write(path, what)
+    clock = "SELECT value FROM header WHERE key = 'clock_s'"
+    database(
+        path,
+        "INSERT INTO marker (record, clock_s, marker_kind, text)"
+        f" VALUES (100000, ({clock}), 'stop', hex(zeroblob(1000000)))",
+    )
+    _, found, (problem,) = read_file(path)
+    assert found == what
+    assert problem.startswith("Samples of marker among records")
 
 
 def test_absurd_record_number_does_not_hang(tmp_path: Path) -> None:

@@ -478,7 +478,7 @@ def test_any_proposal_is_valid_and_clears_its_finding(
     assert not any(found.change for found in lint(better, context))
     turned = replace(
         given_settings,
-        parameters=dict(reversed(given_settings.parameters.items())),
-        calibrations=dict(reversed(given_settings.calibrations.items())),
+        parameters=dict(reversed([*given_settings.parameters.items()])),
+        calibrations=dict(reversed([*given_settings.calibrations.items()])),
     )
     assert lint(turned, context) == findings

@@ -37,8 +37,8 @@ def test_written_settings_read_back_equal_whatever_the_title(
     assert write_settings(read, title_lines=titles) == text
     turned = replace(
         given_settings,
-        parameters=dict(reversed(given_settings.parameters.items())),
-        calibrations=dict(reversed(given_settings.calibrations.items())),
+        parameters=dict(reversed([*given_settings.parameters.items()])),
+        calibrations=dict(reversed([*given_settings.calibrations.items()])),
     )
     assert write_settings(turned, title_lines=titles) == text
 
