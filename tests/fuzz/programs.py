@@ -407,7 +407,7 @@ PROGRAM_TARGETS = (
         "configuration",
         mutations(_configurations, INI),
         check_configuration,
-        examples=2,
+        examples=1,
         growth=RUN,
     ),
 )
