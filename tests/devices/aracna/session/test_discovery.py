@@ -1,13 +1,14 @@
-"""Finding a robot, and moving nothing on the way: neither it nor a TReX that is there instead."""
+"""Finding a robot, alone or together with a TReX, and moving neither of them on the way."""
 
-from collections import deque
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import pytest
 
 from tests.devices.trex.conftest import orders
-from tests.devices.trex.discovery.test_prober import OWN, State, hear
+from tests.devices.trex.discovery.test_prober import BOARDS, OWN, State, Wire, hear
+from tests.devices.trex.simulator.ports import a_board
 from tests.support.aracna import AracnaStage
+from tests.support.matrix import sampled
 from trex_gui.core.discovery.prober import FLUSH_BYTE, FLUSH_LINE
 from trex_gui.core.discovery.scan import PortScan, scan_port
 from trex_gui.core.transport.serial_port import Transport
@@ -15,21 +16,31 @@ from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.aracna.discovery import ARACNA_PROBER, PROBE, FoundRobot
 from trex_gui.devices.aracna.protocol.commands import QUERY
 from trex_gui.devices.aracna.session.client import LINE
-from trex_gui.devices.trex.discovery import TREX_PROBER
+from trex_gui.devices.trex.discovery import TREX_PROBER, attempts
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.simulator.line import TrexLine
 
-VIRTUAL = ConnectionSettings("virtual", LineSettings(9600, Detection.ODD), device_number=9)
+VIRTUAL = ConnectionSettings("virtual")
+TREX, ARACNA = {"trex": TREX_PROBER}, {"aracna": ARACNA_PROBER}
 
 __all__ = ["orders"]  # a fixture
 
 
 def search(stage: AracnaStage) -> PortScan:
-    return search_at(stage.transport)
+    """Search for an Aracna alone."""
+    settings = ConnectionSettings("virtual", LineSettings(9600, Detection.ODD), device_number=9)
+    return scan_port(settings, ARACNA, open_wire=lambda _settings: stage.transport)
 
 
-def search_at(wire: Transport) -> PortScan:
-    return scan_port(VIRTUAL, {"aracna": ARACNA_PROBER}, open_wire=lambda _settings: wire)
+def search_both(wire: Transport, first: str | None = None) -> PortScan:
+    return scan_port(VIRTUAL, TREX | ARACNA, first=first, open_wire=lambda _settings: wire)
+
+
+def unpowered() -> AracnaStage:
+    stage = AracnaStage()
+    stage.do("power off")
+    return stage
 
 
 def diagnosis(stage: AracnaStage) -> str:
@@ -37,7 +48,7 @@ def diagnosis(stage: AracnaStage) -> str:
     return found.text
 
 
-# --- Aracna ---------------------------------------------------------------------------------
+# --- What is found, and how soon ------------------------------------------------------------
 
 
 def test_robot_is_found_at_its_only_line_setting() -> None:
@@ -57,17 +68,38 @@ def test_robot_is_found_at_its_only_line_setting() -> None:
     assert stage.transport.closed
 
 
-@pytest.mark.parametrize("ago", [0.0, 0.2, 0.5, 0.9, 1.05])
-@pytest.mark.parametrize("keeps_last", [True, False])
-def test_robot_reset_by_opening_port_is_found_after_boot(ago: float, *, keeps_last: bool) -> None:
+def test_aracna_is_found_before_long_trex_search_and_answers_first_query() -> None:
+    stage = AracnaStage()
+    begun = stage.now
+    result = search_both(stage.transport)
+    assert (result.device, result.found[0].name) == ("aracna", "Aracna 1")
+    assert stage.now - begun < 3.0
+    assert stage.transport.closed
+    stage.line.host = LINE
+    assert stage.ask(b".q\n") == b".q1,8\r\n", "the probes leave nothing in its line buffer"
+
+
+def test_trex_is_found_on_port_of_earlier_aracna() -> None:
+    wire = Wire(TrexLine([a_board()]))
+    assert search_both(wire, "aracna").device == "trex"
+
+
+@pytest.mark.parametrize(
+    ("ago", "keeps_last"), [(0.0, True), (0.2, False), (0.5, True), (0.9, False), (1.05, True)]
+)
+@pytest.mark.parametrize(("first", "seconds"), [(None, 3.0), ("aracna", 2.0)])
+def test_aracna_reset_by_opening_port_is_found_after_boot(
+    first: str | None, seconds: float, ago: float, *, keeps_last: bool
+) -> None:
     stage = AracnaStage(booted=False, keeps_last=keeps_last)
     stage.line.advance(ago)
     if ago:
         stage.line.receive()  # opening a port commonly discards what came before
-    [found] = search(stage).found
-    assert ("has reset the board" in found.note) == (ago == 0.0)
-    assert stage.now < 2.0
-    assert stage.line.station.firmware.boots == 1
+    result = search_both(stage.transport, first)
+    assert result.device == "aracna"
+    assert ("has reset the board" in result.found[0].note) == (ago == 0.0)
+    assert stage.now < seconds
+    assert stage.line.station.firmware.boots == 1, "the port was opened once"
 
 
 def test_early_build_with_two_motors_is_found() -> None:
@@ -76,125 +108,166 @@ def test_early_build_with_two_motors_is_found() -> None:
     assert (found.name, found.motors) == ("Aracna 0", 2)
 
 
-@pytest.mark.parametrize("full", [False, True])
-@pytest.mark.parametrize("mute", [False, True])
-def test_trex_search_does_not_move_robot(*, full: bool, mute: bool) -> None:
-    stage = AracnaStage(positions=tuple(range(100, 900, 100)))
-    stage.line.faults.mute = mute
-    result = scan_port(
-        ConnectionSettings("virtual"),
-        {"trex": TREX_PROBER},
-        full=full,
-        open_wire=lambda _settings: stage.transport,
-    )
-    stage.line.advance(5.0)
-    assert not result.found
-    assert not any(servo.torque for servo in stage.line.servos)
-    assert stage.speeds == (0,) * 8
-    stage.line.faults.mute = False
-    stage.line.receive()
-    stage.transport.closed = False
-    assert len(search(stage).found) == 1
+# --- Messages if nothing was found ------------------------------------------------------------
 
 
-# --- What else may be there -----------------------------------------------------------------
-
-
-def test_silent_port_is_reported_with_hint_within_3_s() -> None:
-    stage = AracnaStage()
-    stage.do("power off")
+def test_silent_port_is_reported_for_both_devices() -> None:
+    stage = unpowered()
     begun = stage.now
-    result = search(stage)
-    assert not result.found
+    assert not search(stage).found
     assert stage.now - begun < 3.0
-    assert "No Aracna responds on virtual at 38400" in result.diagnoses[0].text
-    assert "power" in result.diagnoses[0].text
+    trex, aracna = search_both(stage.transport).lines
+    assert trex.startswith("No TReX responds on virtual at any baud rate")
+    assert aracna.startswith("No Aracna responds on virtual at 38400 baud")
+    assert "does not listen while it moves" in aracna
+    assert "power" in aracna
 
 
 def test_robot_that_boots_but_never_answers_is_reported() -> None:
-    stage = AracnaStage()
-    stage.do("power off")
+    stage = unpowered()
     stage.line.inject(b".h\r\n")
     assert "restarting repeatedly" in diagnosis(stage)
 
 
-def test_network_port_of_fixed_rate_is_not_probed() -> None:
-    stage = AracnaStage()
-    stage.transport.is_configurable = False
-    result = search(stage)
-    assert not stage.transport.sent
-    assert "No probe for an Aracna was sent" in result.diagnoses[0].text
-    assert "--device aracna --port virtual" in result.diagnoses[0].text
-
-
 def test_noise_is_not_reported_as_echo() -> None:
-    stage = AracnaStage()
-    stage.do("power off")
+    stage = unpowered()
     stage.line.inject(b"\xff\x00\xff")
     assert "not like an Aracna: FF 00 FF" in diagnosis(stage)
 
 
-# --- A TReX ---------------------------------------------------------------------------------
+def test_echo_is_reported_for_both_devices() -> None:
+    board = a_board()
+    board.power_off()
+    trex, aracna = search_both(Wire(TrexLine([board], echo=True))).lines
+    assert trex.startswith("No TReX responds on virtual: everything sent comes back")
+    assert "RS-232 side" in trex
+    assert aracna.startswith("No Aracna responds on virtual at 38400 baud")
+    assert "everything sent comes back" in aracna
 
 
-def _orders_obeyed(
-    begun: Iterable[State],
-    questions: Iterable[bytes],
-    own: LineSettings,
-    *,
-    crc: bool,
-    rinsed: bool,
-) -> set[str]:
-    """Return every order that a board may obey, for these probes in any order and number.
+def test_reply_to_aracna_probe_is_reported_first() -> None:
+    """A moving robot answers once it stops, which may be among the probes for a TReX."""
+    stage = unpowered()
+    sent = 0
+    write = stage.transport.write
 
-    Takes every device number for the board's own and every checksum for the right one, so that
-    it stands for all of both.
-    """
-    states = set(begun)
-    waiting = deque(states)
-    obeyed: set[str] = set()
-    while waiting:
-        before = {waiting.popleft()}
-        if rinsed:
-            before, first = hear(before, FLUSH_BYTE, FLUSH_LINE, own, crc=crc)
-            obeyed |= first
-        for question in questions:
-            left, more = hear(before, question, LINE, own, crc=crc)
-            obeyed |= more
-            waiting.extend(left - states)
-            states |= left
-    return obeyed
+    def writes(data: bytes) -> None:
+        nonlocal sent
+        write(data)
+        if data == PROBE:
+            sent += 1
+            stage.line.inject(b"ERR 7\r\n")
+
+    stage.transport.write = writes  # type: ignore[method-assign]
+    aracna, trex = search_both(stage.transport).lines
+    assert sent == 5
+    assert "not like an Aracna" in aracna
+    assert trex.startswith("No TReX responds")
+
+
+def test_fixed_rate_port_is_probed_for_aracna_only_if_known() -> None:
+    stage = AracnaStage()
+    stage.transport.is_configurable = False
+    assert "--device aracna --port virtual" in diagnosis(stage)
+    assert not stage.transport.sent
+    stage.line.host = LINE
+    stage.transport.reconfigure = lambda line: None  # type: ignore[method-assign]
+    trex, aracna = search_both(stage.transport).lines
+    assert "set at the other end" in trex
+    assert "No probe for an Aracna was sent" in aracna
+    assert search_both(stage.transport, "aracna").device == "aracna"
+
+
+# --- What moves -----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("mute", [False, True])
+def test_search_does_not_move_aracna(*, mute: bool) -> None:
+    """Neither one for a TReX, which does not find it, nor one for both, which does."""
+    stage = AracnaStage(positions=tuple(range(100, 900, 100)))
+    stage.line.faults.mute = mute
+    wire = stage.transport
+    for full in (False, True):
+        assert not scan_port(VIRTUAL, TREX, full=full, open_wire=lambda _settings: wire).found
+    for first in ("trex", "aracna"):
+        stage.line.advance(5.0)
+        stage.line.receive()
+        wire.closed = False
+        assert bool(search_both(wire, first).found) != mute
+    stage.line.advance(5.0)
+    assert not any(servo.torque for servo in stage.line.servos)
+    assert stage.speeds == (0,) * 8
+
+
+@pytest.mark.parametrize(
+    "settings",
+    sampled((each for each in BOARDS if each.stop_bits == 1), every=9),
+    ids=lambda settings: settings.text(),
+)
+@pytest.mark.parametrize("first", ["trex", "aracna"])
+def test_search_sends_no_command_that_trex_obeys(
+    settings: LineSettings, first: str, orders: list[str]
+) -> None:
+    board = a_board(settings=settings.to_wire(), uart_error_shutdown=0)
+    wire = Wire(TrexLine([board]))
+    assert search_both(wire, first).device == "trex"
+    assert not orders
+    assert not board.memory.writes
 
 
 BEGUN: list[State] = [(first, *rest) for first in range(0x80, 0xF2) for rest in ((), (1,), (1, 2))]
 
 
-@pytest.mark.parametrize("own", OWN, ids=lambda own: own.text())
-def test_probe_cannot_form_trex_motor_command(own: LineSettings) -> None:
-    """For any device number, any polynomial, and whatever the board received before."""
+def orders_obeyed(
+    questions: Sequence[tuple[bytes, SerialFormat]],
+    own: LineSettings,
+    begun: Iterable[State],
+    *,
+    rinsed: bool,
+) -> set[str]:
+    """Return every order that a board may obey, for these questions in any order and number.
+
+    Takes every device number for the board's own and every checksum for the right one, so that
+    it stands for all of both.
+    """
+    obeyed: set[str] = set()
     for crc in (False, True) if own.detection is Detection.NONE else (False,):
-        assert not _orders_obeyed([(), *BEGUN], [PROBE], own, crc=crc, rinsed=True)
+        states = set(begun)
+        fresh = states
+        while fresh:
+            before, left = fresh, set()
+            if rinsed:
+                before, first = hear(before, FLUSH_BYTE, FLUSH_LINE, own, crc=crc)
+                obeyed |= first
+            for question, line in questions:
+                heard, more = hear(before, question, line, own, crc=crc)
+                obeyed |= more
+                left |= heard
+            fresh = left - states
+            states |= left
+    return obeyed
 
 
-@pytest.mark.parametrize("own", OWN, ids=lambda own: own.text())
-def test_session_query_cannot_form_trex_motor_command(own: LineSettings) -> None:
-    for crc in (False, True) if own.detection is Detection.NONE else (False,):
-        assert not _orders_obeyed([()], [QUERY], own, crc=crc, rinsed=False)
+def test_probe_and_session_query_cannot_form_trex_motor_command() -> None:
+    """For any device number, any polynomial, and whatever the board received before the probe."""
+    for own in OWN:
+        assert not orders_obeyed([(PROBE, LINE)], own, [(), *BEGUN], rinsed=True), own.text()
+        assert not orders_obeyed([(QUERY, LINE)], own, [()], rinsed=False), own.text()
+
+
+@pytest.mark.parametrize("own", sampled(OWN, every=3), ids=lambda own: own.text())
+def test_mixed_probes_cannot_form_motor_command(own: LineSettings) -> None:
+    """For any order and number of probes, any device number and any polynomial."""
+    probes = [(each.data, each.line) for each in attempts() if each.line != own]
+    assert not orders_obeyed([*probes, (PROBE, LINE)], own, [()], rinsed=True)
 
 
 def test_probe_without_flush_byte_would_start_trex_motor() -> None:
     """Shows that the tests above can fail."""
-    own = LineSettings(28800)
-    assert "c5 05" in _orders_obeyed([()], [PROBE], own, crc=False, rinsed=False)
+    assert "c5 05" in orders_obeyed([(PROBE, LINE)], LineSettings(28800), [()], rinsed=False)
 
 
 def test_probe_at_fixed_rate_would_start_trex_motor() -> None:
     """Why such ports are not probed: the flush byte has no effect at another rate."""
-    own, host = LineSettings(28800), LINE
-    begun: set[State] = {()}
-    obeyed: set[str] = set()
-    for question in (FLUSH_BYTE, PROBE) * 2:
-        left, more = hear(begun, question, host, own, crc=False)
-        begun |= left
-        obeyed |= more
-    assert "c5 05" in obeyed
+    questions = [(FLUSH_BYTE, LINE), (PROBE, LINE)]
+    assert "c5 05" in orders_obeyed(questions, LineSettings(28800), [()], rinsed=False)
