@@ -126,25 +126,16 @@ def test_query_to_busy_board_is_answered_once_when_idle(
 
 
 @named(LONG_BUSY)
-def test_busy_board_keeps_three_bytes_of_longer_command(
-    stage: AracnaStage, busy: Callable[[AracnaStage], None]
-) -> None:
-    busy(stage)
-    stage.line.send(GOALS)
-    stage.line.advance(0.0095)
-    assert len(stage.line.station.held) == HOLDS
-    assert stage.line.station.bytes_missed == len(GOALS) - HOLDS
-
-
-@named(LONG_BUSY)
 @pytest.mark.parametrize("line", [GOALS, SPEEDS], ids=["positions", "speeds"])
-def test_truncated_command_restarts_firmware(
+def test_busy_board_keeps_three_bytes_of_longer_command_and_restarts(
     stage: AracnaStage, busy: Callable[[AracnaStage], None], line: bytes
 ) -> None:
     busy(stage)
     boots_before = stage.line.station.firmware.boots
     stage.line.send(line)
     stage.line.advance(0.0095)
+    assert len(stage.line.station.held) == HOLDS
+    assert stage.line.station.bytes_missed == len(line) - HOLDS
     assert is_free(stage).endswith(b".h\r\n")
     assert stage.line.station.firmware.boots == boots_before + 1
     assert stage.ask(b".q\n") == VERSION

@@ -27,19 +27,16 @@ QUERIES = [
     ("query", b".q\n", VERSION),
     ("query with anything behind it", b".qxyz\n", VERSION),
     ("query with a carriage return", b".q\r\n", VERSION),
-    ("query with values", b".q1,2,3\n", VERSION),
     ("query in a query", b".q.q\n", VERSION),
     ("query without its dot", b"xq\n", VERSION),
     ("query of two letters", b"qq\n", VERSION),
     ("query behind a blank", b" q\n", VERSION),
     ("query behind a byte that is no character", b"\xffq\n", VERSION),
-    ("query behind a zero byte", b"\x00q\n", VERSION),
     ("query behind an empty line", b"\n.q\n", VERSION),
     ("two queries glued together", b".q\n.q\n", VERSION * 2),
     ("query of capital letter", b".Q\n", SILENCE),
     ("query of one letter", b"q\n", SILENCE),
     ("query behind two dots", b"..q\n", SILENCE),
-    ("query behind dot and blank", b". q\n", SILENCE),
     ("query without an end", b".q", SILENCE),
     ("query ended by a carriage return alone", b".q\r", SILENCE),
 ]
@@ -47,17 +44,11 @@ QUERIES = [
 SILENT = [
     ("empty line", b"\n", SILENCE),
     ("empty line with a carriage return", b"\r\n", SILENCE),
-    ("three empty lines", b"\n\n\n", SILENCE),
     ("dot alone", b".\n", SILENCE),
     ("hello from the host", b".h\n", SILENCE),
     ("torque, which is nowhere", b".t1\n", SILENCE),
-    ("planned: directions", b".d1\n", SILENCE),
-    ("planned: pins", b".p1\n", SILENCE),
     ("planned: read pins", b".r\n", SILENCE),
-    ("planned: analog", b".a\n", SILENCE),
-    ("planned: servos", b".s1,2\n", SILENCE),
     ("capital C", b".C" + values(500).encode() + b"\n", SILENCE),
-    ("capital V", b".V" + values(500).encode() + b"\n", SILENCE),
     ("a word", b"hello\n", SILENCE),
     ("zero bytes", b"\x00\x00\x00\n", SILENCE),
     ("bytes of a TReX packet", bytes.fromhex("80 07 2f 7b 0a"), SILENCE),
@@ -82,19 +73,6 @@ CUT = [
     ("cut twice", b"x" * 118 + b".q\n", VERSION),
 ]
 
-TOO_FEW = [
-    ("positions without values", b".c\n", HELLO),
-    ("speeds without values", b".v\n", HELLO),
-    ("positions with one value", b".c300\n", HELLO),
-    ("positions with seven values", b".c300,300,300,300,300,300,300\n", HELLO),
-    ("speeds with seven values", b".v1,2,3,4,5,6,7\n", HELLO),
-    ("positions of six commas", b".c,,,,,,\n", HELLO),
-    ("positions of letters without commas", b".cabc\n", HELLO),
-    ("positions without a dot and values", b"xc\n", HELLO),
-    ("positions cut before the eighth comma", b".c" + b"0000300," * 8 + b"\n", HELLO),
-    ("values separated by blanks", b".c300 300 300 300 300 300 300 300\n", HELLO),
-]
-
 
 @pytest.fixture
 def stage() -> AracnaStage:
@@ -103,10 +81,7 @@ def stage() -> AracnaStage:
 
 @pytest.mark.parametrize(
     ("line", "reply"),
-    [
-        pytest.param(line, reply, id=name)
-        for name, line, reply in [*QUERIES, *SILENT, *LED, *CUT, *TOO_FEW]
-    ],
+    [pytest.param(line, reply, id=name) for name, line, reply in [*QUERIES, *SILENT, *LED, *CUT]],
 )
 def test_line_gets_reply_without_changing_servos(
     stage: AracnaStage, line: bytes, reply: bytes
@@ -117,9 +92,25 @@ def test_line_gets_reply_without_changing_servos(
     assert not any(servo.torque for servo in stage.line.servos)
 
 
-@pytest.mark.parametrize("line", [pytest.param(line, id=name) for name, line, _ in TOO_FEW])
-def test_too_few_values_restart_firmware(stage: AracnaStage, line: bytes) -> None:
-    stage.ask(line)
+RESTARTING = [
+    ("positions without values", b".c\n"),
+    ("speeds without values", b".v\n"),
+    ("positions with seven values", b".c300,300,300,300,300,300,300\n"),
+    ("positions of six commas", b".c,,,,,,\n"),
+    ("positions of letters without commas", b".cabc\n"),
+    ("positions cut before the eighth comma", b".c" + b"0000300," * 8 + b"\n"),
+    ("values separated by blanks", b".c300 300 300 300 300 300 300 300\n"),
+    ("field of eleven digits", f".c{values('12345678901')}\n".encode()),
+    ("speed of eleven zeros", f".v{values('00000000000')}\n".encode()),
+    ("field of ten blanks before a number", f".c{values('          5')}\n".encode()),
+]
+
+
+@pytest.mark.parametrize("line", [pytest.param(line, id=name) for name, line in RESTARTING])
+def test_too_few_values_or_long_field_restart_firmware(stage: AracnaStage, line: bytes) -> None:
+    assert stage.ask(line) == HELLO
+    assert stage.goals == (START,) * 8
+    assert stage.speeds == (0,) * 8
     assert stage.line.station.firmware.boots == 2
     assert stage.ask(b"\n.q\n") == VERSION  # the newline: the rest of a cut line may wait
 
@@ -129,27 +120,17 @@ FIELDS = [
     ("nothing", "0", 0),
     ("the highest", "1023", 1023),
     ("leading zero", "0520", 520),
-    ("two leading zeros", "007", 7),
     ("empty", "", 10),
     ("one too high", "1024", REFUSED),
-    ("the highest of four digits", "9999", REFUSED),
-    ("the sine demo's", "1188", REFUSED),
     ("five characters, first four used", "00520", 52),
-    ("five digits, too high", "12345", REFUSED),
-    ("eight characters, first four used", "05200000", 520),
-    ("eight digits, too high", "12345678", REFUSED),
-    ("nine characters, first four used", "052000000", 520),
     ("ten characters, first four used", "0520000000", 520),
     ("leading blank", " 520", REFUSED),
-    ("leading blank, one digit", " 5", REFUSED),
     ("plus", "+520", REFUSED),
     ("minus", "-154", REFUSED),
-    ("minus, one digit", "-5", REFUSED),
     ("minus nothing", "-0", REFUSED),
     ("point in front", ".5", REFUSED),
     ("point", "5.5", REFUSED),
     ("blank behind", "520 ", 520),
-    ("blanks behind", "52  ", 52),
     ("letters", "abc", 49),
     ("hexadecimal", "0x1F", 721),
     ("exponent", "1e3", 633),
@@ -159,25 +140,17 @@ FIELDS = [
 @pytest.mark.parametrize(
     ("field", "goal"), [pytest.param(field, goal, id=name) for name, field, goal in FIELDS]
 )
-class TestFieldValue:
-    def test_first_field_sets_goal_or_is_rejected(
-        self, stage: AracnaStage, field: str, goal: int
-    ) -> None:
-        assert stage.ask(f".c{values(field)}\n".encode()) == f".c{values(goal)}\r\n".encode()
-        assert stage.goals == row_of(goal, START)
-
-    def test_last_field_sets_goal_or_is_rejected(
-        self, stage: AracnaStage, field: str, goal: int
-    ) -> None:
-        line = f".c{'300,' * 7}{field}\n".encode()
-        assert stage.ask(line) == f".c{'300,' * 7}{goal}\r\n".encode()
-
-    def test_first_field_sets_speed_or_keeps_old_one(
-        self, stage: AracnaStage, field: str, goal: int
-    ) -> None:
-        stage.ask(f".v{values(START)}\n".encode())
-        assert stage.ask(f".v{values(field)}\n".encode()) == f".v{values(goal)}\r\n".encode()
-        assert stage.speeds == row_of(goal, START)
+def test_field_sets_goal_and_speed_or_is_rejected(
+    stage: AracnaStage, field: str, goal: int
+) -> None:
+    stage.ask(f".v{values(START)}\n".encode())
+    assert stage.ask(f".v{values(field)}\n".encode()) == f".v{values(goal)}\r\n".encode()
+    assert stage.speeds == row_of(goal, START)
+    stage.ask(f".v{values(0, 0)}\n".encode())
+    assert stage.ask(f".c{values(field)}\n".encode()) == f".c{values(goal)}\r\n".encode()
+    assert stage.goals == row_of(goal, START)
+    last = stage.ask(f".c{values(START)[:-3]}{field}\n".encode())
+    assert last == f".c{values(START)[:-3]}{goal}\r\n".encode()
 
 
 WHOLE = [
@@ -187,7 +160,6 @@ WHOLE = [
     ("seven values and a comma", ".c" + "300," * 7 + "\n", "300," * 7 + "10"),
     ("seven commas", ".c,,,,,,,\n", values(10, 10)),
     ("a word behind the last value", f".c{values(520)},nonsense\n", values(520)),
-    ("a long word behind the last value", f".c{values(520)},wholly ignored\n", values(520)),
     ("carriage return behind three digits", f".c{values(300, 520)}\r\n", values(300, 520)),
     ("carriage return behind four digits", f".c{values(300, 1023)}\r\n", values(300, 1023)),
     ("no dot", f"xc{values(520)}\n", values(520)),
@@ -202,21 +174,6 @@ def test_only_first_eight_values_count(stage: AracnaStage, line: str, reply: str
     assert stage.ask(line.encode()) == f".c{reply}\r\n".encode()
     assert stage.goals == tuple(map(int, reply.split(",")))
     assert stage.line.station.firmware.boots == 1
-
-
-LONG = [
-    ("eleven digits", f".c{values('12345678901')}\n"),
-    ("eleven zeros", f".v{values('00000000000')}\n"),
-    ("a word of eleven letters", f".c{values('wordwordwor')}\n"),
-    ("ten blanks before a number", f".c{values('          5')}\n"),
-]
-
-
-@pytest.mark.parametrize("line", [pytest.param(line, id=name) for name, line in LONG])
-def test_field_of_eleven_characters_restarts_firmware(stage: AracnaStage, line: str) -> None:
-    assert stage.ask(line.encode()) == HELLO
-    assert stage.ask(b".q\n") == VERSION
-    assert stage.line.station.firmware.boots == 2
 
 
 def test_first_accepted_goal_enables_torque(stage: AracnaStage) -> None:

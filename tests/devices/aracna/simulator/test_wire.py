@@ -32,7 +32,7 @@ def test_unpaced_bytes_take_no_time_but_servos_and_boot_do() -> None:
     assert stage.now - begun == pytest.approx(1.0366, abs=0.001)
 
 
-@pytest.mark.parametrize("baud", [300, 9600, 19200, 57600, 115200])
+@pytest.mark.parametrize("baud", [300, 19200, 115200])
 @pytest.mark.parametrize("paced", [True, False])
 def test_host_at_other_baud_rate_gets_no_valid_reply(baud: int, paced: bool) -> None:
     stage = AracnaStage(paced=paced)
@@ -103,13 +103,9 @@ def test_cut_reply_ends_early_and_next_reply_is_complete(stage: AracnaStage, pas
     assert stage.line.faults.counters["dropped"] == 35 - passing
 
 
-def test_cut_beyond_short_reply_applies_to_next_reply(stage: AracnaStage) -> None:
+def test_cut_applies_to_next_reply_until_it_is_cancelled(stage: AracnaStage) -> None:
     stage.do("line cut 9")
     assert stage.ask(b".q\n") == VERSION
     assert stage.ask(b".q\n") == VERSION[:2]
-    assert stage.ask(b".q\n") == VERSION
-
-
-def test_cut_can_be_cancelled(stage: AracnaStage) -> None:
     stage.do("line cut 2", "line cut off")
     assert stage.ask(b".q\n") == VERSION
