@@ -1,5 +1,7 @@
-"""The window that shows the recording of a robot, driven with mouse and keys."""
+"""The window that shows the recording of a robot, and files that are damaged or unusual."""
 
+import contextlib
+import sqlite3
 from pathlib import Path
 
 import pytest
@@ -19,30 +21,76 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
-from tests.devices.aracna.recordings import MOTORS, T0
-from tests.devices.aracna.views.recording_stage import (
-    SAMPLE_SESSION,
-    RecordingWindowDriver,
-    show_recording,
-)
+from tests.devices.aracna.recordings import HEADER, MOTORS, T0, open_recording, write
 from tests.support.keyboard import check_keyboard
+from tests.support.playing import loading
+from tests.support.window import WidgetDriver
+from trex_gui.core.recording.kinds import Marker
+from trex_gui.devices.aracna.model.recordings import RobotPlayback
+from trex_gui.devices.aracna.model.robot import Robot
+from trex_gui.devices.aracna.recording import Record, RobotHeader
+from trex_gui.devices.aracna.session.messages import Moved, Moving, Passed, SpeedsHeld
+from trex_gui.devices.aracna.views.playback import RobotPlaybackWindow
 from trex_gui.devices.aracna.views.robot.drawing import RobotDrawing
 from trex_gui.ui.plotting.plot import TracePlot
 
+GOALS, REACHED = (200,) * MOTORS, (201, 199, *(200,) * 5, -1)
+SAMPLE_SESSION: list[Record] = [
+    SpeedsHeld(T0 + 1, (100,) * MOTORS, (100, 0, *(100,) * 5, -1)),
+    Marker(T0 + 1, "fault", "Motor 7 does not answer (−1)"),
+    Moving(T0 + 10, GOALS, (None,) * MOTORS, 2.0),
+    Passed(T0 + 11, (201, 199, 200)),
+    Moved(T0 + 12, GOALS, REACHED, 2.0),
+    Marker(T0 + 40, "note", "Not moved: No robot is connected that could move."),
+    Marker(T0 + 60, "stop", "Stopped: nothing more is sent."),
+]
+
+
+class RecordingWindow(WidgetDriver):
+    """A window that shows the recording in a file, which is being loaded."""
+
+    def __init__(self, path: Path, qtbot: QtBot) -> None:
+        self.window = RobotPlaybackWindow(loading(RobotPlayback(open_recording(path))), Robot())
+        super().__init__(self.window, qtbot)
+        self.playback = self.window.playback
+        self.plot = self.find_only(TracePlot)
+        qtbot.addWidget(self.window)
+
+    def wait_until_loaded(self) -> None:
+        self.wait(lambda: self.playback.is_loaded)
+
+
+def show_recording(
+    path: Path, qtbot: QtBot, records: list[Record], header: RobotHeader = HEADER
+) -> RecordingWindow:
+    """Write a recording and show it in a window."""
+    write(path, records, header)
+    driver = RecordingWindow(path, qtbot)
+    driver.window.show()
+    driver.wait_until_loaded()
+    return driver
+
 
 @pytest.fixture
-def window(tmp_path: Path, qtbot: QtBot) -> RecordingWindowDriver:
+def window(tmp_path: Path, qtbot: QtBot) -> RecordingWindow:
     return show_recording(tmp_path / "walk.trexrec", qtbot, SAMPLE_SESSION)
 
 
-def test_heading_shows_robot_date_and_duration(window: RecordingWindowDriver) -> None:
+def test_window_shows_recording_and_state_at_chosen_time(window: RecordingWindow) -> None:
     heading = window.text("recordingHeading")
     assert heading.startswith("Aracna, firmware 1, 8 motors, recorded ")
     assert heading.endswith("0:01:00 long")
     assert window.window.windowTitle().startswith("walk.trexrec")
-
-
-def test_dragged_time_slider_shows_state_at_that_time(window: RecordingWindowDriver) -> None:
+    assert not window.is_enabled("aracnaPlaybackStopButton"), "there is no robot"
+    assert window.text("aracnaRecordedDoing") == "Positions are not known yet."
+    assert window.text("aracnaRecordedPresent0") == "–"
+    window.playback.set_position(T0 + 11.5)
+    assert window.text("aracnaRecordedDoing") == (
+        "Moving for 1.5 s of about 2.0 s; motor 3 is waited for."
+    )
+    assert window.text("aracnaRecordedDifference3") == "moving …"
+    assert window.text("aracnaRecordedPresent2") == "200 = 58.7°"
+    assert window.text("aracnaRecordedPresent3") == "–"
     slider = window.find(QSlider, "timeSlider")
     window.wait(slider.isVisible)
     window.wait(lambda: slider.width() > 200)
@@ -62,19 +110,7 @@ def test_dragged_time_slider_shows_state_at_that_time(window: RecordingWindowDri
     assert window.plot.cursor_time == window.playback.position
 
 
-def test_motion_and_awaited_motor_are_shown(window: RecordingWindowDriver) -> None:
-    assert window.text("aracnaRecordedDoing") == "Positions are not known yet."
-    assert window.text("aracnaRecordedPresent0") == "–"
-    window.playback.set_position(T0 + 11.5)
-    assert window.text("aracnaRecordedDoing") == (
-        "Moving for 1.5 s of about 2.0 s; motor 3 is waited for."
-    )
-    assert window.text("aracnaRecordedDifference3") == "moving …"
-    assert window.text("aracnaRecordedPresent2") == "200 = 58.7°"
-    assert window.text("aracnaRecordedPresent3") == "–"
-
-
-def test_click_in_plot_seeks_to_that_time(window: RecordingWindowDriver) -> None:
+def test_plot_boxes_and_drawing_follow_mouse_and_keys(window: RecordingWindow) -> None:
     plot = window.plot
     canvas = plot._canvas
     window.wait(lambda: canvas.frame.width() > 100)
@@ -82,18 +118,12 @@ def test_click_in_plot_seeks_to_that_time(window: RecordingWindowDriver) -> None
     place = QPointF(canvas.x_of(T0 + 30 - plot.span.end), frame.center().y()).toPoint()
     QTest.mouseClick(canvas.viewport, Qt.MouseButton.LeftButton, pos=place)
     assert window.playback.position == pytest.approx(T0 + 30, abs=0.5)
-
-
-def test_curve_check_box_hides_and_shows_curve(window: RecordingWindowDriver) -> None:
-    plot = window.plot
     assert len(plot.shown) == MOTORS
     window.click("aracnaCurveBox3")
     assert "motor_3" not in plot.shown
     QTest.keyClick(window.button("aracnaCurveBox3"), Qt.Key.Key_Space)
     assert "motor_3" in plot.shown
 
-
-def test_drawing_shows_recorded_pose_and_focuses_clicked_row(window: RecordingWindowDriver) -> None:
     drawing = window.find_only(RobotDrawing)
     window.wait(drawing.isVisible)
     window.playback.set_position(T0 + 9)
@@ -108,7 +138,7 @@ def test_drawing_shows_recorded_pose_and_focuses_clicked_row(window: RecordingWi
     assert not box.font().bold()
 
 
-def test_recording_window_works_with_the_keyboard(window: RecordingWindowDriver) -> None:
+def test_recording_window_works_with_the_keyboard(window: RecordingWindow) -> None:
     window.playback.set_position(T0 + 20)
     check_keyboard(window.window)
     for kind in (QPushButton, QToolButton, QSlider, QComboBox, QCheckBox, QListView, TracePlot):
@@ -123,5 +153,53 @@ def test_recording_window_works_with_the_keyboard(window: RecordingWindowDriver)
     assert "positions" in window.plot.accessibleName()
 
 
-def test_stop_button_is_disabled_without_robot(window: RecordingWindowDriver) -> None:
-    assert not window.is_enabled("aracnaPlaybackStopButton")
+def test_damaged_recording_reports_problem_and_shows_rest(tmp_path: Path, qtbot: QtBot) -> None:
+    path = tmp_path / "damaged.trexrec"
+    write(path, SAMPLE_SESSION)
+    with contextlib.closing(sqlite3.connect(path)) as database:
+        database.execute("UPDATE goals SET motor_0_goal_units = 'oo'")
+        database.execute("DELETE FROM header WHERE key = 'ended_utc_s'")
+        database.commit()
+    window = RecordingWindow(path, qtbot)
+    window.window.show()
+    window.wait_until_loaded()
+    text = window.text("bannerText")
+    assert "This recording is not complete." in text
+    assert "It was not ended" in text
+    assert "Record 3 cannot be read: motor_0_goal_units is not INTEGER." in text
+    window.playback.set_position(window.playback.end)
+    assert window.text("aracnaRecordedPresent0") == "201 = 58.9°"
+
+
+def test_curve_hidden_while_loading_stays_hidden(tmp_path: Path, qtbot: QtBot) -> None:
+    path = tmp_path / "walk.trexrec"
+    write(path, SAMPLE_SESSION)
+    window = RecordingWindow(path, qtbot)
+    window.find(QCheckBox, "aracnaCurveBox2").setChecked(False)
+    window.wait_until_loaded()
+    plot = window.plot
+    window.wait(lambda: plot.source is window.playback.traces)
+    assert "motor_2" not in plot.shown
+    assert len(plot.shown) == MOTORS - 1
+
+
+@pytest.mark.parametrize("motors", [2, 18])
+def test_recording_with_other_motor_count_is_shown(
+    tmp_path: Path, qtbot: QtBot, motors: int
+) -> None:
+    header = RobotHeader(HEADER.started, T0, version=0, motors=motors)
+    goals = (300,) * motors
+    moved = Moved(T0 + 1, goals, goals, 1.0)
+    window = show_recording(tmp_path / "a.trexrec", qtbot, [moved], header)
+    window.playback.set_position(T0 + 1)
+    assert window.text(f"aracnaRecordedPresent{motors - 1}") == "300 = 88.0°"
+    names = [label.objectName() for label in window.find_all(QLabel)]
+    assert f"aracnaRecordedPresent{motors}" not in names
+    assert window.window.height() < 1000
+
+
+def test_empty_recording_shows_that_it_has_no_events(tmp_path: Path, qtbot: QtBot) -> None:
+    window = show_recording(tmp_path / "a.trexrec", qtbot, [])
+    events = window.find(QListView, "eventList")
+    window.wait(lambda: "no events" in events.accessibleDescription())
+    assert not window.is_enabled("playButton")
