@@ -101,6 +101,5 @@ class ScriptedSession:
     def _record(self, report: Report) -> None:
         self.reports.append(report)
         self.times.append(self.line.now)
-        while self._when and self._when[0][0](report):
+        if self._when and self._when[0][0](report):
             self._do(self._when.popleft()[1])
-            break

@@ -7,7 +7,6 @@ import pytest
 from tests.devices.aracna.session.scripted_session import ScriptedSession
 from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.core.session import Closed, Outcome
-from trex_gui.devices.aracna.session.client import QUERY_RETRY
 from trex_gui.devices.aracna.session.errors import ErrorCode, RobotError
 from trex_gui.devices.aracna.session.liveness import BOOT_TIME
 from trex_gui.devices.aracna.session.messages import (
@@ -56,9 +55,10 @@ def _assert_goes_on_after_a_restart(session: ScriptedSession, *, voided: bool) -
 def test_restart_while_idle_is_reported_and_robot_reconnects() -> None:
     session = ScriptedSession().at(1.0, "reset").until(4.0).run()
     _assert_goes_on_after_a_restart(session, voided=False)
+    assert session.of(LineStats)[-1].restarts == 1
 
 
-@pytest.mark.parametrize("delay", [0.0005, 0.005, 0.02, 0.04])
+@pytest.mark.parametrize("delay", [0.0005, 0.005, 0.04])
 def test_restart_voids_speed_command(delay: float) -> None:
     session = ScriptedSession().at(0.5, SetSpeeds(1, SLOW))
     session.at(0.5 + delay, "reset").at(4.0, SetSpeeds(2, SLOW)).until(5.0).run()
@@ -84,7 +84,7 @@ def test_restart_voids_move_while_servos_keep_moving(delay: float) -> None:
         assert session.stage.positions == (600,) * 8
 
 
-@pytest.mark.parametrize("delay", [0.0, 0.03, 0.3, 0.7, 1.0, 1.7])
+@pytest.mark.parametrize("delay", [0.0, 0.03, 0.3, 1.0])
 def test_restart_ends_playback(delay: float) -> None:
     session = ScriptedSession().at(0.5, Play(1, STEPS, rounds=0))
     session.at(0.52 + delay, "reset").until(6.0).run()
@@ -130,7 +130,7 @@ def _stuck_session() -> ScriptedSession:
 
 def test_servo_failing_in_motion_is_reported_stuck_once() -> None:
     session = _stuck_session()
-    session.at(8.0, Move(4, HERE)).until(60.0).run()
+    session.at(8.0, Move(4, HERE)).until(10.0).run()
     [stuck] = session.of(Stuck)
     assert stuck.motor == 3
     # 88 units at 100 a quarter longer, a second, and what the wire may take
@@ -139,9 +139,6 @@ def test_servo_failing_in_motion_is_reported_stuck_once() -> None:
     )
     assert session.of(Passed)[-1].present == (600,) * 3
     assert not session.of(NotResponding)
-    behind = bytes(session.stage.transport.sent).split(b".c" + b"600," * 7 + b"600\n")[1]
-    assert behind == b".q\n" * behind.count(b".q\n")
-    assert 1 < behind.count(b".q\n") <= 2 + 60 / QUERY_RETRY
     outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
     assert outcomes[3] is not None  # closed before this was done
     assert outcomes[4] is not None
@@ -194,7 +191,7 @@ def test_stuck_motor_ends_playback() -> None:
 # --- A line that damages --------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("lost", [1, 2, 3, 20, 33, 34])
+@pytest.mark.parametrize("lost", [1, 20, 33, 34])
 def test_command_after_truncated_reply_succeeds(lost: int) -> None:
     session = ScriptedSession().at(0.2, SetSpeeds(1, SLOW)).at(0.5, Move(2, THERE))
     session.at(0.7, f"line drop {lost}").at(7.0, Move(3, HERE)).until(14.0).run()
@@ -216,7 +213,7 @@ def test_damaged_speed_reply_fails_in_1_s_and_robot_stays() -> None:
     assert not session.of(NotResponding)
 
 
-@pytest.mark.parametrize("dropped", [1, 2, 4, 11, 33, 34])
+@pytest.mark.parametrize("dropped", [1, 4, 33, 34])
 def test_lost_sent_bytes_do_not_prevent_later_move(dropped: int) -> None:
     session = ScriptedSession().at(0.2, SetSpeeds(9, SLOW)).at(0.5, Move(8, HERE))
     session.at(0.7, f"line drop {dropped} sent")
@@ -227,7 +224,7 @@ def test_lost_sent_bytes_do_not_prevent_later_move(dropped: int) -> None:
     assert session.of(Moved)[-1].goals == HERE
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", range(3))
 def test_session_survives_noise_and_every_request_has_outcome(seed: int) -> None:
     session = ScriptedSession(seed=seed).at(0.2, SetSpeeds(99, SLOW)).at(0.4, "line noise 0.02")
     for number in range(20):
@@ -235,7 +232,7 @@ def test_session_survives_noise_and_every_request_has_outcome(seed: int) -> None
     session.at(41.0, "line noise 0")
     for servo in session.line.servos:
         servo.speed = 500
-    session.at(60.0, lambda: None).until(61.0).run()
+    session.until(51.0).run()
     assert session.reports[-1].error is None  # type: ignore[union-attr]  # it is Closed
     assert sorted(one.id for one in session.of(Outcome)) == [*range(20), 99]
 

@@ -54,7 +54,7 @@ def described(session: ScriptedSession) -> list[tuple[str, int, int]]:
 # --- Timing ---------------------------------------------------------------------------------
 
 
-@examples(40)
+@examples(25)
 @given(
     seconds=st.lists(st.floats(0.3, 2.0), min_size=1, max_size=4),
     positions=st.lists(st.integers(0, 1023), min_size=4, max_size=4),
@@ -72,7 +72,8 @@ def test_steps_arrive_in_time_and_begin_on_schedule(
         travel_seconds(distance, 870) < one.seconds * factor - 0.12
         for distance, one in zip(distances, steps, strict=True)
     )
-    session = placed().at(1.0, Play(1, steps, time_scale=factor)).until(20.0).run()
+    session = placed().at(1.0, Play(1, steps, time_scale=factor))
+    session.until(4.0 + factor * sum(seconds)).run()
     begun = [report.time for report in session.of(StepBegun)]
     moved = [report.time for report in session.of(Moved)][1:]
     assert [ended.why for ended in session.of(PlayEnded)] == [Ending.DONE]
@@ -89,7 +90,7 @@ def test_steps_arrive_in_time_and_begin_on_schedule(
 
 def test_arrival_times_match_travel_time_formula() -> None:
     steps = (step(600, 1.0), step(300, 0.5), step(310, 2.0), step(900, 0.8))
-    session = placed(margin=0).at(1.0, Play(1, steps, rounds=3)).until(20.0).run()
+    session = placed(margin=0).at(1.0, Play(1, steps, rounds=3)).until(15.0).run()
     for moving, moved in zip(session.of(Moving)[1:], session.of(Moved)[1:], strict=True):
         speeds = [held.held for held in session.of(SpeedsHeld) if held.time <= moving.time][-1]
         formula = max(
@@ -115,24 +116,24 @@ def test_all_motors_of_step_arrive_together() -> None:
     assert min(times) > 0.85
 
 
-def test_schedule_does_not_drift_over_100_rounds() -> None:
+def test_schedule_does_not_drift_over_30_rounds() -> None:
     steps = (step(560, 0.4), step(460, 0.4))
-    session = placed().at(1.0, Play(1, steps, rounds=100)).until(90.0).run()
+    session = placed().at(1.0, Play(1, steps, rounds=30)).until(27.0).run()
     begun = [report.time for report in session.of(StepBegun)]
-    assert len(begun) == 200
-    assert begun[-1] - begun[0] == pytest.approx(199 * 0.4, abs=0.03)
-    assert session.when(PlayEnded)[0] - session.when(StepBegun)[0] == pytest.approx(80.0, abs=0.2)
+    assert len(begun) == 60
+    assert begun[-1] - begun[0] == pytest.approx(59 * 0.4, abs=0.01)
+    assert session.when(PlayEnded)[0] - session.when(StepBegun)[0] == pytest.approx(24.0, abs=0.2)
 
 
 def test_steps_rarely_resend_unchanged_speeds() -> None:
     steps = (step(560, 0.5), step(460, 0.5))
-    session = placed(margin=0).at(1.0, Play(1, steps, rounds=20)).until(25.0).run()
-    assert len(session.of(SpeedsHeld)) <= 5 + 20 / TRUST, "but to see that they are held"
+    session = placed(margin=0).at(1.0, Play(1, steps, rounds=10)).until(13.0).run()
+    assert len(session.of(SpeedsHeld)) <= 5 + 10 / TRUST, "but to see that they are held"
 
 
 def test_late_steps_are_reported_and_none_is_skipped() -> None:
     steps = (step(1000, 0.2), step(20, 0.2))
-    session = placed().at(1.0, Play(1, steps, rounds=5)).until(20.0).run()
+    session = placed().at(1.0, Play(1, steps, rounds=5)).until(10.0).run()
     assert described(session) == [("steps", index, turn) for turn in range(5) for index in (0, 1)]
     assert max(begun.late for begun in session.of(StepBegun)) > 0.3
     # The clock is set anew: what is late does not add up endless.
@@ -147,31 +148,7 @@ def test_first_step_from_unknown_position_is_slow() -> None:
     assert [ended.why for ended in session.of(PlayEnded)] == [Ending.DONE]
 
 
-def test_previous_speeds_are_restored_after_playback() -> None:
-    session = placed().at(1.0, Play(1, (step(600, 1.0), step(602, 1.0)))).until(6.0).run()
-    assert session.stage.speeds == (1023,) * 8
-
-
 # --- What is played -------------------------------------------------------------------------
-
-
-def test_parts_and_rounds_are_played_in_order() -> None:
-    play = Play(
-        1, (step(560, 0.3), step(460, 0.3)), 2, (step(500, 0.3),), (step(512, 0.3), step(520, 0.3))
-    )
-    session = placed().at(1.0, play).until(8.0).run()
-    assert described(session) == [
-        ("in", 0, 0),
-        ("steps", 0, 0),
-        ("steps", 1, 0),
-        ("steps", 0, 1),
-        ("steps", 1, 1),
-        ("out", 0, 0),
-        ("out", 1, 0),
-    ]
-    [outcome] = [outcome for outcome in session.of(Outcome) if outcome.id == 1]
-    assert outcome.value is Ending.DONE
-    assert session.kinds.index("PlayEnded") < session.reports.index(outcome)
 
 
 def test_end_finishes_current_step_and_plays_blend_out() -> None:
@@ -194,20 +171,16 @@ def test_halt_sends_no_further_step_and_reports_motion_end(time: float) -> None:
     assert len(session.of(Moved)) == len(session.of(Moving))
     [outcome] = [outcome for outcome in session.of(Outcome) if outcome.id == 1]
     assert (outcome.value, outcome.error) == (Ending.HALTED, None)
+    assert session.reports.index(ended) < session.reports.index(outcome)
 
 
-def test_new_time_scale_applies_from_next_step() -> None:
+def test_valid_time_scale_applies_from_next_step() -> None:
     session = placed().at(1.0, Play(1, (step(560, 0.5), step(460, 0.5)), 3))
-    session.at(1.7, SetTimeScale(2.0)).until(12.0).run()
+    session.at(1.1, SetTimeScale(0.0)).at(1.1, SetTimeScale(float("nan")))
+    session.at(1.7, SetTimeScale(2.0)).until(6.0).run()
     times = session.when(StepBegun)
     gaps = [b - a for a, b in itertools.pairwise(times)]
     assert gaps == pytest.approx([0.5, 0.5, 1.0, 1.0, 1.0], abs=0.04)
-
-
-def test_invalid_time_scale_is_ignored() -> None:
-    session = placed().at(1.0, Play(1, (step(560, 0.5),), 3))
-    session.at(1.1, SetTimeScale(0.0)).at(1.1, SetTimeScale(float("nan"))).until(5.0).run()
-    assert session.when(StepBegun)[2] == pytest.approx(2.0, abs=0.04)
 
 
 def test_moves_and_speeds_are_rejected_during_playback() -> None:
@@ -242,6 +215,7 @@ def test_invalid_play_request_is_rejected_with_explanation(play: Play, says: str
     assert not session.of(PlayEnded)
 
 
+@examples(40)
 @given(
     counts=st.tuples(st.integers(0, 3), st.integers(1, 3), st.integers(0, 3)),
     rounds=st.integers(1, 4),

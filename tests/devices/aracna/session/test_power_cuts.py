@@ -46,7 +46,7 @@ def test_move_after_power_cut_in_motion_keeps_requested_speed(cut: float) -> Non
     session.at(4.0, "servo power off").at(4.0 + cut, "servo power on")
     session.at(4.7 + cut, Move(3, (600,) * 8, SLOW))
     seen = watched(session, 4.72 + cut, 2.0)
-    session.until(16.0).run()
+    session.run()
     assert 0 < max(seen) < FASTEST
     assert session.when(SpeedsHeld)[-1] > 4.0 + cut, "set again"
     assert session.stage.speeds == SLOW
@@ -69,7 +69,7 @@ def test_speed_is_limited_again_soon_after_power_cut_near_goal(cut: float, secon
     session.at(0.5, Move(1, (300,) * 8, (100,) * 8)).at(1.5, Play(2, steps, 0))
     session.at(cut, "servo power off").at(cut + seconds, "servo power on")
     seen = watched(session, cut + seconds + TRUST, 5.0)
-    session.until(14.0).run()
+    session.run()
     assert 0 < max(seen) < 300, "200 units in 1.4 s"
 
 
@@ -79,7 +79,7 @@ def test_move_after_power_cut_near_goal_keeps_requested_speed(cut: float) -> Non
     session.at(cut, "servo power off").at(cut + 0.3, "servo power on")
     session.at(cut + 0.8, Move(2, (900,) * 8, SLOW))
     seen = watched(session, cut + 0.82, 1.5)
-    session.until(14.0).run()
+    session.run()
     assert 0 < max(seen) < FASTEST
 
 

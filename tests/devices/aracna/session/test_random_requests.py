@@ -56,7 +56,7 @@ MENDING = ("line mute off", "line drop 0", "line drop 0 sent", "servo 3 alive", 
     keeps_last=st.booleans(),
 )
 # Shrinking takes longer than a test may.
-@examples(60, phases=(Phase.explicit, Phase.generate))
+@examples(40, phases=(Phase.explicit, Phase.generate))
 def test_every_request_has_one_outcome_and_robot_recovers(
     acts: list[tuple[float, Callable[[int], Request] | str]], *, keeps_last: bool
 ) -> None:
@@ -72,8 +72,8 @@ def test_every_request_has_one_outcome_and_robot_recovers(
             session.at(time, request)
     for line in MENDING:
         session.at(time, line)
-    session.at(time + 1.0, Halt()).at(time + 60.0, SetSpeeds(98, (500,) * 8))
-    session.at(time + 61.0, Move(99, (444,) * 8)).until(time + 70.0).run()
+    session.at(time + 1.0, Halt()).at(time + 20.0, SetSpeeds(98, (500,) * 8))
+    session.at(time + 21.0, Move(99, (444,) * 8)).until(time + 24.0).run()
     assert session.reports[-1] == Closed(None)
     assert sorted(outcome.id for outcome in session.of(Outcome)) == [*sorted(numbers), 98, 99]
     last = {outcome.id: outcome.error for outcome in session.of(Outcome)}

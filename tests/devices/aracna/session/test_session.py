@@ -1,5 +1,7 @@
 """A session with a simulated robot in virtual time: opening, asking, moving, halting, ending."""
 
+from itertools import pairwise
+
 import pytest
 
 from tests.devices.aracna.session.scripted_session import ScriptedSession
@@ -10,6 +12,7 @@ from trex_gui.devices.aracna.session.messages import (
     Connected,
     Drag,
     Halt,
+    LineStats,
     Move,
     Moved,
     Moving,
@@ -20,6 +23,7 @@ from trex_gui.devices.aracna.session.messages import (
     SpeedsHeld,
     Stuck,
 )
+from trex_gui.devices.aracna.session.session import STATS_INTERVAL
 
 HERE = (512,) * 8
 THERE = (600,) * 8
@@ -55,7 +59,7 @@ def test_session_connects_behind_unfinished_command(stump: bytes) -> None:
     assert session.stage.positions == HERE
 
 
-@pytest.mark.parametrize("tail", [b"h\r\n", b",8\r\n", b"\xff\x00\n", b"20,512,512\r\n", b"\r\n"])
+@pytest.mark.parametrize("tail", [b"h\r\n", b"\xff\x00\n"])
 def test_truncated_first_line_is_ignored(tail: bytes) -> None:
     session = ScriptedSession().until(3.0)
     session.line.inject(tail)
@@ -191,14 +195,11 @@ def test_unplugged_line_ends_session_in_any_state(time: float) -> None:
     assert session.stage.transport.closed
 
 
-@pytest.mark.parametrize("size", [1, 2, 3])
-@pytest.mark.parametrize("stump", [b".c\n", b".v\n", b".q\n"])
-def test_move_succeeds_after_truncated_command(stump: bytes, size: int) -> None:
+@pytest.mark.parametrize("stump", [b".", b".c", b".c\n", b".v\n", b".q"])
+def test_move_succeeds_after_truncated_command(stump: bytes) -> None:
     """Only the first bytes of a command reach the robot."""
-    session = (
-        ScriptedSession().at(0.3, lambda: session.line.send(stump[:size])).at(0.4, Move(1, THERE))
-    )
-    session.at(8.0, Move(2, THERE)).until(12.0).run()
+    session = ScriptedSession().at(0.3, lambda: session.line.send(stump)).at(0.4, Move(1, THERE))
+    session.at(8.0, Move(2, THERE)).until(9.0).run()
     outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
     assert set(outcomes) == {1, 2}
     assert outcomes[2] is None
@@ -215,3 +216,62 @@ def test_silent_robot_is_polled_until_it_answers() -> None:
     assert set(bytes(session.stage.transport.sent).split(b"\n")) == {b"", b".q"}
     assert not session.of(Stuck)
     assert not session.of(Restarted)
+
+
+# --- Statistics of the line -----------------------------------------------------------------
+
+
+def last(session: ScriptedSession) -> LineStats:
+    return session.of(LineStats)[-1]
+
+
+def test_counters_are_reported_once_soon_after_connecting() -> None:
+    session = ScriptedSession().until(1.9)  # before the keep-alive query
+    session.run()
+    [counters] = session.of(LineStats)
+    assert counters.replies == counters.requests == 1
+    assert session.when(LineStats)[0] - session.when(Connected)[0] < 0.1
+
+
+def test_unanswered_queries_during_boot_are_not_counted() -> None:
+    session = ScriptedSession(booted=False).until(4.0).run()
+    assert last(session).timeouts == last(session).restarts == 0
+    assert last(session).slowest < 0.1
+
+
+def test_counters_are_reported_at_most_once_a_second() -> None:
+    session = ScriptedSession()
+    for number in range(40):
+        session.at(1 + number / 10, SetSpeeds(number + 1, (100 + number,) * 8))
+    session.until(6.0)
+    session.run()
+    times = session.when(LineStats)
+    assert 4 <= len(times) <= 7
+    assert all(later - earlier >= STATS_INTERVAL for earlier, later in pairwise(times))
+    assert last(session).replies >= 40
+
+
+def test_slowest_reply_time_excludes_motions() -> None:
+    session = ScriptedSession(positions=(100,) * 8).at(0.5, Move(1, HERE, (100,) * 8)).until(4.0)
+    session.run()
+    counters = last(session)
+    assert counters.replies >= 3
+    assert 0.02 < counters.slowest < 0.2
+
+
+def test_unanswered_queries_are_counted_as_silence() -> None:
+    session = ScriptedSession().at(1.0, "line mute on").until(12.0).run()
+    assert last(session).timeouts >= 3
+    assert last(session).corrupted == 0
+
+
+def test_invalid_reply_is_counted_as_damaged_and_strange() -> None:
+    session = ScriptedSession()
+
+    def garble() -> None:
+        session.stage.do("power off")
+        session.line.inject(b".v,what\r\n")
+
+    session.at(1.0, SetSpeeds(1, (100,) * 8)).at(1.001, garble).until(4.0).run()
+    assert last(session).corrupted == 1
+    assert last(session).unrecognized >= 1

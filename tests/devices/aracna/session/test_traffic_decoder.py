@@ -4,6 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.support.matrix import examples
 from tests.support.talk import Said, pieces_of, reports
 from trex_gui.core.transport.traffic import TrafficDirection, TrafficEvent
 from trex_gui.devices.aracna.session.traffic_decoder import AracnaDecoder
@@ -40,6 +41,7 @@ def test_exchange_is_decoded_as_text(said: Said, text: str, is_fault: bool) -> N
     assert reports(AracnaDecoder(), pieces_of([said])) == [(text, is_fault)]
 
 
+@examples(40)
 @given(st.lists(st.sampled_from(ARACNA), max_size=8), st.integers(1, 5))
 def test_chunk_size_does_not_change_decoded_rows(
     talk: list[tuple[Said, str, bool]], cut: int
