@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from trex_gui.devices.aracna.poses.gaits import BUILT_IN_POSES, GAITS, STAND_UP, Gait, GaitStage
+from trex_gui.devices.aracna.poses.gaits import BUILT_IN_POSES, GAITS, Gait, GaitStage
 from trex_gui.devices.aracna.poses.project import Pose
 from trex_gui.devices.aracna.protocol.joints import crop, factory_limits
 
@@ -53,14 +53,6 @@ def test_star_gait_lifts_diagonal_legs_and_swings_outer_joints(number: int) -> N
         assert changes == expected
 
 
-def test_standing_up_takes_3_s_to_flat_and_3_s_to_stand() -> None:
-    assert [(stage.pose.name, stage.seconds) for stage in STAND_UP.stages] == [
-        ("flat", 3.0),
-        ("stand", 3.0),
-    ]
-    assert STAND_UP.start is None
-
-
 def test_cyclic_gait_starts_in_last_pose() -> None:
     low, high = Pose("low", (0, 100)), Pose("high", (100, 300))
     assert Gait("to and fro", (GaitStage(high, 2.0), GaitStage(low, 1.0))).start == low
@@ -80,7 +72,3 @@ def test_every_gait_has_unique_name_text_and_eight_motors() -> None:
     for one in GAITS:
         assert one.about.endswith(".")
         assert all(len(stage.pose.positions) == 8 for stage in one.stages)
-
-
-def test_added_gaits_are_marked_as_ours() -> None:
-    assert {one.name for one in GAITS if one.ours} == {"push-ups", "lie down"}

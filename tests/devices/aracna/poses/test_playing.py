@@ -4,6 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.support.matrix import examples
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.aracna.poses.gaits import (
     BUILT_IN_POSES,
@@ -36,6 +37,8 @@ def test_sequence_becomes_steps_within_limits() -> None:
         Step(FLAT_GOALS, 3.0, "flat"),
         Step(STAND_GOALS, 0.5, "stand"),
     )
+    scaled_for_two_motors = steps_of(SEQUENCE, BUILT_IN_POSES, factory_limits(2), 2.0)
+    assert scaled_for_two_motors == (Step((600, 40), 6.0, "flat"), Step((512, 550), 1.0, "stand"))
 
 
 def test_every_clamped_position_is_reported() -> None:
@@ -44,11 +47,6 @@ def test_every_clamped_position_is_reported() -> None:
         *((0, motor) for motor in (0, 2, 4, 6)),
         *((1, motor) for motor in (1, 3, 5, 7)),
     )
-
-
-def test_time_scale_of_two_doubles_step_times() -> None:
-    steps = steps_of(SEQUENCE, BUILT_IN_POSES, LIMITS, 2.0)
-    assert [step.seconds for step in steps] == [6.0, 1.0]
 
 
 def test_sequence_with_undefined_poses_is_rejected() -> None:
@@ -69,10 +67,6 @@ def test_invalid_time_scale_is_rejected(time_scale: float) -> None:
         steps_of(SEQUENCE, BUILT_IN_POSES, LIMITS, time_scale)
 
 
-def test_step_goals_match_motor_count() -> None:
-    assert steps_of(SEQUENCE, BUILT_IN_POSES, factory_limits(2))[0].goals == (600, 40)
-
-
 def test_looping_gait_blends_in_slowly_unless_at_start() -> None:
     star = next(gait for gait in GAITS if gait.name == "star 6")
     [step] = blend_in(star, (), LIMITS, (None,) * 8)
@@ -81,11 +75,8 @@ def test_looping_gait_blends_in_slowly_unless_at_start() -> None:
     assert blend_in(star, (), LIMITS, step.goals) == ()
 
 
-def test_sequence_blends_in_slowly_to_first_pose() -> None:
+def test_sequence_blends_in_slowly_to_first_pose_and_standing_up_does_not() -> None:
     assert blend_in(SEQUENCE, BUILT_IN_POSES, LIMITS) == (Step(FLAT_GOALS, 3.0, "flat"),)
-
-
-def test_standing_up_needs_no_blend_in() -> None:
     assert blend_in(STAND_UP, (), LIMITS) == ()
 
 
@@ -118,6 +109,7 @@ def test_estimate_uses_step_times_or_slowest_motors() -> None:
     assert estimated_seconds(steps, (0, 0)) == pytest.approx(2.0 + 1000 / (2.28 * 870))
 
 
+@examples(40)
 @given(
     st.lists(
         st.tuples(st.tuples(*[st.integers(0, 1023)] * 2), st.floats(0.01, 10)),

@@ -219,7 +219,7 @@ def projects(draw: st.DrawFn) -> Project:
     )
 
 
-@examples(40)
+@examples(25)
 @given(projects())
 def test_written_project_is_read_back_equal(project: Project) -> None:
     found, findings = read_ppr(write_ppr(project))

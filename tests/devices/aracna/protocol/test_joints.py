@@ -4,16 +4,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.support.matrix import examples
 from trex_gui.devices.aracna.protocol import joints
-from trex_gui.devices.aracna.protocol.joints import JOINTS, JointKind, Leg, Limits, factory_limits
+from trex_gui.devices.aracna.protocol.joints import JOINTS, JointKind, Leg, Limits
 
 
-@given(position=st.integers(0, 1023))
-def test_position_survives_conversion_to_degrees_and_back(position: int) -> None:
-    assert joints.position(joints.degrees(position)) == position
-
-
-def test_range_is_300_degrees_centred_at_150() -> None:
+def test_every_position_survives_conversion_to_degrees_and_back() -> None:
+    for position in range(1024):
+        assert joints.position(joints.degrees(position)) == position
     assert joints.degrees(1023) == pytest.approx(300)
     assert joints.degrees(512) == pytest.approx(150, abs=0.2)
 
@@ -34,6 +32,7 @@ def test_travel_takes_documented_time(
     assert joints.travel_seconds(distance, speed, ceiling) == pytest.approx(seconds, rel=0.01)
 
 
+@examples(40)
 @given(distance=st.integers(-1023, 1023), seconds=st.floats(0.05, 60))
 def test_speed_for_time_is_lowest_that_arrives_in_time(distance: int, seconds: float) -> None:
     speed = joints.speed_for(distance, seconds)
@@ -59,10 +58,7 @@ def test_even_motors_are_inner_joints_and_legs_are_pairs() -> None:
     assert right == {2, 3, 4, 5}
 
 
-def test_factory_limits_equal_values_tuned_on_robot() -> None:
-    assert factory_limits() == (Limits(50, 600), Limits(0, 550)) * 4
-
-
+@examples(40)
 @given(st.integers(-2000, 3000), st.integers(0, 1023), st.integers(0, 1023))
 def test_crop_returns_allowed_value_and_keeps_allowed_ones(value: int, one: int, two: int) -> None:
     limits = Limits(min(one, two), max(one, two))
