@@ -1,7 +1,6 @@
 """The Demo Aracna: its panel reaches the simulator and shows its state."""
 
 import sys
-from collections.abc import Iterator
 from dataclasses import replace
 
 import pytest
@@ -43,28 +42,18 @@ def test_new_robot_is_idle_limp_and_centred() -> None:
     assert not snapshot.line.mute
 
 
-def is_whole(servo: DemoServo) -> bool:
-    return not (servo.dead or servo.blocked or servo.load)
-
-
-def test_servo_faults_are_read_for_each_servo() -> None:
+def test_faults_and_lack_of_power_are_read_for_each_servo() -> None:
     stage = AracnaStage()
     stage.do("servo 1 dead", "servo 2 block", "servo 3 load 0.25", "line noise 0.5")
     snapshot = snapshot_of(stage)
     assert [servo.dead for servo in snapshot.servos] == [False, True, *[False] * 6]
     assert [servo.blocked for servo in snapshot.servos] == [False, False, True, *[False] * 5]
     assert [servo.load for servo in snapshot.servos] == [0, 0, 0, 0.25, 0, 0, 0, 0]
-    assert [is_whole(servo) for servo in snapshot.servos] == [True, *[False] * 3, *[True] * 4]
     assert snapshot.line.noise == 0.5
-
-
-def test_unpowered_servo_is_not_reported_dead() -> None:
-    stage = AracnaStage()
-    stage.do("servo 6 dead", "servo power off")
+    stage.do("servo power off")
     snapshot = snapshot_of(stage)
-    assert not snapshot.servo_power
-    assert snapshot.power
-    assert [servo.dead for servo in snapshot.servos] == [False] * 6 + [True, False]
+    assert (snapshot.power, snapshot.servo_power) == (True, False)
+    assert [servo.dead for servo in snapshot.servos] == [False, True, *[False] * 6], "no power only"
 
 
 def test_blocked_or_unpowered_servos_do_not_count_as_moving() -> None:
@@ -142,52 +131,32 @@ def test_servo_state_is_described_as_text(servo: DemoServo, powered: bool, words
 # --- What hands do ----------------------------------------------------------------------
 
 
-pseudo_terminals = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
-
-
-@pytest.fixture
-def simulator(qtbot: QtBot) -> Iterator[Overheard]:
+@pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
+def test_dragged_load_sends_only_first_and_newest_value_and_each_loss_its_line(
+    qtbot: QtBot,
+) -> None:
     simulator = Overheard(ARACNA)
     with qtbot.waitSignal(simulator.ready, timeout=15_000):
         simulator.start()
-    yield simulator
-    simulator.stop()
-
-
-@pytest.fixture
-def robot(simulator: Overheard, qtbot: QtBot) -> Iterator[DemoRobot]:
     robot = DemoRobot(simulator)
     robot.watch(True)
     qtbot.waitUntil(lambda: robot.snapshot is not None, timeout=15_000)
-    yield robot
-    robot.watch(False)
-
-
-def seen(robot: DemoRobot) -> RobotSnapshot:
-    assert robot.snapshot is not None
-    return robot.snapshot
-
-
-@pseudo_terminals
-def test_dragged_load_sends_only_first_and_newest_value(
-    robot: DemoRobot, simulator: Overheard, qtbot: QtBot
-) -> None:
     simulator.lines.clear()
     for per_cent in range(1, 101):
         robot.set_load(0, per_cent / 100)
-    qtbot.waitUntil(lambda: seen(robot).servos[0].load == 1, timeout=15_000)
+    qtbot.waitUntil(
+        lambda: robot.snapshot is not None and robot.snapshot.servos[0].load == 1, timeout=15_000
+    )
     assert simulator.orders() == ["servo 0 load 0.01", "servo 0 load 1.00"]
 
-
-@pseudo_terminals
-@pytest.mark.parametrize("loss", ["drop 1", "drop 1 sent", "cut 6"])
-def test_each_loss_sends_its_control_line(
-    robot: DemoRobot, simulator: Overheard, qtbot: QtBot, loss: str
-) -> None:
     simulator.lines.clear()
+    losses = ["drop 1", "drop 1 sent", "cut 6"]
     with qtbot.assertNotEmitted(robot.rejected):
-        robot.lose(loss)
+        for loss in losses:
+            robot.lose(loss)
         answers: list[str] = []
         simulator.send("show", answers.append)
         qtbot.waitUntil(lambda: bool(answers), timeout=15_000)
-    assert simulator.orders() == [f"line {loss}"]
+    assert simulator.orders() == [f"line {loss}" for loss in losses]
+    robot.watch(False)
+    simulator.stop()

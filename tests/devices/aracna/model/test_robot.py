@@ -2,6 +2,7 @@
 
 import threading
 from collections.abc import Callable, Iterator
+from typing import TypeVar
 
 import pytest
 from PySide6.QtCore import QSettings
@@ -16,6 +17,8 @@ from trex_gui.devices.aracna.model.robot import FIRST_SPEED, Robot
 from trex_gui.devices.aracna.session.messages import Moved, Moving, Play, SpeedsHeld, Step
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import now
+
+KindT = TypeVar("KindT")
 
 LOW = (300,) * 8
 HIGH = (400,) * 8
@@ -58,10 +61,6 @@ class RobotHarness:
         self.wait(lambda: self.robot.state.moving is not None)
         self.simulator.do("servo 3 dead", "servo 3 free")
 
-    def sent_after(self, moment: float) -> int:
-        """How many motions were sent later; one sent before may be reported later."""
-        return sum(isinstance(each, Moving) and each.time > moment for each in self.reports)
-
     def drag(self, goals: tuple[int, ...]) -> None:
         before = len(self.of(Moved))
         self.robot.drag(goals)
@@ -73,13 +72,13 @@ class RobotHarness:
         self.wait(lambda: self.robot.link is ConnectionState.DISCONNECTED)
         assert self.robot.shut_down()
 
-    def of(self, kind: type) -> list[object]:
+    def of(self, kind: type[KindT]) -> list[KindT]:
         return [report for report in self.reports if isinstance(report, kind)]
 
     @property
     def sent(self) -> list[tuple[int, ...]]:
         """The goals of every motion that went out."""
-        return [report.goals for report in self.reports if isinstance(report, Moving)]
+        return [report.goals for report in self.of(Moving)]
 
     @property
     def speeds(self) -> list[int]:
@@ -87,13 +86,8 @@ class RobotHarness:
 
 
 @pytest.fixture
-def simulator(start_simulator: StartSimulator) -> SimulatedDevice:
-    return start_simulator("--aracna", "--unpaced")
-
-
-@pytest.fixture
-def harness(simulator: SimulatedDevice, qtbot: QtBot) -> Iterator[RobotHarness]:
-    harness = RobotHarness(simulator, qtbot)
+def harness(start_simulator: StartSimulator, qtbot: QtBot) -> Iterator[RobotHarness]:
+    harness = RobotHarness(start_simulator("--aracna", "--unpaced"), qtbot)
     yield harness
     harness.end()
 
@@ -104,34 +98,27 @@ def robot(harness: RobotHarness) -> Robot:
     return harness.robot
 
 
-def test_positions_are_unknown_before_first_move(robot: Robot, harness: RobotHarness) -> None:
+def test_first_move_is_slow_and_makes_positions_known(robot: Robot, harness: RobotHarness) -> None:
     assert robot.state.version == 1
     assert robot.state.motors == 8
     assert robot.state.present == (None,) * 8
     assert not harness.sent
     harness.move((512,) * 8)
     assert all(position is not None for position in robot.state.present)
-
-
-def test_first_move_is_slow(robot: Robot, harness: RobotHarness) -> None:
-    harness.move((480,) * 8)
     assert harness.speeds == [FIRST_SPEED] * 8
     order = [type(report) for report in harness.reports]
     assert order.index(SpeedsHeld) < order.index(Moving)
 
 
-def test_first_move_uses_chosen_speeds(robot: Robot, harness: RobotHarness) -> None:
-    robot.set_speeds((0, 300, 300, 300, 300, 300, 300, 1023))
-    harness.move((480,) * 8)
-    assert harness.speeds == [0, 300, 300, 300, 300, 300, 300, 1023]
-
-
-def test_invalid_speeds_are_rejected(robot: Robot) -> None:
+def test_first_move_uses_chosen_valid_speeds(robot: Robot, harness: RobotHarness) -> None:
     with pytest.raises(BadRequest, match="0 to 1023"):
         robot.set_speeds((1024,) * 8)
     with pytest.raises(BadRequest, match="8 speeds"):
         robot.set_speeds((100,) * 7)
     assert robot.speeds == (FIRST_SPEED,) * 8
+    robot.set_speeds((0, 300, 300, 300, 300, 300, 300, 1023))
+    harness.move((480,) * 8)
+    assert harness.speeds == [0, 300, 300, 300, 300, 300, 300, 1023]
 
 
 def test_goals_are_clamped_to_limits_with_message(robot: Robot, harness: RobotHarness) -> None:
@@ -228,7 +215,7 @@ def test_drag_with_rejected_speed_is_reported_once(robot: Robot, harness: RobotH
     assert "Motor 5 did not accept speed 200" in harness.messages[0]
 
 
-def test_log_has_one_line_for_a_move_and_none_for_a_drag(
+def test_log_has_one_line_for_a_move_and_one_for_a_lost_reply(
     robot: Robot, harness: RobotHarness
 ) -> None:
     harness.move(LOW)
@@ -237,12 +224,8 @@ def test_log_has_one_line_for_a_move_and_none_for_a_drag(
     robot.begin_drag()
     harness.drag(HIGH)
     robot.end_drag()
-    assert [event.text for event in robot.events.all] == logged
-
-
-def test_lost_reply_is_one_line_in_log(robot: Robot, harness: RobotHarness) -> None:
-    harness.move(LOW)
-    assert robot.move(HIGH)
+    assert [event.text for event in robot.events.all] == logged, "none for a drag"
+    assert robot.move(LOW)
     harness.wait(lambda: robot.state.moving is not None)
     harness.simulator.do("line mute on")
     harness.wait(lambda: robot.state.reply_lost)
@@ -250,13 +233,6 @@ def test_lost_reply_is_one_line_in_log(robot: Robot, harness: RobotHarness) -> N
     lost = [text for text in texts if "−1" in text or "reply was lost" in text]
     assert lost == ["The reply was lost (or no motor responds): positions are not known."]
     harness.simulator.do("line mute off")
-
-
-def test_halt_at_rest_keeps_goals(robot: Robot, harness: RobotHarness) -> None:
-    harness.move(LOW)
-    robot.targets.set(0, 350)
-    robot.halt()
-    assert robot.targets.goals == (350, *LOW[1:])
 
 
 def test_rejected_servo_speed_is_reported(robot: Robot, harness: RobotHarness) -> None:
@@ -298,12 +274,16 @@ def test_halt_ends_playback_and_holds_reported_positions(
     robot: Robot, harness: RobotHarness
 ) -> None:
     harness.move(LOW)
+    robot.targets.set(0, 350)
+    robot.halt()
+    assert robot.targets.goals == (350, *LOW[1:]), "kept by a halt at rest"
     robot.play(Play(0, steps(HIGH, LOW), rounds=0))
     harness.wait(lambda: robot.state.step is not None and robot.state.step.round >= 1)
     robot.halt()
     halted = now()
     harness.wait(lambda: robot.state.play is None and robot.state.moving is None)
-    assert harness.sent_after(halted) <= 1  # one may have been on its way
+    sent_after = [each for each in harness.of(Moving) if each.time > halted]
+    assert len(sent_after) <= 1  # one may have been on its way
     assert robot.targets.goals == robot.state.present
     assert harness.messages == []
 
