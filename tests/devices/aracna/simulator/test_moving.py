@@ -110,16 +110,6 @@ def test_moving_servo_keeps_old_goal_when_new_one_is_rejected() -> None:
     assert stage.ask(line("c", [1024] * 8)) == line("c", [700] * 8).replace(b"\n", b"\r\n")
 
 
-def test_lagging_motor_reports_position_at_its_turn() -> None:
-    stage = AracnaStage(margin=0)
-    stage.line.servos[7].lag = 10  # the moving flag is not up when it is asked
-    stage.ask(line("v", [100] * 7 + [10]))
-    reply = stage.ask(line("c", [740] * 8))
-    last = int(reply.rsplit(b",", 1)[1])
-    assert 512 < last < 600
-    assert last == pytest.approx(512 + 10 * UNITS_A_SECOND, abs=2)
-
-
 def test_load_slows_servo() -> None:
     stage = AracnaStage(margin=0)
     stage.ask(line("v", [100] * 8))

@@ -43,16 +43,13 @@ class Servo:
         self.blocked = False  # whether something holds it: then it stays "moving" until it is free
         self.load = 0.0  # share of its speed that it loses, 0-1
         self.margin = margin
-        self.lag = 0.0  # seconds between a goal and the moving flag, for tests
         self.to_fail: Counter[Register] = Counter()  # number of reads of a register that fail next
-        self._since_goal = math.inf
 
     def write_goal(self, value: int) -> None:
         """Write a goal; one above 1023 is rejected."""
         if self.answers and 0 <= value <= HIGHEST:
             self.goal = value
             self.torque = True
-            self._since_goal = 0.0
 
     def write_speed(self, value: int) -> None:
         """Write a speed; one above 1023 is rejected."""
@@ -69,7 +66,7 @@ class Servo:
         if register is Register.SPEED:
             return self.speed
         if register is Register.MOVING:
-            return int(self.moving and self._since_goal >= self.lag)
+            return int(self.moving)
         return round(self.position)
 
     @property
@@ -98,7 +95,6 @@ class Servo:
         return distance / self.rate if self.rate else math.inf
 
     def advance(self, seconds: float) -> None:
-        self._since_goal += seconds
         if not self.moving:
             return
         if seconds >= self.remaining - _EPSILON:
