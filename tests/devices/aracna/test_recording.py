@@ -39,7 +39,7 @@ def rows(folder: Path, *what: Record) -> list[dict[str, str]]:
 
 
 @examples(25)
-@given(what=st.lists(records, max_size=60))
+@given(what=st.lists(records, max_size=30))
 def test_every_record_is_read_as_written(folder: Path, what: list[Record]) -> None:
     path = folder / "any.trexrec"
     assert write(path, what) == path.stat().st_size

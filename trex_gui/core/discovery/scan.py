@@ -12,7 +12,7 @@ found before:
 4. the likely probes again, of a kind whose only reply may have been lost.
 
 A kind that the port is known to have goes first in 2 to 4. The probes of a kind move no device of
-any other, in whatever order: tests/devices/aracna/session/test_scan_for_both_devices.py checks
+any other, in whatever order: tests/devices/aracna/session/test_discovery.py checks
 all of them.
 """
 

@@ -88,6 +88,7 @@ def test_missing_positions_become_512_with_warning() -> None:
     assert line == 2
     assert "3 positions of 8" in message
     assert findings[0].severity is Severity.WARNING
+    assert read_ppr(HEAD + "Pose=none:\n")[0].poses == (Pose("none", (512,) * 8),)
 
 
 def test_short_pose_is_written_padded_with_512() -> None:
@@ -96,10 +97,6 @@ def test_short_pose_is_written_padded_with_512() -> None:
     assert findings == ()
     assert project.poses == (Pose("short", (1, 2, 512, 512, 512, 512, 512, 512)),)
     assert write_ppr(project) == text
-
-
-def test_pose_without_positions_is_centred() -> None:
-    assert read_ppr(HEAD + "Pose=none:\n")[0].poses == (Pose("none", (512,) * 8),)
 
 
 def test_old_style_pose_is_read_and_written_in_new_style() -> None:

@@ -20,7 +20,7 @@ def test_wrong_number_of_values_is_rejected(count: int) -> None:
         commands.positions([512] * count, 8)
 
 
-@pytest.mark.parametrize("bad", [-1, 1024, 9999, 12345, 1.5, "512", None, True])
+@pytest.mark.parametrize("bad", [-1, 1024, 1.5, "512", None, True])
 def test_value_other_than_integer_0_to_1023_is_rejected(bad: object) -> None:
     values = [512] * 7 + [bad]
     with pytest.raises(BadRequest, match="motor 7 is 0 to 1023"):
