@@ -20,7 +20,7 @@ from trex_gui.devices.trex.driving.requests import (
     StopSent,
 )
 from trex_gui.devices.trex.driving.setpoints import REPEATS
-from trex_gui.devices.trex.protocol.commands import DriveAuxiliary, DriveMotor
+from trex_gui.devices.trex.protocol.commands import STOP, DriveAuxiliary, DriveMotor
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
@@ -129,7 +129,7 @@ def test_confirmed_stop_is_reported_and_clears_may_move(harness: MotorsHarness) 
     assert harness.stage.board.motors[0].direction is MotorDirection.BRAKE
 
 
-def test_unconfirmed_stop_is_reported_and_keeps_may_move(harness: MotorsHarness) -> None:
+def test_unanswered_stop_is_repeated_reported_and_keeps_may_move(harness: MotorsHarness) -> None:
     harness.drive(90)
     harness.stage.board.power_off()
     harness.stop()
@@ -139,6 +139,7 @@ def test_unconfirmed_stop_is_reported_and_keeps_may_move(harness: MotorsHarness)
     assert isinstance(outcome.error, NoReply)
     assert "cut its power" in str(outcome.error)
     assert harness.motors.may_move
+    assert moving(harness.stage.transport.sent).count(STOP[0]) >= 10
 
 
 def test_stop_is_queued_again_when_port_is_lost(harness: MotorsHarness) -> None:

@@ -193,6 +193,7 @@ def test_unchanged_board_keeps_reconnect_candidates() -> None:
     place.script.at(6.0, place.board.power_on)
     place.end(10.0)
     assert [each.settings for each in place.connections] == [OLD, OLD, new]
+    assert len(among(place.reports, NotResponding)) == 2
 
 
 def test_reconnect_clears_candidates() -> None:

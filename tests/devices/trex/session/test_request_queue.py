@@ -67,52 +67,11 @@ def collected(*requests: Request) -> Queue:
 # --- Slots ------------------------------------------------------------------------------
 
 
-def test_empty_slots_return_no_setpoints() -> None:
-    slots = SetpointSlots()
-    assert not slots
-    assert slots.take() == []
-
-
 def test_setpoints_of_same_kind_share_one_packet() -> None:
     slots = SetpointSlots()
     slots.put(SetMotor(2, Drive.brake(5), accelerate=True))
     slots.put(SetMotor(1, Drive.at(-10), accelerate=True))
     assert packets(slots.take()) == [DriveBoth(Drive.at(-10), Drive.brake(5), accelerate=True)]
-
-
-def test_immediate_and_ramped_setpoints_use_two_packets() -> None:
-    slots = SetpointSlots()
-    slots.put(SetMotor(1, Drive.at(10), accelerate=True))
-    slots.put(SetMotor(2, Drive.at(20)))
-    assert packets(slots.take()) == [
-        DriveMotor(1, Drive.at(10), accelerate=True),
-        DriveMotor(2, Drive.at(20)),
-    ]
-
-
-def test_auxiliary_setpoint_alone_makes_a_packet() -> None:
-    slots = SetpointSlots()
-    slots.put(SetAuxiliary(0, accelerate=True))
-    assert slots
-    assert packets(slots.take()) == [DriveAuxiliary(0, accelerate=True)]
-
-
-def test_cleared_setpoints_are_not_sent() -> None:
-    slots = SetpointSlots()
-    slots.put(SetMotor(1, Drive.at(1)))
-    slots.put(SetAuxiliary(1))
-    slots.clear()
-    assert not slots
-    assert slots.take() == []
-
-
-def test_setpoint_of_corrupted_packet_is_queued_again() -> None:
-    slots = SetpointSlots()
-    slots.put(SetMotor(1, Drive.at(1)))
-    slots.put(SetAuxiliary(1))
-    taken = slots.take()
-    slots.put_back(taken)
-    assert slots.take() == taken
 
 
 def test_requeued_setpoint_does_not_replace_newer_one() -> None:
@@ -171,12 +130,6 @@ def test_jobs_keep_their_order() -> None:
     assert tuple(collected(*jobs).jobs) == jobs
 
 
-def test_setpoints_of_one_message_share_one_packet() -> None:
-    both = SetMotors((SetMotor(1, Drive.at(9)), SetMotor(2, Drive.at(-9))))
-    setpoints = collected(both).motors.setpoints.take()
-    assert packets(setpoints) == [DriveBoth(Drive.at(9), Drive.at(-9))]
-
-
 def test_newest_setpoint_wins_with_two_motor_messages() -> None:
     both = SetMotors((SetMotor(1, Drive.at(9)), SetMotor(2, Drive.at(-9))))
     older, newer = SetMotor(2, Drive.at(50)), SetMotor(1, Drive.at(7))
@@ -201,23 +154,12 @@ def test_stop_discards_later_setpoints_until_armed() -> None:
     assert queue.motors.setpoints.take() == [SetMotor(2, Drive.at(5))]
 
 
-def test_stop_discards_setpoints_of_earlier_collect() -> None:
-    queue = collected(SetMotor(1, Drive.at(9)))
-    queue.bag.requests.append(Stop(1))
-    queue.collect()
-    assert not queue.motors.setpoints
-
-
 def test_collect_waits_only_for_first_request() -> None:
     queue = Queue(Reload(1), Reload(2))
     queue.collect(0.5)
     assert queue.bag.waits == [0.5, 0.0, 0.0]
-
-
-def test_negative_timeout_does_not_wait() -> None:
-    queue = Queue()
     queue.collect(-1.0)
-    assert queue.bag.waits == [0.0]
+    assert queue.bag.waits[3:] == [0.0]
 
 
 def test_close_keeps_pending_jobs() -> None:

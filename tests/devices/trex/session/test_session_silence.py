@@ -1,7 +1,5 @@
 """A board that stops answering, and comes back."""
 
-from functools import partial
-
 import pytest
 
 from tests.devices.trex.session.helpers import (
@@ -32,7 +30,6 @@ from trex_gui.devices.trex.session.messages import (
     Write,
     Written,
 )
-from trex_gui.devices.trex.simulator.firmware import Board
 
 
 def off_and_on(stage: Stage, off: float, on: float) -> None:
@@ -52,28 +49,18 @@ def test_power_loss_is_detected_within_500_ms(baud: int, latency: float) -> None
     assert 2.0 < at < 2.5
 
 
-@pytest.fixture(scope="module")
-def cut_off() -> tuple[Stage, dict[float, int]]:
-    """A session whose board has no power after 1 s, and how much was sent by some moments."""
-    stage, sent = Stage(Board()), dict[float, int]()
+def test_unresponsive_board_is_reported_once_and_polled_slowly(stage: Stage) -> None:
     stage.script.at(1.0, stage.board.power_off)
-    for moment in (2.0, 3.0, 8.0):
-        count = partial(lambda at: sent.update({at: len(stage.transport.sent)}), moment)
-        stage.script.at(moment, count)
-    run_for(stage, 8.1)
-    return stage, sent
-
-
-def test_unresponsive_board_is_reported_once(cut_off: tuple[Stage, dict[float, int]]) -> None:
-    reports = cut_off[0].reports
+    sent = [seen_at(stage, moment, lambda: len(stage.transport.sent)) for moment in (2, 3, 8)]
+    reports = run_for(stage, 8.1)
     (silent,) = among(reports, NotResponding)
     assert not among(reports[reports.index(silent) :], Batch)
     assert reports[-1] == Closed(None), "the session goes on"
-
-
-def test_samples_before_power_loss_are_delivered(cut_off: tuple[Stage, dict[float, int]]) -> None:
-    times = [one.time for one in samples(cut_off[0].reports, Currents)]
-    assert max(times) == pytest.approx(1.0, abs=0.02)
+    times = [one.time for one in samples(reports, Currents)]
+    assert max(times) == pytest.approx(1.0, abs=0.02), "what came before is delivered"
+    (early,), (middle,), (late,) = sent
+    assert 15 <= late - middle <= 22
+    assert set(map(type, commands(stage.transport.sent[early:]))) == {GetMode}
 
 
 def test_single_lost_reply_keeps_board_responding(stage: Stage) -> None:
@@ -85,10 +72,6 @@ def test_single_lost_reply_keeps_board_responding(stage: Stage) -> None:
     run_for(stage, 3.0)
     assert not among(stage.reports, NotResponding)
     assert among(stage.reports, Batch)[-1].counters.missing == 4
-
-
-def test_unresponsive_board_is_polled_slowly(cut_off: tuple[Stage, dict[float, int]]) -> None:
-    assert 15 <= cut_off[1][8.0] - cut_off[1][3.0] <= 22
 
 
 # --- Coming back ------------------------------------------------------------------------
@@ -114,14 +97,6 @@ def test_returning_board_is_found_within_one_second(stage: Stage) -> None:
     assert back - 5.0 < 1.0
 
 
-def test_values_pending_power_cycle_are_read_on_return(stage: Stage) -> None:
-    stage.script.at(1.0, Write(1, (("motor_mode", 1),)))
-    off_and_on(stage, 1.5, 3.0)
-    run_for(stage, 4.5)
-    assert among(stage.reports, Connected)[-1].state.parameters["motor_mode"] == 1
-    assert stage.board.memory.is_joint
-
-
 def test_mode_change_during_power_loss_is_reported(stage: Stage) -> None:
     def take_jumper() -> None:
         stage.board.mode_jumper = "rc"
@@ -130,14 +105,6 @@ def test_mode_change_during_power_loss_is_reported(stage: Stage) -> None:
     run_for(stage, 4.0)
     first, second = among(stage.reports, Connected)
     assert (first.state.mode.is_serial, second.state.mode.is_serial) == (True, False)
-
-
-def test_repeated_power_losses_and_returns_are_reported(stage: Stage) -> None:
-    for number in range(2):
-        off_and_on(stage, 1.0 + 3 * number, 2.5 + 3 * number)
-    run_for(stage, 6.5)
-    kinds = [type(one) for one in stage.reports if isinstance(one, Connected | NotResponding)]
-    assert kinds == [Connected, *[NotResponding, Connected] * 2]
 
 
 def test_board_reconnects_after_power_loss_during_reread(stage: Stage) -> None:
@@ -165,17 +132,13 @@ def test_setpoints_for_unresponsive_board_are_discarded(stage: Stage) -> None:
     stage.script.at(2.0, SetMotor(1, Drive.at(100))).at(2.1, SetMotor(2, Drive.at(100)))
     stage.script.at(2.9, SetAuxiliary(100))
     stage.script.at(3.0, stage.board.power_on)
-    run_for(stage, 5.0)
-    assert len(among(stage.reports, Connected)) == 2
-    assert moving(stage.transport.sent) == []
-
-
-def test_setpoint_after_return_is_sent(stage: Stage) -> None:
-    off_and_on(stage, 1.0, 3.0)
-    stage.script.at(5.0, Arm()).at(5.0, SetMotor(1, Drive.at(100)))
+    before = seen_at(stage, 4.9, lambda: len(stage.transport.sent))
+    stage.script.at(5.0, Arm()).at(5.0, SetMotor(1, Drive.at(90)))
     speeds = seen_at(stage, 5.1, lambda: stage.board.motors[0].speed)
     run_for(stage, 5.2)
-    assert speeds == [100]
+    assert len(among(stage.reports, Connected)) == 2
+    assert moving(stage.transport.sent[: before[0]]) == []
+    assert speeds == [90], "what comes after the return is sent"
 
 
 def test_stop_is_sent_to_unresponsive_board(stage: Stage) -> None:
@@ -221,11 +184,6 @@ def test_port_loss_with_unresponsive_board_ends_session(stage: Stage) -> None:
     stage.script.at(1.0, stage.board.power_off).at(3.0, unplug)
     assert run_for(stage, 9.0)[-1] == Closed(gone)
     assert stage.line.now < 3.5
-
-
-def test_only_mode_is_polled_until_board_returns(cut_off: tuple[Stage, dict[float, int]]) -> None:
-    stage, sent = cut_off
-    assert set(map(type, commands(stage.transport.sent[sent[2.0] :]))) == {GetMode}
 
 
 def test_silence_while_reading_new_mode_is_reported(stage: Stage) -> None:

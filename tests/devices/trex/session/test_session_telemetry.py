@@ -7,7 +7,6 @@ import pytest
 
 from tests.devices.trex.session.helpers import (
     among,
-    bytes_of,
     commands,
     moving,
     run_for,
@@ -112,42 +111,21 @@ def test_status_is_polled_ten_times_a_second(undisturbed: Stage) -> None:
     assert looks == pytest.approx(50, abs=4)
 
 
-def test_slow_line_starves_no_topic() -> None:
-    stage, settings = staged(1200)
-    run_for(stage, 25.0, settings)
-    wanted = rates(InputSource.RC)
-    shares = [rate / wanted[topic] for topic, rate in rates_seen(stage, 20.0).items()]
-    assert min(shares) > max(shares) / 3
-
-
 def test_slow_line_is_kept_busy() -> None:
     stage, settings = staged(9600)
     run_for(stage, 5.0, settings)
     assert len(stage.transport.sent) + stage.line.faults.counters["received"] > 0.95 * 5 * 960
 
 
-def test_fast_line_is_idle_between_polls() -> None:
-    stage, settings = staged(115200)
-    run_for(stage, 5.0, settings)
-    received = stage.line.faults.counters["received"]
-    wanted = sum(rate * bytes_of(POLLED[topic]) for topic, rate in rates(InputSource.RC).items())
-    assert len(stage.transport.sent) + received < 5 * wanted + 340  # with what is stored
-
-
-def test_batches_do_not_exceed_display_rate() -> None:
+def test_samples_are_delivered_soon_and_not_faster_than_they_are_displayed() -> None:
     stage, settings = staged(115200)
     stage.script.at(3.0, Close())
-    moments = [at for at, report in timed_run(stage, settings) if isinstance(report, Batch)]
-    moments.pop()  # what is left is delivered at the end
+    timed = timed_run(stage, settings)
+    batches = [(at, report) for at, report in timed if isinstance(report, Batch)]
+    assert all(at - batch.samples[0].time < 2 * FRAME for at, batch in batches)
+    moments = [at for at, _ in batches[:-1]]  # what is left is delivered at the end
     gaps = [later - sooner for sooner, later in itertools.pairwise(moments)]
     assert min(gaps) >= FRAME - 1e-9
-
-
-def test_samples_are_delivered_within_two_frames(stage: Stage) -> None:
-    stage.script.at(5.0, Close())
-    for at, report in timed_run(stage, stage.client().settings):
-        if isinstance(report, Batch):
-            assert at - report.samples[0].time < 2 * FRAME
 
 
 def test_samples_are_sorted_by_time(undisturbed: Stage) -> None:
@@ -300,22 +278,13 @@ def test_mode_change_after_power_cycle_is_detected(stage: Stage) -> None:
         stage.board.power_cycle()
 
     stage.script.at(1.0, rearrange)
-    run_for(stage, 3.5)
+    run_for(stage, 4.6)
+    assert rates_seen(stage, 2.0)[Currents] == pytest.approx(50, rel=0.03)
     first, second = among(stage.reports, Connected)
     assert first.state.mode is Mode.SERIAL_RC
     assert second.state.mode is Mode.ANALOG
     assert second.occasion is ReadReason.RESTARTED
     assert second.state.calibrations != first.state.calibrations
-
-
-def test_mode_change_adjusts_poll_rate_of_currents(stage: Stage) -> None:
-    def rearrange() -> None:
-        stage.board.mode_jumper = "analog"
-        stage.board.power_cycle()
-
-    stage.script.at(1.0, rearrange)
-    run_for(stage, 4.6)
-    assert rates_seen(stage, 2.0)[Currents] == pytest.approx(50, rel=0.03)
 
 
 def test_board_is_read_again_three_times_at_most_after_a_failed_write(
