@@ -39,11 +39,6 @@ def line(board: Board) -> TrexLine:
 
 
 @pytest.fixture
-def asking() -> Callable[[TrexLine], Ask]:
-    return make_ask
-
-
-@pytest.fixture
 def ask(line: TrexLine) -> Ask:
     return make_ask(line)
 

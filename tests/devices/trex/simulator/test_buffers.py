@@ -13,8 +13,11 @@ from tests.devices.trex.simulator.ports import (
     feed,
     pass_pause,
 )
+from tests.support.matrix import examples
 from trex_gui.core.simulator.sampling import ReceiveError
 from trex_gui.devices.trex.protocol.flags import UartError
+from trex_gui.devices.trex.simulator.command import simulate
+from trex_gui.devices.trex.simulator.control import report
 from trex_gui.devices.trex.simulator.line import TrexLine
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 from trex_gui.devices.trex.simulator.uart import RECEIVE_BUFFER, SEND_BUFFER, SerialPort
@@ -107,6 +110,7 @@ def test_board_receives_again_after_delayed_replies() -> None:
     assert line.read(1, 1) == b"r"
 
 
+@examples(40)
 @given(
     junk=st.lists(st.sampled_from(["81", "82", "FF", "90", "AF070F552A", "A0"]), max_size=60),
     delay=st.sampled_from([0, 1]),
@@ -123,3 +127,47 @@ def test_buffers_never_exceed_their_sizes(junk: list[str], delay: int) -> None:
     assert not port.pause
     answer(port)
     assert ask(port, "FF 82") == "72"
+
+
+# --- Packets that the documents leave out ---------------------------------------------
+
+
+@pytest.mark.parametrize("settings", [0x05, 0x25], ids=["plain", "crc"])
+def test_null_command_of_either_protocol_needs_no_checksum(settings: int) -> None:
+    port = SerialPort(a_board(settings=settings))
+    assert ask(port, "FF 80 07 7F") == NO_REPLY
+    assert not errors(port)
+
+
+def test_packets_for_other_boards_are_counted(port: SerialPort) -> None:
+    assert ask(port, "80 08 06 1F 80 01 2F 7B 01 55 2A 80 03 04 02 01 40") == NO_REPLY
+    assert report(port.board)["counters"]["packets_for_others"] == 3
+
+
+def test_bad_byte_discards_its_packet(port: SerialPort) -> None:
+    port.feed(0xF0)
+    port.feed_error(ReceiveError.PARITY)
+    assert errors(port) == UartError.PARITY
+    assert ask(port, "7F") == NO_REPLY
+    assert errors(port) == UartError.FORMAT
+    assert port.board.aux.speed == 0
+
+
+def test_unpowered_board_ignores_packets(port: SerialPort) -> None:
+    port.board.power_off()
+    assert ask(port, "81") == NO_REPLY
+    port.feed_error(ReceiveError.FRAMING)
+    port.board.power_on()
+    assert not errors(port)
+
+
+def test_board_may_behave_like_the_twin() -> None:
+    """Guide of the qik 2s12v10, 5.d."""
+    line = simulate(unknown_parameter="byte", rejected_write="error").line
+    assert isinstance(line, TrexLine)
+    (board,) = line.boards
+    port = SerialPort(board)
+    assert ask(port, "C0 20 9F 60 85") == "FF 40"
+    assert board.motors[0].speed == 127, "errors stop the motors"
+    assert ask(port, "AF 60 00 55 2A 85") == "01 40"
+    assert ask(port, "AF 07 00 55 2A 85") == "00 00"

@@ -1,12 +1,17 @@
-from tests.devices.trex.simulator.ports import write
+"""A board as a whole: power, the sticks that drive it, and what stops its motors by itself."""
+
+import pytest
+
+from tests.devices.trex.simulator.ports import SETTLED, write
 from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.flags import InputSource, UartError
 from trex_gui.devices.trex.simulator.channels import Signal
 from trex_gui.devices.trex.simulator.control import report
 from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.memory import Eeprom
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
-FORWARD = MotorDirection.FORWARD
+FORWARD, REVERSE, BRAKE = MotorDirection.FORWARD, MotorDirection.REVERSE, MotorDirection.BRAKE
 
 
 class TestPower:
@@ -58,3 +63,168 @@ class TestPower:
         for _ in range(300):
             boards[1].advance(0.001)
         assert report(boards[0]) == report(boards[1])
+
+
+# --- Sticks ---------------------------------------------------------------------------
+
+
+PULSES = 0.03
+"""Seconds in which every input has had its pulse and the motors have been updated."""
+
+
+def put(board: Board, channel: int, text: str) -> None:
+    board.channels.signals[channel] = Signal.parse(text, board.channels.source)
+
+
+def waits(board: Board) -> bool:
+    return board.sticks.safe_start
+
+
+class TestChannelControl:
+    @pytest.mark.parametrize("text", ["invalid", "1300us"])
+    def test_safe_start_waits_while_required_channel_is_unsafe(self, text: str) -> None:
+        board = Board(mode="rc")
+        put(board, 1, text)
+        board.power_cycle()
+        for _ in range(400):
+            board.advance(0.0025)
+            assert waits(board)
+            assert board.motors[1].direction is BRAKE
+            assert board.aux.speed == 0
+
+    @pytest.mark.parametrize("kind", ["silent", "1500us lost 0.6"])
+    def test_late_signal_does_not_end_safe_start_with_moved_stick(self, kind: str) -> None:
+        for seed in range(20):
+            board = Board(mode="rc", seed=seed)
+            put(board, 1, kind)
+            put(board, 2, "1900us")
+            board.advance(SETTLED)
+            put(board, 1, "1500us")
+            board.advance(1)
+            assert waits(board)
+            assert board.motors[1].direction is BRAKE
+
+    def test_sticks_drive_motors_with_their_ramps(self) -> None:
+        eeprom = Eeprom()
+        eeprom.write("motor1_acceleration", 50)
+        board = Board(mode="rc", eeprom=eeprom)
+        board.advance(SETTLED)
+        put(board, 1, "1000us")
+        put(board, 3, "2000us")
+        speeds = []
+        for _ in range(10):
+            board.advance(0.01)
+            speeds.append(board.motors[0].speed)
+        driven = [speed for speed in speeds if speed != 127]  # full brake until the pulse
+        assert driven == list(range(5, 5 * len(driven) + 5, 5))
+        assert len(driven) >= 8
+        assert board.motors[0].direction is REVERSE
+        assert board.aux.speed == 127
+
+    def test_deadband_applies_configured_brake(self) -> None:
+        eeprom = Eeprom()
+        eeprom.write("motor1_deadband_brake_pwm", 33)
+        board = Board(mode="rc", eeprom=eeprom)
+        board.advance(SETTLED)
+        assert (board.motors[0].direction, board.motors[0].speed) == (BRAKE, 33)
+
+    def test_analog_mode_reads_voltages(self) -> None:
+        board = Board(mode="analog")
+        board.advance(SETTLED)
+        assert not waits(board)
+        put(board, 1, "5V")
+        assert board.motors[0].direction is BRAKE
+        board.advance(0.03)
+        assert (board.motors[0].direction, board.motors[0].speed) == (FORWARD, 127)
+
+    @pytest.mark.parametrize("mode", ["rc", "analog"])
+    def test_motors_wait_after_power_up_until_channels_are_known(self, mode: str) -> None:
+        board = Board(mode=mode)
+        board.advance(0.09)
+        assert waits(board)
+        assert board.motors[0].direction is BRAKE
+        board.advance(SETTLED)
+        assert not waits(board)
+
+
+class TestSerialOverride:
+    def test_serial_override_stops_motor_without_setpoint(self, rc: Board) -> None:
+        put(rc, 1, "2000us")
+        rc.advance(0.05)
+        assert (rc.motors[0].direction, rc.motors[0].speed) == (FORWARD, 127)
+        put(rc, 5, "1000us")
+        rc.advance(PULSES)
+        assert (rc.motors[0].direction, rc.motors[0].speed) == (BRAKE, 127)
+
+
+# --- Stops ----------------------------------------------------------------------------
+
+
+either_firmware = pytest.mark.parametrize("needs_shutdown", [False, True])
+"""Whether the serial timeout needs UART-Error Shutdown, which is on in these tests, is unknown."""
+
+
+class TestSafety:
+    @pytest.mark.parametrize(("needs_shutdown", "direction"), [(False, BRAKE), (True, FORWARD)])
+    def test_timeout_without_shutdown_is_latched_and_stops_under_one_hypothesis(
+        self, direction: MotorDirection, *, needs_shutdown: bool
+    ) -> None:
+        board = Board()
+        board.timeout_needs_shutdown = needs_shutdown
+        write(board, "uart_error_shutdown", 0)
+        write(board, "serial_timeout", 5)
+        board.note_byte()
+        board.serial.drive(1, FORWARD, 100)
+        board.advance(0.51)
+        assert board.motors[0].direction is direction
+        assert board.serial.take_uart_errors() == UartError.TIMEOUT
+
+    def test_timeout_is_latched_once_per_silence(self) -> None:
+        board = Board()
+        write(board, "serial_timeout", 1)
+        board.note_byte()
+        board.advance(0.2)
+        assert board.serial.take_uart_errors()
+        board.advance(1)
+        assert not board.serial.take_uart_errors()
+        board.note_byte()
+        board.advance(0.2)
+        assert board.serial.take_uart_errors()
+
+    @either_firmware
+    def test_old_setpoint_is_not_resumed_after_serial_timeout(
+        self, *, needs_shutdown: bool
+    ) -> None:
+        eeprom = Eeprom()
+        eeprom.write("serial_timeout", 5)
+        board = Board(mode="rc", eeprom=eeprom)
+        board.timeout_needs_shutdown = needs_shutdown
+        board.advance(SETTLED)
+        board.note_byte()
+        board.serial.drive(1, FORWARD, 77)
+        board.advance(2)
+        assert not board.serial.uart_errors  # the channels are in control
+        board.channels.signals[5] = Signal.pulses(1000)
+        board.advance(0.03)
+        assert board.motors[0].direction is BRAKE
+        assert board.serial.uart_errors == UartError.TIMEOUT
+
+    def test_line_error_does_not_stop_motor_driven_by_stick(self, rc: Board) -> None:
+        rc.channels.signals[1] = Signal.pulses(2000)
+        rc.advance(0.05)
+        assert rc.motors[0].direction is FORWARD
+        rc.report_error(UartError.FORMAT)
+        assert rc.motors[0].direction is FORWARD
+
+
+class TestCurrents:
+    def test_sticks_drive_one_motor_in_joint_mode(self) -> None:
+        eeprom = Eeprom()
+        eeprom.write("motor_mode", 1)
+        board = Board(eeprom=eeprom, mode="rc", mix=True)
+        board.advance(SETTLED)
+        for channel in (1, 2):
+            board.channels.signals[channel] = Signal.pulses(2000)
+        board.advance(0.05)
+        assert (board.motors[0].direction, board.motors[0].speed) == (FORWARD, 127)
+        assert board.motors[1].direction is BRAKE

@@ -4,12 +4,17 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.devices.trex.simulator.conftest import make_ask
 from tests.devices.trex.simulator.ports import a_board
+from tests.support.matrix import examples
 from trex_gui.core.simulator.sampling import ReceiveError
 from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.simulator.control import control
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.memory import Eeprom
+from trex_gui.devices.trex.simulator.motors import MotorDirection
 
 Ask = Callable[[str], str]
 BYTE = 10 / 19200
@@ -59,6 +64,7 @@ class TestPace:
         line.advance(1)
         assert line.backlog == 0
 
+    @examples(40)
     @given(cuts=st.lists(st.floats(0, 0.01), max_size=20))
     def test_line_result_does_not_depend_on_time_steps(self, cuts: list[float]) -> None:
         line = TrexLine([Board()])
@@ -110,23 +116,19 @@ class TestEcho:
 
 class TestSeveralBoards:
     @pytest.mark.parametrize("paced", [True, False])
-    def test_compact_request_makes_all_boards_reply_at_once(
-        self, asking: Callable[[TrexLine], Ask], paced: bool
-    ) -> None:
+    def test_compact_request_makes_all_boards_reply_at_once(self, paced: bool) -> None:
         line = TrexLine([a_board(7), a_board(9, model="trexjr")], paced=paced)
         both = bytes(a & b for a, b in zip(b"TReX1.2\xff\xff", b"TReXJr1.2", strict=True))
-        assert asking(line)("81") == both.hex(" ")
+        assert make_ask(line)("81") == both.hex(" ")
         assert line.faults.counters["collisions"] == 7
 
-    def test_identical_replies_are_received_as_one(self, asking: Callable[[TrexLine], Ask]) -> None:
-        assert asking(TrexLine([a_board(7), a_board(9)]))("82") == "72"
+    def test_identical_replies_are_received_as_one(self) -> None:
+        assert make_ask(TrexLine([a_board(7), a_board(9)]))("82") == "72"
 
-    def test_compact_motor_command_reaches_all_boards(
-        self, asking: Callable[[TrexLine], Ask]
-    ) -> None:
+    def test_compact_motor_command_reaches_all_boards(self) -> None:
         line = TrexLine([a_board(7), a_board(9), a_board(11)])
-        asking(line)("F0 7F")
-        asking(line)("80 09 70 05")
+        make_ask(line)("F0 7F")
+        make_ask(line)("80 09 70 05")
         assert [board.aux.speed for board in line.boards] == [127, 5, 127]
 
     def test_line_without_board_is_rejected(self) -> None:
@@ -140,12 +142,10 @@ class TestFaults:
         assert ask("82 82 82") == ""
         assert ask("82") == "72"
 
-    def test_all_boards_on_line_detect_the_same_error(
-        self, asking: Callable[[TrexLine], Ask]
-    ) -> None:
+    def test_all_boards_on_line_detect_the_same_error(self) -> None:
         line = TrexLine([a_board(7), a_board(9)])
         line.faults.errors.append(ReceiveError.OVERRUN)
-        asking(line)("82")
+        make_ask(line)("82")
         errors = [board.serial.uart_errors for board in line.boards]
         assert errors == [UartError.DATA_OVERRUN] * 2
 
@@ -220,3 +220,164 @@ class TestFaults:
         assert line.boards[0].aux.speed == 0
         line.plug()
         assert ask("82") == "72"
+
+
+# --- Bytes whose beginning was missed -------------------------------------------------
+
+
+@pytest.fixture
+def warm() -> TrexLine:
+    """A line whose board was switched on a second ago."""
+    line = TrexLine([Board()])
+    line.advance(1)
+    return line
+
+
+@pytest.mark.parametrize("overlap", [0.05, 0.5, 0.95])
+def test_byte_that_begins_during_reply_is_lost(warm: TrexLine, overlap: float) -> None:
+    warm.send(b"\x81")
+    warm.advance((8 - overlap) * BYTE)
+    warm.send(b"\xc2\x40")
+    warm.advance(0.01)
+    assert warm.receive() == b"TReX1.2"
+    assert warm.boards[0].motors[0].direction is MotorDirection.BRAKE
+    assert warm.boards[0].counters["bytes_missed"] == 1
+
+
+def test_byte_that_spans_power_up_is_lost(warm: TrexLine) -> None:
+    control(warm, "power off")
+    warm.send(b"\x81")
+    warm.advance(0.9 * BYTE)
+    control(warm, "power on")
+    warm.advance(0.05)
+    assert warm.receive() == b""
+
+
+@pytest.mark.parametrize("question", ["81", "FF 81"])
+def test_byte_that_spans_plugging_in_is_lost(warm: TrexLine, question: str) -> None:
+    control(warm, "line unplug")
+    warm.send(bytes.fromhex(question))
+    warm.advance((len(bytes.fromhex(question)) - 0.1) * BYTE)
+    control(warm, "line plug")
+    warm.advance(0.05)
+    assert warm.receive() == b""
+    assert make_ask(warm)("82") == "72"
+
+
+def test_overlapping_replies_are_garbled() -> None:
+    """Two answers, the second a millisecond later: nobody reads either, and bytes are few."""
+    late = Eeprom()
+    late.write("uart_response_delay", 1)
+    late.write("device_number", 8)
+    line = TrexLine([Board(), Board(eeprom=late)])
+    line.advance(0.2)
+    line.send(b"\x81")
+    begun = line.now + BYTE
+    line.advance(0.02)
+    got = line.receive()
+    assert got[:1] == b"T"  # before the other begins
+    assert got != b"TReX1.2"
+    assert line.faults.counters["collisions"]
+    longest = (0.001 + 7 * BYTE) / BYTE
+    assert len(got) <= longest + 1
+    assert line.now > begun
+    assert make_ask(line)("80 08 02") == "72"
+
+
+def test_injected_bytes_take_line_time_and_collide_with_reply(warm: TrexLine) -> None:
+    control(warm, "line garbage " + "00" * 100)
+    control(warm, "line garbage " + "00" * 100)
+    warm.advance(150 * BYTE)
+    assert 140 <= len(warm.receive()) <= 150
+    warm.advance(60 * BYTE)
+    warm.receive()
+    warm.send(b"\x81")
+    warm.advance(1.5 * BYTE)
+    control(warm, "line garbage " + "00" * 7)
+    warm.advance(0.02)
+    assert warm.receive() != b"TReX1.2"
+    assert warm.faults.counters["collisions"]
+
+
+@pytest.mark.parametrize("boards", [1, 2])
+def test_up_to_10000_injected_bytes_are_delivered(boards: int) -> None:
+    line = TrexLine([Board() for _ in range(boards)], echo=True)
+    assert control(line, "line garbage " + "A5" * 10_001).startswith("error")
+    assert control(line, "line garbage " + "A5" * 10_000).startswith("ok")
+    line.advance(10_000 * BYTE + 0.01)
+    assert line.receive() == b"\xa5" * 10_000
+
+
+def test_drop_unsent_discards_queued_bytes(warm: TrexLine) -> None:
+    warm.send(b"\xc2\x40" * 100)
+    warm.drop_unsent()
+    assert warm.backlog == 0
+    warm.advance(1)
+    assert warm.boards[0].counters["bytes_received"] == 0
+    assert make_ask(warm)("81") == "54 52 65 58 31 2e 32"
+    assert not warm.boards[0].serial.take_uart_errors() & UartError.FORMAT
+
+
+# --- Seeds ----------------------------------------------------------------------------
+
+
+def heard(
+    seed: int,
+    lines: tuple[str, ...],
+    packet: str,
+    mode: str = "serial",
+) -> bytes:
+    """Ask the same question forty times; return all that came."""
+    line = TrexLine([Board(mode=mode, seed=seed)], seed=seed)
+    for text in lines:
+        assert control(line, text).startswith("ok")
+    line.advance(0.5)
+    result = b""
+    for _ in range(40):
+        line.send(bytes.fromhex(packet))
+        line.advance(0.021)
+        result += line.receive()
+    return result
+
+
+@pytest.mark.parametrize(
+    ("lines", "packet", "mode"),
+    [
+        (("channel 1 1500us noise 3us",), "86 01", "serial"),
+        (("channel 1 1500us lost 0.9",), "86 01", "serial"),
+        (("line noise 0.1",), "81", "serial"),
+        (("load 1 8", "load 2 8"), "DA 7F 7F 8F", "serial"),
+        (("channel 3 2.5V noise 50mV",), "86 04", "analog"),
+    ],
+    ids=["noisy pulses", "lost pulses", "a noisy wire", "noisy currents", "noisy voltage"],
+)
+def test_same_seed_gives_same_bytes(lines: tuple[str, ...], packet: str, mode: str) -> None:
+    first = heard(1, lines, packet, mode)
+    assert len(set(first)) > 2
+    assert heard(1, lines, packet, mode) == first != heard(2, lines, packet, mode)
+
+
+@pytest.mark.parametrize("host", [LineSettings(stop_bits=2), LineSettings(115200)])
+def test_same_seed_gives_same_garbage(host: LineSettings) -> None:
+    def garbage(seed: int) -> bytes:
+        line = TrexLine([Board()], seed=seed)
+        result = b""
+        for _ in range(50):
+            line.host = None
+            line.send(b"\x81")
+            line.advance(0.0004)
+            line.host = host
+            line.advance(0.02)
+            result += line.receive()
+        return result
+
+    first = garbage(1)
+    assert len(first) > 50
+    assert garbage(1) == first
+    if host.stop_bits == 2:  # sampling knows no chance
+        assert garbage(2) != first
+
+
+def test_motors_of_one_board_have_independent_noise() -> None:
+    readings = heard(1, ("load 1 8", "load 2 8"), "DA 7F 7F 8F")
+    assert readings[::2] != readings[1::2]

@@ -19,15 +19,6 @@ def updates(motor: Motor, settings: MotorSettings, count: int, current: int = 0)
     return speeds
 
 
-@given(acceleration=st.integers(1, 127), target=st.integers(1, 127))
-def test_ten_updates_add_the_acceleration(acceleration: int, target: int) -> None:
-    motor = Motor()
-    motor.accelerate(FORWARD, target)
-    speeds = updates(motor, MotorSettings(acceleration=acceleration), 10)
-    assert speeds[-1] == min(acceleration, target)
-    assert speeds == sorted(speeds)
-
-
 def test_braked_motor_reverses_at_once_after_brake_duration() -> None:
     motor = Motor()
     settings = MotorSettings(brake_duration=5)
