@@ -46,11 +46,6 @@ def test_each_of_13_bits_has_its_own_entry(log: ErrorCounts) -> None:
     assert all(entry.meaning and entry.remedy for entry in log.entries)
 
 
-def test_log_starts_with_zero_counts(log: ErrorCounts) -> None:
-    assert counts(log) == [0] * 13
-    assert all(entry.last is None for entry in log.entries)
-
-
 def test_bits_from_before_the_connection_are_noted_and_not_counted(log: ErrorCounts) -> None:
     earlier = replace(news(Status.UART_ERROR, UartError.FRAMING), is_earlier=True)
     log.take(earlier, NOW, TODAY)
@@ -68,17 +63,6 @@ def test_each_bit_is_counted_separately(log: ErrorCounts, position: int) -> None
     expected[position] = 2
     assert counts(log) == expected
     assert log.entries[position].last == TODAY
-
-
-def test_simultaneous_bits_are_all_counted(log: ErrorCounts) -> None:
-    log.take(news(*BITS), NOW, TODAY)
-    assert counts(log) == [1] * 13
-
-
-def test_same_bit_of_the_other_byte_is_not_counted(log: ErrorCounts) -> None:
-    log.take(news(Status.UART_ERROR), NOW, TODAY)
-    entry = next(one for one in log.entries if one.bit is UartError.SEND_OVERRUN)
-    assert entry.count == 0
 
 
 def test_each_change_is_told() -> None:

@@ -7,7 +7,8 @@ import pytest
 from tests.devices.trex.session.helpers import commands, staged
 from tests.support.matrix import sampled
 from tests.support.virtual import Stage
-from trex_gui.devices.trex.client.reading import read_everything
+from trex_gui.devices.trex.client.client import TrexClient
+from trex_gui.devices.trex.client.reading import DeviceState, read_everything
 from trex_gui.devices.trex.client.writing import WriteResult, write_all
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.commands import Command, ReplyT_co, SetParameter
@@ -33,6 +34,13 @@ def _store(key: str, wire: int) -> Prepare:
 
 def _calibrate(board: Board) -> None:
     board.eeprom.write_calibration(InputSource.RC, 5, Calibration(2400, 3700, 5100, 80))
+
+
+def known() -> tuple[Stage, TrexClient, DeviceState]:
+    """Return a board that has been read."""
+    stage, settings = staged()
+    client = stage.client(settings)
+    return stage, client, read_everything(client.request)
 
 
 def _exchange(stage: Stage, board: Board) -> Board:
@@ -63,9 +71,7 @@ def _was_written(board: Board) -> bool:
 def test_board_with_other_settings_is_not_written_to(
     board: Board, prepare: Prepare, code: ErrorCode
 ) -> None:
-    stage, settings = staged()
-    client = stage.client(settings)
-    before = read_everything(client.request)
+    stage, client, before = known()
     prepare(board)
     other = _exchange(stage, board)
     with pytest.raises(OtherBoard) as caught:
@@ -82,9 +88,7 @@ def test_board_with_other_settings_is_not_written_to(
 def test_board_that_replaces_a_silent_one_is_not_written_to(
     writes: int, model: str, number: int
 ) -> None:
-    stage, settings = staged()
-    client = stage.client(settings)
-    before = read_everything(client.request)
+    stage, client, before = known()
     other = Board(model)
     _store("device_number", number)(other)
     sent = 0
@@ -111,9 +115,7 @@ def test_board_that_replaces_a_silent_one_is_not_written_to(
 @pytest.mark.parametrize("replies", [1, 5, 20, 36])
 def test_board_that_is_exchanged_while_it_is_compared_is_not_written_to(replies: int) -> None:
     """What both boards stored would be read as that of one."""
-    stage, settings = staged()
-    client = stage.client(settings)
-    before = read_everything(client.request)
+    stage, client, before = known()
     other = Board("trexjr")
     requests = 0
 
@@ -130,9 +132,7 @@ def test_board_that_is_exchanged_while_it_is_compared_is_not_written_to(replies:
 
 
 def test_board_that_replies_at_the_end_is_compared() -> None:
-    stage, settings = staged()
-    client = stage.client(settings)
-    before = read_everything(client.request)
+    stage, client, before = known()
     stored: list[WriteResult] = []
 
     def note(result: WriteResult) -> None:
@@ -147,9 +147,7 @@ def test_board_that_replies_at_the_end_is_compared() -> None:
 
 @pytest.mark.parametrize("seed", sampled(range(20), every=4))
 def test_corrupted_readings_are_not_taken_for_another_board(seed: int) -> None:
-    stage, settings = staged()
-    client = stage.client(settings)
-    before = read_everything(client.request)
+    stage, client, before = known()
     stage.transport.line = TrexLine([stage.board], seed=seed)
     stage.transport.line.faults.noise = 0.005
     results = write_all(client.request, SPECS, WANTED, before=before)
@@ -157,9 +155,7 @@ def test_corrupted_readings_are_not_taken_for_another_board(seed: int) -> None:
 
 
 def test_board_that_cannot_be_compared_is_not_written_to() -> None:
-    stage, settings = staged()
-    client = stage.client(settings)
-    before = read_everything(client.request)
+    stage, client, before = known()
     stage.board.power_off()
     results = write_all(client.request, SPECS, WANTED, before=before)
     assert [type(result.error) for result in results] == [TrexNoReplyError] * len(WANTED)
@@ -167,9 +163,7 @@ def test_board_that_cannot_be_compared_is_not_written_to() -> None:
 
 
 def test_changed_device_number_is_that_of_the_same_board() -> None:
-    stage, settings = staged()
-    client = stage.client(settings)
-    before = read_everything(client.request)
+    _, client, before = known()
     wanted = [("device_number", 9), *WANTED]
     results = write_all(client.request, SPECS, wanted, before=before)
     assert all(result.error is None for result in results)
@@ -177,9 +171,7 @@ def test_changed_device_number_is_that_of_the_same_board() -> None:
 
 def test_board_that_gets_no_write_is_not_compared_at_the_end() -> None:
     """The message would be that settings may have been written to it."""
-    stage, settings = staged()
-    client = stage.client(settings)
-    before = read_everything(client.request)
+    stage, client, before = known()
     _exchange(stage, Board("trexjr"))
     results = write_all(client.request, SPECS, WANTED, before=before, cancelled=lambda: True)
     assert all(isinstance(result.error, Skipped) for result in results)

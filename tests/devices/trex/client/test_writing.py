@@ -1,5 +1,6 @@
 """Writes count when they were written and verified."""
 
+import re
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -13,7 +14,7 @@ from tests.devices.trex.session.helpers import commands, replying, staged
 from tests.support.catalogs import in_language
 from tests.support.matrix import examples
 from tests.support.virtual import Stage
-from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable
+from trex_gui.core.errors import BadReply, BadRequest, NoReply
 from trex_gui.devices.trex.client.reading import ATTEMPTS, DeviceState, read_everything
 from trex_gui.devices.trex.client.write_once import write_calibration, write_parameter
 from trex_gui.devices.trex.client.writing import WriteResult, write_all
@@ -169,17 +170,13 @@ def test_corrupted_result_code_does_not_fail_a_write(stage: Stage, codes: list[i
 # --- A bad line -------------------------------------------------------------------------
 
 
-def test_write_with_lost_reply_succeeds(stage: Stage) -> None:
-    stage.line.faults.to_drop = 1
-    assert write_parameter(stage.client().request, TIMEOUT, 33) == 33
-    assert stage.board.eeprom["serial_timeout"] == 33
-
-
-def test_write_without_replies_is_confirmed_by_read_back(stage: Stage) -> None:
-    stage.line.faults.to_drop = 3
+@pytest.mark.parametrize("lost", [1, 3])
+def test_write_without_replies_is_confirmed_by_read_back(stage: Stage, lost: int) -> None:
+    stage.line.faults.to_drop = lost
     client = stage.client()
     assert write_parameter(client.request, TIMEOUT, 33) == 33
-    assert client.counters.missing == 3
+    assert stage.board.eeprom["serial_timeout"] == 33
+    assert client.counters.missing == lost
 
 
 def test_lost_write_is_resent(stage: Stage) -> None:
@@ -188,19 +185,7 @@ def test_lost_write_is_resent(stage: Stage) -> None:
     assert stage.board.memory.writes == 1
 
 
-def test_wrong_read_back_of_value_is_reported(stage: Stage) -> None:
-    client = stage.client()
-
-    def forgetful(command: Command[ReplyT_co]) -> ReplyT_co:
-        reply = client.request(command)
-        stage.board.eeprom.write("serial_timeout", 7)
-        return reply
-
-    with pytest.raises(BadReply, match=r"could not be verified: wrote 1\.5 s.*reads back 0\.7 s"):
-        write_parameter(forgetful, TIMEOUT, 15)
-
-
-def test_value_left_by_write_that_failed_is_known(stage: Stage) -> None:
+def test_wrong_read_back_of_value_is_reported_and_known(stage: Stage) -> None:
     client = stage.client()
     known: list[WriteResult] = []
 
@@ -211,6 +196,7 @@ def test_value_left_by_write_that_failed_is_known(stage: Stage) -> None:
 
     (result,) = write_all(forgetful, SPECS, [(TIMEOUT.key, 15)], stored=known.append)
     assert isinstance(result.error, BadReply)
+    assert re.search(r"could not be verified: wrote 1\.5 s.*reads back 0\.7 s", str(result.error))
     assert known == [WriteResult(TIMEOUT.key, 7)]
 
 
@@ -224,12 +210,6 @@ def test_wrong_read_back_of_calibration_is_reported(stage: Stage) -> None:
 
     with pytest.raises(BadReply, match="Calibration of channel 2 could not be verified"):
         write_calibration(forgetful, CalibrationKey.RC_CHANNEL_2, LEARNED)
-
-
-def test_write_to_unpowered_board_fails(stage: Stage) -> None:
-    stage.board.power_off()
-    with pytest.raises(NoReply):
-        write_parameter(stage.client().request, TIMEOUT, 5)
 
 
 @modest
@@ -260,17 +240,6 @@ def test_successful_write_with_crc_is_stored(
 
 
 # --- Calibrations -----------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("channel", [1, 2, 3, 4, 5])
-def test_calibration_is_stored_and_read_back(stage: Stage, channel: int) -> None:
-    assert (
-        write_calibration(
-            stage.client().request, CalibrationKey.of(InputSource.RC, channel), LEARNED
-        )
-        == LEARNED
-    )
-    assert stage.board.calibration(channel) == LEARNED
 
 
 def test_invalid_calibration_is_not_sent(stage: Stage) -> None:
@@ -415,27 +384,6 @@ def test_progress_counts_each_write(stage: Stage) -> None:
         (2, 3, "Motor Mode"),
         (3, 3, "done"),
     ]
-
-
-def test_port_loss_keeps_results_of_earlier_writes(
-    stage: Stage,
-) -> None:
-    def unplug(done: int, _total: int, _what: str) -> None:
-        if done == 1:
-            stage.transport.fail = PortUnavailable("gone")
-
-    wanted = [("serial_timeout", 5), ("motor_mode", 1), ("uart_settings", 1)]
-    first, *others = write_all(stage.client().request, SPECS, wanted, [], unplug)
-    assert first == WriteResult("serial_timeout", 5)
-    assert [type(one.error) for one in others] == [PortUnavailable, PortUnavailable]
-
-
-def test_write_continues_with_new_device_number(stage: Stage) -> None:
-    client = stage.client(ConnectionSettings("virtual", device_number=7))
-    results = write_all(client.request, SPECS, [("device_number", 9), ("motor_mode", 1)])
-    assert [result.error for result in results] == [None, None]
-    assert stage.board.eeprom["device_number"] == 9
-    assert stage.board.eeprom["motor_mode"] == 1
 
 
 def test_new_device_number_is_used_despite_lost_reply(stage: Stage) -> None:
