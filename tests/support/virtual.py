@@ -68,6 +68,10 @@ class Stage:
             self.transport, settings or ConnectionSettings("virtual"), echo=self.line.echo
         )
 
+    def fault(self, **knobs: float) -> Callable[[], None]:
+        """Return a step of the script that changes the faults of the line."""
+        return lambda: vars(self.line.faults).update(knobs)
+
     def run(
         self, settings: ConnectionSettings | None = None, *, may_move: bool = False
     ) -> list[Report]:
@@ -81,6 +85,3 @@ class Stage:
         )
         session.run()
         return self.reports
-
-    def of(self, kind: type) -> list[Report]:
-        return [report for report in self.reports if isinstance(report, kind)]

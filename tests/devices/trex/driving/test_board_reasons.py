@@ -3,7 +3,7 @@
 import pytest
 
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
-from trex_gui.devices.trex.driving.blockers import DriveBlocker, Effect, Reason
+from trex_gui.devices.trex.driving.blockers import DriveBlocker
 from trex_gui.devices.trex.driving.board_reasons import (
     LED_TEXTS,
     BoardInputs,
@@ -137,18 +137,6 @@ def test_reasons_follow_from_what_the_board_reports(
     board: BoardInputs, blockers: list[DriveBlocker]
 ) -> None:
     assert [reason.blocker for reason in board_reasons(board)] == blockers
-
-
-def test_errors_are_named_in_a_reason() -> None:
-    reason = Reason(DriveBlocker.LINE_ERROR, (("Format error", "CRC error"),))
-    assert "(format error, crc error)" in reason.text()
-
-
-def test_every_blocker_has_sentences() -> None:
-    for blocker in DriveBlocker:
-        assert blocker.text.endswith((".", "{0}")), blocker
-        assert not blocker.remedy or blocker.remedy.endswith("."), blocker
-    assert {blocker.effect for blocker in DriveBlocker} == set(Effect)
 
 
 @pytest.mark.parametrize(

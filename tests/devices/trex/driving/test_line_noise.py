@@ -14,15 +14,21 @@ from tests.devices.trex.session.helpers import (
     pulses,
     run_for,
     seen_at,
-    staged,
 )
+from tests.soak.drives import LONGEST_TURN, drive
 from tests.support.matrix import sampled
 from tests.support.virtual import Stage
 from trex_gui.core.errors import NoReply
 from trex_gui.core.timing import Timeouts
-from trex_gui.devices.trex.driving.requests import Arm, MotorsStopped, SetMotor, Stop
-from trex_gui.devices.trex.driving.setpoints import LONGEST_REPEATING
-from trex_gui.devices.trex.protocol.commands import STOP, DriveMotor, GetRawChannels
+from trex_gui.devices.trex.driving.requests import (
+    Arm,
+    MotorsStopped,
+    SetAuxiliary,
+    SetMotor,
+    Stop,
+)
+from trex_gui.devices.trex.driving.setpoints import LONGEST_REPEATING, LineQuality, SetpointRefresh
+from trex_gui.devices.trex.protocol.commands import STOP, DriveAuxiliary, DriveMotor, GetRawChannels
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.devices.trex.session.messages import NotResponding, Write
@@ -31,6 +37,7 @@ from trex_gui.devices.trex.simulator.memory import Eeprom
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
 FULL_BRAKE = SetMotor(1, Drive.brake(127))
+BRAKES = [DriveMotor(1, Drive.brake()), DriveMotor(2, Drive.brake())]
 
 
 def swap(stage: Stage, wanted: str, instead: str, times: int = 1) -> None:
@@ -53,13 +60,14 @@ def is_braked(stage: Stage) -> bool:
 
 
 @pytest.mark.parametrize(
-    ("seed", "noise"), sampled(product([13, 19, 40, 74, 93, 117], [0.01, 0.02, 0.05]), every=4)
+    ("seed", "noise"), sampled(product([13, 19, 40, 74, 93, 117], [0.01, 0.02, 0.05]), every=7)
 )
-def test_released_motor_does_not_keep_running_on_noisy_line(noise: float, seed: int) -> None:
-    stage, _ = staged()
+def test_released_motor_does_not_keep_running_on_noisy_line(
+    stage: Stage, noise: float, seed: int
+) -> None:
     stage.line.faults._random.seed(seed)
     stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80)))
-    stage.script.at(1.5, lambda: setattr(stage.line.faults, "noise", noise)).at(1.6, FULL_BRAKE)
+    stage.script.at(1.5, stage.fault(noise=noise)).at(1.6, FULL_BRAKE)
     seen: list[bool] = []
     for step in range(60):
         if step % 10 == 0:
@@ -73,9 +81,8 @@ def test_released_motor_does_not_keep_running_on_noisy_line(noise: float, seed: 
     assert longest * 0.03 < 0.25
 
 
-def test_request_corrupted_into_command_is_undone_at_once() -> None:
+def test_request_corrupted_into_command_is_undone_at_once(stage: Stage) -> None:
     """86 1F, which asks for the channels, arrives as C6 1F: motor 1 ahead."""
-    stage, _ = staged()
     stage.script.at(1.0, Arm())
     stage.script.at(1.5, lambda: swap(stage, "86 1F", "C6 1F"))
     pulses(stage, 1.5, 2.5)
@@ -96,28 +103,18 @@ def test_request_corrupted_into_command_is_undone_at_once() -> None:
     assert started[1] - started[0] < 0.06
 
 
-def test_line_error_before_driving_sends_no_motor_command() -> None:
-    stage, _ = staged()
-    stage.script.at(1.0, lambda: setattr(stage.line.faults, "to_drop", 1))
-    run_for(stage, 2.0)
-    assert not moving(stage.transport.sent)
+def test_confirmed_setpoint_is_not_resent(stage: Stage) -> None:
+    stage.script.at(1.0, SetMotor(1, Drive.at(50))).at(2.0, SetMotor(1, Drive.brake(127)))
+    run_for(stage, 4.0)
+    sent = moving(stage.transport.sent)
+    assert sent.count(DriveMotor(1, Drive.at(50))) == 1, "it would go round the current limiter"
+    assert sent.count(DriveMotor(1, Drive.brake(127))) == 2
 
 
-def test_brake_is_sent_only_twice_on_quiet_line() -> None:
-    stage, _ = staged()
-    stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(50))).at(1.4, FULL_BRAKE)
-    pulses(stage, 1.5, 5.5)
-    mark = seen_at(stage, 5.9, lambda: len(stage.transport.sent))
-    run_for(stage, 6.0)
-    brake = DriveMotor(1, Drive.brake(127))
-    assert moving(stage.transport.sent[: mark[0]]).count(brake) == 2
-
-
-def test_brake_is_repeated_until_line_is_quiet() -> None:
-    stage, _ = staged()
+def test_brake_is_repeated_until_line_is_quiet(stage: Stage) -> None:
     stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(50))).at(1.4, FULL_BRAKE)
     pulses(stage, 1.5, 2.8)
-    stage.script.at(3.0, lambda: setattr(stage.line.faults, "to_drop", 1))
+    stage.script.at(3.0, stage.fault(to_drop=1))
     pulses(stage, 3.0, 8.5)
     marks = [0, 0, 0]
 
@@ -134,10 +131,9 @@ def test_brake_is_repeated_until_line_is_quiet() -> None:
     assert not moving(stage.transport.sent[marks[0] : marks[2]])
 
 
-def test_idle_refresh_skips_running_motor() -> None:
-    stage, _ = staged()
+def test_idle_refresh_skips_running_motor(stage: Stage) -> None:
     stage.script.at(1.0, Arm()).at(1.0, SetMotor(2, Drive.at(50)))
-    stage.script.at(1.2, lambda: setattr(stage.line.faults, "to_drop", 1))
+    stage.script.at(1.2, stage.fault(to_drop=1))
     pulses(stage, 1.3, 3.8)
     speeds = seen_at(stage, 3.9, lambda: stage.board.motors[1].speed)
     mark = seen_at(stage, 3.9, lambda: len(stage.transport.sent))
@@ -148,9 +144,22 @@ def test_idle_refresh_skips_running_motor() -> None:
     assert DriveMotor(2, Drive.brake()) not in sent
 
 
-def test_risky_polls_are_omitted_while_motors_may_move() -> None:
-    stage, _ = staged()
-    stage.script.at(1.0, Arm()).at(1.2, lambda: setattr(stage.line.faults, "to_drop", 1))
+def test_stop_of_auxiliary_motor_is_repeated() -> None:
+    idle = SetpointRefresh(LineQuality(), lambda: False)
+    idle.note_setpoints([SetAuxiliary(50)], 0.0)
+    assert idle.take_idle() == BRAKES, "a running motor is not at rest"
+    idle.note_stop(0.2)
+    assert idle.take_idle() == [*BRAKES, DriveAuxiliary(0)]
+
+
+def test_unstarted_auxiliary_motor_is_left_alone() -> None:
+    idle = SetpointRefresh(LineQuality(), lambda: False)
+    idle.note_setpoints([SetMotor(1, Drive.at(50))], 0.0)
+    assert idle.take_idle() == BRAKES[1:]
+
+
+def test_risky_polls_are_omitted_while_motors_may_move(stage: Stage) -> None:
+    stage.script.at(1.0, Arm()).at(1.2, stage.fault(to_drop=1))
     before = seen_at(stage, 1.3, lambda: len(stage.transport.sent))
     after = seen_at(stage, 1.9, lambda: len(stage.transport.sent))
     run_for(stage, 2.0)
@@ -162,23 +171,21 @@ def test_risky_polls_are_omitted_while_motors_may_move() -> None:
 # --- Stops ------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(("seed", "noise"), sampled(product(range(4), [0.01, 0.05]), every=3))
-def test_stop_holds_on_noisy_line(noise: float, seed: int) -> None:
-    stage, _ = staged()
+@pytest.mark.parametrize(("seed", "noise"), sampled(product(range(4), [0.01, 0.05]), every=7))
+def test_stop_holds_on_noisy_line(stage: Stage, noise: float, seed: int) -> None:
     stage.line.faults._random.seed(seed)
     stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80)))
-    stage.script.at(1.5, lambda: setattr(stage.line.faults, "noise", noise)).at(1.6, Stop(1))
-    stage.script.at(3.0, lambda: setattr(stage.line.faults, "noise", 0.0))
+    stage.script.at(1.5, stage.fault(noise=noise)).at(1.6, Stop(1))
+    stage.script.at(3.0, stage.fault(noise=0.0))
     stopped = seen_at(stage, 5.5, lambda: is_stopped(stage.board))
     run_for(stage, 5.6)
     assert stopped == [True]
     assert 1 in outcomes(stage.reports)
 
 
-def test_stop_after_line_error_is_confirmed_on_quiet_line() -> None:
-    stage, _ = staged()
+def test_stop_after_line_error_is_confirmed_on_quiet_line(stage: Stage) -> None:
     stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80)))
-    stage.script.at(1.4, lambda: setattr(stage.line.faults, "to_drop", 1)).at(1.5, Stop(1))
+    stage.script.at(1.4, stage.fault(to_drop=1)).at(1.5, Stop(1))
     early = seen_at(stage, 2.0, lambda: outcomes(stage.reports))
     late = seen_at(stage, 1.5 + Timeouts().stop_confirmation, lambda: outcomes(stage.reports))
     run_for(stage, 5.0)
@@ -188,22 +195,20 @@ def test_stop_after_line_error_is_confirmed_on_quiet_line() -> None:
     assert moving(stage.transport.sent).count(STOP[0]) > 4
 
 
-def test_unconfirmed_stop_on_bad_line_is_reported() -> None:
-    stage, _ = staged()
+def test_unconfirmed_stop_on_bad_line_is_reported(stage: Stage) -> None:
     stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80)))
     for step in range(60):
         if step == 2:
             stage.script.at(1.5, Stop(1))
-        stage.script.at(1.4 + step * 0.1, lambda: setattr(stage.line.faults, "to_drop", 1))
+        stage.script.at(1.4 + step * 0.1, stage.fault(to_drop=1))
     run_for(stage, 7.5)
     error = outcomes(stage.reports)[1].error
     assert isinstance(error, NoReply)
     assert "corrupts bytes" in str(error)
 
 
-def test_unconfirmed_stop_is_reported_when_driving_again() -> None:
-    stage, _ = staged()
-    stage.script.at(1.4, lambda: setattr(stage.line.faults, "to_drop", 1)).at(1.5, Stop(1))
+def test_unconfirmed_stop_is_reported_when_driving_again(stage: Stage) -> None:
+    stage.script.at(1.4, stage.fault(to_drop=1)).at(1.5, Stop(1))
     stage.script.at(1.7, Arm()).at(1.7, SetMotor(1, Drive.at(30)))
     seen = seen_at(stage, 1.9, lambda: outcomes(stage.reports))
     speeds = seen_at(stage, 1.9, lambda: stage.board.motors[0].speed)
@@ -212,10 +217,9 @@ def test_unconfirmed_stop_is_reported_when_driving_again() -> None:
     assert speeds == [30]
 
 
-def test_stop_is_confirmed_when_board_responds_again() -> None:
-    stage, _ = staged()
+def test_stop_is_confirmed_when_board_responds_again(stage: Stage) -> None:
     stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80)))
-    stage.script.at(1.5, lambda: setattr(stage.line.faults, "mute", True)).at(1.5, Stop(1))
+    stage.script.at(1.5, stage.fault(mute=True)).at(1.5, Stop(1))
     mark = seen_at(stage, 1.5, lambda: len(stage.transport.sent))
 
     def hear_again_when_given_up() -> None:
@@ -232,8 +236,7 @@ def test_stop_is_confirmed_when_board_responds_again() -> None:
     assert among(stage.reports, MotorsStopped) == [MotorsStopped(None, confirmed=True)]
     assert set(moving(stage.transport.sent[mark[0] :])) <= {
         *STOP,
-        DriveMotor(1, Drive.brake()),
-        DriveMotor(2, Drive.brake()),
+        *BRAKES,
     }
     assert is_stopped(stage.board)
 
@@ -249,8 +252,9 @@ def test_stop_is_confirmed_when_board_responds_again() -> None:
         (Status.UART_ERROR, UartError.FRAMING),  # UART-Error Shutdown is on from the factory
     ],
 )
-def test_motor_stopped_by_board_is_not_restarted(status: Status, uart: UartError) -> None:
-    stage, _ = staged()
+def test_motor_stopped_by_board_is_not_restarted(
+    stage: Stage, status: Status, uart: UartError
+) -> None:
 
     def stop_itself() -> None:
         stage.board.serial.status |= status
@@ -265,9 +269,9 @@ def test_motor_stopped_by_board_is_not_restarted(status: Status, uart: UartError
     assert DriveMotor(1, Drive.at(50)) not in moving(stage.transport.sent[mark[0] :])
 
 
-def test_written_error_shutdown_decides_about_retries() -> None:
+def test_written_error_shutdown_decides_about_retries(stage: Stage) -> None:
     """The board that no longer stops its motors on errors gets a corrupted setpoint again."""
-    stage, _ = staged()  # UART-Error Shutdown is on from the factory
+    # UART-Error Shutdown is on from the factory
     stage.script.at(1.0, Write(1, (("uart_error_shutdown", 0),)))
     stage.script.at(1.5, lambda: swap(stage, "C2 32", "C2"))  # one packet loses its speed
     stage.script.at(1.5, SetMotor(1, Drive.at(50)))
@@ -300,10 +304,18 @@ def test_setpoint_repetition_ends_at_time_limit() -> None:
 # --- Arming and silence -----------------------------------------------------------------
 
 
-def test_arming_during_power_loss_causes_no_later_stop() -> None:
-    stage, _ = staged()
+def test_arming_during_power_loss_causes_no_later_stop(stage: Stage) -> None:
     stage.script.at(1.0, stage.board.power_off).at(1.8, Arm()).at(3.5, stage.board.power_on)
     run_for(stage, 6.0)
     assert among(stage.reports, NotResponding)
     assert not among(stage.reports, MotorsStopped)
     assert not moving(stage.transport.sent)
+
+
+@pytest.mark.parametrize(
+    ("seed", "shutdown"), sampled([(seed, bool(seed % 2)) for seed in range(30)], every=15)
+)
+def test_wrong_turn_is_short_and_no_restart(seed: int, shutdown: bool) -> None:
+    result = drive(seed, 5.0, shutdown=shutdown)
+    assert max(result.turned, default=0.0) <= LONGEST_TURN
+    assert result.stopped == []

@@ -11,7 +11,7 @@ from trex_gui.core.transport.serial_port import latency_of
 from trex_gui.devices.trex.driving.requests import Arm, Heartbeat, MotorsStopped, SetMotor
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode
-from trex_gui.devices.trex.session.messages import NotResponding
+from trex_gui.devices.trex.session.messages import Connected, NotResponding, ReadReason
 
 FREE, LOADED = 0.0, 3.0  # A beyond its own friction
 CASES = [
@@ -34,7 +34,7 @@ CASES = [
 
 
 def driving(
-    seconds: float, baud: int = 19200, model: str = "trex", *, begin: float = 3.0, ramp: int = 0
+    seconds: float, baud: int = 19200, model: str = "trex", *, begin: float = 2.0, ramp: int = 0
 ) -> tuple[Stage, list[tuple[float, object]]]:
     """Return a stage with a motor driven for so long, along a ramp, and its steps."""
     stage, _ = staged(baud, model=model)
@@ -53,10 +53,10 @@ def test_restart_while_driving_is_found_and_disarms(
 ) -> None:
     stage, steps = driving(3.5, baud, model)
     stage.board.physics[0].load = load
-    steps += [(3.0 + moment, stage.board.power_off), (3.0 + moment + gap, stage.board.power_on)]
+    steps += [(2.0 + moment, stage.board.power_off), (2.0 + moment + gap, stage.board.power_on)]
     plan(stage, steps)
-    rest = seen_at(stage, 6.4, lambda: is_stopped(stage.board))
-    reports = run_for(stage, 6.5, staged(baud)[1])
+    rest = seen_at(stage, 5.4, lambda: is_stopped(stage.board))
+    reports = run_for(stage, 5.5, staged(baud)[1])
     found = [one for one in among(reports, MotorsStopped) if one.confirmed]
     is_said = [one.reason for one in found] == [ErrorCode.MAY_HAVE_RESTARTED]
     assert is_said or among(reports, NotResponding)
@@ -66,39 +66,56 @@ def test_restart_while_driving_is_found_and_disarms(
 @pytest.mark.parametrize("ramp", [3, 20])
 def test_restart_on_a_ramp_starts_no_motor_again(ramp: int) -> None:
     stage, steps = driving(5.0, ramp=ramp)
-    plan(stage, [*steps, (6.0, stage.board.power_cycle)])
-    rest = seen_at(stage, 6.5, lambda: is_stopped(stage.board))
-    reports = run_for(stage, 8.0)
+    plan(stage, [*steps, (5.0, stage.board.power_cycle)])
+    rest = seen_at(stage, 5.5, lambda: is_stopped(stage.board))
+    reports = run_for(stage, 6.0)
     assert rest == [True]
     assert among(reports, MotorsStopped)[0].reason is ErrorCode.MAY_HAVE_RESTARTED
+
+
+def test_mode_change_stops_motors_and_drops_setpoints(stage: Stage) -> None:
+
+    def restart() -> None:
+        stage.board.eeprom.write("channel_input_source", 1)
+        stage.board.power_cycle()
+
+    stage.script.at(1.0, Arm())
+    for step in range(60):
+        if step == 10:
+            stage.script.at(1.5, restart)
+        stage.script.at(1.0 + step / 20, SetMotor(1, Drive.at(60 + step % 40)))
+    stopped = seen_at(stage, 4.5, lambda: is_stopped(stage.board))
+    reports = among(run_for(stage, 5.0), Connected)
+    assert [(one.occasion, one.may_move) for one in reports][-1] == (ReadReason.RESTARTED, False)
+    assert stopped == [True]
 
 
 def test_current_that_comes_and_goes_is_no_restart() -> None:
     stage, steps = driving(3.0)
     force = stage.board.force_current
     steps += [
-        (4.0 + step * 0.12, partial(force, 1, 0.15 if step % 2 else 0.48)) for step in range(14)
+        (3.0 + step * 0.12, partial(force, 1, 0.15 if step % 2 else 0.48)) for step in range(14)
     ]
     plan(stage, steps)
-    assert not among(run_for(stage, 5.9), MotorsStopped)
+    assert not among(run_for(stage, 4.9), MotorsStopped)
 
 
 def test_motor_that_draws_nothing_goes_on() -> None:
     """Downhill no current flows, and nothing says how long that lasts."""
     stage, steps = driving(3.0)
     force = stage.board.force_current
-    steps += [(4.0, lambda: force(1, 0.0)), (4.6, lambda: force(1, None))]
+    steps += [(3.0, lambda: force(1, 0.0)), (3.6, lambda: force(1, None))]
     plan(stage, steps)
-    speed = seen_at(stage, 5.9, lambda: stage.board.motors[0].speed)
-    assert not among(run_for(stage, 6.0), MotorsStopped)
+    speed = seen_at(stage, 4.9, lambda: stage.board.motors[0].speed)
+    assert not among(run_for(stage, 5.0), MotorsStopped)
     assert speed == [38]
 
 
 def test_lost_reply_is_no_restart() -> None:
     stage, steps = driving(3.0)
-    plan(stage, [*steps, (4.0, lambda: setattr(stage.line.faults, "to_drop", 1))])
-    speed = seen_at(stage, 5.9, lambda: stage.board.motors[0].speed)
-    assert not among(run_for(stage, 6.0), MotorsStopped)
+    plan(stage, [*steps, (3.0, stage.fault(to_drop=1))])
+    speed = seen_at(stage, 4.9, lambda: stage.board.motors[0].speed)
+    assert not among(run_for(stage, 5.0), MotorsStopped)
     assert speed == [38]
 
 

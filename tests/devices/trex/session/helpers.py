@@ -104,24 +104,15 @@ def pulses(stage: Stage, start: float, end: float) -> None:
 
 
 def run_for(
-    stage: Stage, seconds: float, settings: ConnectionSettings | None = None
+    stage: Stage,
+    seconds: float,
+    settings: ConnectionSettings | None = None,
+    *,
+    may_move: bool = False,
 ) -> list[Report]:
     """Run the script of a stage, which ends so many seconds after the line began."""
     stage.script.at(seconds, Close())
-    return stage.run(settings)
-
-
-def run_after_another(stage: Stage, seconds: float) -> list[Report]:
-    """Run a session whose forerunner may have left motors running."""
-    stage.script.at(seconds, Close())
-    TrexSession(
-        ConnectionSettings("virtual"),
-        stage.script,
-        stage.reports.append,
-        lambda _settings: stage.transport,
-        may_move=True,
-    ).run()
-    return stage.reports
+    return stage.run(settings, may_move=may_move)
 
 
 def seen_at(stage: Stage, moment: float, look: Callable[[], KindT]) -> list[KindT]:

@@ -8,7 +8,7 @@ from tests.devices.trex.session.helpers import among, moving, outcomes, run_for,
 from tests.devices.trex.simulator.ports import a_board
 from tests.support.virtual import Stage
 from trex_gui.core.errors import BadReply, BadRequest, NoReply
-from trex_gui.core.session import Close, Closed
+from trex_gui.core.session import Closed
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.driving.requests import Arm, MotorsStopped, SetMotor, Stop
 from trex_gui.devices.trex.protocol.commands import (
@@ -50,13 +50,17 @@ class Line(Stage):
         self.seventh, self.ninth = a_board(7), a_board(9)
         super().__init__(self.seventh, self.ninth)
 
+    @property
+    def packets(self) -> list[Packet]:
+        return among(PacketParser().feed(bytes(self.transport.sent)), Packet)
+
     def to_numbers(self) -> set[int | None]:
         """Return the device numbers in the motor commands that are no stop."""
-        events = PacketParser().feed(bytes(self.transport.sent))
-        packets = among(events, Packet)
-        return {
-            one.device_number for one in packets if one.command.moves and one.command not in STOP
-        }
+        moving = [one for one in self.packets if one.command.moves]
+        return {one.device_number for one in moving if one.command not in STOP}
+
+    def stopped_numbers(self) -> set[int | None]:
+        return {one.device_number for one in self.packets if one.command in STOP}
 
     @property
     def connections(self) -> list[Connected]:
@@ -149,8 +153,7 @@ def test_closing_and_guardian_stop_selected_board(line: Line) -> None:
     line.script.at(0.7, Arm()).at(0.7, _FORWARD).at(1.0, SelectBoard(1, 9))
     before = seen_at(line, 2.4, lambda: list(line.transport.guardian.watched))
     line.script.at(2.5, Arm(1)).at(2.5, _FORWARD)
-    line.script.at(2.8, Close())
-    reports = line.run(SEVENTH)
+    reports = run_for(line, 2.8, SEVENTH)
     assert not runs(line.ninth)
     assert reports[-1] == Closed(None, may_move=False)
     watched = line.transport.guardian.watched
@@ -166,23 +169,15 @@ def test_stop_that_comes_during_switch_is_served(line: Line) -> None:
     assert outcomes(reports)[1].error is None
 
 
-def stopped_numbers(line: Line) -> set[int | None]:
-    events = among(PacketParser().feed(bytes(line.transport.sent)), Packet)
-    return {one.device_number for one in events if one.command in STOP}
-
-
-def test_commands_of_an_earlier_session_are_followed_by_a_stop_of_each_board() -> None:
-    line = Line()
+def test_commands_of_an_earlier_session_are_followed_by_a_stop_of_each_board(line: Line) -> None:
     line.ninth.power_off()
     line.script.at(1.0, line.ninth.power_on).at(2.0, SelectBoard(2, 9, sharing=(7, 9)))
-    line.script.at(5.0, Close())
-    reports = line.run(COMPACT, may_move=True)
+    reports = run_for(line, 5.0, COMPACT, may_move=True)
     assert outcomes(reports)[2].error is None
-    assert stopped_numbers(line) == {None, 7, 9}
+    assert line.stopped_numbers() == {None, 7, 9}
 
 
-def test_commands_without_number_are_followed_by_a_stop_of_each_board() -> None:
-    line = Line()
+def test_commands_without_number_are_followed_by_a_stop_of_each_board(line: Line) -> None:
     line.ninth.power_off()
     line.script.at(1.0, Arm()).at(1.0, _FORWARD).at(1.2, line.ninth.power_on)
     line.script.at(1.3, SetMotor(1, Drive.at(60)))  # reaches both
@@ -191,7 +186,7 @@ def test_commands_without_number_are_followed_by_a_stop_of_each_board() -> None:
     reports = run_for(line, 5.0, COMPACT)
     assert both == [(True, True)]
     assert outcomes(reports)[2].error is None
-    assert stopped_numbers(line) == {None, 7, 9}
+    assert line.stopped_numbers() == {None, 7, 9}
 
 
 # --- Selecting --------------------------------------------------------------------------
@@ -247,8 +242,7 @@ def test_probe_names_the_board_and_clears_nothing(line: Line) -> None:
     assert outcomes(reports)[1].value == signature
     assert outcomes(reports)[2].value is None
     assert outcomes(reports)[2].error is None
-    events = among(PacketParser().feed(bytes(line.transport.sent)), Packet)
-    to_others = [one.command for one in events if one.device_number in {5, 9}]
+    to_others = [one.command for one in line.packets if one.device_number in {5, 9}]
     assert to_others
     assert not [one for one in to_others if isinstance(one, (GetStatus, GetUartErrors))]
     assert among(reports, Batch)[-1].counters.missing == 0
@@ -269,8 +263,7 @@ def test_two_boards_with_one_number_are_unreadable() -> None:
 
 
 @pytest.mark.parametrize("settings", [COMPACT, SEVENTH])
-def test_number_of_another_board_is_not_written(settings: ConnectionSettings) -> None:
-    line = Line()
+def test_number_of_another_board_is_not_written(line: Line, settings: ConnectionSettings) -> None:
     if settings is COMPACT:
         line.ninth.power_off()
         line.script.at(1.9, line.ninth.power_on)

@@ -2,7 +2,6 @@
 
 import itertools
 import math
-from functools import partial
 
 import pytest
 
@@ -55,10 +54,10 @@ def test_100_ms_timeout_never_fires_while_armed(baud: int, detection: Detection)
     set_timeout(stage, 1)
     start = opening(baud)
     stage.script.at(start, Arm()).at(start, SetMotor(1, Drive.at(90)))
-    for number in range(20):
+    for number in range(12):
         stage.script.at(start + number * INTERVAL, Heartbeat())
-    speeds = seen_at(stage, start + 5.0, lambda: stage.board.motors[0].speed)
-    reports = run_for(stage, start + 5.1, settings)
+    speeds = seen_at(stage, start + 3.0, lambda: stage.board.motors[0].speed)
+    reports = run_for(stage, start + 3.1, settings)
     assert speeds == [90]
     fired = [
         one.time
@@ -102,15 +101,12 @@ def test_lost_reply_fires_timeout_only_where_predicted(baud: int, tenths: int) -
     start = opening(baud)
     stage.script.at(start, Arm()).at(start, SetMotor(1, Drive.at(90)))
 
-    def lose_an_answer() -> None:
-        stage.line.faults.to_drop = 1
-
-    for number in range(80):
+    for number in range(44):
         stage.script.at(start + number * INTERVAL, Heartbeat())
         if number >= 4:
             # Somewhere else in the round of questions each time: each of them is hit.
-            stage.script.at(start + (number + 0.05 * number) * INTERVAL, lose_an_answer)
-    reports = run_for(stage, start + 81 * INTERVAL, settings)
+            stage.script.at(start + (number + 0.05 * number) * INTERVAL, stage.fault(to_drop=1))
+    reports = run_for(stage, start + 45 * INTERVAL, settings)
     # Where three replies in a row happen to be lost, the board counts as silent: not one loss.
     replying = itertools.takewhile(lambda report: not isinstance(report, NotResponding), reports)
     fired = [
@@ -135,7 +131,7 @@ def test_reply_lost_after_arming_lets_no_timeout_fire(ahead: float) -> None:
         set_timeout(stage, 5)
         assert survives_a_loss(settings.line, 0.5, stage.transport.latency)
         if armed_at < seconds:
-            lose_a_byte = partial(setattr, stage.line.faults, "to_drop", 1)
+            lose_a_byte = stage.fault(to_drop=1)
             stage.script.at(armed_at, Arm()).at(armed_at, SetMotor(1, Drive.at(90)))
             stage.script.at(armed_at, lose_a_byte)
             for beat in range(1, 4):

@@ -19,7 +19,7 @@ _PARAMETERS = (("motor1_acceleration", 3), ("serial_timeout", 15))
 _CALIBRATIONS = ((CalibrationKey.RC_CHANNEL_3, _LEARNED),)
 
 
-@pytest.mark.parametrize("seed", sampled(range(100), every=10))
+@pytest.mark.parametrize("seed", sampled(range(100), every=20))
 def test_reported_settings_are_those_of_the_board(stage: Stage, seed: int) -> None:
     board = stage.board
     board.eeprom.write("motor1_current_limit", 20)

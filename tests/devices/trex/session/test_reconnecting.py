@@ -6,19 +6,22 @@ from itertools import cycle, pairwise, product
 
 import pytest
 
-from tests.devices.trex.session.helpers import among, outcomes
+from tests.devices.trex.session.helpers import among, outcomes, staged
 from tests.devices.trex.simulator.ports import a_board
 from tests.support.matrix import sampled
 from tests.support.virtual import Stage
 from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable
 from trex_gui.core.session import Close, Closed
+from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import SerialFormat
+from trex_gui.devices.trex.client.telemetry import Control, Currents, ModeSample, Raw
 from trex_gui.devices.trex.driving.requests import SetMotor, Stop
 from trex_gui.devices.trex.protocol.commands import STOP, GetMode, GetSignature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.framing import Framing
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
+from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.session.messages import (
     Batch,
     Connected,
@@ -31,8 +34,10 @@ from trex_gui.devices.trex.session.messages import (
     Write,
 )
 from trex_gui.devices.trex.session.reconnecting import (
+    LivenessMonitor,
     after_power_cycle,
     client_at,
+    reconnect_candidates,
     reconnect_places,
 )
 from trex_gui.devices.trex.simulator.firmware import Board
@@ -132,10 +137,9 @@ def a_board_is_found_again_at(line: LineSettings, orders: list[str]) -> None:
     assert not orders
 
 
-@pytest.mark.parametrize("polynomial", [0x80, 0xFF])
-def test_board_reconnects_with_new_polynomial(polynomial: int) -> None:
+def test_board_reconnects_with_new_polynomial() -> None:
     old = replace(OLD, line=CRC)
-    new = replace(old, polynomial=polynomial)
+    new = replace(old, polynomial=0xFF)
     assert the_return(Place(old).go(new, new=new)).settings == new
 
 
@@ -309,7 +313,7 @@ def test_reconnect_probes_command_no_motor_at_any_settings(
             continue
         place = Place(ConnectionSettings("virtual", old))
         place.go(replace(OLD, line=expected), new=ConnectionSettings("virtual", line))
-        place.script.at(ON, partial(setattr, place.line.faults, "mute", True))
+        place.script.at(ON, place.fault(mute=True))
         place.end(4.5)
         assert len(place.connections) == 1
         assert not orders, line.text()
@@ -338,7 +342,7 @@ def test_stop_retry_at_old_settings_starts_no_motor(
         place = Place()
         place.script.at(1.2, SetMotor(1, Drive.at(100)))
         place.go(ConnectionSettings("virtual", CRC), new=ConnectionSettings("virtual", line))
-        place.script.at(ON, partial(setattr, place.line.faults, "mute", True))
+        place.script.at(ON, place.fault(mute=True))
         seen: list[bool] = []
         for step in range(200):
             place.script.at(ON + step / 100, partial(look, place, seen))
@@ -424,3 +428,159 @@ def test_probe_ignores_board_with_wrong_device_number() -> None:
     number = place.board.eeprom["device_number"]
     assert client_at(place.transport, replace(OLD, device_number=number))
     assert not client_at(place.transport, replace(OLD, device_number=number + 1))
+
+
+# --- Silence --------------------------------------------------------------------------
+
+
+ELSEWHERE = (ConnectionSettings("virtual", LineSettings(57600)),)
+
+
+def silent_at(now: float) -> LivenessMonitor:
+    liveness = LivenessMonitor(Timeouts())
+    assert [liveness.note_failure(now) for _ in range(3)] == [False, False, True]
+    return liveness
+
+
+def test_reply_between_failures_keeps_board_responding() -> None:
+    liveness = LivenessMonitor(Timeouts())
+    for _ in range(10):
+        assert not liveness.note_failure(1.0)
+        assert not liveness.note_failure(1.1)
+        liveness.note_answer()
+    assert not liveness.silent
+
+
+def test_topic_that_always_fails_counts_despite_other_replies() -> None:
+    """Where wires touch, a request that comes back can pass for a measurement."""
+    for topic, fails in ((Control, True), (ModeSample, True), (Raw, False)):
+        liveness = LivenessMonitor(Timeouts())
+        for _ in range(3):
+            liveness.note_failure(1.0, topic)
+            liveness.note_answer(Currents)
+        assert liveness.silent is fails
+    liveness = LivenessMonitor(Timeouts())
+    for _ in range(9):
+        liveness.note_failure(1.0, ModeSample)
+        liveness.note_answer(ModeSample)
+    assert not liveness.silent
+
+
+def test_third_failure_reports_not_responding_once() -> None:
+    liveness = silent_at(7.0)
+    assert liveness.silent
+    assert liveness.retry_at == 7.0 + Timeouts().retry
+    assert not liveness.note_failure(8.0)
+
+
+def test_reading_board_again_ends_not_responding() -> None:
+    liveness = silent_at(7.0)
+    liveness.begin()
+    assert not liveness.silent
+    assert not liveness.note_failure(8.0)
+
+
+def test_candidates_are_scanned_only_when_not_responding() -> None:
+    stage, settings = staged()
+    client = stage.client(settings)
+    responding = LivenessMonitor(Timeouts())
+    responding.expect(ELSEWHERE)
+    assert not responding.is_scanning(client)
+    liveness = silent_at(0.0)
+    assert not liveness.is_scanning(client)
+    liveness.expect(ELSEWHERE)
+    assert liveness.is_scanning(client)
+    stage.transport.is_configurable = False
+    assert not liveness.is_scanning(client)
+
+
+def test_scan_continues_until_board_is_read() -> None:
+    stage, settings = staged()
+    client = stage.client(settings)
+    liveness = silent_at(0.0)
+    stage.board.power_off()
+    liveness.expect(ELSEWHERE)
+    assert liveness.look(client) is None
+    liveness.expect(())
+    assert liveness.is_scanning(client)
+    liveness.begin()
+    assert not liveness.is_scanning(client)
+
+
+# --- Where a board is after its next start --------------------------------------------
+
+
+NOW = ConnectionSettings("/dev/ttyUSB0", name="adapter", timeouts=Timeouts(extra=0.1))
+FACTORY = {spec.key: spec.default for spec in parameters_of("trex", "1.2").readable}
+
+
+def test_factory_settings_leave_line_unchanged() -> None:
+    assert after_power_cycle(NOW, FACTORY, "1.2") == NOW
+
+
+@pytest.mark.parametrize("baud", baud_rates())
+@pytest.mark.parametrize("detection", list(Detection))
+def test_stored_uart_settings_become_line_settings(baud: int, detection: Detection) -> None:
+    line = LineSettings(baud, detection, 2)
+    coming = after_power_cycle(NOW, {"uart_settings": line.to_wire()}, "1.2")
+    assert coming is not None
+    assert coming.line == line
+    assert (coming.url, coming.name, coming.timeouts) == (NOW.url, NOW.name, NOW.timeouts)
+
+
+def test_old_firmware_runs_38400_baud_at_half_rate() -> None:
+    stored = {"uart_settings": LineSettings(38400).to_wire()}
+    coming = after_power_cycle(NOW, stored, "1.1")
+    assert coming is not None
+    assert coming.line.baud == 19200
+
+
+def test_stored_polynomial_regains_its_highest_bit() -> None:
+    stored = {"uart_settings": LineSettings(19200, Detection.CRC7).to_wire()}
+    coming = after_power_cycle(NOW, {**stored, "crc7_polynomial": 0x15}, "1.2")
+    assert coming is not None
+    assert coming.polynomial == 0x95
+    assert coming.framing.polynomial == 0x95
+
+
+def test_stored_device_number_is_used_only_when_addressed() -> None:
+    stored = {"device_number": 9}
+    assert after_power_cycle(NOW, stored, "1.2") == NOW
+    addressed = ConnectionSettings("/dev/ttyUSB0", device_number=7)
+    coming = after_power_cycle(addressed, stored, "1.2")
+    assert coming is not None
+    assert coming.device_number == 9
+
+
+def test_invalid_uart_settings_predict_no_line() -> None:
+    assert after_power_cycle(NOW, {"uart_settings": 0x0F}, "1.2") is None
+
+
+def test_unchanged_line_has_no_reconnect_candidates() -> None:
+    assert reconnect_candidates(NOW, FACTORY, {**FACTORY, "serial_timeout": 5}, "1.2") == ()
+
+
+def test_reconnect_candidates_include_factory_polynomial() -> None:
+    crc = LineSettings(19200, Detection.CRC7)
+    link = ConnectionSettings("/dev/ttyUSB0", line=crc, polynomial=0x91)
+    before = {**FACTORY, "uart_settings": crc.to_wire(), "crc7_polynomial": 0x11}
+    places = reconnect_candidates(link, before, {**before, "crc7_polynomial": 0x15}, "1.2")
+    assert [place.polynomial for place in places] == [0x95, 0x89]
+    assert {place.line for place in places} == {crc}
+
+
+def test_reconnect_candidates_include_factory_device_number() -> None:
+    link = ConnectionSettings("/dev/ttyUSB0", device_number=20)
+    before = {**FACTORY, "device_number": 20}
+    places = reconnect_candidates(link, before, {**before, "device_number": 9}, "1.2")
+    assert [place.device_number for place in places] == [9, 7]
+
+
+def test_new_line_is_probed_with_new_and_factory_polynomial() -> None:
+    crc = LineSettings(57600, Detection.CRC7)
+    after = {**FACTORY, "uart_settings": crc.to_wire(), "crc7_polynomial": 0x15}
+    places = reconnect_candidates(NOW, FACTORY, after, "1.2")
+    assert {(place.line, place.framing.polynomial) for place in places} >= {
+        (crc, 0x95),
+        (crc, 0x89),
+    }

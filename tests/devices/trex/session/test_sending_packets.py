@@ -101,7 +101,7 @@ def test_board_is_found_where_a_packet_has_put_it(stage: Stage) -> None:
 
 
 def test_write_without_a_reply_is_read_again(stage: Stage) -> None:
-    stage.script.at(1.0, lambda: stage.line.faults.__setattr__("to_drop", 1))
+    stage.script.at(1.0, stage.fault(to_drop=1))
     stage.script.at(1.0, packet(1, "AF 0E 0F 55 2A"))
     reports = run_for(stage, 6.0)
     assert isinstance(outcomes(reports)[1].error, NoReply)

@@ -14,6 +14,7 @@ from tests.devices.trex.session.helpers import (
     staged,
 )
 from tests.support.guardian import VirtualGuardian
+from tests.support.virtual import Stage
 from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.session import Closed
 from trex_gui.devices.trex.driving.requests import Arm, MotorsStopped, SetMotor, Stop
@@ -32,21 +33,21 @@ from trex_gui.devices.trex.session.messages import (
 SETPOINT = SetMotor(1, Drive.at(60))
 
 
-def test_guardian_is_ready_before_the_board_counts_as_connected() -> None:
-    stage, settings = staged()
-    reports = run_for(stage, 0.5, settings)
+def test_guardian_is_ready_before_the_board_counts_as_connected(stage: Stage) -> None:
+    reports = run_for(stage, 0.5)
     kinds = [type(report) for report in reports]
     assert reports[kinds.index(GuardianChanged)] == GuardianChanged(is_ready=True)
     assert kinds.index(GuardianChanged) < kinds.index(Connected)
 
 
 @pytest.mark.parametrize("cause", [Arm(), SETPOINT, RunCommand(1, DriveMotor(1, Drive.at(60)))])
-def test_guardian_watches_from_before_a_motor_may_move(cause: Arm | SetMotor | RunCommand) -> None:
-    stage, settings = staged()
+def test_guardian_watches_from_before_a_motor_may_move(
+    stage: Stage, cause: Arm | SetMotor | RunCommand
+) -> None:
     before = seen_at(stage, 0.5, lambda: list(stage.transport.guardian.watched))
     stage.script.at(0.5, cause)
     after = seen_at(stage, 0.6, lambda: list(stage.transport.guardian.watched))
-    run_for(stage, 0.7, settings)
+    run_for(stage, 0.7)
     assert before == [[]]
     assert after[0]
     assert None not in after[0]
@@ -69,22 +70,20 @@ def test_guardian_knows_the_stop_in_force(model: str, detection: Detection) -> N
     assert len(stage.line.read(9, sequence.seconds)) == sequence.reply_size
 
 
-def test_confirmed_stop_ends_the_watch() -> None:
-    stage, settings = staged()
+def test_confirmed_stop_ends_the_watch(stage: Stage) -> None:
     stage.script.at(0.5, SETPOINT).at(1.0, Stop(1))
     at_rest = seen_at(stage, 1.5, lambda: stage.transport.guardian.watched[-1])
-    reports = run_for(stage, 2.0, settings)
+    reports = run_for(stage, 2.0)
     assert outcomes(reports)[1].error is None
     assert at_rest == [None]
 
 
-def test_guardian_watches_while_the_board_is_silent_and_motors_may_move() -> None:
-    stage, settings = staged()
+def test_guardian_watches_while_the_board_is_silent_and_motors_may_move(stage: Stage) -> None:
     stage.script.at(0.5, SETPOINT)
-    stage.script.at(1.0, lambda: setattr(stage.line.faults, "mute", True))
+    stage.script.at(1.0, stage.fault(mute=True))
     count = seen_at(stage, 2.5, lambda: len(stage.transport.guardian.watched))
     later = seen_at(stage, 3.5, lambda: len(stage.transport.guardian.watched))
-    reports = run_for(stage, 4.0, settings)
+    reports = run_for(stage, 4.0)
     assert among(reports, NotResponding)
     assert later[0] >= count[0] + 5
 
@@ -110,8 +109,7 @@ def test_guardian_stops_motors_on_a_line_that_the_session_has_lost(
     assert closed.may_move != confirms
 
 
-def test_take_over_is_not_taken_for_a_line_that_corrupts_bytes() -> None:
-    stage, settings = staged()
+def test_take_over_is_not_taken_for_a_line_that_corrupts_bytes(stage: Stage) -> None:
     read = stage.transport.read
 
     def hang_while_reading() -> None:
@@ -125,16 +123,16 @@ def test_take_over_is_not_taken_for_a_line_that_corrupts_bytes() -> None:
 
     stage.script.at(0.5, SETPOINT).at(1.0, hang_while_reading).at(1.5, Stop(1))
     stopped = seen_at(stage, 1.8, lambda: set(outcomes(stage.reports)))
-    reports = run_for(stage, 3.0, settings)
+    reports = run_for(stage, 3.0)
     assert among(reports, MotorsStopped)[0].reason is ErrorCode.NO_HEARTBEAT
     assert outcomes(reports)[1].error is None
     assert stopped == [{1}]
 
 
 def test_motors_are_stopped_where_nothing_replaces_a_lost_guardian(
+    stage: Stage,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    stage, settings = staged()
 
     def lose_guardians() -> None:
         lost = stage.transport.guardian
@@ -143,7 +141,7 @@ def test_motors_are_stopped_where_nothing_replaces_a_lost_guardian(
 
     stage.script.at(0.5, SETPOINT).at(1.0, lose_guardians)
     stopped = seen_at(stage, 1.8, lambda: is_stopped(stage.board))
-    (report,) = among(run_for(stage, 2.0, settings), MotorsStopped)
+    (report,) = among(run_for(stage, 2.0), MotorsStopped)
     assert (report.reason, stopped) == (ErrorCode.NO_GUARDIAN, [True])
 
 

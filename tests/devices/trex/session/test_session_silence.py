@@ -64,47 +64,33 @@ def test_unresponsive_board_is_reported_once_and_polled_slowly(stage: Stage) -> 
 
 
 def test_single_lost_reply_keeps_board_responding(stage: Stage) -> None:
-    def lose() -> None:
-        stage.line.faults.to_drop = 1
-
     for moment in (1.0, 1.5, 2.0, 2.5):
-        stage.script.at(moment, lose)
+        stage.script.at(moment, stage.fault(to_drop=1))
     run_for(stage, 3.0)
     assert not among(stage.reports, NotResponding)
     assert among(stage.reports, Batch)[-1].counters.missing == 4
+    assert not moving(stage.transport.sent)
 
 
 # --- Coming back ------------------------------------------------------------------------
 
 
-def test_returning_board_is_read_again(stage: Stage) -> None:
-    off_and_on(stage, 1.0, 1.6)
-    run_for(stage, 3.1)
-    first, second = among(stage.reports, Connected)
-    assert first.occasion is ReadReason.OPENED
-    assert second.occasion is ReadReason.RETURNED
-    assert second.occasion.power_cycled
-    kinds = [type(report) for report in stage.reports]
-    assert kinds.index(NotResponding) < len(kinds) - 1 - kinds[::-1].index(Connected)
-    assert max(one.time for one in samples(stage.reports, Currents)) > 3.0
-
-
-def test_returning_board_is_found_within_one_second(stage: Stage) -> None:
-    off_and_on(stage, 1.0, 5.0)
-    stage.script.at(7.0, Close())
-    reports = timed_run(stage, stage.client().settings)
-    _, back = [at for at, report in reports if isinstance(report, Connected)]
-    assert back - 5.0 < 1.0
-
-
-def test_mode_change_during_power_loss_is_reported(stage: Stage) -> None:
+def test_returning_board_is_found_within_one_second_and_read_again(stage: Stage) -> None:
     def take_jumper() -> None:
         stage.board.mode_jumper = "rc"
 
-    stage.script.at(1.0, stage.board.power_off).at(1.5, take_jumper).at(2.0, stage.board.power_on)
-    run_for(stage, 4.0)
-    first, second = among(stage.reports, Connected)
+    stage.script.at(1.0, stage.board.power_off).at(1.5, take_jumper)
+    stage.script.at(5.0, stage.board.power_on).at(7.0, Close())
+    timed = timed_run(stage, stage.client().settings)
+    seen = [(at, one) for at, one in timed if isinstance(one, Connected | NotResponding)]
+    assert [type(one) for _, one in seen] == [Connected, NotResponding, Connected]
+    assert seen[2][0] - 5.0 < 1.0
+    reports = [report for _, report in timed]
+    first, second = among(reports, Connected)
+    assert (first.occasion, second.occasion) == (ReadReason.OPENED, ReadReason.RETURNED)
+    assert second.occasion.power_cycled
     assert (first.state.mode.is_serial, second.state.mode.is_serial) == (True, False)
+    assert max(one.time for one in samples(reports, Currents)) > 6.9
 
 
 def test_board_reconnects_after_power_loss_during_reread(stage: Stage) -> None:

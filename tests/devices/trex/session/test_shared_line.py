@@ -5,7 +5,6 @@ motor 0 and FF for the start of a position: every packet has to begin with 80 an
 """
 
 from dataclasses import replace
-from functools import partial
 
 import pytest
 
@@ -49,22 +48,18 @@ class TunedStage(Stage):
         self.line.host = SHARED.line
 
 
-@pytest.fixture(params=[False, True], ids=["TTL", "RS-232"])
-def echo(request: pytest.FixtureRequest) -> bool:
-    return bool(request.param)
-
-
-@pytest.mark.parametrize("settings", [SHARED, CRC], ids=["plain", "CRC"])
+@pytest.mark.parametrize(
+    ("settings", "echo"), [(SHARED, True), (CRC, False)], ids=["RS-232", "TTL with CRC"]
+)
 def test_session_addresses_one_board_in_every_packet(
     settings: ConnectionSettings, echo: bool
 ) -> None:
     stage = TunedStage(a_board(7, settings.line.to_wire(), serial_timeout=5), echo=echo)
-    mute = partial(setattr, stage.line.faults, "mute")
     stage.script.at(1.5, Write(1, (("device_number", 9),)))
     stage.script.at(2.0, ProbeNumber(2, 9)).at(2.1, ProbeNumber(3, 0))
     stage.script.at(2.5, Arm()).at(2.6, SetMotor(1, Drive.at(90))).at(2.9, Stop(4))
     stage.script.at(3.0, SetReconnectCandidates((replace(settings, line=LineSettings(57600)),)))
-    stage.script.at(3.5, partial(mute, True)).at(6.5, partial(mute, False))
+    stage.script.at(3.5, stage.fault(mute=True)).at(6.5, stage.fault(mute=False))
     reports = run_for(stage, 9.0, settings)
     assert addressed(stage.wire.sent) == {7}
     assert {*stage.wire.tuned} == {settings.line}, "at no other rate"
