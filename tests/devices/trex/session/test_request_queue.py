@@ -125,11 +125,6 @@ def test_packets_contain_newest_setpoint_of_each_motor(
 # --- Queue ------------------------------------------------------------------------------
 
 
-def test_jobs_keep_their_order() -> None:
-    jobs = (RunCommand(1, GetMode()), Write(2), Reload(3), RunCommand(4, GetMode()))
-    assert tuple(collected(*jobs).jobs) == jobs
-
-
 def test_newest_setpoint_wins_with_two_motor_messages() -> None:
     both = SetMotors((SetMotor(1, Drive.at(9)), SetMotor(2, Drive.at(-9))))
     older, newer = SetMotor(2, Drive.at(50)), SetMotor(1, Drive.at(7))

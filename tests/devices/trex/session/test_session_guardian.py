@@ -1,7 +1,5 @@
 """What a session sends to its guardian, and which stops it leaves to it."""
 
-from dataclasses import replace
-
 import pytest
 
 from tests.devices.trex.session.helpers import (
@@ -19,6 +17,7 @@ from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.session import Closed
 from trex_gui.devices.trex.driving.requests import Arm, MotorsStopped, SetMotor, Stop
 from trex_gui.devices.trex.protocol.commands import STOP, DriveMotor, GetStatus
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.devices.trex.protocol.line_settings import Detection
@@ -90,7 +89,7 @@ def test_guardian_watches_while_the_board_is_silent_and_motors_may_move(stage: S
 
 @pytest.mark.parametrize("confirms", [True, False])
 def test_guardian_stops_motors_on_a_line_that_the_session_has_lost(
-    confirms: bool, monkeypatch: pytest.MonkeyPatch
+    stage: Stage, confirms: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     requested: list[float] = []
 
@@ -99,10 +98,9 @@ def test_guardian_stops_motors_on_a_line_that_the_session_has_lost(
         return confirms
 
     monkeypatch.setattr(VirtualGuardian, "stop", stop)
-    stage, settings = staged()
     stage.script.at(0.5, SETPOINT)
     stage.script.at(1.0, lambda: setattr(stage.transport, "fail", PortUnavailable("gone")))
-    reports = run_for(stage, 2.0, settings)
+    reports = run_for(stage, 2.0)
     (closed,) = among(reports, Closed)
     assert isinstance(closed.error, PortUnavailable)
     assert len(requested) == 1
@@ -145,21 +143,20 @@ def test_motors_are_stopped_where_nothing_replaces_a_lost_guardian(
     assert (report.reason, stopped) == (ErrorCode.NO_GUARDIAN, [True])
 
 
-def test_guardian_stops_nothing_if_no_motor_was_driven(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_guardian_stops_nothing_if_no_motor_was_driven(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(VirtualGuardian, "stop", lambda *_: pytest.fail("nothing to stop"))
-    stage, settings = staged()
     stage.script.at(1.0, lambda: setattr(stage.transport, "fail", PortUnavailable("gone")))
-    assert not among(run_for(stage, 2.0, settings), Closed)[0].may_move
+    assert not among(run_for(stage, 2.0), Closed)[0].may_move
 
 
-def test_stop_follows_a_changed_device_number() -> None:
-    stage, settings = staged()
+def test_stop_follows_a_changed_device_number(stage: Stage) -> None:
     stage.board.eeprom.write("device_number", 7)
     stage.board.power_cycle()
-    settings = replace(settings, device_number=7)
     stage.script.at(0.5, SETPOINT).at(0.7, Stop(1))
     stage.script.at(1.0, Write(2, (("device_number", 9),)))
     stage.script.at(2.5, Arm()).at(2.5, SETPOINT)
-    run_for(stage, 3.0, settings)
+    run_for(stage, 3.0, ConnectionSettings("virtual", device_number=7))
     numbers = {one.packets[1] for one in stage.transport.guardian.watched if one is not None}
     assert numbers == {7, 9}
