@@ -14,52 +14,40 @@ _LOADED = """
 import sys
 from click.testing import CliRunner
 from trex_gui.cli import main
-for words in {lines!r}:
-    assert CliRunner().invoke(main, words).exit_code == 0
-print(*sys.modules)
+for lines in {groups!r}:
+    for words in lines:
+        assert CliRunner().invoke(main, words).exit_code == 0
+    print(*sys.modules)
 """
 
 
-def loaded_by(*lines: list[str]) -> set[str]:
-    """Return the modules that a fresh interpreter has after these command lines."""
-    code = _LOADED.format(lines=lines)
+def loaded_by(*groups: list[list[str]]) -> list[set[str]]:
+    """Return the modules that a fresh interpreter has after each group of command lines."""
+    code = _LOADED.format(groups=groups)
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    return {name for line in done.stdout.splitlines()[-1:] for name in line.split()}
+    return [set(line.split()) for line in done.stdout.splitlines()]
 
 
-def test_help_loads_neither_link_nor_commands() -> None:
-    modules = loaded_by(["--help"])
-    assert not modules & {
-        "serial",
-        "yaml",
-        "trex_gui.core.transport",
-        "trex_gui.devices.trex.protocol",
-    }
-    assert not {name for name in modules if name.startswith("trex_gui.cli.")} - {
+def test_help_loads_only_needed_modules() -> None:
+    of_program, of_all = loaded_by([["--help"]], [[command, "--help"] for command in COMMANDS])
+    link_and_commands = {"serial", "trex_gui.core.transport", "trex_gui.devices.trex.protocol"}
+    assert not of_program & link_and_commands
+    assert not {name for name in of_program if name.startswith("trex_gui.cli.")} - {
         "trex_gui.cli.program"
     }
+    assert not {name for name in of_all if name.startswith(("PySide6", "pyqtgraph", "numpy"))}
 
 
-def test_help_of_commands_loads_only_needed_modules() -> None:
-    reads_files = {"calibration", "diff", "export", "history", "restore-defaults", "set"}
-    reads_files |= {command for command in COMMANDS if "settings" in command}
-    modules = loaded_by(*([command, "--help"] for command in COMMANDS.keys() - reads_files))
-    assert "yaml" not in modules
-    modules |= loaded_by(*([command, "--help"] for command in reads_files))
-    assert not {name for name in modules if name.startswith(("PySide6", "pyqtgraph", "numpy"))}
-
-
-@pytest.mark.parametrize("command", COMMANDS)
-def test_command_table_matches_each_command(command: str) -> None:
-    loaded = main.get_command(
-        main.make_context("trexcmd", ["--help"], resilient_parsing=True), command
-    )
-    assert loaded is not None
-    assert loaded.name == command
-    assert loaded.help
-    result = CliRunner().invoke(main, ["--help"])
-    assert f"  {command} " in result.stdout
-    assert COMMANDS[command].help.replace("\n", " ") in " ".join(result.stdout.split())
+def test_command_table_matches_each_command() -> None:
+    listed = CliRunner().invoke(main, ["--help"]).stdout
+    context = main.make_context("trexcmd", ["--help"], resilient_parsing=True)
+    for command, info in COMMANDS.items():
+        loaded = main.get_command(context, command)
+        assert loaded is not None
+        assert loaded.name == command
+        assert loaded.help
+        assert f"  {command} " in listed
+        assert info.help.replace("\n", " ") in " ".join(listed.split())
 
 
 def test_misspelled_command_gets_a_suggestion() -> None:
