@@ -54,6 +54,8 @@ Translations = dict[Text, tuple[str, ...]]
 
 def texts_of_module(source: str) -> Iterator[Text]:
     """Yield the texts that a module marks, in their order."""
+    if not re.search(r"\btr(_noop)?\(", source):
+        return
     for node in ast.walk(ast.parse(source)):
         if not isinstance(node, ast.Call):
             continue

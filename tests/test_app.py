@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from PySide6.QtCore import QSize
 from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.simulator.waiting import becomes
@@ -65,9 +66,10 @@ def test_simulator_option_runs_simulator() -> None:
 
 
 def test_tour_writes_every_page_and_the_wizard(
-    program: Program, qtbot: QtBot, tmp_path: Path
+    program: Program, qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    tour = Tour(program, tmp_path, schemes=("dark",))
+    monkeypatch.setattr("trex_gui.ui.tour._STEP_MS", 20)
+    tour = Tour(program, tmp_path, schemes=("dark",), size=QSize(800, 600))
     tour.start()
     with qtbot.waitSignal(tour.finished, timeout=120_000) as finished:
         program.connect_to_demo("trex")
