@@ -35,11 +35,8 @@ def packages() -> ModuleType:
 # --- The version
 
 
-def test_version_is_that_of_the_program(packages: ModuleType) -> None:
+def test_version_is_written_in_one_place(packages: ModuleType) -> None:
     assert packages.version() == __version__
-
-
-def test_version_is_written_in_one_place() -> None:
     texts = [ROOT / "pyproject.toml", *PACKAGING.rglob("*.*")]
     places = [
         path.name

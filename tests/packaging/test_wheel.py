@@ -43,13 +43,10 @@ def test_wheel_contains_every_resource(wheel_names: set[str]) -> None:
     assert expected - wheel_names == set()
 
 
-def test_wheel_contains_every_module(wheel_names: set[str]) -> None:
+def test_wheel_contains_every_module_and_nothing_else(wheel_names: set[str]) -> None:
     modules = {path.relative_to(ROOT).as_posix() for path in (ROOT / "trex_gui").rglob("*.py")}
     assert "trex_gui/__init__.py" in modules
     assert modules - wheel_names == set()
-
-
-def test_wheel_contains_nothing_else(wheel_names: set[str]) -> None:
     folders = {name.split("/")[0] for name in wheel_names}
     assert {folder for folder in folders if not folder.endswith(".dist-info")} == {"trex_gui"}
 

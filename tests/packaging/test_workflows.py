@@ -50,28 +50,16 @@ def named_files(command: str) -> set[str]:
     return {word for word in words if re.match(r"(packaging|tests|\.ci|trex_gui)/", word)}
 
 
-def test_files_of_a_command_are_found_in_it() -> None:
-    assert named_files("bash .ci/run") == {".ci/run"}
-    assert named_files("python3 packaging/x.py package deb > out.md") == {"packaging/x.py"}
-
-
 @pytest.mark.parametrize("workflow", WORKFLOWS, ids=lambda path: path.stem)
-def test_commands_name_files_that_exist(workflow: Path) -> None:
-    named = {name for step in steps(workflow) for name in named_files(step.get("run", ""))}
+def test_workflow_names_files_workflows_and_packages_that_exist(workflow: Path) -> None:
+    called = {job["uses"] for job in read(workflow)["jobs"].values() if "uses" in job}
+    commands = [step.get("run", "") for step in steps(workflow)]
+    named = called.union(*map(named_files, commands))
+    assert named
     assert [name for name in sorted(named) if not (ROOT / name).exists()] == []
-
-
-@pytest.mark.parametrize("workflow", WORKFLOWS, ids=lambda path: path.stem)
-def test_called_workflows_exist(workflow: Path) -> None:
-    called = [job["uses"] for job in read(workflow)["jobs"].values() if "uses" in job]
-    assert [name for name in called if not (ROOT / name).exists()] == []
-
-
-@pytest.mark.parametrize("workflow", WORKFLOWS, ids=lambda path: path.stem)
-def test_packages_that_are_asked_for_are_known(workflow: Path) -> None:
     known = {*load("packages").TARGETS, "package", "--check"}
-    for step in steps(workflow):
-        words = shlex.split(step.get("run", ""), comments=True)
+    for command in commands:
+        words = shlex.split(command, comments=True)
         if "package" in words:
             assert set(words[words.index("package") :]) <= known
 
