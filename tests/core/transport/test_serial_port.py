@@ -12,6 +12,7 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -111,10 +112,14 @@ def test_board_replies_over_pseudo_terminal(quick_simulator: SimulatedDevice, op
     assert quick_simulator.show()["parameters"]["serial_timeout"] == 9
 
 
-def test_board_replies_over_tcp(start_simulator: Start, opened: Open) -> None:
+def test_board_replies_over_tcp(
+    start_simulator: Start, opened: Open, terminal: tuple[int, str]
+) -> None:
     url = start_simulator("--tcp", "127.0.0.1:0", "--echo").url
     assert url.startswith("socket://")
-    client = patient(opened(url), url)
+    transport = opened(url)
+    assert transport.latency > opened(terminal[1]).latency
+    client = patient(transport, url)
     assert client.detect_echo() is True
     assert client.request(GetMode()) is Mode.SERIAL_RC
 
@@ -170,28 +175,9 @@ def relay_one(server: socket.socket, target: int, garbage: threading.Event) -> N
                 ends[end].sendall(end.recv(4096))
 
 
-def test_server_that_refuses_rfc_2217_is_named() -> None:
-    refusal = serial.SerialException(
-        "Remote does not accept parameter change (RFC2217): dict_values([...])"
-    )
-    said = str(why_not_open("rfc2217://host:1", LINE, refusal))
-    assert said == (
-        "The port rfc2217://host:1 cannot be reached: the server refuses the settings of the line."
-    )
-
-
-def test_network_port_has_greater_latency_than_local_port(
-    start_simulator: Start, opened: Open, terminal: tuple[int, str]
-) -> None:
-    remote = opened(start_simulator("--tcp", "127.0.0.1:0").url)
-    assert remote.latency > opened(terminal[1]).latency
-
-
-@pytest.mark.parametrize("baud", baud_rates())
-def test_every_baud_rate_of_a_board_can_be_set(
-    baud: int, terminal: tuple[int, str], opened: Open
-) -> None:
-    opened(terminal[1], LineSettings(baud))
+def test_every_baud_rate_of_a_board_can_be_set(terminal: tuple[int, str], opened: Open) -> None:
+    for baud in baud_rates():
+        opened(terminal[1], LineSettings(baud)).close()
 
 
 def test_port_gets_baud_rate_and_stop_bits_of_line(terminal: tuple[int, str], opened: Open) -> None:
@@ -226,16 +212,9 @@ def test_all_byte_values_pass_unchanged(terminal: tuple[int, str], opened: Open)
         passed += os.read(master, 512)
     assert passed == everything
     os.write(master, everything)
-    assert transport.read(256, LONG_TIMEOUT) == everything
-
-
-def test_read_ends_when_all_bytes_have_arrived(terminal: tuple[int, str], opened: Open) -> None:
-    master, path = terminal
-    transport = opened(path)
-    os.write(master, b"abc")
     begun = time.monotonic()
-    assert transport.read(3, 40.0) == b"abc"
-    assert time.monotonic() - begun < 30.0
+    assert transport.read(256, 40.0) == everything
+    assert time.monotonic() - begun < 30.0, "it ends when all bytes have arrived"
 
 
 def test_incomplete_read_ends_at_timeout(terminal: tuple[int, str], opened: Open) -> None:
@@ -289,37 +268,31 @@ def test_port_is_opened_exclusively(terminal: tuple[int, str], opened: Open) -> 
     assert "Close it there, then connect again." in said
 
 
+@contextmanager
+def other_program(opening: str) -> Iterator[int]:
+    """Run a program that has evaluated an expression until the end; return its number."""
+    code = f"import serial, sys; port = {opening}; print('open', flush=True); sys.stdin.read()"
+    command, pipe = [sys.executable, "-c", code], subprocess.PIPE
+    with subprocess.Popen(command, stdin=pipe, stdout=pipe) as program:
+        assert program.stdout is not None
+        assert program.stdout.readline() == b"open\n"
+        yield program.pid
+        program.communicate(b"", timeout=30)
+
+
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells who holds a port")
 def test_owner_of_port_lock_is_named_before_other_users(
     terminal: tuple[int, str], opened: Open
 ) -> None:
-    code = f"import sys; port = open({terminal[1]!r}); print('open', flush=True); sys.stdin.read()"
-    with subprocess.Popen(
-        [sys.executable, "-c", code], stdin=subprocess.PIPE, stdout=subprocess.PIPE
-    ) as onlooker:
-        assert onlooker.stdout is not None
-        assert onlooker.stdout.readline() == b"open\n"
+    with other_program(f"open({terminal[1]!r})"):
         opened(terminal[1])
         assert "in use by another line of this program" in refusal(terminal[1])
-        onlooker.communicate(b"", timeout=30)
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells who holds a port")
 def test_process_that_holds_port_is_named(terminal: tuple[int, str]) -> None:
-    code = (
-        "import serial, sys\n"
-        f"port = serial.Serial({terminal[1]!r}, exclusive=True)\n"
-        "print('open', flush=True)\n"
-        "sys.stdin.read()\n"
-    )
-    with subprocess.Popen(
-        [sys.executable, "-c", code], stdin=subprocess.PIPE, stdout=subprocess.PIPE
-    ) as holder:
-        assert holder.stdout is not None
-        assert holder.stdout.readline() == b"open\n"
-        said = refusal(terminal[1])
-        assert f"(process {holder.pid})" in said
-        holder.communicate(b"", timeout=30)
+    with other_program(f"serial.Serial({terminal[1]!r}, exclusive=True)") as number:
+        assert f"(process {number})" in refusal(terminal[1])
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells who holds a port")
@@ -355,14 +328,15 @@ def test_guardian_that_still_stops_motors_is_named(
     opened(url)
 
 
-def test_closed_port_can_be_reopened(terminal: tuple[int, str], opened: Open) -> None:
-    opened(terminal[1]).close()
-    opened(terminal[1])
-
-
-def test_second_close_is_harmless(terminal: tuple[int, str], opened: Open) -> None:
+def test_closed_port_can_be_closed_again_and_reopened_but_not_used(
+    terminal: tuple[int, str], opened: Open
+) -> None:
     transport = opened(terminal[1])
     transport.close()
+    for act in (lambda: transport.read(1, 0.1), lambda: transport.write(b"x"), transport.discard):
+        with pytest.raises(PortUnavailable):
+            act()
+    opened(terminal[1])
     transport.close()
 
 
@@ -385,17 +359,11 @@ def test_invalid_url_is_rejected_with_message(url: str) -> None:
 # --- The sentences ----------------------------------------------------------------------
 
 
-def why(number: int, url: str = "/dev/ttyUSB0") -> str:
-    """Return the sentence for an error of the system, as pyserial wraps it."""
-    error = OSError(number, os.strerror(number))
-    wrapped = serial.SerialException(number, f"could not open: {error}")
-    return str(why_not_open(url, LINE, wrapped))
-
-
 def test_permission_error_names_group_of_port(terminal: tuple[int, str]) -> None:
     import grp
 
-    said = why(errno.EACCES, terminal[1])
+    denied = serial.SerialException(errno.EACCES, "could not open: Permission denied")
+    said = str(why_not_open(terminal[1], LINE, denied))
     group = grp.getgrgid(Path(terminal[1]).stat().st_gid).gr_name
     assert said.startswith(f"Permission denied for {terminal[1]}.")
     assert "sudo" in said
@@ -411,54 +379,59 @@ def test_permission_error_of_missing_port_names_dialout() -> None:
     assert pickle.loads(pickle.dumps(denied)).command == denied.command
 
 
-@pytest.mark.parametrize("number", [errno.EBUSY, errno.EAGAIN])
-def test_port_in_use_is_reported(number: int) -> None:
-    assert "/dev/ttyUSB0 is in use by" in why(number)
+def wrapped(number: int) -> serial.SerialException:
+    """Return an error of the system as pyserial wraps some: as a cause."""
+    error = serial.SerialException("could not open port")
+    error.__cause__ = OSError(number, os.strerror(number))
+    return error
 
 
-def test_unsupported_line_settings_are_named() -> None:
-    said = str(why_not_open("/dev/ttyUSB0", LINE, ValueError("Invalid baud rate")))
-    assert "cannot be set to 19200 baud, no error detection, 1 stop bit" in said
-
-
-def test_unexpected_error_shows_system_message() -> None:
-    assert why(errno.EIO) == "The port /dev/ttyUSB0 cannot be opened: input/output error."
-
-
-def test_error_number_is_found_in_wrapped_error() -> None:
-    cause = PermissionError(errno.EACCES, "Permission denied")
-    wrapped = serial.SerialException("could not open port")
-    wrapped.__cause__ = cause
-    said = str(why_not_open("/dev/ttyX", LINE, wrapped))
-    assert said.startswith("Permission denied for /dev/ttyX.")
-
-
-def test_error_without_message_shows_its_type() -> None:
-    said = str(why_not_open("/dev/ttyX", LINE, AttributeError()))
-    assert said == "The port /dev/ttyX cannot be opened: AttributeError."
+@pytest.mark.parametrize(
+    ("error", "words"),
+    [
+        (serial.SerialException(errno.EBUSY, "could not open"), "/dev/ttyX is in use by"),
+        (serial.SerialException(errno.EAGAIN, "could not open"), "/dev/ttyX is in use by"),
+        (
+            ValueError("Invalid baud rate"),
+            "cannot be set to 19200 baud, no error detection, 1 stop bit",
+        ),
+        (
+            serial.SerialException(errno.EIO, "could not open: [Errno 5] Input/output error"),
+            "The port /dev/ttyX cannot be opened: input/output error.",
+        ),
+        (wrapped(errno.EACCES), "Permission denied for /dev/ttyX."),
+        (AttributeError(), "The port /dev/ttyX cannot be opened: AttributeError."),
+        (
+            serial.SerialException("Remote does not accept parameter change (RFC2217): [...]"),
+            "/dev/ttyX cannot be opened: the server refuses the settings of the line.",
+        ),
+    ],
+)
+def test_sentence_says_why_a_port_does_not_open(error: Exception, words: str) -> None:
+    assert words in str(why_not_open("/dev/ttyX", LINE, error))
 
 
 # --- Lines that are lost ----------------------------------------------------------------
 
 
-@pytest.mark.parametrize("action", ["read", "discard", "write"])
 def test_unplugged_cable_is_detected_at_once(
-    action: str, quick_simulator: SimulatedDevice, opened: Open
+    start_simulator: Start, opened: Open, tmp_path: Path
 ) -> None:
-    transport = opened(quick_simulator.url)
-    quick_simulator.do("line unplug")
-    begun = time.monotonic()
-    act: dict[str, Callable[[], object]] = {
-        "read": lambda: transport.read(1, 40.0),
-        "discard": transport.discard,
-        "write": lambda: transport.write(b"\x82"),
-    }
-    with pytest.raises(
-        PortUnavailable, match=r"is gone\. Plug it in, then connect again\."
-    ) as caught:
-        act[action]()
-    assert time.monotonic() - begun < 30.0
-    assert quick_simulator.url in str(caught.value)
+    simulator = start_simulator("--unpaced", "--link", str(tmp_path / "port"))
+    actions: tuple[Callable[[SerialTransport], object], ...] = (
+        lambda transport: transport.read(1, 40.0),
+        SerialTransport.discard,
+        lambda transport: transport.write(b"\x82"),
+    )
+    for act in actions:
+        transport = opened(simulator.url)
+        simulator.do("line unplug")
+        begun = time.monotonic()
+        gone = rf"{simulator.url} is gone\. Plug it in, then connect again\."
+        with pytest.raises(PortUnavailable, match=gone):
+            act(transport)
+        assert time.monotonic() - begun < 30.0
+        simulator.do("line plug")
 
 
 def test_lost_network_connection_is_detected(start_simulator: Start, opened: Open) -> None:
@@ -468,13 +441,3 @@ def test_lost_network_connection_is_detected(start_simulator: Start, opened: Ope
     simulator.end()
     with pytest.raises(PortUnavailable, match="is gone"):
         client.request(GetMode())
-
-
-def test_use_of_closed_port_raises_port_unavailable(
-    terminal: tuple[int, str], opened: Open
-) -> None:
-    transport = opened(terminal[1])
-    transport.close()
-    for act in (lambda: transport.read(1, 0.1), lambda: transport.write(b"x"), transport.discard):
-        with pytest.raises(PortUnavailable):
-            act()

@@ -136,12 +136,6 @@ def test_previous_device_disconnects_before_the_next_connects(devices: Devices) 
     assert devices.manager.current.plugin.key == "second"
 
 
-def test_idle_previous_device_is_left_too(devices: Devices) -> None:
-    devices.manager.connect_to(port("b", "second"))
-    assert devices.first.done == ["leave"]
-    assert devices.second.done == ["connect b"]
-
-
 def test_leaving_cancels_the_pending_connection(devices: Devices) -> None:
     devices.manager.connect_to(port("a", "first"))
     devices.manager.connect_to(port("b", "second"))
@@ -154,6 +148,7 @@ def test_last_chosen_port_is_connected(devices: Devices) -> None:
     devices.manager.connect_to(port("a", "first"))
     devices.manager.connect_to(port("b", "second"))
     devices.manager.connect_with(port("c", "second"), PortSettings(""))
+    assert not devices.manager.switch_to("second", lambda: None), "a file does not replace it"
     devices.first.become(ConnectionState.DISCONNECTED)
     assert devices.second.done == ["with 9600 baud", "connect c"]
 
@@ -178,19 +173,6 @@ def test_another_kind_is_used_once_the_current_one_is_disconnected(devices: Devi
     assert devices.manager.switch_to("first", note)
     assert used == ["second", "first", "first"]
     assert devices.second.link is ConnectionState.DISCONNECTED
-
-
-def test_connection_that_waits_is_not_replaced_by_a_file(devices: Devices) -> None:
-    devices.manager.connect_to(port("a", "first"))
-    devices.manager.connect_to(port("b", "second"))
-    assert not devices.manager.switch_to("second", lambda: None)
-    devices.first.become(ConnectionState.DISCONNECTED)
-    assert devices.second.done == ["connect b"]
-
-
-def test_stop_reaches_every_device(devices: Devices) -> None:
-    devices.manager.press_stop()
-    assert devices.done == [["stop"], ["stop"]]
 
 
 def test_every_device_is_shut_down_when_one_does_not_end(devices: Devices) -> None:
@@ -222,6 +204,7 @@ def test_unconfirmed_stops_of_all_devices_are_listed(devices: Devices) -> None:
 
 def test_automatic_stop_reaches_all_and_current_device_reports(devices: Devices) -> None:
     devices.manager.connect_to(port("b", "second"))
+    assert devices.first.done == ["leave"], "it is left although it is idle"
     devices.manager.stop_because("It rains")
     assert [done[-1] for done in devices.done] == ["stop: It rains"] * 2
     assert devices.reports == ["It rains, so Second is told."]
@@ -241,7 +224,8 @@ def test_unconnected_stop_is_reported_only_with_remedies(devices: Devices) -> No
     assert devices.reports == ["The roof fell in."]
 
 
-def test_emergency_stop_reaches_every_device(devices: Devices) -> None:
+def test_stop_of_the_user_and_of_the_system_reach_every_device(devices: Devices) -> None:
+    devices.manager.press_stop()
     devices.manager.stop_now()
     devices.manager.stop_now(ending=True)
-    assert devices.done == [["stop now", "end"]] * 2
+    assert devices.done == [["stop", "stop now", "end"]] * 2

@@ -47,35 +47,17 @@ def urls(ports: Ports) -> list[str]:
     return [entry.url for entry in ports.entries]
 
 
-def test_demo_board_is_listed_without_any_port(make: Make) -> None:
-    ports = make()
-    assert [entry.kind for entry in ports.entries] == [PortKind.DEMO]
-    assert ports.demo_of("trex").kind is PortKind.DEMO
-    assert ports.preferred is None
-
-
 def test_serial_ports_come_first_and_demo_board_last(
     make: Make, computer: list[ListPortInfo]
 ) -> None:
     computer += [port("/dev/ttyUSB10"), port("/dev/ttyUSB2", "FT232R")]
     ports = make()
     ports.add_typed("socket://robot:5000")
-    assert urls(ports) == ["/dev/ttyUSB2", "/dev/ttyUSB10", "socket://robot:5000", ""]
-    assert [entry.kind for entry in ports.entries] == [
-        PortKind.SERIAL,
-        PortKind.SERIAL,
-        PortKind.TYPED,
-        PortKind.DEMO,
-    ]
-
-
-def test_port_label_includes_the_system_description(
-    make: Make, computer: list[ListPortInfo]
-) -> None:
-    computer += [port("/dev/ttyS0"), port("/dev/ttyUSB0", "FT232R USB UART")]
-    assert [entry.label for entry in make().entries[:2]] == [
-        "/dev/ttyS0",
-        "/dev/ttyUSB0  (FT232R USB UART)",
+    assert [(entry.kind, entry.label) for entry in ports.entries] == [
+        (PortKind.SERIAL, "/dev/ttyUSB2  (FT232R)"),
+        (PortKind.SERIAL, "/dev/ttyUSB10"),
+        (PortKind.TYPED, "socket://robot:5000"),
+        (PortKind.DEMO, "Demo TReX (no hardware)"),
     ]
 
 
@@ -94,16 +76,14 @@ def test_unchanged_list_emits_no_signal(make: Make, qtbot: QtBot) -> None:
         ports.refresh()
 
 
-def test_typed_address_is_saved(make: Make) -> None:
-    typed = make().add_typed("  /dev/pts/7 ")
-    assert typed == Port(PortKind.TYPED, "/dev/pts/7", "/dev/pts/7", "trex")
-    assert urls(make()) == ["/dev/pts/7", ""]
-
-
-def test_address_typed_twice_is_listed_once(make: Make) -> None:
+def test_typed_address_is_saved_once(make: Make) -> None:
     ports = make()
-    assert ports.add_typed("/dev/pts/7") == ports.add_typed("/dev/pts/7")
-    assert urls(ports) == ["/dev/pts/7", ""]
+    typed = ports.add_typed("  /dev/pts/7 ")
+    assert typed == Port(PortKind.TYPED, "/dev/pts/7", "/dev/pts/7", "trex")
+    assert ports.add_typed("/dev/pts/7") == ports.find("/dev/pts/7") == typed
+    assert ports.find("/dev/pts/8") is None
+    ports.add_typed("  ")
+    assert urls(make()) == ["/dev/pts/7", ""]
 
 
 def test_typed_serial_port_selects_the_listed_port(
@@ -151,27 +131,6 @@ def test_only_the_last_eight_typed_addresses_are_saved(make: Make) -> None:
     assert urls(make()) == [*(f"/dev/pts/{number}" for number in range(4, 12)), ""]
 
 
-def test_blank_address_is_not_saved(make: Make) -> None:
-    ports = make()
-    ports.add_typed("  ")
-    assert urls(make()) == [""]
-
-
-def test_port_is_found_by_its_url(make: Make) -> None:
-    ports = make()
-    typed = ports.add_typed("/dev/pts/7")
-    assert ports.find("/dev/pts/7") == typed
-    assert ports.find("/dev/pts/8") is None
-    assert ports.find("") is None
-
-
-def test_single_serial_port_is_preferred(make: Make, computer: list[ListPortInfo]) -> None:
-    computer.append(port("/dev/ttyUSB0"))
-    preferred = make().preferred
-    assert preferred is not None
-    assert preferred.url == "/dev/ttyUSB0"
-
-
 def test_only_usb_adapter_comes_first_and_is_preferred(
     make: Make, computer: list[ListPortInfo]
 ) -> None:
@@ -184,28 +143,21 @@ def test_only_usb_adapter_comes_first_and_is_preferred(
     assert ports.preferred == ports.find("/dev/ttyUSB0")
 
 
-def test_no_port_is_preferred_among_several(make: Make, computer: list[ListPortInfo]) -> None:
-    computer += [port("/dev/ttyUSB0"), port("/dev/ttyUSB1")]
-    assert make().preferred is None
+def test_only_or_last_used_port_is_preferred(make: Make, computer: list[ListPortInfo]) -> None:
+    def preferred() -> str | None:
+        entry = make().preferred
+        return None if entry is None else entry.url
 
-
-def test_last_used_port_is_preferred(make: Make, computer: list[ListPortInfo]) -> None:
-    computer += [port("/dev/ttyUSB0"), port("/dev/ttyUSB1")]
+    assert preferred() is None
+    computer.append(port("/dev/ttyUSB0"))
+    assert preferred() == "/dev/ttyUSB0"
+    computer.append(port("/dev/ttyUSB1"))
+    assert preferred() is None
     ports = make()
     ports.lead_to(ports.entries[1], "trex", "settings")
-    preferred = make().preferred
-    assert preferred is not None
-    assert preferred.url == "/dev/ttyUSB1"
-
-
-def test_missing_last_used_port_is_not_preferred(make: Make, computer: list[ListPortInfo]) -> None:
-    computer += [port("/dev/ttyUSB0"), port("/dev/ttyUSB1")]
-    ports = make()
-    ports.lead_to(ports.entries[1], "trex", "settings")
+    assert preferred() == "/dev/ttyUSB1"
     computer.pop()
-    preferred = make().preferred
-    assert preferred is not None
-    assert preferred.url == "/dev/ttyUSB0"
+    assert preferred() == "/dev/ttyUSB0"
 
 
 # --- Kinds of devices -------------------------------------------------------------------
@@ -213,12 +165,13 @@ def test_missing_last_used_port_is_not_preferred(make: Make, computer: list[List
 WALKER = new_plugin("walker", "Walker")
 
 
-def test_each_device_kind_has_a_demo_port(make: Make) -> None:
+def test_each_device_kind_has_a_demo_port_that_keeps_its_kind(make: Make) -> None:
     ports = make(TREX, WALKER)
     labels = [port.label for port in ports.entries if port.kind is PortKind.DEMO]
     assert labels == ["Demo TReX (no hardware)", "Demo Walker (no hardware)"]
     assert ports.demo_of("trex").device == "trex"
     assert ports.demo_of("walker").label == "Demo Walker (no hardware)"
+    assert ports.lead_to(ports.demo_of("trex"), "walker") == ports.demo_of("trex")
 
 
 def test_device_kind_of_a_port_is_saved_and_shown(make: Make) -> None:
@@ -226,21 +179,11 @@ def test_device_kind_of_a_port_is_saved_and_shown(make: Make) -> None:
     port = ports.lead_to(ports.add_typed("socket://robot:1"), "walker")
     assert (port.device, port.label) == ("walker", "Walker: socket://robot:1")
     assert make(TREX, WALKER).find("socket://robot:1") == port
+    found = make().find("socket://robot:1")
+    assert found is not None
+    assert (found.device, found.label) == ("trex", "socket://robot:1"), "none that is known"
     again = ports.lead_to(port, "trex")
     assert (again.device, again.label) == ("trex", "socket://robot:1")
     found = make(TREX, WALKER).find("socket://robot:1")
     assert found is not None
     assert found.device == "trex"
-
-
-def test_unknown_saved_device_kind_becomes_trex(make: Make) -> None:
-    ports = make(TREX, WALKER)
-    ports.lead_to(ports.add_typed("socket://robot:1"), "walker")
-    found = make().find("socket://robot:1")
-    assert found is not None
-    assert (found.device, found.label) == ("trex", "socket://robot:1")
-
-
-def test_device_kind_of_a_demo_port_cannot_change(make: Make) -> None:
-    ports = make(TREX, WALKER)
-    assert ports.lead_to(ports.demo_of("trex"), "walker") == ports.demo_of("trex")

@@ -1,5 +1,6 @@
 """Looking for boards, as the window sees it."""
 
+import threading
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 
@@ -7,7 +8,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.program import new_controller, new_ports, scanner_of
-from tests.support.simulator import SimulatedDevice
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.core.discovery import scan
 from trex_gui.core.discovery.prober import Prober, ProberInfo
@@ -20,6 +21,7 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.devices.scanner import DeviceScanner, ScanWorker
 from trex_gui.ui.devices.simulator import Simulator
+from trex_gui.ui.runtime import now
 
 Until = Callable[[Callable[[], bool]], None]
 
@@ -59,6 +61,19 @@ def test_found_board_is_listed_with_port_and_settings(
     assert not finder.is_searching(port)
 
 
+@pytest.mark.realtime
+def test_progress_and_findings_arrive_in_gui_thread(
+    finder: DeviceScanner, quick_simulator: SimulatedDevice, until: Until
+) -> None:
+    threads: set[threading.Thread] = set()
+    for signal in (finder.progressed, finder.changed):
+        signal.connect(lambda: threads.add(threading.current_thread()))
+    finder.start([at(quick_simulator.url), at("/dev/ttyNothing9")])
+    until(lambda: not finder.running)
+    assert len(finder.findings) == 2
+    assert threads == {threading.main_thread()}
+
+
 def test_scan_reports_progress_until_cancelled(
     finder: DeviceScanner, quick_simulator: SimulatedDevice, until: Until
 ) -> None:
@@ -67,9 +82,11 @@ def test_scan_reports_progress_until_cancelled(
     finder.progressed.connect(lambda: seen.append((finder.done, finder.total, finder.text)))
     finder.start([at(quick_simulator.url), at("/dev/ttyNothing9")])
     until(lambda: len(seen) >= 5)
+    begun = now()
     finder.cancel()
     assert finder.text == "Ending the search …"
     until(lambda: not finder.running)
+    assert now() - begun < 1.0
     quick_simulator.do("power on")
     texts = [text for _, _, text in seen]
     assert texts[0] == f"Opening {quick_simulator.url} …"
@@ -81,15 +98,19 @@ def test_scan_reports_progress_until_cancelled(
     assert finder.text == ""
 
 
-def test_second_scan_is_ignored_while_one_runs(
-    finder: DeviceScanner, quick_simulator: SimulatedDevice, until: Until
+def test_findings_are_in_the_order_of_the_first_scan_that_was_started(
+    finder: DeviceScanner, start_simulator: StartSimulator, until: Until
 ) -> None:
     finder.start([])
     assert not finder.running
-    finder.start([at(quick_simulator.url)])
-    finder.start([at("/dev/ttyNothing9")])
+    trex, junior = (start_simulator("--unpaced", "--model", model) for model in ("trex", "trexjr"))
+    finder.start([at(trex.url), at("/dev/ttyNothing9"), at(junior.url)])
+    finder.start([at("/dev/ttyNothing8")])
     until(lambda: not finder.running)
-    assert [finding.port.url for finding in finder.findings] == [quick_simulator.url]
+    first, second, third = (finding.text for finding in finder.findings)
+    assert first.startswith("TReX 1.2 on")
+    assert second.startswith("There is no port /dev/ttyNothing9.")
+    assert third.startswith("TReX Jr 1.2 on")
 
 
 def test_scan_emits_nothing_after_shutdown(
