@@ -5,9 +5,10 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.support.matrix import examples
 from trex_gui.ui.plotting.history import Floats, SampleHistory
 
 
@@ -54,7 +55,7 @@ def test_few_samples_are_drawn_with_one_beyond_each_edge() -> None:
     assert values.tolist() == [3, 4, 5, 6, 7, 8, 9]
 
 
-@settings(deadline=None)  # several processes may share the computer
+@examples(50)
 @given(
     count=st.integers(1, 6000),
     capacity=st.sampled_from([100, 1000, 8000, 1_000_000]),
@@ -80,7 +81,7 @@ def test_points_are_few_and_keep_every_peak(
         assert np.isin(values, history.values(1)).all()
 
 
-@settings(deadline=None)  # several processes may share the computer
+@examples(50)
 @given(
     count=st.integers(1, 6000),
     capacity=st.sampled_from([100, 1000, 8000, 1_000_000]),

@@ -125,10 +125,6 @@ def x_of(plot: TracePlot, time: float) -> int:
     return round(plot._canvas.x_of(time - plot.span.end))
 
 
-def is_live(plot: TracePlot) -> bool:
-    return plot.span.live
-
-
 def mouse(
     plot: TracePlot,
     kind: QEvent.Type,
@@ -222,14 +218,6 @@ def test_pause_freezes_the_plot_and_the_table(panel: TracePanelDriver) -> None:
     assert pause.text() == "Pa&use"
 
 
-def test_window_lengths_range_from_ten_seconds_to_an_hour(panel: TracePanelDriver) -> None:
-    box = panel.combo("currentsWindow")
-    texts = [box.itemText(row) for row in range(box.count())]
-    assert texts == ["10 s", "30 s", "1 min", "5 min", "10 min", "30 min", "1 h"]
-    box.activated.emit(6)
-    assert panel.plot.span.length == 3600
-
-
 def test_drag_selects_a_span_and_pause_button_goes_live(panel: TracePanelDriver) -> None:
     drag(panel.plot, (40, 45), Qt.KeyboardModifier.NoModifier)
     assert panel.plot.span.start == pytest.approx(40, abs=0.1)
@@ -263,7 +251,12 @@ def test_choices_of_the_user_are_remembered(panel: TracePanelDriver, qtbot: QtBo
     model = panel.table.model()
     for row, state in ((0, Qt.CheckState.Unchecked), (2, Qt.CheckState.Checked)):
         model.setData(model.index(row, 0), state, Qt.ItemDataRole.CheckStateRole)
-    panel.combo("currentsWindow").activated.emit(1)
+    lengths = panel.combo("currentsWindow")
+    texts = [lengths.itemText(row) for row in range(lengths.count())]
+    assert texts == ["10 s", "30 s", "1 min", "5 min", "10 min", "30 min", "1 h"]
+    lengths.activated.emit(6)
+    assert panel.plot.span.length == 3600
+    lengths.activated.emit(1)
     panel.combo("currentsTop").activated.emit(3)
     for name in ("tracesSplitter", "figuresSplitter"):
         panel.find(QSplitter, name).moveSplitter(260, 1)
@@ -345,20 +338,29 @@ def test_fixed_range_does_not_follow_the_values(panel: TracePanelDriver) -> None
     assert ends == [(0, 2), (0, 10)]
 
 
-def test_shift_drag_pans_the_plot(plot: TracePlot) -> None:
+def test_mouse_pans_zooms_and_sets_cursor_and_mark(plot: TracePlot, qapp: QApplication) -> None:
     plot.show_span(20, 40)
     drag(plot, (30, 25), Qt.KeyboardModifier.ShiftModifier)
     assert plot.span.start == pytest.approx(25, abs=0.1)
     assert plot.span.length == 20
     assert plot.mark_time is None
 
-
-def test_wheel_zooms_around_the_mouse(plot: TracePlot) -> None:
     plot.show_span(20, 40)
     at = QPointF(x_of(plot, 25), 60)
     turn_wheel(plot._canvas.viewport, at)
     assert plot.span.length == pytest.approx(16)
     assert x_of(plot, 25) == pytest.approx(at.x(), abs=2)
+
+    twice = QPoint(x_of(plot, 30), 60)
+    QTest.mouseClick(plot._canvas.viewport, Qt.MouseButton.LeftButton, pos=twice)
+    QTest.mouseDClick(plot._canvas.viewport, Qt.MouseButton.LeftButton, pos=twice)
+    assert plot.mark_time == pytest.approx(30, abs=0.1), "a double click sets it once"
+
+    mouse(plot, QEvent.Type.MouseMove, 32)
+    assert plot.cursor_time == pytest.approx(32, abs=0.1)
+    for left in (plot._canvas.viewport, plot._canvas._plot):
+        qapp.sendEvent(left, QEvent(QEvent.Type.Leave))
+    assert plot.cursor_time is None
 
 
 @pytest.mark.parametrize("is_navigable", [True, False])
@@ -374,26 +376,12 @@ def test_wheel_over_a_fixed_plot_is_left_to_its_page(qtbot: QtBot, *, is_navigab
     assert len(zoomed) == is_navigable
 
 
-def test_double_click_sets_the_mark_once(plot: TracePlot) -> None:
-    at = QPoint(x_of(plot, 45), 60)
-    QTest.mouseClick(plot._canvas.viewport, Qt.MouseButton.LeftButton, pos=at)
-    QTest.mouseDClick(plot._canvas.viewport, Qt.MouseButton.LeftButton, pos=at)
-    assert plot.mark_time == pytest.approx(45, abs=0.1)
-
-
-def test_mouse_that_leaves_the_plot_removes_the_cursor(plot: TracePlot, qapp: QApplication) -> None:
-    mouse(plot, QEvent.Type.MouseMove, 45)
-    assert plot.cursor_time == pytest.approx(45, abs=0.1)
-    for left in (plot._canvas.viewport, plot._canvas._plot):
-        qapp.sendEvent(left, QEvent(QEvent.Type.Leave))
-    assert plot.cursor_time is None
-
-
-def test_keys_pan_zoom_and_set_cursor_and_mark(plot: TracePlot) -> None:
+def test_keys_pan_zoom_and_set_cursor_and_mark(panel: TracePanelDriver, plot: TracePlot) -> None:
+    assert "Left and Right move the cursor" in plot.accessibleDescription()
     QTest.keyClick(plot, Qt.Key.Key_Left, Qt.KeyboardModifier.ControlModifier)
-    assert is_live(plot) is False
+    assert not panel.plot.span.live
     QTest.keyClick(plot, Qt.Key.Key_L)
-    assert is_live(plot)
+    assert panel.plot.span.live
     QTest.keyClick(plot, Qt.Key.Key_Plus)
     assert plot.span.length < 30
     QTest.keyClick(plot, Qt.Key.Key_Minus)
@@ -405,16 +393,9 @@ def test_keys_pan_zoom_and_set_cursor_and_mark(plot: TracePlot) -> None:
     QTest.keyClick(plot, Qt.Key.Key_Right, Qt.KeyboardModifier.ShiftModifier)
     assert plot.cursor_time == pytest.approx(plot.span.start + 1.5)
     assert "+1.500 s from the mark" in plot.accessibleDescription()
+    assert "Motor 1: 1.00 A\nMotor 2: 3.00 A" in plot.accessibleDescription()
     QTest.keyClick(plot, Qt.Key.Key_M)
     assert plot.mark_time is None
-
-
-def test_cursor_moved_by_keys_describes_its_values(plot: TracePlot) -> None:
-    assert "Left and Right move the cursor" in plot.accessibleDescription()
-    QTest.keyClick(plot, Qt.Key.Key_Left)
-    assert plot.cursor_time is not None
-    assert plot.cursor_time < plot.span.end
-    assert "Motor 1: 1.00 A\nMotor 2: 3.00 A" in plot.accessibleDescription()
     plot.set_cursor(None)
     assert "Motor" not in plot.accessibleDescription()
 
@@ -469,14 +450,6 @@ def test_optional_columns_are_hidden_until_needed(panel: TracePanelDriver) -> No
     assert view.isColumnHidden(TraceColumn.HELD)
 
 
-def test_empty_event_list_is_described(panel: TracePanelDriver, source: Source) -> None:
-    listed = panel.events
-    assert "No events yet" in listed.accessibleDescription()
-    source.events.append(Event(10.0, EventKind.STOP, "Stop"))
-    panel.refresh()
-    assert "No events" not in listed.accessibleDescription()
-
-
 def test_held_peak_stays_after_its_sample_scrolls_out(panel: TracePanelDriver) -> None:
     hold = panel.button("holdPeaksButton")
     hold.click()
@@ -498,6 +471,8 @@ def test_trace_table_passes_the_model_tester(plot: TracePlot, qtmodeltester: Mod
 
 def test_events_are_marked_listed_and_navigable(panel: TracePanelDriver) -> None:
     before = count(panel.plot, "danger")
+    listed = panel.events
+    assert "No events yet" in listed.accessibleDescription()
     panel.source.events += [
         Event(20.0, EventKind.LINK, "The board answers again"),
         Event(45.0, EventKind.STOP, "Stop: the window was closed"),
@@ -505,7 +480,7 @@ def test_events_are_marked_listed_and_navigable(panel: TracePanelDriver) -> None
     panel.refresh()
     assert count(panel.plot, "danger") > before + 50
     assert [one.text for _, one in panel.plot._marks.marks] == ["Stop: the window was closed"]
-    listed = panel.events
+    assert "No events" not in listed.accessibleDescription()
     texts = [str(listed.model().index(row, 0).data()) for row in range(2)]
     assert texts == ["0:20.000  The board answers again", "0:45.000  Stop: the window was closed"]
     listed.activated.emit(listed.model().index(0, 0))
@@ -517,7 +492,7 @@ def test_events_are_marked_listed_and_navigable(panel: TracePanelDriver) -> None
 # --- Export -----------------------------------------------------------------------------
 
 
-def test_shown_span_is_exported_with_units_and_events(
+def test_shown_span_or_whole_history_is_exported(
     panel: TracePanelDriver, qtbot: QtBot, tmp_path: Path
 ) -> None:
     panel.source.events.append(Event(12.0, EventKind.APPLY, "Apply: Motor 1 Acceleration"))
@@ -531,12 +506,6 @@ def test_shown_span_is_exported_with_units_and_events(
     assert rows[1] == ["10.0000", "1", "3", "-100", ""]
     assert len(rows) == 802
     assert [row[0] for row in rows if row[-1]] == ["time (s)", "12.0000"]
-
-
-def test_whole_history_can_be_exported(
-    panel: TracePanelDriver, qtbot: QtBot, tmp_path: Path
-) -> None:
-    panel.plot.show_span(10, 20)
     with qtbot.waitSignal(panel.notifier.info):
         panel.export.save_table(tmp_path / "all.csv", -math.inf, math.inf)
     assert len((tmp_path / "all.csv").read_text().splitlines()) == 60 * RATE + 1
@@ -551,11 +520,10 @@ def test_unwritable_file_is_reported(panel: TracePanelDriver, qtbot: QtBot, tmp_
     assert "there is no folder" in panel.text("currentsNote")
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_picture_has_axes_legend_and_a_light_background(
-    panel: TracePanelDriver, tmp_path: Path, scheme: str
+    panel: TracePanelDriver, tmp_path: Path
 ) -> None:
-    theme().set_scheme("dark" if scheme == "dark" else "light")
+    theme().set_scheme("dark")
     panel.export.heading = "Currents of a board"
     panel.export.save_picture(tmp_path / "picture.png")
     panel.wait_for_files()
