@@ -1,22 +1,28 @@
-"""The help pages: every link leads somewhere, every page is listed, the search finds."""
+"""The help pages: every link leads somewhere, every page is listed, the search finds.
 
+That pictures are up to date is in `tests/test_app.py`, with the tour.
+"""
+
+import json
 import re
 from pathlib import Path
 
 import pytest
+from PySide6.QtGui import QImage
 
 from trex_gui.cli.program import COMMANDS
-from trex_gui.ui.help.pages import INDEX, Page, anchor_of, pages, search
+from trex_gui.ui.help.pages import INDEX, anchor_of, pages, search
 
 ROOT = Path(__file__).parents[3]
 HELP = ROOT / "resources" / "help"
+PICTURES = HELP / "pictures"
 LINK = re.compile(r"\[[^\]]*\]\((?P<target>[^)]+)\)")
 
 
-@pytest.mark.parametrize("page", pages(), ids=lambda page: page.name)
-def test_links_of_page_lead_somewhere(page: Page) -> None:
-    for file in check_links(page.text, HELP / page.name):
-        assert file.is_relative_to(ROOT / "resources"), "what else is there is not shipped"
+def test_links_of_pages_lead_somewhere() -> None:
+    for page in pages():
+        for file in check_links(page.text, HELP / page.name):
+            assert file.is_relative_to(ROOT / "resources"), "what else is there is not shipped"
 
 
 @pytest.mark.parametrize("name", ["README.md", "CONTRIBUTING.md", "trex_gui/README.md"])
@@ -47,11 +53,11 @@ def test_index_lists_every_page_once() -> None:
     assert sorted(names) == sorted(path.name for path in HELP.glob("*.md"))
 
 
-@pytest.mark.parametrize("page", pages(), ids=lambda page: page.name)
-def test_page_has_title_and_different_headings(page: Page) -> None:
-    assert page.text.startswith(f"# {page.title}\n")
-    anchors = [section.anchor for section in page.sections]
-    assert len(anchors) == len(set(anchors))
+def test_page_has_title_and_different_headings() -> None:
+    for page in pages():
+        assert page.text.startswith(f"# {page.title}\n")
+        anchors = [section.anchor for section in page.sections]
+        assert len(anchors) == len(set(anchors))
 
 
 def test_command_line_page_names_every_command() -> None:
@@ -95,3 +101,26 @@ def test_search_finds_the_section_of_a_pasted_message() -> None:
     crc = "A TReX responds on X with CRC polynomial 0x89, but this connection uses 0x8B."
     assert "with-crc-polynomial" in search(crc)[0].topic, "the longest heading"
     assert search("A stop came first; nothing was sent.")[0].title == "A stop came first"
+
+
+def test_each_picture_is_shown_and_has_both_schemes() -> None:
+    texts = [path.read_text(encoding="utf-8") for path in (ROOT / "README.md", *HELP.glob("*.md"))]
+    shown = set(re.findall(r"pictures/(\S+?)\.png", "".join(texts)))
+    names = {name.removesuffix("-light") for name in shown}
+    files = {path.name for path in PICTURES.glob("*.png")}
+    assert files == {f"{name}-{scheme}.png" for name in names for scheme in ("light", "dark")}
+    digests = json.loads((PICTURES / "digests.json").read_text(encoding="utf-8"))
+    assert digests.keys() == names
+
+
+def test_pictures_are_small() -> None:
+    sizes = [path.stat().st_size for path in PICTURES.iterdir()]
+    assert sum(sizes) < 2_000_000
+
+
+def test_dark_picture_is_darker() -> None:
+    for light in PICTURES.glob("*-light.png"):
+        dark = light.with_name(light.name.replace("-light", "-dark"))
+        corners = [QImage(str(path)).pixelColor(1, 1).lightness() for path in (light, dark)]
+        assert corners[0] > 200, light.name
+        assert corners[1] < 100, dark.name
