@@ -121,11 +121,8 @@ def test_unconfirmed_stop_is_said_beside_a_board_that_runs_and_once_without_it(s
     assert said.after(report_last_run) == []
 
 
-def test_proper_end_is_not_reported(said: Said) -> None:
+def test_proper_end_and_stop_that_the_program_repeated_are_not_reported(said: Said) -> None:
     assert said.after(report_last_run) == []
-
-
-def test_stop_that_the_program_repeated_is_not_reported(said: Said) -> None:
     log_stops("12:03:05 repeated")
     assert said.after(report_last_run) == []
 

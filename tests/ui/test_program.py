@@ -23,6 +23,7 @@ from trex_gui.ui.notifier import Remedy
 from trex_gui.ui.program import Program
 from trex_gui.ui.theme.style import theme_style
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.units import units
 
 _EMBEDDING = """
 from PySide6.QtWidgets import QApplication
@@ -60,7 +61,7 @@ def test_close_leaves_no_qt_object(
 ) -> None:
     settings = tmp_path / "rover.txt"
     settings.write_text("product: TReX\n", encoding="utf-8")
-    before = {theme(), theme_style(), *_objects()}
+    before = {theme(), theme_style(), units(), *_objects()}
     _use(qtbot, quick_simulator.url, settings)
     gc.collect()  # preferences are Qt objects that Python owns
     assert _objects() - before == set()
@@ -79,39 +80,26 @@ def _pages(program: Program) -> set[str]:
     return {name for name in names if program.window.findChild(QWidget, name) is not None}
 
 
-def test_window_is_first_shown_with_current_page_only(started: Program) -> None:
+def test_pages_and_plots_are_made_when_they_are_shown_or_the_window_is_painted(
+    started: Program,
+) -> None:
     assert _pages(started) == {"statusPage"}
     started.window.pages.setCurrentIndex(3)
     assert _pages(started) == {"statusPage", "motorsPage"}
     tabs = started.window.pages
     titles = [tabs.tabText(index) for index in range(tabs.count())]
+    started.connect_to_demo("trex")
+    assert _pages(started) == {"statusPage", "motorsPage"}
     started.complete()
     assert _pages(started) == {"statusPage", "motorsPage", "parametersPage"}
     assert [tabs.tabText(index) for index in range(tabs.count())] == titles
     assert tabs.currentIndex() == 3
-
-
-def test_pages_of_a_device_are_made_once_the_window_is_painted(started: Program) -> None:
-    started.connect_to_demo("trex")
-    assert _pages(started) == {"statusPage"}
-    started.complete()
-    assert _pages(started) == {"statusPage", "motorsPage", "parametersPage"}
-
-
-def test_plots_are_made_before_their_pages_are_shown(started: Program) -> None:
-    started.complete()
     assert started.window.findChild(QWidget, "curvePlot") is None
     started.make_plots()
     assert started.window.findChild(QWidget, "curvePlot") is not None
 
 
-def test_window_is_complete_before_a_device_connects(started: Program) -> None:
-    started.connect_to_demo("aracna")
-    assert "aracnaRobotPage" in _pages(started)
-    assert started.window.pages is started.workspace("aracna").pages
-
-
-def test_search_finds_a_kind_of_device_that_was_never_used(
+def test_kind_of_device_that_was_never_used_is_found_and_its_window_complete(
     started: Program, start_simulator: StartSimulator, qtbot: QtBot
 ) -> None:
     robot = start_simulator("--aracna", "--unpaced")
@@ -120,6 +108,10 @@ def test_search_finds_a_kind_of_device_that_was_never_used(
     qtbot.waitUntil(lambda: not scanner.running, timeout=60_000)
     (finding,) = scanner.findings
     assert finding.device == "aracna"
+    assert "aracnaRobotPage" not in _pages(started)
+    started.connect_to_demo("aracna")
+    assert "aracnaRobotPage" in _pages(started)
+    assert started.window.pages is started.workspace("aracna").pages
 
 
 def test_file_of_another_kind_of_device_is_opened_in_a_window_that_never_used_one(
@@ -150,6 +142,12 @@ def test_first_use_of_another_kind_of_device_changes_nothing_shown(
     assert window.dockWidgetArea(panel) is left
     assert "suspended" in banner.text()
 
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    actions = window.findChildren(QAction, options=Qt.FindChildOption.FindDirectChildrenOnly)
+    names = [action.objectName() for action in actions if action.objectName()]
+    assert len(names) == len(set(names)), "each entry of the menus has one action"
+    assert {"stopAction", "openAction", "aracna_openAction"} <= set(names)
+
 
 def test_panel_of_device_that_is_not_used_stays_where_it_was(qtbot: QtBot) -> None:
     del qtbot
@@ -164,16 +162,6 @@ def test_panel_of_device_that_is_not_used_stays_where_it_was(qtbot: QtBot) -> No
             assert program.window.dockWidgetArea(panel) is left
         assert program.window.close()
         assert program.close()
-
-
-def test_each_menu_entry_has_one_action_with_all_workspaces(started: Program) -> None:
-    assert len(started.workspaces) == 2
-    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-    direct = Qt.FindChildOption.FindDirectChildrenOnly
-    actions = started.window.findChildren(QAction, options=direct)
-    names = [action.objectName() for action in actions if action.objectName()]
-    assert len(names) == len(set(names))
-    assert {"stopAction", "openAction", "aracna_openAction"} <= set(names)
 
 
 @pytest.mark.realtime

@@ -1,5 +1,6 @@
 """Looking for devices of any kind on one port: in which order, and what is told in the end."""
 
+import logging
 from collections.abc import Callable
 
 import pytest
@@ -11,6 +12,7 @@ from trex_gui.core.discovery.prober import (
     FLUSH_LINE,
     Diagnosis,
     Evidence,
+    Prober,
     ProberInfo,
     ScanProgress,
 )
@@ -69,16 +71,12 @@ def search(wire: Wire, probers: dict[str, ProberInfo], first: str | None = None)
     return scan_port(VIRTUAL, probers, first=first, open_wire=lambda _settings: wire)
 
 
-def test_likely_settings_of_all_kinds_come_first() -> None:
-    parts = {"common": (5, 83), "rare": (5,)}
-    assert order(parts, None) == [("common", 0), ("rare", 0), ("common", 1)]
-    assert order(parts, "common") == order(parts, None)
-
-
-def test_expected_device_kind_comes_first() -> None:
+def test_likely_settings_come_first_and_those_of_the_expected_kind_before() -> None:
     parts = {"common": (5, 83), "rare": (5, 9)}
+    as_listed = [("common", 0), ("rare", 0), ("common", 1), ("rare", 1)]
+    assert order(parts, None) == order(parts, "common") == order(parts, "forgotten") == as_listed
     assert order(parts, "rare") == [("rare", 0), ("common", 0), ("rare", 1), ("common", 1)]
-    assert order(parts, "forgotten") == order(parts, None)
+    assert order({"common": (5, 83), "rare": (5,)}, None) == as_listed[:3]
 
 
 def test_search_follows_order_and_opens_port_once() -> None:
@@ -209,10 +207,7 @@ def test_search_ends_with_flush_byte_and_default_settings() -> None:
     search(wire, {"one": nobody([], "One")})
     assert bytes(wire.sent) == FLUSH_BYTE
     assert wire.tuned[-1] == SerialFormat()
-
-
-def test_found_board_is_sent_no_flush_byte() -> None:
-    """A byte at another rate would leave it with an error that it shows from then on."""
+    # At another rate it would leave a board that was found with an error.
     wire = wire_of(a_board())
     search(wire, {"trex": TREX_PROBER})
     assert not bytes(wire.sent).endswith(FLUSH_BYTE)
@@ -252,3 +247,30 @@ def test_port_without_flush_rate_is_reported_and_closed() -> None:
     assert not result.device
     assert result.lines
     assert wire.closed
+
+
+def test_internal_error_in_search_is_reported_and_closes_port(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    def unexpected(settings: PortSettings, *, full: bool, known: bool) -> Prober:
+        raise ZeroDivisionError("on purpose")
+
+    wire = wire_of(a_board())
+    with caplog.at_level(logging.ERROR):
+        found = search(wire, {"one": nobody([], "One"), "odd": ProberInfo("Odd", unexpected)})
+    assert found.is_fault
+    assert not found.found
+    assert found.lines == [
+        "Internal error while searching virtual (ZeroDivisionError: on purpose)."
+    ]
+    assert wire.closed
+    assert "ZeroDivisionError" in caplog.text
+
+
+def test_internal_error_in_opening_port_is_reported() -> None:
+    def open_wire(_settings: PortSettings) -> Transport:
+        raise LookupError("on purpose")
+
+    found = scan_port(VIRTUAL, {"one": nobody([], "One")}, open_wire=open_wire)
+    assert found.is_fault
+    assert "LookupError: on purpose" in str(found.error)

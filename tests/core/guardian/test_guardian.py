@@ -256,13 +256,10 @@ def test_guardian_that_was_suspended_itself_does_not_act(board: Board, ends: End
     assert board.received == b""
 
 
-@pytest.mark.parametrize("messages", [[], [STOP, None]], ids=["never moved", "stopped"])
-def test_nothing_is_sent_if_no_motor_may_move(
-    board: Board, ends: Ends, messages: list[StopSequence | None]
-) -> None:
+def test_nothing_is_sent_if_no_motor_may_move(board: Board, ends: Ends) -> None:
     guardian = started(ends[0])
-    for message in messages:
-        guardian.watch(message)
+    guardian.watch(STOP)
+    guardian.watch(None)
     die(guardian)
     wait_until(lambda: has_ended(guardian))
     assert board.received == b""
@@ -275,17 +272,12 @@ def test_end_frees_the_line_without_a_byte(guardian: GuardianProcess, board: Boa
     assert board.received == b""
 
 
-def test_errors_on_the_line_do_not_confirm_a_stop(guardian: GuardianProcess, board: Board) -> None:
-    board.statuses = [b"\x01", b"\x00", b"\x01", b"\x00"]
-    assert guardian.stop(LONG_TIMEOUT)
-    assert board.received.count(STOP.query) == 5
-
-
-def test_faults_of_motors_do_not_keep_a_stop_from_being_confirmed(
+def test_errors_on_the_line_do_not_confirm_a_stop_and_faults_of_motors_do(
     guardian: GuardianProcess, board: Board
 ) -> None:
-    board.statuses = [b"\xf0"]
+    board.statuses = [b"\x01", b"\xf0", b"\x01", b"\xf0"]
     assert guardian.stop(LONG_TIMEOUT)
+    assert board.received.count(STOP.query) == 5
 
 
 def test_silent_board_gets_the_stop_repeated_until_the_session_is_back(
@@ -373,12 +365,10 @@ def test_replies_go_to_the_guardian_of_a_session_that_hangs(
         line.close()
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
-def test_signals_that_end_programs_do_not_end_it(
-    guardian: GuardianProcess, number: signal.Signals
-) -> None:
+def test_signals_that_end_programs_do_not_end_it(guardian: GuardianProcess) -> None:
     assert guardian._process is not None
-    os.kill(guardian._process.pid, number)
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        os.kill(guardian._process.pid, number)
     assert guardian.stop(LONG_TIMEOUT)
 
 

@@ -5,7 +5,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.talk import Said, pieces_of, reports, rows_of
-from trex_gui.core.transport.traffic import TrafficDirection, TrafficEvent, TransactionAssembler
+from trex_gui.core.transport.traffic import (
+    Decoded,
+    TrafficDirection,
+    TrafficEvent,
+    Transaction,
+    TransactionAssembler,
+)
 from trex_gui.devices.trex.protocol.commands import (
     Command,
     GetMode,
@@ -151,3 +157,19 @@ def test_echo_is_not_taken_for_reply(sent: bytes) -> None:
         TrafficEvent(2.2, TrafficDirection.RECEIVED, b"\0"),
     ]
     assert assembler.feed(whole)[-1].received == sent + b"\0"
+
+
+def test_row_is_decoded_while_another_thread_clears_the_cache() -> None:
+    class ForgottenMeanwhile(Transaction):
+        """A row whose meaning is forgotten right behind each look at it."""
+
+        def __getattribute__(self, name: str) -> object:
+            value = super().__getattribute__(name)
+            if name == "words":
+                self.words = None
+            return value
+
+    row = ForgottenMeanwhile(1, 0.0, note="The line was opened.", is_over=True)
+    row.words = Decoded("said before")
+    assert TrexDecoder().decoded(row) == Decoded("said before")
+    assert TrexDecoder().decoded(row) == Decoded("The line was opened.")

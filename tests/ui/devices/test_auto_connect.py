@@ -127,17 +127,6 @@ def test_board_is_found_at_the_settings_of_its_adapter(bench: Bench) -> None:
     assert bench.device.settings.line == LineSettings()
 
 
-def test_typed_address_is_left_alone(bench: Bench) -> None:
-    bench.plug()
-    ports = bench.window.program.ports
-    sent = bench.listen(bench.boards[0])
-    ports.lead_to(ports.add_typed(bench.boards[0].url), "trex", FACTORY.packed)
-    assert ports.last_used is not None
-    bench.start()
-    assert bench.url == ""
-    assert not sent
-
-
 def test_nothing_is_connected_if_two_known_boards_answer(bench: Bench) -> None:
     bench.plug()
     bench.start()
@@ -148,13 +137,17 @@ def test_nothing_is_connected_if_two_known_boards_answer(bench: Bench) -> None:
     assert bench.url == bench.boards[1].url, "only one was plugged in now"
 
 
-def test_foreign_adapters_and_ports_in_use_are_left_alone(
+def test_typed_addresses_foreign_adapters_and_ports_in_use_are_left_alone(
     bench: Bench, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     first, second = bench.boards
     sent = [bench.listen(board) for board in bench.boards]
     bench.plug()
+    ports = bench.window.program.ports
+    ports.lead_to(ports.add_typed(first.url), "trex", FACTORY.packed)
+    assert ports.last_used is not None
     bench.start()
+    assert bench.url == ""
     bench.plug(adapter(first.url, "B700000"), ListPortInfo(second.url, skip_link_detection=True))
     monkeypatch.setattr(auto_connect, "holder_of", lambda _: "minicom (process 7)")
     bench.plug()
