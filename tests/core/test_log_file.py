@@ -107,28 +107,25 @@ def _pipe_in_place() -> None:
     os.mkfifo(log_file())
 
 
+def _full_disk() -> None:
+    log_folder().mkdir(parents=True)
+    log_file().symlink_to("/dev/full")
+
+
 @pytest.mark.skipif(sys.platform != "linux", reason="pipes and /dev/full")
-@pytest.mark.parametrize("prepare", [_folder_in_place, _file_in_place_of_folder, _pipe_in_place])
+@pytest.mark.parametrize(
+    "prepare", [_folder_in_place, _file_in_place_of_folder, _pipe_in_place, _full_disk]
+)
 def test_log_that_cannot_be_written_loses_lines_only(
-    prepare: Callable[[], None], capsys: pytest.CaptureFixture[str]
+    prepare: Callable[[], None],
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
+    if prepare is _full_disk:
+        monkeypatch.setattr(module, "check_ordinary", lambda _: None)
     prepare()
     program_log = ProgramLog(log_file())
     say_each_level()
-    assert program_log.close()
-    assert capsys.readouterr().err == "of level 40\n"
-
-
-@pytest.mark.skipif(sys.platform != "linux", reason="/dev/full")
-def test_full_disk_loses_lines_only(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    monkeypatch.setattr(module, "check_ordinary", lambda _: None)
-    log_folder().mkdir(parents=True)
-    log_file().symlink_to("/dev/full")
-    program_log = ProgramLog(log_file())
-    say_each_level()
-    log_file().unlink()
     assert program_log.close()
     assert capsys.readouterr().err == "of level 40\n"
 

@@ -57,7 +57,7 @@ def test_requests_are_taken_in_order() -> None:
 
 
 @pytest.mark.realtime
-@pytest.mark.parametrize("seconds", [1e-9, 1e-6, 1e-5])
+@pytest.mark.parametrize("seconds", [1e-9, 1e-5])
 def test_very_short_wait_ends(seconds: float) -> None:
     """A new one, and one that a request has come through, which is what a session waits at."""
     rounds = 4000

@@ -23,15 +23,11 @@ def sentence(path: Path, text: str | None = None) -> str:
     return str(found)
 
 
-def test_saved_file_can_be_loaded(tmp_path: Path) -> None:
+def test_saved_file_can_be_loaded_and_has_line_feeds(tmp_path: Path) -> None:
     path = tmp_path / "bench µ.txt"
     save(path, write_settings(factory()))
     assert read_settings(load(path)) == (factory(), ())
-
-
-def test_saved_line_endings_are_always_line_feeds(tmp_path: Path) -> None:
-    save(tmp_path / "bench.txt", "a\nb\n")
-    assert (tmp_path / "bench.txt").read_bytes() == b"a\nb\n"
+    assert b"\r" not in path.read_bytes()
 
 
 @pytest.mark.parametrize("failing", ["os.fsync", "pathlib.Path.replace"])
@@ -58,37 +54,22 @@ def test_invalid_unicode_is_rejected_and_keeps_old_file(tmp_path: Path) -> None:
 
 
 @posix
-def test_save_keeps_file_permissions(tmp_path: Path) -> None:
-    path = tmp_path / "bench.txt"
-    path.write_text("old\n")
-    path.chmod(0o640)
+def test_save_keeps_permissions_of_a_file_and_gives_a_new_one_the_default(tmp_path: Path) -> None:
+    path, other = tmp_path / "bench.txt", tmp_path / "other"
     save(path, "new\n")
+    other.write_text("")
+    assert path.stat().st_mode == other.stat().st_mode
+    path.chmod(0o640)
+    save(path, "newer\n")
     assert path.stat().st_mode & 0o777 == 0o640
 
 
-@posix
-def test_new_file_has_default_permissions(tmp_path: Path) -> None:
-    save(tmp_path / "bench.txt", "new\n")
-    (tmp_path / "other").write_text("")
-    modes = [(tmp_path / name).stat().st_mode for name in ("bench.txt", "other")]
-    assert modes[0] == modes[1]
-
-
-def test_missing_file_is_reported(tmp_path: Path) -> None:
+def test_name_of_no_file_is_reported(tmp_path: Path) -> None:
     assert sentence(tmp_path / "none.txt") == "there is no such file"
-
-
-def test_folder_in_place_of_file_is_reported(tmp_path: Path) -> None:
-    assert sentence(tmp_path) == "it is a folder, not a file"
-    assert sentence(tmp_path, "new\n") == "it is a folder, not a file"
-
-
-def test_missing_folder_is_named(tmp_path: Path) -> None:
     folder = tmp_path / "none"
     assert sentence(folder / "bench.txt", "new\n") == f"there is no folder {folder.resolve()}"
-
-
-def test_invalid_file_name_is_reported() -> None:
+    assert sentence(tmp_path) == "it is a folder, not a file"
+    assert sentence(tmp_path, "new\n") == "it is a folder, not a file"
     assert sentence(Path("a\0b")).startswith("it cannot be read: ")
     assert sentence(Path("a\0b"), "new\n").startswith("it cannot be written: ")
 

@@ -110,13 +110,11 @@ def port(windows: Windows, monkeypatch: pytest.MonkeyPatch) -> Any:
     return module.open_port("serial", HANDLE)
 
 
-def test_received_bytes_are_read(port: Any, windows: Windows) -> None:
+def test_received_bytes_are_read_until_none_comes(port: Any, windows: Windows) -> None:
     windows.received = b"\x07\x08"
-    assert [port.receive(SHORT) for _ in range(2)] == [b"\x07", b"\x08"]
-
-
-def test_read_that_does_not_end_is_cancelled(port: Any) -> None:
-    assert port.receive(SHORT) == b""
+    assert [port.receive(SHORT) for _ in range(3)] == [b"\x07", b"\x08", b""]
+    port.close()
+    assert windows.is_closed
 
 
 def test_write_goes_on_until_everything_is_sent(port: Any, windows: Windows) -> None:
@@ -143,8 +141,3 @@ def test_changed_settings_of_the_line_are_restored(port: Any, windows: Windows) 
     port.remember_settings()
     port.restore_settings()
     assert windows.state == bytes(28)
-
-
-def test_handle_is_closed(port: Any, windows: Windows) -> None:
-    port.close()
-    assert windows.is_closed

@@ -106,21 +106,13 @@ def test_heartbeats_go_on_during_a_long_wait(session: Session, wait: str) -> Non
     assert session.taken_over == []
 
 
-def test_changed_stop_is_sent_at_once(session: Session) -> None:
+def test_changed_stop_is_sent_at_once_and_end_of_motion_once(session: Session) -> None:
     session.stop = STOP
     session.transport.beat()
-    session.stop = StopSequence(b"\xc1\x00\x07", b"\x84\x01", 2, 1, has_echo=False, seconds=0.1)
-    session.transport.beat()
-    assert session.watched == [STOP, session.stop]
-
-
-def test_end_of_motion_is_sent_once(session: Session) -> None:
-    session.stop = STOP
-    session.transport.beat()
-    session.stop = None
-    session.transport.beat()
-    session.transport.beat()
-    assert session.watched == [STOP, None]
+    changed = StopSequence(b"\xc1\x00\x07", b"\x84\x01", 2, 1, has_echo=False, seconds=0.1)
+    for session.stop in (changed, None, None):
+        session.transport.beat()
+    assert session.watched == [STOP, changed, None]
 
 
 def test_setpoint_is_not_sent_by_a_session_that_did_not_respond(session: Session) -> None:
@@ -175,17 +167,12 @@ def test_port_that_fails_under_the_guardian_is_no_lost_line(session: Session) ->
     assert session.taken_over == [False]
 
 
-def test_reply_is_not_awaited_for_long_when_a_stop_is_due(session: Session) -> None:
-    session.stop = STOP
+@pytest.mark.parametrize("may_move", [True, False])
+def test_reply_is_not_awaited_for_long_when_a_stop_is_due(session: Session, may_move: bool) -> None:
+    session.stop = STOP if may_move else None
     session.stop_is_due = True
     session.transport.read(1, 60.0)
-    assert session.line.now < 0.5
-
-
-def test_reply_is_awaited_while_no_motor_may_move(session: Session) -> None:
-    session.stop_is_due = True
-    session.transport.read(1, 60.0)
-    assert session.line.now >= 60.0
+    assert session.line.now < 0.5 if may_move else session.line.now >= 60.0
 
 
 def test_stop_is_sent_by_a_session_that_did_not_respond(session: Session) -> None:
@@ -246,12 +233,10 @@ def start_in_vain(guardian: VirtualGuardian) -> None:
     guardian.watched = []
 
 
-def test_guardian_ends_before_the_line_is_closed(session: Session) -> None:
+@pytest.mark.parametrize("has_acted", [False, True])
+def test_guardian_ends_before_the_line_is_closed_unless_it_stops_the_motors(
+    session: Session, has_acted: bool
+) -> None:
+    session.line.guardians[0].has_acted = has_acted
     session.transport.close()
-    assert session.line.guardians[0].has_ended
-
-
-def test_guardian_that_stops_the_motors_goes_on_when_the_line_is_closed(session: Session) -> None:
-    session.line.guardians[0].has_acted = True
-    session.transport.close()
-    assert not session.line.guardians[0].has_ended
+    assert session.line.guardians[0].has_ended is not has_acted

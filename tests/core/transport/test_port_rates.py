@@ -103,32 +103,25 @@ def test_rate_far_from_driver_rate_is_unsupported(monkeypatch: pytest.MonkeyPatc
 
 
 @linux
-def test_rates_are_unknown_when_driver_rejects_settings(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_rates_are_unknown_when_driver_rejects_settings_or_is_slow(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     adapter = Adapter(monkeypatch, 9600)
+    moments = iter((0.0, 0.05, 0.11, 0.2))
+    assert rates_of(adapter, [9600, 19200, 38400], lambda: next(moments)) is None
     adapter.failure = OSError(errno.EINVAL, "Invalid argument")
     assert rates_of(adapter, [9600]) is None  # nor can it be set back
 
 
-@linux
-def test_rates_are_unknown_when_driver_is_slow(monkeypatch: pytest.MonkeyPatch) -> None:
-    adapter = Adapter(monkeypatch, 9600)
-    moments = iter((0.0, 0.05, 0.11, 0.2))
-    assert rates_of(adapter, [9600, 19200, 38400], lambda: next(moments)) is None
-
-
-def test_rates_are_unknown_on_other_systems(
+def test_rates_are_unknown_of_a_closed_port_and_on_other_systems(
     monkeypatch: pytest.MonkeyPatch, terminal: tuple[int, str]
 ) -> None:
     transport = SerialTransport(ConnectionSettings(terminal[1]))
-    monkeypatch.setattr("platform.machine", lambda: "mips64")
-    assert transport.rates(baud_rates()) is None
-    monkeypatch.setattr(sys, "platform", "darwin")
-    assert transport.rates(baud_rates()) is None
-    transport.close()
-
-
-def test_rates_of_closed_port_are_unknown(terminal: tuple[int, str]) -> None:
-    transport = SerialTransport(ConnectionSettings(terminal[1]))
+    with monkeypatch.context() as patched:
+        patched.setattr("platform.machine", lambda: "mips64")
+        assert transport.rates(baud_rates()) is None
+        patched.setattr(sys, "platform", "darwin")
+        assert transport.rates(baud_rates()) is None
     transport.close()
     assert transport.rates(baud_rates()) is None
 

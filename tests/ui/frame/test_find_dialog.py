@@ -66,7 +66,7 @@ def test_network_addresses_are_listed_but_not_checked(
     }
 
 
-def test_check_marks_survive_a_port_refresh(
+def test_check_marks_survive_a_port_refresh_and_a_chosen_port_is_first(
     dialog: FindBoardDialog, ports: Ports, listed: list[ListPortInfo]
 ) -> None:
     dialog.ports()[0].setCheckState(Qt.CheckState.Unchecked)
@@ -75,25 +75,13 @@ def test_check_marks_survive_a_port_refresh(
     ports.refresh()
     assert dialog.rows() == {"/dev/ttyUSB0  (An adapter)": False, "/dev/ttyUSB1": True}
     assert dialog.is_enabled("findStartButton")
-
-
-def test_scan_cannot_start_without_ports(
-    dialog: FindBoardDialog, ports: Ports, listed: list[ListPortInfo]
-) -> None:
+    assert isinstance(dialog.root, FindDialog)
+    dialog.root.look(ports.find("/dev/ttyUSB1"))
+    assert list(dialog.rows()) == ["/dev/ttyUSB1", "/dev/ttyUSB0  (An adapter)"]
     listed.clear()
     ports.refresh()
     assert dialog.rows() == {}
     assert not dialog.is_enabled("findStartButton")
-
-
-def test_chosen_port_is_listed_first(
-    dialog: FindBoardDialog, ports: Ports, listed: list[ListPortInfo]
-) -> None:
-    listed.append(port_of_this_computer("/dev/ttyUSB1", "n/a"))
-    ports.refresh()
-    assert isinstance(dialog.root, FindDialog)
-    dialog.root.look(ports.find("/dev/ttyUSB1"))
-    assert list(dialog.rows()) == ["/dev/ttyUSB1", "/dev/ttyUSB0  (An adapter)"]
 
 
 def test_boards_stand_above_the_folded_ports_without_one(

@@ -30,16 +30,13 @@ def collector(qtbot: QtBot) -> Iterator[GuiThreadCollector]:
 
 
 def test_cycles_stay_until_collected_in_gui_thread(collector: GuiThreadCollector) -> None:
+    assert not gc.isenabled()
     gc.collect()
     for _ in range(2000):
         Cycle()
     assert Cycle.alive == 2000
     collector.collect()
     assert Cycle.alive < 2000
-
-
-def test_automatic_garbage_collection_is_disabled(collector: GuiThreadCollector) -> None:
-    assert not gc.isenabled()
 
 
 def test_full_collection_leaves_out_what_is_exempt(collector: GuiThreadCollector) -> None:

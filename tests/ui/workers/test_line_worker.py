@@ -114,19 +114,21 @@ def paced_line(simulator: SimulatedDevice, watch: Watch) -> Watched:
     return connected(watch, simulator.url)
 
 
-# --- Life -------------------------------------------------------------------------------
-
-
 @pytest.mark.realtime
-def test_board_reports_arrive_in_gui_thread(line: Watched) -> None:
+def test_reports_arrive_in_gui_thread_and_requests_from_any(line: Watched) -> None:
     line.wait(Batch)
     (connected,) = [one for one in line.reports if isinstance(one, Connected)]
     assert str(connected.state.signature) == "TReX 1.2"
+    threads = [
+        threading.Thread(target=line.worker.submit, args=(RunCommand(number, GetParameter(0)),))
+        for number in range(20)
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert {line.outcome(number).value for number in range(20)} == {7}
     assert line.threads == {threading.main_thread()}
-
-
-def test_closing_ends_thread_within_a_second(paced_line: Watched) -> None:
-    assert paced_line.close() < 1.0
 
 
 def test_closing_during_connect_ends_within_a_second(
@@ -163,19 +165,3 @@ def test_closing_brakes_running_motor(paced_line: Watched, simulator: SimulatedD
     paced_line.qtbot.waitUntil(lambda: motor() == ("forward", 100))
     assert paced_line.close() < 1.0
     assert motor() == ("brake", 127)
-
-
-# --- Requests ---------------------------------------------------------------------------
-
-
-@pytest.mark.realtime
-def test_requests_are_accepted_from_any_thread(line: Watched) -> None:
-    threads = [
-        threading.Thread(target=line.worker.submit, args=(RunCommand(number, GetParameter(0)),))
-        for number in range(20)
-    ]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert {line.outcome(number).value for number in range(20)} == {7}
