@@ -227,10 +227,6 @@ def test_udev_rules_are_well_formed() -> None:
 # --- Manual pages and names
 
 
-def test_manual_page_shows_text_as_it_is(packages: ModuleType) -> None:
-    assert packages.roff(".start\n'a-b\\n") == "\\&.start\n\\&'a\\-b\\en"
-
-
 def test_manual_page_of_a_program_has_its_commands(
     packages: ModuleType, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -247,6 +243,7 @@ def test_manual_page_of_a_program_has_its_commands(
     assert '.SH "TREXCMD STATUS"\n.nf\nUsage of status\n' in page
     assert '.SH "TREXCMD FIND"' in page
     assert ".BR trex\\-gui (1)" in page
+    assert packages.roff(".start\n'a-b\\n") == "\\&.start\n\\&'a\\-b\\en"
 
 
 def test_unknown_kind_of_package_is_wrong_usage(

@@ -1,4 +1,4 @@
-"""The log of a workspace: what was said and what happened, with its time."""
+"""The events of a board, and the log of a workspace: what was said and happened, with its time."""
 
 from datetime import datetime
 from pathlib import Path
@@ -9,8 +9,12 @@ from PySide6.QtWidgets import QFileDialog, QLineEdit, QPlainTextEdit
 from pytestqt.qtbot import QtBot
 
 from tests.support.window import WidgetDriver
+from trex_gui.core.errors import NoReply
 from trex_gui.core.events import EventKind
-from trex_gui.ui.event_log import EventLog
+from trex_gui.devices.trex.board import WriteResult
+from trex_gui.devices.trex.model.board_events import BoardEvents
+from trex_gui.devices.trex.model.motors import Motors
+from trex_gui.ui.event_log import MOST_EVENTS, EventLog
 from trex_gui.ui.help.messages import MessageHelp
 from trex_gui.ui.log import MOST_ENTRIES, Log, LogPage
 from trex_gui.ui.notifier import Notifier
@@ -138,3 +142,31 @@ def test_lines_are_filtered_copied_and_saved(
     driver.click("trexLogSave")
     driver.wait_for_files()
     assert "there is no folder" in failed[0]
+
+
+def test_stops_and_applied_settings_are_events(qtbot: QtBot) -> None:
+    motors = Motors()
+    events = BoardEvents(motors)
+    motors.press_stop()
+    motors.stop("the pad was let go")
+    results = [WriteResult(f"key{number}", number) for number in range(5)]
+    results.append(WriteResult("key5", error=NoReply("silence")))
+    events.note_applied(tuple(results), ("A", "B", "C", "D", "E", "F"))
+    assert [(event.kind.value, event.text) for event in events.all] == [
+        ("stop", "Stop"),
+        ("stop", "Stop: the pad was let go"),
+        ("apply", "Apply: A, B, C and 2 more (1 failed)"),
+    ]
+
+
+def test_events_are_sorted_by_time_and_the_oldest_dropped(qtbot: QtBot) -> None:
+    events = EventLog()
+    for time in (1.0, 3.0, 2.0):
+        events.add(EventKind.NOTE, str(time), time)
+    assert [event.time for event in events.all] == [1, 2, 3]
+    for number in range(4, MOST_EVENTS + 6):
+        events.add(EventKind.NOTE, "", float(number))
+    assert len(events.all) == MOST_EVENTS
+    assert events.all[0].time == 6
+    events.clear()
+    assert not events.all

@@ -1,5 +1,6 @@
 """What the digest of a picture follows, and what it does not."""
 
+import pytest
 from PySide6.QtWidgets import (
     QDialog,
     QGroupBox,
@@ -34,18 +35,21 @@ class Sample(QWidget):
         return sorted(fixed_texts(self))
 
 
-def test_fixed_texts_name_what_is_shown(qtbot: QtBot) -> None:
+@pytest.fixture
+def sample(qtbot: QtBot) -> Sample:
     sample = Sample()
     qtbot.addWidget(sample)
+    return sample
+
+
+def test_fixed_texts_name_what_is_shown(sample: Sample) -> None:
     shown = sample.digest
     for text in ("Speed", "Go", "Drive", "First", "Errors", "In the tab", "QLabel speedValue"):
         assert text in shown
     assert "Second" not in shown
 
 
-def test_fixed_texts_follow_texts_and_names(qtbot: QtBot) -> None:
-    sample = Sample()
-    qtbot.addWidget(sample)
+def test_fixed_texts_follow_texts_and_names(sample: Sample) -> None:
     changes = (
         lambda: sample.label.setText("Velocity:"),
         lambda: sample.button.setText("Start"),
@@ -61,9 +65,7 @@ def test_fixed_texts_follow_texts_and_names(qtbot: QtBot) -> None:
         assert sample.digest != before
 
 
-def test_fixed_texts_ignore_measurements_fonts_and_sizes(qtbot: QtBot) -> None:
-    sample = Sample()
-    qtbot.addWidget(sample)
+def test_fixed_texts_ignore_measurements_fonts_and_sizes(sample: Sample) -> None:
     before = sample.digest
     sample.value.setText("99 km/h")
     sample.tabs.setTabText(0, "Errors (3)")

@@ -61,13 +61,6 @@ def test_every_page_is_listed_and_shown(help_window: HelpDriver) -> None:
         assert document.firstBlock().blockFormat().headingLevel() == 1
 
 
-def test_topic_scrolls_to_its_section(help_window: HelpDriver) -> None:
-    help_window.dialog.show_topic("messages.md#no-reply-to-")
-    assert help_window.top_line == "No reply to …"
-    help_window.dialog.show_topic("messages.md")
-    assert help_window.shown == "messages.md"
-
-
 def test_links_and_history_lead_through_pages(help_window: HelpDriver) -> None:
     help_window.dialog.show_topic("first_steps.md")
     assert not help_window.is_enabled("helpBack")
@@ -83,6 +76,8 @@ def test_links_and_history_lead_through_pages(help_window: HelpDriver) -> None:
     assert help_window.list.currentItem().text() == "First steps with a board"
     help_window.click("helpForward")
     assert help_window.shown == "messages.md#no-reply-to-"
+    help_window.dialog.show_topic("messages.md#stopping")
+    assert help_window.top_line == "Stopping"
 
 
 def test_link_out_of_the_help_is_left_to_the_desktop(

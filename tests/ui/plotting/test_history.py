@@ -30,16 +30,6 @@ def test_empty_history_has_no_points() -> None:
     assert math.isnan(history.value_at(0, 1))
 
 
-def test_rows_are_returned_as_added() -> None:
-    history = SampleHistory(2)
-    history.append(1.0, 2.0, 3.0)
-    history.append(1.5, 4.0, math.nan)
-    assert history.times.tolist() == [1.0, 1.5]
-    assert history.values(0).tolist() == [2.0, 4.0]
-    assert math.isnan(history.values(1)[1])
-    assert history.span == (1.0, 1.5)
-
-
 def test_times_stay_sorted_when_the_clock_steps_back() -> None:
     history = SampleHistory(1)
     history.append(2.0, 1.0)
@@ -143,16 +133,6 @@ def test_oldest_rows_are_dropped_at_capacity() -> None:
     assert len(history) == 3000
     assert history.span == (17_000 / 80, 19_999 / 80)
     assert history._times.nbytes < 2 * 8 * 3000
-
-
-def test_one_ampere_for_an_hour_is_one_ampere_hour() -> None:
-    history = SampleHistory(1)
-    times = np.arange(3600 * 80 + 1) / 80
-    history.extend(times, [np.full_like(times, 1.0)])
-    found = history.statistics(0, 0, 3600)
-    assert found.integral / 3600 == pytest.approx(1, rel=1e-12)
-    assert found.mean == pytest.approx(1, rel=1e-12)
-    assert found.rms == pytest.approx(1, rel=1e-12)
 
 
 def test_gap_in_samples_interrupts_the_curve() -> None:

@@ -21,16 +21,13 @@ def span() -> Span:
     return span
 
 
-def test_live_span_ends_at_the_newest_sample(span: Span) -> None:
+def test_live_span_ends_at_the_newest_sample_unless_it_is_held(span: Span) -> None:
     assert (span.start, span.end) == (70, 100)
     span.set_available(0, 101)
     assert (span.start, span.end) == (71, 101)
-
-
-def test_held_span_stays_while_samples_arrive(span: Span) -> None:
     span.hold()
     span.set_available(0, 200)
-    assert (span.start, span.end) == (70, 100)
+    assert (span.start, span.end) == (71, 101)
     span.go_live()
     assert span.end == 200
 
@@ -58,13 +55,10 @@ def test_live_span_gets_back_its_length(span: Span) -> None:
     assert (span.start, span.end) == (90, 100)
 
 
-def test_span_can_be_selected_from_right_to_left(span: Span) -> None:
+def test_span_is_selected_in_both_directions_and_never_empty(span: Span) -> None:
     span.show(80, 40)
     assert (span.start, span.end) == (40, 80)
     assert not span.live
-
-
-def test_empty_span_is_widened(span: Span) -> None:
     span.show(50, 50)
     assert span.length == MIN_SPAN
     assert (span.start + span.end) / 2 == pytest.approx(50)

@@ -20,11 +20,7 @@ def test_window_and_frame_fit_screen(screen: QRect, size: QSize, corner: QPoint)
     assert screen.contains(place.adjusted(-8, -31, 8, 8)), "the widest frame: Windows 11"
     assert place.width() == min(size.width(), screen.width() - 16)
     assert place.height() == min(size.height(), screen.height() - 48)
-
-
-def test_window_that_fits_is_not_moved() -> None:
-    wanted = QRect(2000, 100, 900, 500)
-    assert fitted(wanted, BESIDE) == wanted
+    assert fitted(place, screen) == place, "one that fits is not moved"
 
 
 def _screen() -> QRect:

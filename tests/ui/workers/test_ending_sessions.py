@@ -119,34 +119,22 @@ def test_final_report_of_old_session_does_not_close_the_new_one(
     assert line.last == Closed(None, may_move=True)
 
 
-def driven(simulator: SimulatedDevice, qtbot: QtBot) -> Device:
-    """A device whose first motor runs."""
+@pytest.mark.parametrize("is_mute", [True, False])
+def test_only_confirmed_stop_clears_may_move_after_shutdown(
+    quick_simulator: SimulatedDevice, qtbot: QtBot, is_mute: bool
+) -> None:
     device = Device()
-    device.connect_to(ConnectionSettings(simulator.url))
+    device.connect_to(ConnectionSettings(quick_simulator.url))
     qtbot.waitUntil(lambda: device.link is ConnectionState.CONNECTED and device.motors.is_available)
     device.motors.arm()
     device.motors.set_speed(1, 60)
-    qtbot.waitUntil(lambda: simulator.show()["motors"][0]["speed"] == 60)
-    return device
-
-
-def test_unconfirmed_stop_keeps_may_move_after_shutdown(
-    quick_simulator: SimulatedDevice, qtbot: QtBot
-) -> None:
-    device = driven(quick_simulator, qtbot)
-    quick_simulator.do("line mute on")
+    qtbot.waitUntil(lambda: quick_simulator.show()["motors"][0]["speed"] == 60)
+    assert device.may_move
+    if is_mute:
+        quick_simulator.do("line mute on")
     qtbot.waitUntil(device.shut_down)
     assert device.link is ConnectionState.DISCONNECTED
-    assert device.may_move
-
-
-def test_confirmed_stop_clears_may_move_after_shutdown(
-    quick_simulator: SimulatedDevice, qtbot: QtBot
-) -> None:
-    device = driven(quick_simulator, qtbot)
-    assert device.may_move
-    qtbot.waitUntil(device.shut_down)
-    assert not device.may_move
+    assert device.may_move is is_mute
 
 
 # --- Who waits for whom -----------------------------------------------------------------
