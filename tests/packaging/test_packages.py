@@ -246,15 +246,6 @@ def test_manual_page_of_a_program_has_its_commands(
     assert packages.roff(".start\n'a-b\\n") == "\\&.start\n\\&'a\\-b\\en"
 
 
-def test_unknown_kind_of_package_is_wrong_usage(
-    packages: ModuleType, capsys: pytest.CaptureFixture[str]
-) -> None:
-    with pytest.raises(SystemExit) as ended:
-        packages.main(["cake"])
-    assert ended.value.code == 2
-    assert "no such package: cake" in capsys.readouterr().err
-
-
 def test_archive_is_the_same_for_the_same_content(
     packages: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -347,7 +338,7 @@ def test_failed_package_leaves_the_others_their_checksums(
     assert output.endswith("Failed:\n  make first\n  check second\n")
 
 
-def test_package_of_another_system_is_wrong_usage(
+def test_unknown_package_and_package_of_another_system_are_wrong_usage(
     packages: ModuleType,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
@@ -356,9 +347,14 @@ def test_package_of_another_system_is_wrong_usage(
     target = packages.Target(list, print, system="mars")
     use_targets(packages, monkeypatch, tmp_path, rover=target)
     assert packages.main([]) == 0
-    with pytest.raises(SystemExit):
-        packages.main(["rover"])
-    assert "cannot be made on this system: rover" in capsys.readouterr().err
+    for name, text in (
+        ("rover", "cannot be made on this system: rover"),
+        ("cake", "no such package: cake"),
+    ):
+        with pytest.raises(SystemExit) as ended:
+            packages.main([name])
+        assert ended.value.code == 2
+        assert text in capsys.readouterr().err
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="programs of Linux")

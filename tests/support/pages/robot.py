@@ -4,10 +4,9 @@ import json
 from collections.abc import Callable
 from typing import Any
 
-from PySide6.QtCore import QItemSelectionModel, Qt
+from PySide6.QtCore import QItemSelectionModel
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
-    QLineEdit,
     QListView,
     QMenu,
     QSlider,
@@ -17,7 +16,7 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from tests.support.program import aracna
-from tests.support.window import LEFT, WidgetDriver, WindowDriver
+from tests.support.window import LEFT, WindowDriver
 from trex_gui.devices.aracna.session.messages import Moving, SpeedsHeld
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.program import Program
@@ -151,14 +150,6 @@ class RobotWindow(WindowDriver):
         view.selectionModel().setCurrentIndex(
             index, QItemSelectionModel.SelectionFlag.ClearAndSelect
         )
-
-    def type_into_row(self, list_name: str, text: str) -> None:
-        """Type into the editor that is open in a list, and confirm it."""
-        row = WidgetDriver(self.find(QListView, list_name), self.qtbot)
-        editor = row.find_only(QLineEdit)
-        editor.selectAll()
-        QTest.keyClicks(editor, text)
-        QTest.keyClick(editor, Qt.Key.Key_Return)
 
     def logged(self) -> list[str]:
         """Return the texts in the log, the newest first."""

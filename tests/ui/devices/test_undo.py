@@ -15,7 +15,6 @@ from tests.support.matrix import examples
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
-from trex_gui.devices.trex.model.settings.calibrations import Calibrations
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameters import parameters_of
@@ -146,16 +145,6 @@ def test_undo_ignores_a_parameter_missing_in_firmware(device: Device) -> None:
     device.parameters.load(older, stored, {}, power_cycled=True)
     device.draft.undo.undo()
     assert device.draft.pending == 0
-
-
-def test_models_without_a_shared_undo_stack_can_be_edited(qtbot: QtBot) -> None:
-    parameters, calibrations = ParameterModel(), Calibrations()
-    parameters.load(SPECS, FACTORY, {}, power_cycled=True)
-    calibrations.load("trex", InputSource.RC, {1: OLD})
-    parameters.edit("serial_timeout", 5)
-    calibrations.edit(CalibrationKey.RC_CHANNEL_1, NEW)
-    assert parameters.values.pending
-    assert calibrations.pending
 
 
 @examples(40, suppress_health_check=[HealthCheck.function_scoped_fixture])

@@ -14,7 +14,7 @@ def names(recent: RecentFiles) -> list[str]:
     return [file.path.name for file in recent.entries]
 
 
-def test_newest_is_first_and_each_is_listed_once(qtbot: QtBot) -> None:
+def test_newest_are_listed_first_and_once(qtbot: QtBot) -> None:
     recent = RecentFiles()
     for name in ("a.txt", "b.trexrec", "a.txt"):
         with qtbot.waitSignal(recent.changed):
@@ -22,10 +22,6 @@ def test_newest_is_first_and_each_is_listed_once(qtbot: QtBot) -> None:
     assert names(recent) == ["a.txt", "b.trexrec"]
     first = RecentFiles().entries[0]
     assert (first.device, first.kind, first.path) == ("trex", "settings", FOLDER / "a.txt")
-
-
-def test_list_is_short() -> None:
-    recent = RecentFiles()
     for number in range(20):
         recent.note("trex", "settings", FOLDER / f"{number}.txt")
     assert names(recent) == [f"{number}.txt" for number in range(19, 11, -1)]

@@ -81,22 +81,20 @@ PAIRS = (
 
 
 @pytest.mark.parametrize("scheme", SHOWN)
-def test_palette_pairs_have_enough_contrast(scheme: Scheme) -> None:
+def test_palette_pairs_and_disabled_text_have_enough_contrast(scheme: Scheme) -> None:
+    """Disabled text says what is set, and what cannot be changed now."""
     theme().set_scheme(scheme)
     for text, background in PAIRS:
         found = contrast(theme().color(text), theme().color(background))
         assert found >= needed(4.5, scheme), (text, background)
-
-
-@pytest.mark.parametrize("scheme", SHOWN)
-def test_disabled_text_can_be_read(scheme: Scheme) -> None:
-    """It says what is set, and what cannot be changed now."""
-    theme().set_scheme(scheme)
     disabled = read_colours(scheme).disabled
     backgrounds = ("window", "base", "alternate_base", "track_off")
     for role, background in product(("window_text", "text", "button_text"), backgrounds):
         assert contrast(disabled[role], theme().color(background)) >= 4.5, (role, background)
     assert contrast(disabled["button_text"], disabled["button"]) >= 4.5
+    palette, group = read_colours(scheme).qpalette(), QPalette.ColorGroup
+    for shown in (QPalette.ColorRole.WindowText, QPalette.ColorRole.ButtonText):
+        assert palette.color(group.Disabled, shown) != palette.color(group.Active, shown)
 
 
 @pytest.mark.parametrize("scheme", SHOWN)
@@ -146,14 +144,6 @@ def test_second_install_keeps_the_scheme_of_the_system(qapp: QApplication) -> No
 def test_changing_a_returned_colour_keeps_the_theme() -> None:
     theme().color("motor1").setAlpha(10)
     assert theme().color("motor1").alpha() == 255
-
-
-@pytest.mark.parametrize("scheme", SHOWN)
-def test_disabled_text_has_its_own_colour(scheme: str) -> None:
-    palette = read_colours(scheme).qpalette()
-    group = QPalette.ColorGroup
-    for role in (QPalette.ColorRole.WindowText, QPalette.ColorRole.ButtonText):
-        assert palette.color(group.Disabled, role) != palette.color(group.Active, role)
 
 
 def painted(button: QPushButton) -> list[QColor]:

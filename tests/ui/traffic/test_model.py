@@ -45,13 +45,15 @@ def setup(qtbot: QtBot) -> TrafficSetup:
     return TrafficSetup()
 
 
-def test_polls_are_separated_from_commands(setup: TrafficSetup) -> None:
+def test_polls_are_separated_from_commands_and_not_decoded(setup: TrafficSetup) -> None:
     setup.log(POLL, ANSWER)
     setup.log(WRITE, STORED)
     setup.log(POLL, ANSWER)
     assert setup.texts == ["set Serial Timeout to 1.5 s (15) → stored"]
     assert setup.traffic.everything.count == 3
     assert setup.traffic.faults == 0
+    polls = [row for row in setup.traffic.everything.rows if row.sent == POLL]
+    assert [row.words for row in polls] == [None] * 2, "they are decoded when they are shown"
 
 
 def test_typed_poll_is_shown_once(setup: TrafficSetup) -> None:
@@ -60,15 +62,6 @@ def test_typed_poll_is_shown_once(setup: TrafficSetup) -> None:
         setup.log(POLL, ANSWER)
     assert len(setup.texts) == 1
     assert setup.traffic.everything.count == 3
-
-
-def test_polls_are_not_decoded_until_they_are_shown(setup: TrafficSetup) -> None:
-    setup.log(POLL, ANSWER)
-    setup.log(POLL)
-    setup.log(POLL, ANSWER)
-    setup.traffic.pull()
-    assert setup.traffic.faults == 1
-    assert [row.words for row in setup.traffic.everything.rows] == [None] * 3
 
 
 def test_page_that_is_not_seen_is_told_of_rows_when_it_is(
