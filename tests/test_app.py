@@ -150,12 +150,12 @@ def test_sigterm_ends_program_cleanly(quick_simulator: SimulatedDevice) -> None:
 
 
 def test_settings_file_is_opened_when_board_connects(
-    window: WindowDriver, simulator: SimulatedDevice, tmp_path: Path
+    window: WindowDriver, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     path = tmp_path / "rover.txt"
     path.write_text("product: TReX\nserial_timeout: 5\n", encoding="utf-8")
     window.program.open_named(path, connecting=True)
-    window.device.connect_to(ConnectionSettings(simulator.url))
+    window.device.connect_to(ConnectionSettings(quick_simulator.url))
     window.wait(lambda: window.has("takeChangesButton"))
     window.click("takeChangesButton")
     assert window.device.draft.pending == 1

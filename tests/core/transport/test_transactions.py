@@ -4,6 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.support.matrix import examples
 from tests.support.talk import Said, pieces_of, reports, rows_of
 from trex_gui.core.transport.traffic import (
     Decoded,
@@ -76,6 +77,7 @@ def test_trex_exchange_is_decoded(said: Said, text: str, is_fault: bool) -> None
     assert reports(TrexDecoder(), pieces_of([said])) == [(text, is_fault)]
 
 
+@examples(40)
 @given(st.lists(st.sampled_from(TREX), max_size=8), st.integers(1, 3))
 def test_fragmented_bytes_decode_to_same_rows(talk: list[tuple[Said, str, bool]], cut: int) -> None:
     # Bytes behind an answer that is whole begin a row of their own, wherever they were cut.

@@ -4,6 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.support.matrix import examples
 from trex_gui.ui.plotting.axes import ValueAxis, round_up, spread, ticks
 
 
@@ -37,6 +38,7 @@ def test_labels_keep_their_place_as_far_as_there_is_room(
     assert spread(centres, widths, 0, 100, 2) == placed
 
 
+@examples(50)
 @given(centres=st.lists(st.floats(-20, 320), max_size=6).map(sorted), width=st.floats(1, 40))
 def test_labels_never_overlap(centres: list[float], width: float) -> None:
     placed = spread(centres, [width] * len(centres), 0, 300, 3)

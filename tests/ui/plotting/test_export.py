@@ -54,7 +54,7 @@ def test_event_is_written_to_next_sample_row_or_its_own() -> None:
 @pytest.fixture
 def panel(qtbot: QtBot) -> TracePanel:
     history = SampleHistory(len(Series))
-    times = np.arange(300_000) / 80
+    times = np.arange(100_000) / 80
     history.extend(times, [times] * len(Series))
     panel = TracePanel()
     qtbot.addWidget(panel)

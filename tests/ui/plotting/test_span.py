@@ -4,6 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.support.matrix import examples
 from trex_gui.ui.plotting.axes import (
     MIN_SPAN,
     Span,
@@ -69,6 +70,7 @@ def test_zero_length_is_rejected(span: Span) -> None:
         span.set_length(0)
 
 
+@examples(40)
 @given(moves=st.lists(st.floats(-1000, 1000), max_size=20))
 def test_panning_never_leaves_the_recorded_time(moves: list[float]) -> None:
     span = Span(30)
