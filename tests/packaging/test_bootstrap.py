@@ -55,12 +55,9 @@ def test_installed_packages_are_listed_under_each_name() -> None:
     assert bootstrap.packages_in(lines) == {"libglib2.0-0t64", "libglib2.0-0", "libglib2.0-x"}
 
 
-def test_package_is_missing_when_dpkg_fails() -> None:
+def test_packages_are_missing_if_dpkg_fails_and_only_missing_ones_are_installed() -> None:
     debian = bootstrap.Debian(Script(dpkg_query=bootstrap.Outcome(127)), is_root=True)
     assert debian.missing(["libegl1"]) == ["libegl1"]
-
-
-def test_nothing_is_installed_when_nothing_is_missing() -> None:
     script = Script(dpkg_query=LIBEGL_ONLY)
     bootstrap.Debian(script, is_root=True).supply(["libegl1"])
     assert script.apt_commands == []
@@ -131,14 +128,10 @@ def test_failed_start_of_qt_has_a_reason(status: int, errors: str, reason: str) 
     assert start.reason == reason
 
 
-def test_setup_fails_when_qt_does_not_start() -> None:
+def test_setup_needs_qt_and_reports_missing_fonts(capsys: pytest.CaptureFixture[str]) -> None:
     errors = "ImportError: libGL.so.1: cannot open shared object file: No such file"
-    script = Script(**{"-c": bootstrap.Outcome(1, errors=errors)})
     with pytest.raises(bootstrap.BootstrapError, match=r"libGL\.so\.1"):
-        bootstrap.require_qt(script)
-
-
-def test_missing_fonts_are_reported(capsys: pytest.CaptureFixture[str]) -> None:
+        bootstrap.require_qt(Script(**{"-c": bootstrap.Outcome(1, errors=errors)}))
     bootstrap.require_qt(Script(**{"-c": bootstrap.Outcome(0, "started offscreen 0\n")}))
     assert "font" in capsys.readouterr().out
 
