@@ -68,10 +68,6 @@ def test_plugged_in_port_appears_automatically(
     with qtbot.waitSignal(ports.changed):
         computer.append(port("/dev/ttyUSB0"))
     assert urls(ports) == ["/dev/ttyUSB0", ""]
-
-
-def test_unchanged_list_emits_no_signal(make: Make, qtbot: QtBot) -> None:
-    ports = make()
     with qtbot.assertNotEmitted(ports.changed):
         ports.refresh()
 

@@ -10,7 +10,6 @@ from pytestqt.qtbot import QtBot
 from tests.support.program import new_controller, new_ports, scanner_of
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_time import VirtualRuntime
-from trex_gui.core.discovery import scan
 from trex_gui.core.discovery.prober import Prober, ProberInfo
 from trex_gui.core.plugin import Lazy
 from trex_gui.core.transport.settings import PortSettings
@@ -199,7 +198,6 @@ def test_ports_left_unscanned_are_counted(
 
 
 def test_scan_without_internal_error_mentions_none(faulty: DeviceScanner, qtbot: QtBot) -> None:
-    assert not scan.PortScan().is_fault
     faulty.start([at("/dev/ttyNothing9")])
     qtbot.waitUntil(lambda: not faulty.running)
     assert faulty.summary == "No board was found."
