@@ -119,10 +119,10 @@ def test_device_that_is_made_during_a_stop_does_not_end_it(
 
 
 def test_previous_device_disconnects_before_the_next_connects(devices: Devices) -> None:
-    assert devices.manager.is_idle
+    was_idle = devices.manager.is_idle
     devices.manager.connect_to(port("a", "first"))
     assert devices.first.done == ["connect a"]
-    assert not devices.manager.is_idle
+    assert (was_idle, devices.manager.is_idle) == (True, False)
     devices.manager.connect_to(port("b", "second"))
     assert devices.first.done[-1] == "leave"
     assert (devices.second.done, devices.manager.current.plugin.key) == ([], "first")
