@@ -45,7 +45,7 @@ def test_minimised_window_shows_nothing_new_until_it_is_restored(
     assert channels.text("channel1Input") == "N/A"
 
 
-def test_title_names_the_board_and_marks_edits(
+def test_title_and_pages_show_board_data_until_disconnect(
     window: WindowDriver, simulator: SimulatedDevice
 ) -> None:
     assert window.window.windowTitle() == "TReX Studio[*]"
@@ -57,14 +57,7 @@ def test_title_names_the_board_and_marks_edits(
     assert window.window.isWindowModified()
     window.device.draft.discard_edits()
     assert not window.window.isWindowModified()
-    window.disconnect()
-    assert window.window.windowTitle() == "TReX Studio[*]"
 
-
-def test_pages_show_board_data_until_disconnect(
-    connected: WindowDriver, simulator: SimulatedDevice
-) -> None:
-    window = connected
     assert window.text("statusLabel") == "Connected to TReX 1.2."
     status = window.open_page("statusPage")
     assert "Serial commands control the motors" in status.text("controlValue")
@@ -89,6 +82,7 @@ def test_pages_show_board_data_until_disconnect(
 
     window.click("connectButton")
     window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
+    assert window.window.windowTitle() == "TReX Studio[*]"
     assert channels.text("channel1Input") == "N/A"
     assert status.text("modelValue") == "N/A"
     for name in ("parametersView", "runButton", "stopButton", "applyButton"):

@@ -79,16 +79,6 @@ def test_f1_opens_help_on_the_window_in_front(
     assert press_f1(window, window.find(QDialog, "checkBoardDialog")) == "lost_settings.md"
 
 
-def test_f1_opens_help_on_what_is_there_before_a_board(window: WindowDriver) -> None:
-    window.find(QWidget, "startFind").setFocus()
-    assert press_f1(window, window.window) == "first_steps.md"
-    window.trigger("line")
-    assert (
-        press_f1(window, window.find(QDialog, "lineSettingsDialog"))
-        == trex.TOPICS["lineSettingsDialog"]
-    )
-
-
 def test_every_dialog_has_a_topic() -> None:
     sources = [
         path.read_text(encoding="utf-8") for path in Path(trex_gui.__file__).parent.rglob("*.py")
@@ -128,16 +118,14 @@ def check_log(window: WindowDriver, key: str, code: ErrorCode | RobotErrorCode, 
     assert not window.is_enabled(f"{key}LogHelp")
 
 
-def test_log_explains_the_line_with_the_cursor(window: WindowDriver) -> None:
-    check_log(window, "trex", ErrorCode.OVERTAKEN_BY_STOP, "messages.md#a-stop-came-first")
-    window.program.device_manager.switch_to("aracna", lambda: None)
-    stuck = "messages.md#the-robot-is-stuck"
-    check_log(window, "aracna", RobotErrorCode.STUCK, stuck)
+def test_help_without_a_board(window: WindowDriver, monkeypatch: pytest.MonkeyPatch) -> None:
+    window.find(QWidget, "startFind").setFocus()
+    assert press_f1(window, window.window) == "first_steps.md"
+    window.trigger("line")
+    dialog = window.find(QDialog, "lineSettingsDialog")
+    assert press_f1(window, dialog) == trex.TOPICS["lineSettingsDialog"]
+    dialog.close()
 
-
-def test_help_menu_opens_the_guide_of_the_maker(
-    window: WindowDriver, monkeypatch: pytest.MonkeyPatch
-) -> None:
     opened: list[str] = []
 
     def open_url(url: QUrl) -> bool:
@@ -147,16 +135,16 @@ def test_help_menu_opens_the_guide_of_the_maker(
     monkeypatch.setattr(QDesktopServices, "openUrl", open_url)
     window.trigger("guide")
     assert opened == [trex.GUIDE]
+    check_log(window, "trex", ErrorCode.OVERTAKEN_BY_STOP, "messages.md#a-stop-came-first")
     window.program.device_manager.switch_to("aracna", lambda: None)
     assert not window.action("guide").isVisible()
+    check_log(window, "aracna", RobotErrorCode.STUCK, "messages.md#the-robot-is-stuck")
 
-
-def test_help_ends_with_the_window(window: WindowDriver) -> None:
     window.trigger("help")
     window.wait(window.help.isVisible)
     assert window.help.windowHandle().transientParent() is None  # Windows would keep it above
     window.window.close()
-    assert not window.help.isVisible()
+    assert not window.help.isVisible(), "it ends with the window"
 
 
 def test_keys_page_lists_every_shortcut(window: WindowDriver) -> None:

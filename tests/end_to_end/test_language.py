@@ -42,30 +42,24 @@ def choose(window: WindowDriver, code: str) -> None:
     dialog.select("languageBox", code)
 
 
-def test_another_language_closes_window_to_open_it_again(connected_window: WindowDriver) -> None:
+def test_same_language_leaves_window_open_and_another_opens_it_again(
+    connected_window: WindowDriver,
+) -> None:
     window, port = connected_window, connected_window.program.device_manager.current.port
-    window.motors.arm()
-    choose(window, "fr")
-    window.wait(lambda: window.window.reopens)
-    assert chosen_language() == "fr"
-    assert window.window.port_to_reopen == port
-    assert not window.device.motors.armed
-
-
-def test_same_language_leaves_window_open(window: WindowDriver) -> None:
     choose(window, "system")
     assert window.window.isVisible()
     assert not window.window.reopens
 
-
-def test_edits_are_asked_about_before_window_opens_again(connected_window: WindowDriver) -> None:
-    window = connected_window
+    window.motors.arm()
     window.device.parameters.edit("serial_timeout", 15)
-    choose(window, "de")
+    choose(window, "fr")
     window.wait(lambda: window.has("keepAndClose"))
-    assert not window.window.reopens
+    assert not window.window.reopens, "edits are asked about before"
     window.click("keepAndClose")
     window.wait(lambda: window.window.reopens)
+    assert chosen_language() == "fr"
+    assert window.window.port_to_reopen == port
+    assert not window.device.motors.armed
 
 
 def test_window_that_stays_open_is_not_opened_again(connected_window: WindowDriver) -> None:

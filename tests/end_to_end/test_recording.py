@@ -25,28 +25,19 @@ def indicator(window: WindowDriver) -> RecordIndicator:
     return window.find(RecordIndicator, "recordIndicator")
 
 
-def record(window: WindowDriver, path: Path) -> None:
-    """Record until there is something in the file, and end it with the button."""
-    recordings = trex(window.program).workspace.recordings
-    recordings.record(path)
-    window.wait(indicator(window).isVisible)
-    wait_for_samples(window, 300)
-    with window.qtbot.waitSignal(recordings.recorder.ended, timeout=20_000):
-        window.click("stopRecordingButton")
-
-
 def wait_for_samples(window: WindowDriver, count: int) -> None:
     telemetry = window.device.telemetry
     before = telemetry.samples
     window.wait(lambda: telemetry.samples > before + count)
 
 
-def test_indicator_shows_time_and_size_on_every_page(
+def test_session_is_recorded_and_opened_without_a_board(
     connected_window: WindowDriver, tmp_path: Path
 ) -> None:
+    path = tmp_path / "session.trexrec"
     window, recordings = connected_window, trex(connected_window.program).workspace.recordings
     assert not indicator(window).isVisible()
-    recordings.record(tmp_path / "a.trexrec")
+    recordings.record(path)
     window.wait(lambda: "Recording  0:00:" in window.text("recordText"))
     window.wait(lambda: " kB" in window.text("recordText"))
     for page in range(window.window.pages.count()):
@@ -54,17 +45,12 @@ def test_indicator_shows_time_and_size_on_every_page(
         assert indicator(window).isVisible()
         assert "Recording" in indicator(window).accessibleName()
     assert window.action("record").text() == "Stop &recording"
+    wait_for_samples(window, 300)
     with window.qtbot.waitSignal(recordings.recorder.ended, timeout=20_000):
-        window.action("record").trigger()
+        window.click("stopRecordingButton")
     assert not indicator(window).isVisible()
     assert window.action("record").text() == "&Record…"
     assert "Recorded in" in window.text("bannerText")
-
-
-def test_recording_opens_without_a_board(connected_window: WindowDriver, tmp_path: Path) -> None:
-    path = tmp_path / "session.trexrec"
-    window, recordings = connected_window, trex(connected_window.program).workspace.recordings
-    record(window, path)
     window.disconnect()
     assert not window.action("record").isEnabled()
     assert window.action("open_recording").isEnabled()

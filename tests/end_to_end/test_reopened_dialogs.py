@@ -78,9 +78,7 @@ def test_line_settings_are_used_once_they_are_accepted(window: WindowDriver) -> 
         window.wait(lambda: not window.has("lineSettingsDialog"))
         assert controller.settings.device_number == (7 if accepted else None)
 
-
-def test_other_devices_on_the_line_require_an_address(window: WindowDriver) -> None:
-    controller = trex(window.program).controller
+    # Other devices on the line require an address.
     window.trigger("line")
     dialog = window.dialog("lineSettingsDialog")
     field = dialog.find(QLineEdit, "reservedField")
@@ -98,9 +96,7 @@ def test_other_devices_on_the_line_require_an_address(window: WindowDriver) -> N
     assert controller.settings.reserved == {0, 30}
     assert controller.settings.device_number == 7
 
-
-def test_line_settings_follow_what_is_stored_meanwhile(window: WindowDriver) -> None:
-    controller = trex(window.program).controller
+    # The dialog follows what is stored meanwhile.
     window.trigger("line")
     found = replace(controller.settings, device_number=9, polynomial=0x85)
     controller.set_settings(found)

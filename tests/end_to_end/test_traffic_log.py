@@ -266,6 +266,12 @@ def test_typed_bytes_are_explained_and_sent(
         event.text for event in window.device.events.all
     }
 
+    page.type_into("transcriptBytes", "AF 07 05 55 2A", enter=False)
+    assert page.is_enabled("transcriptSendButton")
+    window.device.driving.set_reaching_several(True)
+    assert page.text("transcriptMeaning").endswith("store it: select one of them.")
+    assert not page.is_enabled("transcriptSendButton")
+
 
 def test_typed_write_to_every_board_on_a_line_is_not_sent(
     window: WindowDriver, page: TrafficDriver, start_simulator: StartSimulator
@@ -285,14 +291,3 @@ def test_typed_write_to_every_board_on_a_line_is_not_sent(
     assert numbers() == [7, 9]
     page.type_into("transcriptBytes", "80 07 2F 00 0C 55 2A")
     window.wait(lambda: numbers() == [12, 9])
-
-
-def test_typed_write_waits_until_one_of_several_boards_is_selected(
-    window: WindowDriver, page: TrafficDriver, simulator: SimulatedDevice
-) -> None:
-    window.connect(simulator.url)
-    page.type_into("transcriptBytes", "AF 07 05 55 2A", enter=False)
-    assert page.is_enabled("transcriptSendButton")
-    window.device.driving.set_reaching_several(True)
-    assert page.text("transcriptMeaning").endswith("store it: select one of them.")
-    assert not page.is_enabled("transcriptSendButton")
