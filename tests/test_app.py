@@ -50,6 +50,7 @@ def test_version_option_prints_version(capsys: pytest.CaptureFixture[str]) -> No
         ["--settings", ""],
         ["--tour", ""],
         ["--demo", "--port", "COM3"],
+        ["--demo", "--device", "toaster"],
     ],
 )
 def test_invalid_option_exits_2(words: list[str]) -> None:

@@ -151,10 +151,6 @@ class RobotWindow(WindowDriver):
             index, QItemSelectionModel.SelectionFlag.ClearAndSelect
         )
 
-    def logged(self) -> list[str]:
-        """Return the texts in the log, the newest first."""
-        return [entry.text for entry in reversed(self.program.workspace("aracna").log.entries)]
-
     @property
     def menus(self) -> list[str]:
         """The titles of the menus that are offered."""

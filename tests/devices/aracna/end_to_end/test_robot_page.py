@@ -5,7 +5,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractSpinBox, QCheckBox, QSlider, QSpinBox
 
-from tests.support.pages.robot import RobotWindow
+from tests.support.pages.robot import LOG_PAGE, RobotWindow
 from tests.support.window import LEFT
 from trex_gui.devices.aracna.session.messages import Play, Step
 from trex_gui.ui.devices.connection import ConnectionState
@@ -65,7 +65,9 @@ def test_debug_led_is_switched_from_the_menu(connected_window: RobotWindow) -> N
     assert not action.isChecked()
 
 
-def test_goals_stay_within_limits(connected_window: RobotWindow) -> None:
+def test_goals_stay_within_limits_and_speeds_may_differ(
+    connected_window: RobotWindow,
+) -> None:
     window = connected_window
     assert window.drag("aracnaSlider1", 1000).value() == 550
     assert window.drag("aracnaSlider0", 0).value() == 50
@@ -86,9 +88,7 @@ def test_goals_stay_within_limits(connected_window: RobotWindow) -> None:
     window.click("aracnaFactoryLimitsButton")
     assert (low.value(), high.value()) == (0, 550)
 
-
-def test_different_speeds_are_shown_as_differ(connected_window: RobotWindow) -> None:
-    window, robot = connected_window, connected_window.robot
+    robot = window.robot
     everyone, one = spin_box(window, "aracnaSpeedAll"), spin_box(window, "aracnaSpeed7")
     one.setValue(0)
     assert everyone.text() == "differ"
@@ -162,3 +162,25 @@ def test_bar_shows_playback_until_it_is_stopped(connected_window: RobotWindow) -
     window.click("aracnaEndButton")
     window.wait(lambda: robot.state.play is None)
     assert robot.link is ConnectionState.CONNECTED
+
+
+def test_log_page_counts_requests_and_line_failures(connected_window: RobotWindow) -> None:
+    window = connected_window
+    window.show_page(LOG_PAGE)
+    window.wait(lambda: window.text("aracnaTrafficValue").endswith("requests (100.00 %)"))
+    assert window.text("aracnaQualityValue").startswith(
+        "Timeouts: 0, corrupted: 0, unrecognized lines: 0"
+    )
+    assert window.is_enabled("aracnaTrafficValue")
+    assert window.robot.state.stats.replies > 0
+
+    window.control("line mute on")
+    window.wait(lambda: window.robot.link is ConnectionState.NOT_RESPONDING)
+    window.wait(lambda: not window.text("aracnaQualityValue").startswith("0 timeouts"))
+    window.control("line mute off")
+    window.wait_until_up()
+
+    window.press_disconnect()
+    assert window.text("aracnaTrafficValue") == "N/A"
+    assert not window.is_enabled("aracnaTrafficValue")
+    assert window.robot.state.stats.replies == 0, "the next line counts anew"

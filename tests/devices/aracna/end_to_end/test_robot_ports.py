@@ -8,7 +8,6 @@ from serial.tools.list_ports_common import ListPortInfo
 from tests.support.pages.robot import RobotWindow
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import LEFT
-from trex_gui import app
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets.behaviour import ConfirmButton
 
@@ -103,11 +102,3 @@ def test_port_list_keeps_selected_port(
     window.wait_until_up("trex")
     window.press_disconnect()
     assert window.port == quick_simulator.url
-
-
-def test_device_option_accepts_only_known_devices(capsys: pytest.CaptureFixture[str]) -> None:
-    assert app._arguments(["--demo"]).device is None
-    assert app._arguments(["--demo", "--device", "aracna"]).device == "aracna"
-    with pytest.raises(SystemExit):
-        app._arguments(["--demo", "--device", "toaster"])
-    assert "toaster" in capsys.readouterr().err
