@@ -29,7 +29,7 @@ def test_pages_warn_of_motors_behind_a_lost_line(
         (0.0, "Cut the power.", True),
         (0.9, "The board should stop 0.9 s after", False),
     ):
-        board = start_simulator("--timeout-needs-shutdown=on", "--error-shutdown=off")
+        board = start_simulator("--unpaced", "--timeout-needs-shutdown=on", "--error-shutdown=off")
         window.connect(board.url)
         if timeout:
             with window.qtbot.waitSignal(window.device.applied):
@@ -65,7 +65,7 @@ def test_pages_warn_of_motors_behind_a_lost_line(
 def test_another_model_at_the_line_warns_until_the_window_is_closed(
     window: WindowDriver, start_simulator: StartSimulator
 ) -> None:
-    first, second = start_simulator(), start_simulator("--model", "trexjr")
+    first, second = start_simulator("--unpaced"), start_simulator("--unpaced", "--model", "trexjr")
     window.connect(first.url)
     lose(window, first)
     window.connect(second.url)
@@ -87,7 +87,7 @@ def test_another_model_at_the_line_warns_until_the_window_is_closed(
 def test_danger_stays_in_front_until_the_stop_is_confirmed(
     window: WindowDriver, start_simulator: StartSimulator
 ) -> None:
-    first, second = start_simulator(), start_simulator()
+    first, second = start_simulator("--unpaced"), start_simulator("--unpaced")
     window.connect(first.url)
     lose(window, first)
     notifier = window.device.notifier

@@ -172,8 +172,9 @@ def test_boards_on_one_line(
 
 
 def test_what_drives_one_board_drives_no_other(
-    window: WindowDriver, start_simulator: StartSimulator
+    window: WindowDriver, start_simulator: StartSimulator, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.setattr("trex_gui.devices.trex.model.boards.NUMBERS", 16)
     boards = start_simulator("--unpaced", "--device", "7", "--device", "9")
     connect(window, boards.url, 7)
     window.trigger("boards")

@@ -128,8 +128,8 @@ class MotorsPage(WindowDriver):
     def move_pad(self, forward: float, turn: float) -> None:
         QTest.mouseMove(self.pad, self.place_in_pad(forward, turn))
 
-    def release_pad(self, place: QPoint | None = None) -> None:
-        QTest.mouseRelease(self.pad, LEFT, pos=place or self.pad.rect().center())
+    def release_pad(self) -> None:
+        QTest.mouseRelease(self.pad, LEFT, pos=self.pad.rect().center())
 
     # --- Sliders ------------------------------------------------------------------------
 
@@ -142,9 +142,9 @@ class MotorsPage(WindowDriver):
         slider = self.find(QSlider, name)
         QTest.mouseMove(slider, self.handle_of(slider, value))
 
-    def release_slider(self, name: str, place: QPoint | None = None) -> None:
+    def release_slider(self, name: str) -> None:
         slider = self.find(QSlider, name)
-        QTest.mouseRelease(slider, LEFT, pos=place or self.handle_of(slider))
+        QTest.mouseRelease(slider, LEFT, pos=self.handle_of(slider))
 
     def slider_value(self, name: str) -> int:
         return self.find(QSlider, name).value()
