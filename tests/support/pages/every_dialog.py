@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox, QTabWidget, QWi
 
 from tests.devices.trex.bench.runs import run_of
 from tests.support.pages.every_window import WINDOWS_WITH_STOP, open_bench, open_editor, open_plot
+from tests.support.pages.parameters import ParametersPage
 from tests.support.program import aracna, trex
 from tests.support.scripts import load_script
 from tests.support.window import WindowDriver
@@ -19,8 +20,6 @@ from trex_gui.devices.trex.bench.run import End
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.views.bench.dialog import BenchDialog
 from trex_gui.devices.trex.views.motor_controls import ArmDialog
-from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter
-from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
 from trex_gui.devices.trex.views.tour import SETUP_STEPS
 from trex_gui.ui.plotting.layout_button import LayoutButton
@@ -190,11 +189,8 @@ def _files(window: WindowDriver, folder: Path) -> Iterator[QWidget]:
 
 
 def _open_wire_dialog(window: WindowDriver) -> None:
-    page = window.open_page("parametersPage")
-    view = page.find(ParameterView, "parametersView")
-    rows = view.model()
-    assert isinstance(rows, ParameterFilter)
-    view.setCurrentIndex(rows.index_of("ignored_channels"))
+    page = ParametersPage(window)
+    page.view.setCurrentIndex(page.index_of("ignored_channels"))
     page.find(QAction, "tryParameter").setEnabled(True)
     page.find(QAction, "tryParameter").trigger()
 

@@ -1,16 +1,33 @@
-"""Every page and dialog in a longer, accented language: what is not translated, and what is cut."""
+"""Every page and dialog in a longer, accented language, and its buttons with the keyboard.
+
+What is not translated, what is cut or too large for the screen, and which button with the focus is
+not pressed by Enter and Space.
+"""
 
 from collections.abc import Callable, Iterator
+from contextlib import nullcontext
 from functools import partial
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QPoint, QRect, QSettings, QSize, Qt
+from PySide6.QtCore import (
+    QCoreApplication,
+    QPoint,
+    QRect,
+    QSettings,
+    QSignalBlocker,
+    QSize,
+    Qt,
+    SignalInstance,
+)
 from PySide6.QtGui import QScreen
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
+    QAbstractButton,
     QApplication,
     QCheckBox,
     QComboBox,
+    QDialog,
     QGroupBox,
     QHeaderView,
     QLabel,
@@ -28,6 +45,7 @@ from tests.support.pages.every_dialog import every_aracna_window, every_trex_win
 from tests.support.pseudo_language import (
     PseudoTranslator,
     cut_texts,
+    pseudo,
     shown_texts,
     untranslated,
 )
@@ -37,6 +55,99 @@ from trex_gui.ui.frame import preferences_dialog
 from trex_gui.ui.theme import theme as theme_module
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.translations import CONTEXT
+from trex_gui.ui.widgets.builders import RedButton
+
+ENTER, SPACE = Qt.Key.Key_Return, Qt.Key.Key_Space
+FRAME = QSize(16, 48)
+
+FOCUSED = {
+    # The primary button.
+    "aboutBox": pseudo("OK"),
+    "armDialog": "writeAndArmButton",
+    "convertDialog": "convertButton",
+    "defaultsDialog": "takeDefaultsButton",  # reviewed before it is written
+    "findDialog": "findStartButton",
+    "learnDialog": "learnNextButton",
+    "lineSettingsDialog": pseudo("OK"),
+    "loadSettingsDialog": "takeChangesButton",
+    "reportDialog": "reportSave",
+    "reviewDialog": "writeButton",
+    "setupDialog": "setupNextButton",
+    # The safe one.
+    "benchDialog": "benchStopButton",
+    "compareDialog": "closeCompareButton",
+    "gamepadDialog": "gamepadCloseButton",
+    "powerCycleDialog": "powerCycleCloseButton",
+    "preferencesDialog": "preferencesClose",
+    # What has to be typed, selected or read first.
+    "helpDialog": "helpText",
+    "historyDialog": "snapshotSearch",
+    "newSettingsDialog": "beginningsList",
+    "numberDialog": "newNumberField",
+    "wireDialog": "wireField",
+    # The first control: the primary button is disabled at the board of this test.
+    "applyToBoardsDialog": "boardsToWrite",
+    "checkBoardDialog": "qt_tabwidget_tabbar",
+}
+"""What has the focus in each dialog when it opens."""
+
+
+def name_of(widget: QWidget | None) -> str:
+    text = widget.text() if isinstance(widget, QAbstractButton) else ""
+    return (widget.objectName() if widget is not None else "") or text.replace("&", "")
+
+
+class Walk:
+    """Presses each button once with either key; only red ones act.
+
+    Attributes:
+        pressed: the buttons, also of windows that were closed since.
+        deaf: buttons that a key does not press, or that do not stop, with their window.
+        focused: what has the focus in a dialog when it opens, by the name of the dialog.
+    """
+
+    def __init__(self, stopped: SignalInstance) -> None:
+        """`stopped` is emitted at each stop."""
+        self.pressed: set[QAbstractButton] = set()
+        self.deaf: list[str] = []
+        self.focused: dict[str, str] = {}
+        self._stops = 0
+        stopped.connect(self._count_stop)
+
+    def _count_stop(self) -> None:
+        self._stops += 1
+
+    def through(self, window: QWidget) -> None:
+        window.activateWindow()
+        QCoreApplication.processEvents()
+        if isinstance(window, QDialog) and window.objectName() not in self.focused:
+            self.focused[window.objectName()] = name_of(window.focusWidget())
+        for button in window.findChildren(QAbstractButton):
+            if button.window() is window and self._is_new(button):
+                self._press(button)
+
+    def _is_new(self, button: QAbstractButton) -> bool:
+        return (
+            button not in self.pressed
+            and button.isVisible()
+            and button.isEnabled()
+            and bool(button.focusPolicy() & Qt.FocusPolicy.TabFocus)
+        )
+
+    def _press(self, button: QAbstractButton) -> None:
+        self.pressed.add(button)
+        is_red = isinstance(button, RedButton)
+        with nullcontext() if is_red else QSignalBlocker(button):
+            button.setFocus()
+            for key in (ENTER, SPACE):
+                before = self._stops
+                QTest.keyPress(button, key)
+                is_pressed = button.hasFocus() and button.isDown()
+                if not is_pressed or self._stops != before + is_red:
+                    where = button.window().objectName()
+                    self.deaf.append(f"{where}: {name_of(button)} {key.name}")
+                button.setDown(False)
+                QTest.keyRelease(button, key)
 
 
 class Findings:
@@ -53,6 +164,11 @@ class Findings:
             if rest := untranslated(text):
                 self.untranslated.setdefault(rest, where)
         self.cut.update(f"{window.objectName()}: {cut}" for cut in cut_texts(window))
+        screen, least = window.screen().availableGeometry(), window.minimumSizeHint() + FRAME
+        if not (
+            screen.contains(window.frameGeometry()) and least == least.boundedTo(screen.size())
+        ):
+            self.cut.add(f"{window.objectName()}: larger than the screen, at least {least}")
 
 
 @pytest.fixture(
@@ -174,15 +290,35 @@ def test_text_beside_the_view_of_a_page_is_found(qtbot: QtBot) -> None:
     assert any(TOO_LONG in cut for cut in cut_texts(window))
 
 
+@pytest.mark.timeout(120)
 def test_trex(pseudo_window: WindowDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    found = Findings()
+    found, walk = Findings(), Walk(pseudo_window.motors.stop_requested)
     for shown in every_trex_window(pseudo_window, tmp_path, monkeypatch):
         found.look(shown)
+        walk.through(shown)
     check(found)
+    assert walk.deaf == []
+    assert len(walk.pressed) >= 170
+    assert walk.focused == FOCUSED
 
 
 def test_aracna(pseudo_window: WindowDriver, tmp_path: Path) -> None:
-    found = Findings()
+    found, walk = Findings(), Walk(pseudo_window.robot.halted)
     for shown in every_aracna_window(pseudo_window, tmp_path):
         found.look(shown)
+        walk.through(shown)
     check(found)
+    assert walk.deaf == []
+    assert len(walk.pressed) >= 50
+
+
+def test_board_reset_needs_a_press_of_its_own(connected_window: WindowDriver) -> None:
+    connected_window.trigger("defaults")
+    dialog = connected_window.dialog("defaultsDialog")
+    dialog.root.activateWindow()
+    dialog.button("boardResetButton").setFocus()
+    for _ in range(2):
+        QTest.keyClick(dialog.root.windowHandle(), ENTER)
+    assert not dialog.root.isVisible()
+    assert not connected_window.device.writer.running
+    assert not connected_window.device.draft.reset_pending
