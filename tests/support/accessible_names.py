@@ -121,11 +121,6 @@ def plain_text(label: QLabel) -> str:
     return " ".join(text.split())
 
 
-def assert_named(root: QWidget) -> None:
-    found = nameless(root)
-    assert not found, "\n".join(found)
-
-
 def spoken_state(widget: QWidget) -> str:
     """Return what a screen reader is told of the state of a painted widget."""
     assert isinstance(widget, Spoken)
