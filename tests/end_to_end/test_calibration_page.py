@@ -35,28 +35,19 @@ def test_calibration_is_dragged_undone_and_written(
     assert page.text("learnedLabel") == "not learned: defaults"
 
     undo = window.device.draft.undo
-    for handle, count in (
-        (Handle.MINIMUM, 2300),
-        (Handle.MAXIMUM, 5200),
-        (Handle.NEUTRAL, 3600),
-        (Handle.DEADBAND_HIGH, 3900),
-        (Handle.DEADBAND_LOW, 3500),
-    ):
-        before, steps = page.shown(), undo.count()
-        page.drag_handle(handle, count)
-        after = page.shown()
-        assert after != before, handle
-        assert undo.count() == steps + 1, handle
-        undo.undo()
-        assert page.shown() == before, handle
-        undo.redo()
-        assert page.shown() == after, handle
-        assert page.text("minimumCounts") == f"= {after.minimum} counts"
+    page.drag_handle(Handle.MINIMUM, 2300)
+    edited = page.shown()
+    assert edited != FACTORY
+    assert undo.count() == 1
+    undo.undo()
+    assert page.shown() == FACTORY
+    undo.redo()
+    assert page.shown() == edited
+    assert page.text("minimumCounts") == f"= {edited.minimum} counts"
     assert "edited" in page.row(1)
     assert page.text("learnedLabel") == "not learned yet: will be after Apply"
     assert window.device.calibrations.stored(1) == FACTORY
 
-    edited = page.shown()
     window.click("applyButton")
     window.click("writeButton")
     window.wait(lambda: not window.device.writer.running)

@@ -1,12 +1,11 @@
 """The page of errors: what is active, what stops the motors, counts, and the connection."""
 
-from PySide6.QtCore import QCoreApplication, Qt, QTranslator
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QTableWidget
 
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.translations import CONTEXT
 
 
 def row(page: WidgetDriver, error: str) -> dict[str, str]:
@@ -96,24 +95,3 @@ def test_errors_are_shown_until_they_are_cleared_and_reset(
     window.disconnect()
     assert page.text("connectedValue") == "N/A"
     assert not page.is_enabled("errorsTable")
-
-
-class OtherLanguage(QTranslator):
-    """Marks what it translates."""
-
-    def isEmpty(self) -> bool:  # noqa: N802 - Qt's
-        return False
-
-    def translate(self, context: str, text: str, *_: object) -> str:
-        return f"<{text}>" if context == CONTEXT else ""
-
-
-def test_names_and_meanings_of_errors_are_translated(window: WindowDriver) -> None:
-    translator = OtherLanguage()
-    QCoreApplication.installTranslator(translator)
-    try:
-        page = window.open_page("errorsPage")
-        cells = row(page, "<Format error>")
-        assert cells["<What it means, and what to do>"].startswith("<A packet had")
-    finally:
-        QCoreApplication.removeTranslator(translator)

@@ -9,6 +9,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog, QSpinBox, QWidget
 
 from tests.support.keyboard import check_keyboard
+from tests.support.pages.parameters import ParametersPage
 from tests.support.pages.settings import (
     ComparisonDialog,
     ReviewDialog,
@@ -22,8 +23,6 @@ from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationK
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.settings.rules import LintFinding
-from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter
-from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 
 LINE = LineSettings(57600, Detection.EVEN, 2)
 CALIBRATION = Calibration(2600, 3750, 5000, 60)
@@ -150,13 +149,10 @@ def test_board_decides_about_values_beyond_inferred_limits(
     tmp_path: Path,
 ) -> None:
     window, device, key = connected_window, connected_window.device, "ignored_channels"
-    page = window.open_page("parametersPage")
-    view = page.find(ParameterView, "parametersView")
+    page = ParametersPage(window)
 
     def try_wire(wire: int) -> None:
-        rows = view.model()
-        assert isinstance(rows, ParameterFilter)
-        view.setCurrentIndex(rows.index_of(key))
+        page.view.setCurrentIndex(page.index_of(key))
         page.find(QAction, "tryParameter").trigger()
         dialog = WidgetDriver(page.find(QDialog, "wireDialog"), window.qtbot)
         check_keyboard(dialog.root)
