@@ -238,9 +238,8 @@ def test_motors_stop_while_window_hangs(
 # --- From outside -----------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(
-    "name", ["SIGTERM", *(pytest.param(one, marks=pytest.mark.slow) for one in ENDING[5:])]
-)
+@pytest.mark.slow  # for SIGTERM, the next test shows it
+@pytest.mark.parametrize("name", ["SIGTERM", *ENDING[5:]])
 def test_ending_signal_stops_motors_and_exits_with_0(
     name: str, start: StartWindow, quick_simulator: SimulatedDevice
 ) -> None:
@@ -254,7 +253,7 @@ def test_ending_signal_stops_motors_and_exits_with_0(
     assert "guardian" not in window.errors()
 
 
-def test_only_ctrl_z_suspends_stops_and_resuming_starts_none(
+def test_ctrl_z_and_sigterm_stop_motors_and_resuming_starts_none(
     start: StartWindow, quick_simulator: SimulatedDevice
 ) -> None:
     window = start()
@@ -269,8 +268,11 @@ def test_only_ctrl_z_suspends_stops_and_resuming_starts_none(
     window.process.send_signal(signal.SIGCONT)
     wait_until(lambda: "\nState:\tT" not in status_of(window.process))
     assert_stays_stopped(window, "SIGCONT")
+    window.drive()
     window.process.send_signal(signal.SIGTERM)
     assert window.process.wait(LONG_TIMEOUT) == 0
+    assert is_stopped(quick_simulator)
+    assert "guardian" not in window.errors()
 
 
 @pytest.mark.slow  # the program waits for its window first

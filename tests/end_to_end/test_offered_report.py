@@ -83,13 +83,15 @@ def test_help_menu_opens_the_log_folder(
 
 _SCRIPT = """
 import os, signal, sys
-from PySide6.QtCore import QCoreApplication, QTimer
-from PySide6.QtWidgets import QLabel
+from PySide6.QtCore import QCoreApplication, Qt, QTimer
+from PySide6.QtWidgets import QApplication, QLabel
 from trex_gui import app, composition
 build = composition.build
 
 def built(*_):
+    assert QApplication.testAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
     program = build()
+    assert "pyqtgraph" not in sys.modules
 
     def look():
         print(program.window.findChild(QLabel, "bannerText").text(), flush=True)
@@ -104,7 +106,8 @@ def built(*_):
 
     def wait():
         from trex_gui.ui.files import background
-        QTimer.singleShot(20, wait) if background else look()
+        is_ready = "pyqtgraph" in sys.modules and not background
+        look() if is_ready else QTimer.singleShot(20, wait)
 
     program.report_last_run = report_last_run
     return program
@@ -142,6 +145,8 @@ def test_error_at_the_start_is_in_the_log() -> None:
 
 @pytest.mark.realtime
 def test_crash_is_reported_at_the_next_start(tmp_path: Path) -> None:
+    """The program that starts has file dialogs of Qt, and soon its plots."""
+
     def banner_of(what: str) -> str:
         command = [sys.executable, "-c", _SCRIPT, what]
         environment = {"XDG_CONFIG_HOME": str(tmp_path)}

@@ -204,35 +204,3 @@ def test_run_motor_starts_a_recording_and_a_stop_is_kept_and_opened(
     opened.close()
     window.trigger("keep_events")
     assert not recordings.events.is_on
-
-
-@pytest.mark.realtime
-def test_started_program_has_qt_file_dialogs_and_soon_its_plots(tmp_path: Path) -> None:
-    script = (
-        "import os, sys; from PySide6.QtCore import Qt, QTimer\n"
-        "from PySide6.QtWidgets import QApplication; from trex_gui import app, composition\n"
-        "build = composition.build\n"
-        "def built(*_):\n"
-        "    global timer, ticks\n"
-        "    assert QApplication.testAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)\n"
-        "    program, ticks, timer = build(), 0, QTimer()\n"
-        "    def look():\n"
-        "        global ticks\n"
-        "        ticks += 1\n"
-        "        loaded = 'pyqtgraph' in sys.modules\n"
-        "        if loaded or ticks > 1000:\n"
-        "            timer.stop(); sys.stdout.write(f'{loaded}'); program.window.close()\n"
-        "    timer.timeout.connect(look); timer.start(20)\n"
-        "    assert 'pyqtgraph' not in sys.modules\n"
-        "    return program\n"
-        "composition.build = built; app.main([])"
-    )
-    result = subprocess.run(
-        [sys.executable, "-c", script],
-        env={**os.environ, "XDG_CONFIG_HOME": str(tmp_path)},
-        capture_output=True,
-        text=True,
-        timeout=40,
-        check=False,
-    )
-    assert (result.stdout, result.returncode) == ("True", 0), result.stderr

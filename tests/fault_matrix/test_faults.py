@@ -7,6 +7,7 @@ import pytest
 
 from tests.fault_matrix.cases import CASES, name_of
 from tests.fault_matrix.check import always, run_case
+from tests.support.matrix import sampled
 from tests.support.patient import PATIENT
 from tests.support.simulator import StartSimulator
 from tests.support.window import WindowDriver
@@ -38,7 +39,9 @@ def timeouts(request: pytest.FixtureRequest) -> Timeouts:
 @pytest.mark.realtime
 @pytest.mark.timeout(120)
 @pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
-@pytest.mark.parametrize(("fault", "moment"), [("unplug", "driving"), ("mute", "closing")])
+@pytest.mark.parametrize(
+    ("fault", "moment"), sampled([("unplug", "driving"), ("mute", "closing")], every=2)
+)
 def test_fault_of_a_real_port(
     fault: str, moment: str, window: WindowDriver, start_simulator: StartSimulator, tmp_path: Path
 ) -> None:
