@@ -18,8 +18,10 @@ import pytest
 from PySide6.QtDBus import QDBusConnection, QDBusMessage
 from pytestqt.qtbot import QtBot
 
+from tests.devices.trex.recording.samples import read_file
 from tests.support.driven_window import AUXILIARY, SPEEDS
 from tests.support.logind import Logind, message_bus
+from tests.support.matrix import sampled
 from tests.support.pages.motors import is_stopped
 from tests.support.simulator import SimulatedDevice
 from trex_gui.core.signals import ENDING
@@ -98,16 +100,16 @@ class DrivingProcess:
     def drive(self) -> None:
         """Let every motor run."""
         self.provoke("drive")
-        self._hear("driving")
+        self.hear("driving")
         wait_until(lambda: is_driven(self.simulator))
         self.wait_for_reply()
 
     def wait_for_reply(self) -> None:
         """Wait until the event loop of the window has gone on."""
         self.provoke("only_watch")
-        self._hear("watching")
+        self.hear("watching")
 
-    def _hear(self, word: str) -> None:
+    def hear(self, word: str) -> None:
         assert self.process.stdout is not None
         ready, _, _ = select.select([self.process.stdout], [], [], LONG_TIMEOUT)
         assert ready, f"the window never said {word}"
@@ -121,7 +123,7 @@ class DrivingProcess:
     def hang(self, cause: str = "hang") -> None:
         """Let it hang, and wait until it does."""
         self.provoke(cause)
-        self._hear("hanging")
+        self.hear("hanging")
 
     def errors(self) -> str:
         """Return what it wrote to the console, once it has ended."""
@@ -273,6 +275,24 @@ def test_ctrl_z_and_sigterm_stop_motors_and_resuming_starts_none(
     assert window.process.wait(LONG_TIMEOUT) == 0
     assert is_stopped(quick_simulator)
     assert "guardian" not in window.errors()
+
+
+@pytest.mark.parametrize("disk", sampled(["slow", "hanging"], every=2))
+def test_sigterm_while_recording_ends_program_cleanly(
+    disk: str, start: StartWindow, tmp_path: Path
+) -> None:
+    window = start()
+    window.provoke(f"record_on_a_{disk}_disk")
+    window.hear("recording")
+    window.process.send_signal(signal.SIGTERM)
+    errors = window.errors()
+    assert window.process.returncode == 0
+    assert "QThread" not in errors
+    assert "Traceback" not in errors
+    if disk == "slow":
+        _, records, problems = read_file(tmp_path / "a.trexrec")
+        assert problems == []
+        assert len(records) > 50
 
 
 @pytest.mark.slow  # the program waits for its window first

@@ -1,11 +1,5 @@
 """A session is recorded, shown as being recorded, and opened again without the board."""
 
-import os
-import select
-import signal
-import subprocess
-import sys
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -15,7 +9,6 @@ from PySide6.QtWidgets import QApplication, QFileDialog
 
 from tests.devices.trex.recording.samples import an_hour, read_file, write
 from tests.support.program import trex
-from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
 from trex_gui.ui.playback.manager import RecordIndicator
 from trex_gui.ui.widgets.file_questions import remember_folder
@@ -89,54 +82,6 @@ def test_recording_dropped_onto_window_opens_unless_it_is_none(
     (opened,) = trex(window.program).workspace.recordings.windows
     window.wait(lambda: opened.playback.is_loaded)
     opened.close()
-
-
-@pytest.fixture
-def assert_complete() -> Callable[[Path], None]:
-    """Fail if a recording is not complete."""
-
-    def check(path: Path) -> None:
-        _, records, problems = read_file(path)
-        assert problems == []
-        assert len(records) > 50
-
-    return check
-
-
-@pytest.mark.realtime
-@pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
-@pytest.mark.timeout(120)
-@pytest.mark.parametrize("disk", ["0.05", pytest.param("never", marks=pytest.mark.slow)])
-def test_sigterm_while_recording_ends_program_cleanly(
-    disk: str,
-    quick_simulator: SimulatedDevice,
-    tmp_path: Path,
-    assert_complete: Callable[[Path], None],
-) -> None:
-    path = tmp_path / "a.trexrec"
-    command = [sys.executable, "-m", "tests.support.recording_window"]
-    with subprocess.Popen(
-        [*command, quick_simulator.url, str(path), disk],
-        cwd=Path(__file__).parents[2],
-        env={**os.environ, "XDG_CONFIG_HOME": str(tmp_path)},
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    ) as process:
-        try:
-            assert process.stdout is not None
-            ready, _, _ = select.select([process.stdout], [], [], 40)
-            assert ready, "nothing was recorded"
-            assert process.stdout.readline() == "recording\n"
-            process.send_signal(signal.SIGTERM)
-            _, errors = process.communicate(timeout=40)  # the disk hangs for 60 s
-        finally:
-            process.kill()
-    assert process.returncode == 0
-    assert "QThread" not in errors
-    assert "Traceback" not in errors
-    if disk != "never":
-        assert_complete(path)
 
 
 def test_esc_in_file_dialog_stops_motors(connected_window: WindowDriver) -> None:

@@ -4,7 +4,7 @@ Run as `python -m tests.support.driven_window URL`; takes lines on stdin. At `dr
 motors, again whenever they were stopped, and prints `driving` once they do; `only_watch` ends that.
 Every other line is the name of something that goes wrong. With `usual` behind the URL it waits no
 longer for its own window than the program does by itself. A third argument is the baud rate. What
-hangs prints `hanging` before.
+hangs prints `hanging` before; `recording` says that something was recorded.
 """
 
 import os
@@ -15,6 +15,7 @@ import time
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, QSocketNotifier, QTimer
 from PySide6.QtGui import QAction, QPaintEvent
@@ -23,6 +24,7 @@ from PySide6.QtWidgets import QWidget
 from tests.support.patient import PATIENT
 from tests.support.program import trex
 from trex_gui import app, composition
+from trex_gui.core.recording.store import RecordingWriter
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
@@ -34,6 +36,7 @@ from trex_gui.ui.program import Program
 SPEEDS = {1: 30, 2: -30}
 AUXILIARY = 35
 HANGING = 30.0  # seconds
+ENOUGH = 100  # samples
 
 
 def raise_error(kind: type[BaseException]) -> None:
@@ -183,6 +186,34 @@ class Driver(QObject):
         )
         assert watch is not None
         watch._slept = lambda: 1e6
+
+    def record_on_a_slow_disk(self) -> None:
+        self._record(0.05)
+
+    def record_on_a_hanging_disk(self) -> None:
+        self._record(2 * HANGING)
+
+    def _record(self, seconds: float) -> None:
+        """Record in the folder of the program, onto a disk that takes so long in the end."""
+        parts, finish, timer = trex(self._program), RecordingWriter.finish, QTimer(self)
+        recorder, enough = parts.workspace.recordings.recorder, 0
+
+        def finish_late(writer: RecordingWriter[Any, Any]) -> None:
+            time.sleep(seconds)
+            finish(writer)
+
+        def look() -> None:
+            nonlocal enough
+            if recorder.can_record:
+                recorder.start(Path(os.environ["TREX_STUDIO_DATA"]) / "a.trexrec")
+                enough = parts.device.telemetry.samples + ENOUGH
+            elif recorder.recording and parts.device.telemetry.samples > enough:
+                timer.stop()
+                self._say("recording")
+
+        setattr(RecordingWriter, "finish", finish_late)  # noqa: B010 - typed as a method
+        timer.timeout.connect(look)
+        timer.start(20)
 
     def lose_the_gamepad(self) -> None:
         self._motors.acquire("gamepad")
