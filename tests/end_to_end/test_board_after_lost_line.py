@@ -62,28 +62,6 @@ def test_pages_warn_of_motors_behind_a_lost_line(
         assert not page.has("statusLost")
 
 
-def test_another_model_at_the_line_warns_until_the_window_is_closed(
-    window: WindowDriver, start_simulator: StartSimulator
-) -> None:
-    first, second = start_simulator("--unpaced"), start_simulator("--unpaced", "--model", "trexjr")
-    window.connect(first.url)
-    lose(window, first)
-    window.connect(second.url)
-    warning = (
-        f"No stop is known to have reached the TReX 1.2 that was driven at {first.url}: another "
-        f"board responded. If its motor still turns, cut its power."
-    )
-    window.wait_for_text(
-        "bannerText", f"Another board responds now: TReX Jr 1.2, at {second.url}. {warning}"
-    )
-    assert "Cut their power." in window.text("motorStateLabel")
-    assert not window.window.close()
-    assert window.window.question.text == warning
-    assert window.program.device_manager.unconfirmed_stop == warning, "the exit code follows it"
-    window.click("closeUnstopped")
-    assert not window.window.isVisible()
-
-
 def test_danger_stays_in_front_until_the_stop_is_confirmed(
     window: WindowDriver, start_simulator: StartSimulator
 ) -> None:

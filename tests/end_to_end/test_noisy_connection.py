@@ -13,9 +13,8 @@ CRC = 0x25  # 19200 baud with CRC-7
 def test_noisy_line_is_named_and_crc_is_set_up(
     window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
-    window.program.complete()  # the size of each page counts
     device = window.device
-    window.program.complete()  # each page counts
+    window.program.complete()  # the size of each page counts
     window.connect(quick_simulator.url)
     assert window.text("qualityLabel") == ""
 

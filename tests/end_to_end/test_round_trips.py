@@ -165,10 +165,3 @@ def test_sample_settings_survive_round_trip(name: str, start_board: StartBoard) 
     assert saved.parameters.items() >= wanted.parameters.items()
     assert saved.firmware == firmware
     assert saved.calibrations.items() <= factory(model, firmware).calibrations.items()
-
-
-def test_saved_file_changes_nothing_on_its_own_board(start_board: StartBoard) -> None:
-    board = start_board("trex", "1.2")
-    saved = board.save()
-    board.write(saved)
-    assert board.save() == saved == board.save()

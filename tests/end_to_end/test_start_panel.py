@@ -21,7 +21,7 @@ def computer(monkeypatch: pytest.MonkeyPatch) -> list[ListPortInfo]:
 
 
 @pytest.mark.usefixtures("computer")
-def test_panel_is_shown_while_nothing_is_connected(window: WindowDriver) -> None:
+def test_panel_with_each_wiring_is_shown_while_nothing_is_connected(window: WindowDriver) -> None:
     status = window.open_page("statusPage")
     assert status.find(QWidget, "startPanel").isVisible()
     assert not status.find(QWidget, "statusMotors").isVisible()
@@ -37,9 +37,6 @@ def test_panel_is_shown_while_nothing_is_connected(window: WindowDriver) -> None
 
     window.disconnect()
     assert status.find(QWidget, "startPanel").isVisible()
-
-
-def test_each_wiring_has_steps_and_pictures(window: WindowDriver) -> None:
     for way, (said, wires) in enumerate(
         (
             ("TTL levels", "TX of the adapter to SI"),
