@@ -3,10 +3,7 @@
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QDockWidget,
-)
+from PySide6.QtWidgets import QCheckBox, QDockWidget
 
 from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice
@@ -141,8 +138,8 @@ def test_cable_is_unplugged_and_plugged_in_again(
     window.click("bannerReconnect")
     panel.wait_for(ConnectionState.CONNECTED)
     panel.wait(lambda: panel.text("demoState").startswith("Serial mode."))
+    assert trex(window.program).controller.port == window.program.ports.demo_of("trex")
     controller = trex(window.program).controller
-    assert controller.port == window.program.ports.demo_of("trex")
 
     panel.pull_cable()
     window.connect(quick_simulator.url)

@@ -4,15 +4,7 @@ import pytest
 from PySide6.QtCore import QEvent, QPoint, Qt
 from PySide6.QtGui import QKeyEvent, QPointingDevice
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import (
-    QApplication,
-    QCheckBox,
-    QLabel,
-    QMenu,
-    QSlider,
-    QSpinBox,
-    QTableView,
-)
+from PySide6.QtWidgets import QApplication, QCheckBox, QLabel, QMenu, QSlider, QSpinBox, QTableView
 
 from tests.devices.trex.session.helpers import moving
 from tests.support.accessible_names import spoken_state
@@ -93,7 +85,7 @@ def test_slider_entry_and_brake_button_drive_their_motor(armed: MotorsPage) -> N
     assert armed.text("motor1Setpoint") == "Setpoint: coast"
 
 
-def test_number_typed_without_enter_is_discarded(armed: MotorsPage) -> None:
+def test_half_typed_number_is_discarded_and_changes_no_speed(armed: MotorsPage) -> None:
     sent: list[object] = []
     armed.motors.requested.connect(sent.append)
     for name in ("motor1Entry", "ceilingEntry", "brakeEntry", "lockoutEntry"):
@@ -112,6 +104,21 @@ def test_number_typed_without_enter_is_discarded(armed: MotorsPage) -> None:
     armed.let_nothing_happen(0.1)
     assert not sent
     assert armed.target(1)[0] == "brake"
+
+    entry = armed.find(QSpinBox, "ceilingEntry")
+    armed.motors.set_speed(1, 90)
+    armed.wait_for_targets(("forward", 90), None)
+    armed.type_into("ceilingEntry", "5", enter=False)
+    armed.motors.set_speed(2, 20)  # other changes meanwhile leave the typed text alone
+    armed.wait_for_targets(("forward", 90), ("forward", 20))
+    assert entry.text().startswith("5")
+    QTest.keyClicks(entry, "0\r")
+    armed.wait_for_targets(("forward", 50), ("forward", 20))
+    assert entry.text() == "50 (39 %)"
+    armed.type_into("ceilingEntry", "127")
+    assert armed.motors.ceiling == 127
+    armed.let_nothing_happen(0.1)
+    assert armed.target(1) == ("forward", 50)
 
 
 def test_return_to_zero_slider_brakes_at_every_release(armed: MotorsPage) -> None:
@@ -267,26 +274,6 @@ def test_held_control_needs_new_press_after_stop(keys: MotorsPage) -> None:
     assert not keys.is_armed()
 
 
-# --- The ceiling ------------------------------------------------------------------------
-
-
-def test_half_typed_ceiling_changes_no_speed(armed: MotorsPage) -> None:
-    entry = armed.find(QSpinBox, "ceilingEntry")
-    armed.motors.set_speed(1, 90)
-    armed.wait_for_targets(("forward", 90), None)
-    armed.type_into("ceilingEntry", "5", enter=False)
-    armed.motors.set_speed(2, 20)  # other changes meanwhile leave the typed text alone
-    armed.wait_for_targets(("forward", 90), ("forward", 20))
-    assert entry.text().startswith("5")
-    QTest.keyClicks(entry, "0\r")
-    armed.wait_for_targets(("forward", 50), ("forward", 20))
-    assert entry.text() == "50 (39 %)"
-    armed.type_into("ceilingEntry", "127")
-    assert armed.motors.ceiling == 127
-    armed.let_nothing_happen(0.1)
-    assert armed.target(1) == ("forward", 50)
-
-
 # --- The pad ----------------------------------------------------------------------------
 
 
@@ -369,27 +356,9 @@ def test_keys_drive_in_pad_and_if_enabled_elsewhere(armed: MotorsPage) -> None:
     armed.wait_for_brake()
 
 
-def test_keys_with_another_function_do_not_drive(keys: MotorsPage) -> None:
-    window = keys.window.windowHandle()
-    QTest.keyPress(window, Qt.Key.Key_Right, Qt.KeyboardModifier.ControlModifier)
-    assert not keys.motors.holder, "a shortcut"
-    QTest.keyRelease(window, Qt.Key.Key_Right, Qt.KeyboardModifier.ControlModifier)
-
-    entry = keys.find(QSpinBox, "brakeEntry")
-    entry.setFocus()
-    keys.click_key(Qt.Key.Key_Down)
-    assert entry.value() == 126
-    assert not keys.motors.holder, "a number field"
-
-    keys.open_page("parametersPage")
-    keys.find(QTableView, "parametersView").setFocus()
-    keys.click_key(Qt.Key.Key_Down)
-    assert not keys.motors.holder, "another page"
-    keys.let_nothing_happen(0.05)
-    assert all(keys.target(motor)[0] == "brake" for motor in (1, 2))
-
-
-def test_key_is_held_despite_auto_repeat_and_layout_change(keys: MotorsPage) -> None:
+def test_key_is_held_despite_repeats_and_drives_nowhere_else(
+    keys: MotorsPage,
+) -> None:
     keys.motors.set_ceiling(LOW)
     window, none = keys.window.windowHandle(), Qt.KeyboardModifier.NoModifier
     keys.press_key(Qt.Key.Key_W)
@@ -413,6 +382,23 @@ def test_key_is_held_despite_auto_repeat_and_layout_change(keys: MotorsPage) -> 
     keys.wait_for_targets(FORWARD, BACK)
     send(QEvent.Type.KeyRelease, Qt.Key.Key_D, 40)
     keys.wait_for_brake()
+
+    QTest.keyPress(window, Qt.Key.Key_Right, Qt.KeyboardModifier.ControlModifier)
+    assert not keys.motors.holder, "a shortcut"
+    QTest.keyRelease(window, Qt.Key.Key_Right, Qt.KeyboardModifier.ControlModifier)
+
+    entry = keys.find(QSpinBox, "brakeEntry")
+    entry.setFocus()
+    keys.click_key(Qt.Key.Key_Down)
+    assert entry.value() == 126
+    assert not keys.motors.holder, "a number field"
+
+    keys.open_page("parametersPage")
+    keys.find(QTableView, "parametersView").setFocus()
+    keys.click_key(Qt.Key.Key_Down)
+    assert not keys.motors.holder, "another page"
+    keys.let_nothing_happen(0.05)
+    assert all(keys.target(motor)[0] == "brake" for motor in (1, 2))
 
 
 def test_keys_are_released_when_they_cannot_be_tracked(keys: MotorsPage) -> None:

@@ -75,16 +75,9 @@ def test_edits_made_after_closing_was_given_up_are_kept(
     window.click("closeYes")
     assert window.window.isVisible()
     window.device.parameters.edit("serial_timeout", 20)
-    window.program.shut_down()
+    window.program.device_manager.shut_down()
+    assert window.program.shut_down()
+    assert saved() == {"serial_timeout": 20}, "also if the program is ended from outside"
     workspace.prepare_to_close()
     workspace.finish()
     assert saved() == {"serial_timeout": 20}
-
-
-def test_edits_are_kept_if_the_program_is_ended_from_outside(
-    connected_window: WindowDriver,
-) -> None:
-    connected_window.device.parameters.edit("serial_timeout", 15)
-    connected_window.program.device_manager.shut_down()
-    assert connected_window.program.shut_down()
-    assert saved() == {"serial_timeout": 15}

@@ -2,7 +2,6 @@
 
 import os
 import shutil
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -43,51 +42,35 @@ def test_pipe_dropped_or_named_at_the_start_is_rejected(
     reject(recording)
 
 
-def test_recording_is_opened_while_the_window_goes_on(
-    window: WindowDriver, recording: Path
+def test_files_are_opened_while_the_window_goes_on(
+    window: WindowDriver, recording: Path, tmp_path: Path
 ) -> None:
     """In virtual time a thread has not begun before the test lets time pass."""
-    other = recording.with_name("b.trexrec")
+    other, text = recording.with_name("b.trexrec"), tmp_path / "a.txt"
     shutil.copy(recording, other)
-    recordings = trex(window.program).workspace.recordings
+    text.write_text("product: TReX\nserial_timeout: 5\n", encoding="utf-8")
+    workspace = trex(window.program).workspace
+    recordings, files = workspace.recordings, workspace.files
     for path in (recording, recording, other):  # a second time: ignored
         recordings.open_file(path)
-    assert recordings.windows == []
+    files.open_file(text)
+    files.open_file(text)
+    assert recordings.windows == files.editors == []
     window.open_page("motorsPage")
     window.wait_for_files()
     assert [each.player.path for each in recordings.windows] == [recording, other]
+    assert [editor.document.path for editor in files.editors] == [text]
     recordings.close_all()
-
-
-@pytest.mark.parametrize("meanwhile", ["vanishes", "window closes"])
-def test_recording_may_change_its_mind_while_it_is_opened(
-    window: WindowDriver, recording: Path, meanwhile: str
-) -> None:
-    recordings = trex(window.program).workspace.recordings
-    recordings.open_file(recording)
-    end: dict[str, Callable[[], object]] = {
-        "vanishes": recording.unlink,
-        "window closes": window.window.close,
-    }
-    end[meanwhile]()
-    window.wait_for_files()
-    assert recordings.windows == []
-    if meanwhile == "vanishes":
-        window.wait_for_text("bannerText", "No such file")
-
-
-def test_settings_file_is_opened_while_the_window_goes_on(
-    window: WindowDriver, tmp_path: Path
-) -> None:
-    path, files = tmp_path / "a.txt", trex(window.program).workspace.files
-    path.write_text("product: TReX\nserial_timeout: 5\n", encoding="utf-8")
-    files.open_file(path)
-    files.open_file(path)
-    assert files.editors == []
-    window.wait_for_files()
-    assert [editor.document.path for editor in files.editors] == [path]
     files.close_all()
-    files.open_file(path)
+
+    recordings.open_file(recording)
+    recording.unlink()
+    window.wait_for_text("bannerText", "No such file")
+    assert recordings.windows == []
+
+    write(recording, list(an_hour(5)))
+    recordings.open_file(recording)
+    files.open_file(text)
     window.window.close()
     window.wait_for_files()
-    assert files.editors == []
+    assert recordings.windows == files.editors == []

@@ -10,11 +10,7 @@ from PySide6.QtWidgets import QDialog, QSpinBox, QWidget
 
 from tests.support.keyboard import check_keyboard
 from tests.support.pages.parameters import ParametersPage
-from tests.support.pages.settings import (
-    ComparisonDialog,
-    ReviewDialog,
-    SimulatedPower,
-)
+from tests.support.pages.settings import ComparisonDialog, ReviewDialog, SimulatedPower
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import LEFT, WidgetDriver, WindowDriver
 from trex_gui.devices.trex.model.linter import BoardLinter

@@ -6,13 +6,7 @@ from typing import Any
 
 from PySide6.QtCore import QItemSelectionModel
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import (
-    QListView,
-    QMenu,
-    QSlider,
-    QSpinBox,
-    QWidget,
-)
+from PySide6.QtWidgets import QListView, QMenu, QSlider, QSpinBox, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.program import aracna

@@ -5,10 +5,7 @@ from dataclasses import replace
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QDockWidget,
-)
+from PySide6.QtWidgets import QCheckBox, QDockWidget
 
 from tests.support.pages.robot import RobotWindow
 from tests.support.program import aracna

@@ -24,8 +24,8 @@ def click_without_focus(window: RobotWindow, name: str) -> None:
     window.click(name)
 
 
-def test_move_uses_typed_values_before_enter(connected_window: RobotWindow) -> None:
-    window = connected_window
+def test_typed_values_are_used_before_enter(connected_window: RobotWindow, tmp_path: Path) -> None:
+    window, path = connected_window, tmp_path / "typed.ppr"
     window.type_unconfirmed("aracnaSpeedAll", "400")
     move_by_key(window)
     assert window.speeds[-1] == (400,) * 8
@@ -54,11 +54,7 @@ def test_move_uses_typed_values_before_enter(connected_window: RobotWindow) -> N
     click_without_focus(window, "aracnaCentreButton")
     assert window.goal_box(0).text() == "512"
 
-
-def test_typed_position_is_saved_and_moved_to_before_enter(
-    connected_window: RobotWindow, tmp_path: Path
-) -> None:
-    window, path = connected_window, tmp_path / "typed.ppr"
+    # A position of a pose is saved and moved to.
     library = aracna(window.program).library
     save_now(library, library.content, path)
     window.show_page(POSES_PAGE)
@@ -72,8 +68,9 @@ def test_typed_position_is_saved_and_moved_to_before_enter(
     assert window.find(QSpinBox, "aracnaPosition0").value() == 300
 
     window.type_unconfirmed("aracnaPosition0", "400")
+    count = len(window.goals)
     click_without_focus(window, "aracnaGoTo")
-    window.wait_for_motion(0)
-    assert window.goals[0][0] == 400
+    window.wait_for_motion(count)
+    assert window.goals[count][0] == 400
     window.trigger("aracna_save")  # else the window asks whether to when it closes
     window.wait_for_files()
