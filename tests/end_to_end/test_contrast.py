@@ -1,11 +1,32 @@
-"""Texts can be read in every theme, on every page and in every dialog, disabled ones, too."""
+"""Texts and controls can be seen in every theme, also disabled, without a tick or a colour."""
 
+from math import inf
 from pathlib import Path
 
 import pytest
-from PySide6.QtWidgets import QDialog, QTabWidget, QWidget
+from PySide6.QtCore import QPoint, QRect
+from PySide6.QtGui import QImage, QPainter
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractItemView,
+    QAbstractSpinBox,
+    QCheckBox,
+    QComboBox,
+    QDialog,
+    QHeaderView,
+    QLineEdit,
+    QPlainTextEdit,
+    QPushButton,
+    QRadioButton,
+    QSlider,
+    QStyle,
+    QStyleOptionButton,
+    QStyleOptionSlider,
+    QTabWidget,
+    QWidget,
+)
 
-from tests.support.colours import weak_texts
+from tests.support.colours import contrast, weak_texts
 from tests.support.matrix import sampled
 from tests.support.pages.every_window import WINDOWS_WITH_STOP
 from tests.support.program import trex
@@ -13,7 +34,7 @@ from tests.support.window import WindowDriver
 from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
 from trex_gui.devices.trex.views.pages.motors.gamepad_dialog import GamepadDialog
 from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
-from trex_gui.ui.theme.theme import Scheme, theme
+from trex_gui.ui.theme.theme import SCHEMES, Scheme, theme
 
 each_scheme = pytest.mark.parametrize(
     "scheme", sampled(("dark", "light", "high_contrast"), every=3)
@@ -73,3 +94,98 @@ def test_texts_of_aracna_have_enough_contrast(scheme: Scheme, window: WindowDriv
     check_pages(window)
     window.connect_to_demo("aracna")
     check_pages(window)
+
+
+KINDS = (
+    QAbstractSpinBox,
+    QCheckBox,
+    QComboBox,
+    QLineEdit,
+    QPlainTextEdit,
+    QPushButton,
+    QRadioButton,
+    QSlider,
+)
+
+
+def outline_contrast(picture: QImage, left: QPoint, *inside: QPoint) -> float:
+    """Return the contrast of a left edge to the window, and to points inside: the worst of them.
+
+    The edge is the best of three pixels, because of antialiasing.
+    """
+    edge = [picture.pixelColor(left + QPoint(x, 0)) for x in range(3)]
+    beside = [theme().color("window"), *map(picture.pixelColor, inside)]
+    return min(max(contrast(color, other) for color in edge) for other in beside)
+
+
+def contrast_of(control: QWidget) -> float:
+    picture = control.grab().toImage()
+    if picture.isNull():  # it is in a message without room
+        return inf
+    if isinstance(control, QCheckBox | QRadioButton):
+        option = QStyleOptionButton()
+        control.initStyleOption(option)
+        part = (
+            QStyle.SubElement.SE_CheckBoxIndicator
+            if isinstance(control, QCheckBox)
+            else QStyle.SubElement.SE_RadioButtonIndicator
+        )
+        box = control.style().subElementRect(part, option, control)
+        return outline_contrast(picture, QPoint(box.left(), box.center().y()), box.center())
+    if isinstance(control, QSlider):
+        slider = QStyleOptionSlider()
+        control.initStyleOption(slider)
+        kind, handle = QStyle.ComplexControl.CC_Slider, QStyle.SubControl.SC_SliderHandle
+        box = control.style().subControlRect(kind, slider, handle, control)
+        return outline_contrast(picture, QPoint(box.left(), box.top() + box.height() // 3))
+    return outline_contrast(picture, QPoint(0, control.height() // 2))
+
+
+def contrast_of_box_in(view: QAbstractItemView) -> float:
+    """Return the contrast of an unticked box in a cell."""
+    option = QStyleOptionButton()
+    option.initFrom(view)
+    option.rect = QRect(0, 0, 14, 14)
+    option.state = QStyle.StateFlag.State_Enabled | QStyle.StateFlag.State_Off
+    picture = QImage(option.rect.size(), QImage.Format.Format_RGB32)
+    picture.fill(theme().color("base"))
+    with QPainter(picture) as painter:
+        box = QStyle.PrimitiveElement.PE_IndicatorItemViewItemCheck
+        view.style().drawPrimitive(box, option, painter, view)
+    return outline_contrast(picture, QPoint(0, 7), QPoint(7, 7))
+
+
+def controls_of(window: QWidget) -> list[QWidget]:
+    """Return what can be used: unticked boxes, and editors and buttons with a frame."""
+    return [
+        control
+        for control in window.findChildren(QWidget)
+        if isinstance(control, KINDS)
+        and control.isEnabledTo(control.window())
+        and not (isinstance(control, QAbstractButton) and control.isChecked())
+        and not (isinstance(control, QPushButton) and control.isFlat())
+        and not isinstance(control.parentWidget(), QAbstractSpinBox | QComboBox)
+    ]
+
+
+def test_controls_have_a_visible_outline_in_every_theme(window: WindowDriver) -> None:
+    window.connect_to_demo()
+    for key in ("learn", "find", "defaults", "bench", "history", "new"):
+        window.trigger(key)
+    GamepadDialog(window.find(GamepadPanel, "gamepadPanel").gamepad, window.window)
+    LineSettingsDialog(trex(window.program).controller.settings, window.window)
+    controls = controls_of(window.window)
+    assert all(any(isinstance(control, kind) for control in controls) for kind in KINDS)
+    assert len(window.find_all(QDialog)) > 8
+    views = window.find_all(QAbstractItemView)
+    views = [view for view in views if not isinstance(view, QHeaderView)]
+    assert len(views) > 8
+    for scheme in SCHEMES[1:]:
+        theme().set_scheme(scheme)
+        weak = {
+            f"{control.window().objectName()}.{control.objectName()}": found
+            for control in controls
+            if (found := contrast_of(control)) < 3
+        }
+        assert weak == {}, scheme
+        assert min(contrast_of_box_in(view) for view in views) >= 3, scheme

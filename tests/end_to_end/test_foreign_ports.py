@@ -1,11 +1,20 @@
-"""Ports that are remote, damaged, or lead to no TReX."""
+"""Ports that are remote, noisy, pulled while in use, or lead to no TReX."""
+
+import argparse
 
 import pytest
+from PySide6.QtCore import QPoint
+from PySide6.QtWidgets import QDialog
+from serial.tools.list_ports_common import ListPortInfo
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.virtual_time import VirtualRuntime
 from tests.support.window import WindowDriver
+from trex_gui.app import connect
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.ui.devices.auto_connect import set_automatic
 from trex_gui.ui.devices.connection import ConnectionState
 
 
@@ -67,3 +76,148 @@ def test_program_that_may_take_the_replies_is_named(
     window.click("bannerReconnect")
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
     assert not window.text("bannerText")
+
+
+def adapter(url: str, number: str) -> ListPortInfo:
+    info = ListPortInfo(url, skip_link_detection=True)
+    info.vid, info.pid, info.serial_number, info.location = 0x0403, 0x6001, number, "1-2"
+    return info
+
+
+def test_window_reconnects_to_the_same_adapter_only(
+    window: WindowDriver,
+    quick_simulator: SimulatedDevice,
+    virtual_time: VirtualRuntime,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    board, device, ports = quick_simulator, window.device, window.program.ports
+    listed: list[ListPortInfo] = [adapter(board.url, "A500001")]
+    monkeypatch.setattr("trex_gui.ui.devices.ports.list_ports.comports", lambda: list(listed))
+    ports.refresh()
+    window.program.connect_automatically()
+    window.connect(board.url)
+    logged: list[str] = []
+    device.notifier.logged.connect(lambda text, _: logged.append(text))
+
+    # Under another name, with a motor running and an edit:
+    device.parameters.edit(ParameterKey.SERIAL_TIMEOUT, 9)
+    window.wait(lambda: window.motors.is_available)
+    window.motors.arm()
+    window.motors.set_speed(1, 60)
+    window.wait(lambda: board.show()["motors"][0]["direction"] == "forward")
+    listed.clear()
+    said: list[str] = []
+    window.device.notifier.info.connect(said.append)
+    board.do("line unplug")
+    window.wait_for_text("bannerText", f"The line to {board.url} is gone.")
+    assert window.has("bannerReconnect")
+    board.do("line plug")
+    listed[:] = [adapter(board.url, "B700002")]
+    virtual_time.advance(5.0)
+    assert device.link is ConnectionState.DISCONNECTED, "another adapter has its name"
+    assert window.has("bannerText")
+    virtual_time.ports["/dev/ttyUSB1"] = virtual_time.ports[board.url]
+    listed.append(adapter("/dev/ttyUSB1", "A500001"))
+    window.wait(lambda: device.link is ConnectionState.CONNECTED)
+    window.wait(lambda: any(text.startswith("1 earlier change still pending.") for text in said))
+    assert not window.motors.armed
+    assert window.motors.board.endswith("-0403:6001-A500001"), "its speed ceiling is found again"
+    assert board.show()["motors"][0]["direction"] == "brake"
+    assert device.parameters.values.pending == ((ParameterKey.SERIAL_TIMEOUT, 9),)
+    assert ports.preferred == ports.find("/dev/ttyUSB1")
+    window.wait(lambda: any(f"adapter of {board.url} is /dev/ttyUSB1 now" in m for m in logged))
+    device.parameters.discard_edits()
+
+    # So quickly that the list of ports does not change:
+    board.do("line unplug")
+    window.wait(lambda: device.link is ConnectionState.DISCONNECTED)
+    board.do("line plug")
+    window.wait(lambda: device.link is ConnectionState.CONNECTED)
+    window.wait(lambda: "Connected again to /dev/ttyUSB1. No motor was started." in logged)
+
+    # It is listed, and does not work: one attempt, and the next when it was away.
+    board.do("line unplug")
+    window.wait_for_text("bannerText", "There is no port /dev/ttyUSB1.")
+    listed.clear()
+    virtual_time.advance(5.0)
+    set_automatic(False)
+    board.do("line plug")
+    listed.append(adapter("/dev/ttyUSB1", "A500001"))
+    window.wait(lambda: not window.has("bannerText"))
+    assert device.link is ConnectionState.DISCONNECTED, "only the message is over"
+
+
+def test_adapter_that_was_named_at_the_start_is_found_again(
+    window: WindowDriver, quick_simulator: SimulatedDevice, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    board, device = quick_simulator, window.device
+    listed = [adapter(board.url, "A500001")]
+    monkeypatch.setattr("trex_gui.ui.devices.ports.list_ports.comports", lambda: list(listed))
+    window.program.ports.refresh()
+    connect(window.program, argparse.Namespace(demo=False, port=board.url, device=None))
+    window.wait(lambda: device.link is ConnectionState.CONNECTED)
+    listed.clear()
+    board.do("line unplug")
+    window.wait_for_text("bannerText", f"The line to {board.url} is gone.")
+    board.do("line plug")
+    listed.append(adapter(board.url, "A500001"))
+    window.wait(lambda: device.link is ConnectionState.CONNECTED)
+    window.wait_for_text("bannerText", f"Connected again to {board.url}. No motor was started.")
+
+
+CRC = 0x25  # 19200 baud with CRC-7
+
+
+def test_noisy_line_is_named_and_crc_is_set_up(
+    window: WindowDriver, quick_simulator: SimulatedDevice
+) -> None:
+    device = window.device
+    window.program.complete()  # the size of each page counts
+    window.connect(quick_simulator.url)
+    assert window.text("qualityLabel") == ""
+
+    def top_of_page() -> int:
+        return window.window.pages.mapTo(window.window, QPoint()).y()
+
+    window.window.resize(window.window.minimumSizeHint())
+    window.wait_for_files()
+    top = top_of_page()
+    window.wait(lambda: window.text("qualityLabel") == "Line: good", 10_000)
+    assert not window.has("setUpCrcButton")
+
+    quick_simulator.do("line noise 0.01")
+    window.wait(lambda: "use CRC" in window.text("qualityLabel"), 20_000)
+    assert "% lost: noisy; shorten cable, check ground" in window.text("qualityLabel")
+    window.wait(lambda: window.has("setUpCrcButton"))
+    assert top_of_page() == top, "nothing moves under the pointer"
+    window.motors.arm()
+    window.wait(lambda: not window.has("setUpCrcButton"))
+    assert window.text("qualityLabel")
+    window.motors.stop()
+    quick_simulator.do("line noise 0")
+
+    window.click("setUpCrcButton")
+    review = window.dialog("reviewDialog")
+    assert review.root.isVisible()
+    assert [device.draft.pending, device.parameters.values.value_of("uart_settings")] == [1, CRC]
+    assert "Other programs on this line have to use CRC-7" in window.text("bannerText")
+    review.click("writeButton")
+    window.wait(lambda: device.parameters.values.stored.get("uart_settings") == CRC)
+    review.root.close()
+    window.click("setUpCrcButton")
+    assert window.find(QDialog, "powerCycleDialog").isVisible(), "what is left to do"
+    quick_simulator.do("power off")
+    window.wait(lambda: device.link is ConnectionState.NOT_RESPONDING)
+    assert window.text("qualityLabel") == ""
+    quick_simulator.do("power on")
+    window.wait(lambda: device.link is ConnectionState.CONNECTED)
+    assert device.settings is not None
+    assert device.settings.line.to_wire() == CRC
+    assert device.parameters.values.waiting_for_power == ()
+
+    quick_simulator.do("line noise 0.01")
+    window.wait(lambda: "lost: noisy" in window.text("qualityLabel"), 20_000)
+    assert "CRC" not in window.text("qualityLabel")
+    assert not window.has("setUpCrcButton")
+    log = [entry.text for entry in window.program.workspace("trex").log.entries]
+    assert sum(text.startswith("The line is noisy: ") for text in log) == 2

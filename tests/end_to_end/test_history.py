@@ -1,15 +1,25 @@
-"""The history of a board's settings: compare and restore snapshots."""
+"""The history of a board and notes on its settings: kept, compared, restored."""
 
 from datetime import timedelta
+from pathlib import Path
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QComboBox
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QComboBox, QListWidget, QTabBar, QTableView
 
 from tests.support.pages.settings import HistoryDialog, ReviewDialog
 from tests.support.program import trex
-from tests.support.simulator import SimulatedDevice
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.snapshots import take
-from tests.support.window import WindowDriver
+from tests.support.window import WidgetDriver, WindowDriver
+from trex_gui.core.files import data_folder, load
+from trex_gui.devices.trex.settings.history import SettingsHistory
+from trex_gui.devices.trex.settings.reader import read_settings
+from trex_gui.devices.trex.views.comparison_view import ComparisonView
+from trex_gui.devices.trex.views.load_dialog import LoadDialog
+from trex_gui.devices.trex.views.note_field import NoteField
+from trex_gui.devices.trex.views.pages.parameters.page import ParametersPage
+from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
 from trex_gui.ui.devices.connection import ConnectionState
 
 
@@ -142,3 +152,114 @@ def test_history_dialog_follows_connection_state(
     window.connect(quick_simulator.do("line plug").split()[-1])
     dialog.wait(lambda: dialog.is_enabled("restoreButton"))
     dialog.wait(lambda: dialog.values() == {"serial_timeout": ("0.7 s", "0.5 s")})
+
+
+NOTE = "The radio drops out\nbehind the barn."
+KEY = "serial_timeout"
+
+
+def settle(window: WindowDriver) -> None:
+    window.wait(lambda: window.device.board.memory.record is not None)
+    window.wait(lambda: window.device.kept.files.is_idle)
+
+
+def test_note_is_typed_and_kept_wherever_the_value_goes(
+    window: WindowDriver,
+    quick_simulator: SimulatedDevice,
+    start_simulator: StartSimulator,
+    tmp_path: Path,
+) -> None:
+    other, draft = start_simulator("--device", "9"), window.device.draft
+    window.connect(quick_simulator.url)
+    settle(window)
+    window.open_page("parametersPage")
+    window.find(ParametersPage, "parametersPage").table.show_parameter(KEY)
+    field = window.find(NoteField, "noteEdit")
+    field.setFocus()
+    QTest.keyClicks(field, "The radio drops out\r behind the barn. ")
+    assert draft.notes.of(KEY) == NOTE
+    window.trigger("undo")
+    assert not field.toPlainText(), "what is typed at once is one step"
+    window.trigger("redo")
+    assert field.toPlainText() == NOTE
+    assert draft.pending == 0, "a note needs no Apply"
+
+    window.device.parameters.edit(KEY, 15)
+    window.trigger("apply")
+    review = window.dialog("reviewDialog").find_only(ComparisonView).table
+    assert "Note: The radio drops out / behind the barn." in review.index(0, 0).data()
+    with window.qtbot.waitSignal(window.device.applied):
+        window.dialog("reviewDialog").click("writeButton")
+    (snapshot,) = SettingsHistory().snapshots()
+    assert SettingsHistory().load(snapshot).notes == {KEY: NOTE}
+    window.dialog("reviewDialog").root.close()
+
+    path = tmp_path / "board.txt"
+    files = trex(window.program).workspace.files
+    files.shown.save_file(path)
+    window.wait(path.exists)
+    assert read_settings(load(path))[0].notes == {KEY: NOTE}
+    shown = draft.shown
+    assert shown is not None
+    assert "Note: The radio drops out<br>behind the barn." in PrintedSettings(shown, "x").html()
+
+    number_12 = data_folder() / "boards" / "trex-1.2-12.txt"
+    number_12.write_text("of another board", encoding="utf-8")
+    window.device.parameters.edit("device_number", 12)
+    with window.qtbot.waitSignal(window.device.kept.files.replaced):
+        window.device.writer.apply()
+    (aside,) = number_12.parent.glob("*.replaced-1.txt")
+    assert aside.read_text(encoding="utf-8") == "of another board"
+    window.disconnect()
+    window.connect(other.url)
+    settle(window)
+    assert not field.toPlainText(), "another board"
+    draft.undo.undo()
+    assert not draft.notes.all
+    files.open_file(path)
+    window.wait(lambda: window.has("takeChangesButton"))
+    dialog = window.find(LoadDialog, "loadSettingsDialog")
+    assert KEY in {row.key for row in dialog._view.table.ticked}
+    window.click("takeChangesButton")
+    assert draft.notes.all == {KEY: NOTE}
+    window.disconnect()
+    window.connect(quick_simulator.url)
+    settle(window)
+    assert field.toPlainText() == NOTE, "kept under the new number"
+
+
+def test_calibrations_have_notes_on_page_and_in_editor(
+    window: WindowDriver, quick_simulator: SimulatedDevice, tmp_path: Path
+) -> None:
+    window.connect(quick_simulator.url)
+    settle(window)
+    page = window.open_page("calibrationPage")
+    page.find(QListWidget, "calibrationChannels").setCurrentRow(1)
+    field = page.find(NoteField, "channelNoteEdit")
+    field.setFocus()
+    QTest.keyClicks(field, "Learned with the new stick.")
+    notes = window.device.draft.notes
+    assert notes.all == {"rc_channel_2": "Learned with the new stick."}
+    page.find(QTabBar, "sourceTabs").setCurrentIndex(1)
+    assert not field.toPlainText(), "each input source has its own"
+    page.find(QTabBar, "sourceTabs").setCurrentIndex(0)
+    assert field.toPlainText() == notes.of("rc_channel_2")
+
+    path = tmp_path / "board.txt"
+    path.write_text(
+        "product: TReX\n# Note on rc_channel_2: by hand\n"
+        "rc_channel_2: {minimum: 2500, neutral: 3750, maximum: 5000, deadband: 75}\n",
+        encoding="utf-8",
+    )
+    files = trex(window.program).workspace.files
+    files.edit_file(path)
+    window.wait(lambda: files.editors)
+    editor = WidgetDriver(files.editors[0], window.qtbot)
+    view = editor.find(QTableView, "calibrationsView")
+    view.setCurrentIndex(view.model().index(1, 1))
+    field = editor.find(NoteField, "calibrationNoteEdit")
+    assert field.toPlainText() == "by hand"
+    field.setPlainText("by hand, twice")
+    assert "# Note on rc_channel_2: by hand, twice\n" in files.editors[0].document.text
+    files.editors[0].document.draft.undo.undo()
+    assert field.toPlainText() == "by hand"

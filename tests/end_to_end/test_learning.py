@@ -1,6 +1,6 @@
-"""A user learns the channels of a simulated board in the main window.
+"""A user learns channels of a simulated board, or calibrates them by pointing.
 
-What the dialog shows is in tests/views/test_learning_dialog.py and test_stick_test_page.py.
+`test_learning_dialog.py` and `test_calibration_page.py` of the views have the details.
 """
 
 from collections.abc import Callable
@@ -11,12 +11,16 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog
 
 from tests.support.keyboard import check_keyboard
+from tests.support.pages.calibration import CalibrationPage
 from tests.support.pages.learning import LearningDialog
 from tests.support.simulator import SimulatedDevice
 from tests.support.transmitter import Stick
 from tests.support.window import WindowDriver
-from trex_gui.devices.trex.protocol.flags import CHANNELS
+from trex_gui.devices.trex.model.calibration_moves import Handle
+from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
+from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.views.learning.dialog import LearnDialog
+from trex_gui.devices.trex.views.pages.calibration import page as widgets
 
 
 @pytest.fixture
@@ -133,3 +137,47 @@ def test_reviewed_values_are_kept_when_learning_is_reopened(
         learning.hold()
         assert learning.can_click("learnUseButton"), name
     learning.assert_nothing_changed()
+
+
+FACTORY = DEFAULT_CALIBRATION[InputSource.RC]
+
+
+@pytest.fixture
+def page(window: WindowDriver) -> CalibrationPage:
+    window.open_page("calibrationPage")
+    widget = window.find(widgets.CalibrationPage, "calibrationPage")
+    return CalibrationPage(widget, window.device, window.qtbot)
+
+
+def test_calibration_is_dragged_undone_and_written(
+    window: WindowDriver, page: CalibrationPage, quick_simulator: SimulatedDevice
+) -> None:
+    window.window.resize(1300, 800)
+    assert page.has("calibrationEmpty")
+    assert "Connect to a board" in page.text("calibrationEmpty")
+    assert not page.has("learnButton")
+    window.connect(quick_simulator.url)
+    assert not page.has("calibrationEmpty")
+    assert page.text("learnedLabel") == "not learned: defaults"
+
+    undo = window.device.draft.undo
+    page.drag_handle(Handle.MINIMUM, 2300)
+    edited = page.shown()
+    assert edited != FACTORY
+    assert undo.count() == 1
+    undo.undo()
+    assert page.shown() == FACTORY
+    undo.redo()
+    assert page.shown() == edited
+    assert page.text("minimumCounts") == f"= {edited.minimum} counts"
+    assert "edited" in page.row(1)
+    assert page.text("learnedLabel") == "not learned yet: will be after Apply"
+    assert window.device.calibrations.stored(1) == FACTORY
+
+    window.click("applyButton")
+    window.click("writeButton")
+    window.wait(lambda: not window.device.writer.running)
+    assert window.device.calibrations.stored(1) == edited
+    assert window.device.draft.pending == 0
+    assert "edited" not in page.row(1)
+    assert page.text("learnedLabel").startswith("learned")

@@ -1,9 +1,15 @@
-"""A board that no longer stores what was applied to it: said when it is connected."""
+"""What a board lost and what was not applied is offered again, kept or discarded."""
 
 from pathlib import Path
 
+import pytest
+
+from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.window import WindowDriver
+from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.edit_files import BoardIdentity, EditFiles
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.devices.trex.views.load_dialog import LoadDialog
 
@@ -60,3 +66,77 @@ def test_snapshots_keep_the_calibrations_that_the_board_hides(
     (snapshot,) = SettingsHistory().snapshots()
     assert len(SettingsHistory().load(snapshot).calibrations) == 10
     assert "# analog calibrations: read 20" in Path(snapshot.path).read_text()
+
+
+TREX = device_table().model("trex")
+BOARD = BoardIdentity(TREX, "1.2", 7)
+
+
+def saved() -> dict[str, int]:
+    found = EditFiles().load(BOARD)
+    return {} if found is None else dict(found.settings.parameters)
+
+
+def is_asked(window: WindowDriver) -> bool:
+    return bool(window.window.question.text)
+
+
+@pytest.fixture
+def crashed() -> None:
+    """A run of the program that died with two edits."""
+    edits = Settings(TREX, "1.2", {"serial_timeout": 15, "motor1_acceleration": 3})
+    EditFiles().save(BOARD, edits)
+
+
+@pytest.mark.usefixtures("crashed")
+def test_edits_of_a_crashed_run_are_offered_and_restored(
+    window: WindowDriver, quick_simulator: SimulatedDevice
+) -> None:
+    window.connect(quick_simulator.url)
+    window.wait(lambda: is_asked(window))
+    text = window.window.question.text
+    assert text.startswith("Edited earlier but not applied: 2 settings of this TReX (")
+    window.click("questionCancel")
+    assert window.device.draft.pending == 0
+
+    window.disconnect()
+    window.connect(quick_simulator.url)
+    window.wait(lambda: is_asked(window))
+    window.click("restoreEdits")
+    assert not is_asked(window)
+    assert dict(window.device.parameters.values.pending) == {
+        "serial_timeout": 15,
+        "motor1_acceleration": 3,
+    }
+    assert window.is_enabled("applyButton")
+
+
+@pytest.mark.parametrize(
+    ("answer", "kept"), [("keepAndClose", {"serial_timeout": 15}), ("closeYes", {})]
+)
+def test_closing_keeps_or_discards_edits(
+    connected_window: WindowDriver, answer: str, kept: dict[str, int]
+) -> None:
+    connected_window.device.parameters.edit("serial_timeout", 15)
+    assert not connected_window.window.close()
+    connected_window.click(answer)
+    assert not connected_window.window.isVisible()
+    assert saved() == kept
+
+
+def test_edits_made_after_closing_was_given_up_are_kept(
+    connected_window: WindowDriver, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window, workspace = connected_window, trex(connected_window.program).workspace
+    window.device.parameters.edit("serial_timeout", 15)
+    monkeypatch.setattr(workspace.files, "may_close", lambda _leave: False)
+    assert not window.window.close()
+    window.click("closeYes")
+    assert window.window.isVisible()
+    window.device.parameters.edit("serial_timeout", 20)
+    window.program.device_manager.shut_down()
+    assert window.program.shut_down()
+    assert saved() == {"serial_timeout": 20}, "also if the program is ended from outside"
+    workspace.prepare_to_close()
+    workspace.finish()
+    assert saved() == {"serial_timeout": 20}

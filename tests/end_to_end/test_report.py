@@ -1,15 +1,24 @@
-"""The report for support, from the menu to the file."""
+"""The report for support: from the menu to the file, and offered after an error or a crash."""
 
+import os
+import subprocess
+import sys
 import zipfile
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFileDialog, QListWidget, QPlainTextEdit
+from PySide6.QtCore import Qt, QUrl
+from PySide6.QtGui import QDesktopServices
+from PySide6.QtWidgets import QApplication, QFileDialog, QListWidget, QPlainTextEdit
+from pytestqt.qtbot import QtBot
 
+from tests.support.causes import watched
 from tests.support.keyboard import check_keyboard
+from tests.support.pages.motors import is_stopped
 from tests.support.simulator import SimulatedDevice
-from tests.support.window import WindowDriver
+from tests.support.window import WidgetDriver, WindowDriver
+from trex_gui.core.files import log_folder
+from trex_gui.core.log_file import ProgramLog, log_file
 
 
 def test_report_is_shown_before_it_is_saved(
@@ -63,3 +72,150 @@ def test_report_is_shown_before_it_is_saved(
         saved = {name: archive.read(name).decode() for name in archive.namelist()}
     del contents["log.txt"]
     assert saved == contents
+
+
+ROOT = Path(__file__).parents[2]
+
+
+def read(dialog: WidgetDriver, name: str) -> str:
+    """Return a file of the report, as it is shown."""
+    files = dialog.find(QListWidget, "reportFiles")
+    dialog.wait(lambda: files.count() > 0)
+    names = [files.item(row).text().split()[0] for row in range(files.count())]
+    files.setCurrentRow(names.index(name))
+    return dialog.find(QPlainTextEdit, "reportText").toPlainText()
+
+
+def test_error_stops_motors_and_offers_report_with_its_traceback(
+    connected_window: WindowDriver,
+    quick_simulator: SimulatedDevice,
+    qtbot: QtBot,
+    qapp: QApplication,
+) -> None:
+    window = connected_window
+    program_log = ProgramLog(log_file())
+    try:
+        with watched(window.program, qtbot, qapp) as causes:
+            window.motors.arm()
+            window.motors.set_speed(1, 60)
+            window.wait(lambda: quick_simulator.show()["motors"][0]["speed"] == 60)
+            causes.make_a_mistake()
+            window.wait_for_text("bannerText", "Internal error (ValueError), so the motors were")
+            assert is_stopped(quick_simulator)
+    finally:
+        assert program_log.close()
+    window.disconnect()
+    window.connect(quick_simulator.url)
+    window.click("bannerReport")
+    text = read(window.dialog("reportDialog"), "program.txt")
+    assert "CRITICAL trex_gui.supervisor: uncaught exception\nTraceback" in text
+    assert "ValueError: on purpose\n" in text
+    assert "INFO trex_gui.ui.log: ⚠ Internal error (ValueError), so the motors were" in text
+
+
+def test_help_menu_opens_the_log_folder(
+    window: WindowDriver, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    opened: list[str] = []
+    has_program = True
+
+    def open_url(url: QUrl) -> bool:
+        opened.append(url.toLocalFile())
+        return has_program
+
+    monkeypatch.setattr(QDesktopServices, "openUrl", open_url)
+    window.trigger("log_folder")
+    window.wait_for_text("bannerText", "There is no log")
+    assert not opened
+    log_folder().mkdir(parents=True)
+    window.click("bannerDismiss")
+    for has_program in (True, False):
+        window.trigger("log_folder")
+        window.wait_for_files()
+        assert window.has("bannerText") is not has_program
+    assert opened == [str(log_folder())] * 2
+    assert str(log_folder()) in window.text("bannerText")
+
+
+_SCRIPT = """
+import os, signal, sys
+from PySide6.QtCore import QCoreApplication, Qt, QTimer
+from PySide6.QtWidgets import QApplication, QLabel
+from trex_gui import app, composition
+build = composition.build
+
+def built(*_):
+    assert QApplication.testAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
+    program = build()
+    assert "pyqtgraph" not in sys.modules
+
+    def look():
+        print(program.window.findChild(QLabel, "bannerText").text(), flush=True)
+        if sys.argv[1] == "crash":
+            os.kill(os.getpid(), signal.SIGTERM if os.name == "nt" else signal.SIGKILL)
+        program.end()
+
+    report = program.report_last_run
+    def report_last_run(**found):
+        report(**found)
+        QTimer.singleShot(0, wait)
+
+    def wait():
+        from trex_gui.ui.files import background
+        is_ready = "pyqtgraph" in sys.modules and not background
+        look() if is_ready else QTimer.singleShot(20, wait)
+
+    program.report_last_run = report_last_run
+    return program
+
+composition.build = built
+sys.exit(app.main([]))
+"""
+
+
+_FAILING_SCRIPT = """
+import sys
+from trex_gui import app, composition
+composition.build = lambda *_: 1 / 0
+app.main([])
+"""
+
+
+@pytest.mark.realtime
+def test_error_at_the_start_is_in_the_log() -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", _FAILING_SCRIPT],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=60,
+    )
+    assert done.returncode == 1
+    assert done.stderr.count("ZeroDivisionError: division by zero") == 1
+    text = log_file().read_text(encoding="utf-8")
+    assert "CRITICAL trex_gui.app: the program could not go on\nTraceback" in text
+    assert "ZeroDivisionError: division by zero\n" in text
+    assert text.endswith("ended with exit code 1\n")
+
+
+@pytest.mark.realtime
+def test_crash_is_reported_at_the_next_start(tmp_path: Path) -> None:
+    """The program that starts has file dialogs of Qt, and soon its plots."""
+
+    def banner_of(what: str) -> str:
+        command = [sys.executable, "-c", _SCRIPT, what]
+        environment = {"XDG_CONFIG_HOME": str(tmp_path)}
+        done = subprocess.run(
+            command,
+            cwd=ROOT,
+            env={**os.environ, **environment},
+            capture_output=True,
+            text=True,
+            check=False,
+            timeout=60,
+        )
+        return done.stdout.strip()
+
+    assert banner_of("crash") == ""
+    assert "did not end properly the last time" in banner_of("end")

@@ -1,14 +1,17 @@
-"""Everything in the window that stops the motors of a simulated board."""
+"""Everything in the windows that stops the motors of a simulated board."""
 
 from collections.abc import Callable
 from functools import partial
+from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QAccessible
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QComboBox, QMenu, QMessageBox
+from PySide6.QtWidgets import QAbstractButton, QComboBox, QMenu, QMessageBox, QPushButton, QWidget
 
-from tests.support.pages.motors import Gesture, MotorsPage, is_stopped
+from tests.support.pages.every_window import WINDOWS_WITH_STOP, stop_button
+from tests.support.pages.motors import BRAKE, Gesture, MotorsPage, is_stopped
 from tests.support.pages.parameters import ParametersPage
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import LEFT, WindowDriver
@@ -243,3 +246,39 @@ def test_disabled_serial_timeout_is_set_with_a_click(driving: DrivingWindow) -> 
     assert not driving.has("timeoutNotice")
     assert device.draft.pending == pending == 1, "other edits stay pending"
     assert len(device.writer.history.snapshots()) == 1
+
+
+def spoken(button: QAbstractButton) -> str:
+    return QAccessible.queryAccessibleInterface(button).text(QAccessible.Text.Name)
+
+
+def test_stop_button_of_every_window_stops_motors(
+    connected_window: WindowDriver, quick_simulator: SimulatedDevice, tmp_path: Path
+) -> None:
+    page = MotorsPage(connected_window, quick_simulator)
+    page.motors.lockout = 0
+    page.motors.accelerate = False
+    assert spoken(page.button("stopButton")) == "Stop motors"
+    opened: list[tuple[QWidget, QPushButton]] = []
+    for open_window in WINDOWS_WITH_STOP:
+        case = open_window.__name__
+        window = open_window(page, tmp_path)
+        page.wait(window.isVisible)
+        assert not window.isModal(), case
+        button = stop_button(window)
+        assert spoken(button) == "Stop motors", case
+        page.motors.arm()
+        page.motors.set_speed(1, 60)
+        page.wait_for_targets(("forward", 60), None, case)
+        QTest.mousePress(button, LEFT)
+        page.wait_for_targets(BRAKE, BRAKE, case)
+        page.wait(lambda: quick_simulator.show()["motors"][0]["direction"] == "brake")
+        assert not page.is_armed(), case
+        QTest.mouseRelease(button, LEFT)
+        opened.append((window, button))
+
+    page.device.disconnect_line()
+    page.wait(lambda: page.device.link is ConnectionState.DISCONNECTED)
+    for window, button in opened:
+        assert not button.isEnabled(), window.objectName()
+        window.close()
