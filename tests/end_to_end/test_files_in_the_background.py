@@ -55,7 +55,7 @@ def test_files_are_opened_while_the_window_goes_on(
         recordings.open_file(path)
     files.open_file(text)
     files.open_file(text)
-    assert recordings.windows == files.editors == []
+    assert [*recordings.windows, *files.editors] == []
     window.open_page("motorsPage")
     window.wait_for_files()
     assert [each.player.path for each in recordings.windows] == [recording, other]
@@ -73,4 +73,4 @@ def test_files_are_opened_while_the_window_goes_on(
     files.open_file(text)
     window.window.close()
     window.wait_for_files()
-    assert recordings.windows == files.editors == []
+    assert [*recordings.windows, *files.editors] == []

@@ -1,12 +1,15 @@
-"""The program exits cleanly while a thread is blocked writing a file."""
+"""A program whose writing blocks exits cleanly; one that is killed leaves no half of a file."""
 
 import os
+import random
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
+from tests.support.kill_saves import KINDS, Saver, attack
 from tests.support.matrix import sampled
 
 pytestmark = pytest.mark.realtime
@@ -74,3 +77,20 @@ def test_program_exits_while_a_file_write_blocks(what: str, tmp_path: Path) -> N
     assert result.returncode == 0, result.stderr
     assert result.stdout == "", "the interpreter would destroy a thread that runs"
     assert "Destroyed while" not in result.stderr
+
+
+KILLS = 8
+
+
+@pytest.fixture(scope="module")
+def saver() -> Iterator[Saver]:
+    with Saver() as saver:
+        yield saver
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="the program that saves forks")
+@pytest.mark.parametrize("kind", KINDS)
+def test_killed_save_leaves_the_old_file_or_the_new_one(
+    saver: Saver, kind: str, tmp_path: Path
+) -> None:
+    assert attack(saver, kind, tmp_path, KILLS, random.Random(kind)) == []

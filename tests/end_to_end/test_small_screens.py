@@ -1,6 +1,7 @@
-"""Every window, page and dialog fits a small screen and can be used with the keyboard alone."""
+"""Every window fits a small screen, and can be used and stopped there with the keyboard alone."""
 
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -13,6 +14,9 @@ from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
     QDockWidget,
+    QFileDialog,
+    QScrollArea,
+    QSlider,
     QTabWidget,
     QWidget,
 )
@@ -20,14 +24,21 @@ from PySide6.QtWidgets import (
 from tests.support.accessible_names import said_of
 from tests.support.catalogs import in_language
 from tests.support.keyboard import check_keyboard
+from tests.support.mouse import turn_wheel
 from tests.support.pages.every_window import WINDOWS_WITH_STOP, stop_button
+from tests.support.pages.motors import Gesture
 from tests.support.program import trex
 from tests.support.pseudo_language import cut_texts
+from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
+from trex_gui.devices.trex.protocol.commands import SetParameter
 from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
 from trex_gui.devices.trex.views.pages.motors.gamepad_dialog import GamepadDialog
 from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import runtime
+from trex_gui.ui.widgets.behaviour import ConfirmButton
+from trex_gui.ui.widgets.messages import InlinePrompt
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 FRAME = QSize(16, 48)
@@ -167,3 +178,225 @@ def test_windows_of_aracna_fit(screen: QRect, window: WindowDriver) -> None:
     check_keyboard(window.window)
     window.trigger("help")
     check_window(window.help, screen, None)
+
+
+LOW = (960, 500)
+HIGH = (960, 800)
+
+
+class AskingWindow(WindowDriver):
+    """The window, its question, and its red button.
+
+    Attributes:
+        may_store: while it is false, the board's line holds the third setting of a write.
+    """
+
+    def __init__(self, window: WindowDriver, simulator: VirtualSimulator) -> None:
+        super().__init__(window.program, window.qtbot)
+        self.simulator = simulator
+        self.may_store = True
+        self.program.complete()  # each page counts
+
+    @property
+    def question(self) -> InlinePrompt:
+        return self.find(InlinePrompt, "question")
+
+    def is_shown(self) -> bool:
+        return self.window.isVisible()
+
+    def has_question(self) -> bool:
+        return self.question.isVisible()
+
+    def link(self) -> ConnectionState:
+        return self.device.link
+
+    def edit(self) -> None:
+        self.device.parameters.edit("serial_timeout", 15)
+
+    def check_that_stop_is_in_sight(self, case: str) -> None:
+        """Check it with the window as low as `LOW`."""
+        self.window.resize(*LOW)
+        assert self.window.minimumSizeHint().height() <= 480, case
+        assert self.window.height() == LOW[1], case
+        stop = self.button("stopButton")
+        place = QRect(stop.mapTo(self.window, QPoint(0, 0)), stop.size())
+        assert stop.isVisible(), case
+        assert self.window.rect().contains(place), case
+
+    def check_that_stop_works(self) -> None:
+        with self.qtbot.waitSignal(self.motors.stop_requested):
+            self.click("stopButton")
+
+    def begin_to_write(self) -> int:
+        """Begin to write a dozen settings, which ends when `may_store` is set."""
+        self.may_store = False
+        seen: set[bytes] = set()
+
+        def wait_before_the_third(data: bytes) -> None:
+            if data[0] == SetParameter(0, 0).opcode:
+                seen.add(data)  # one that is sent again, since its answer was late, counts once
+            while len(seen) == 3 and not self.may_store:
+                runtime().sleep(0.01)
+
+        self.simulator.on_write = wait_before_the_third
+        stored = self.device.parameters.values.all_stored
+        for key in [key for key in stored if key.startswith("motor")][:12]:
+            self.device.parameters.edit(key, 1 - min(1, stored[key]))
+        count = self.device.draft.pending
+        self.device.writer.apply()
+        assert self.device.writer.running
+        return count
+
+
+@pytest.fixture
+def asking(
+    connected_window: WindowDriver, quick_simulator: VirtualSimulator
+) -> Iterator[AskingWindow]:
+    asking = AskingWindow(connected_window, quick_simulator)
+    yield asking
+    asking.may_store = True
+
+
+# --- Low screens ------------------------------------------------------------------------
+
+
+def test_stop_button_is_visible_on_low_screen(asking: AskingWindow) -> None:
+    asking.edit()
+    tabs = asking.window.pages
+    for index in filter(tabs.isTabVisible, range(tabs.count())):
+        asking.window.resize(*HIGH)
+        tabs.setCurrentIndex(index)
+        asking.check_that_stop_is_in_sight(tabs.tabText(index))
+
+    asking.device.notifier.error.emit(
+        "Something went wrong, and it takes a while to say what. " * 6
+    )
+    asking.trigger("reload")
+    asking.check_that_stop_is_in_sight("message and question")
+
+
+def test_pages_scroll_on_low_screen_and_wheel_moves_no_slider(asking: AskingWindow) -> None:
+    asking.window.resize(*LOW)
+    asking.trigger("trex_parameters")
+    assert asking.find(QWidget, "parametersView").height() > 100
+    area = asking.find(QScrollArea, "parametersPageArea")
+    assert area.verticalScrollBar().maximum() == 0
+
+    asking.trigger("trex_motors")
+    bar = asking.find(QScrollArea, "motorsPageArea").verticalScrollBar()
+    assert bar.maximum() > 0
+    asking.window.resize(*HIGH)
+    assert bar.maximum() == 0
+
+    asking.window.resize(*LOW)
+    asking.click("runButton")
+    slider = asking.find(QSlider, "motor1Slider")
+    asking.wait(slider.isEnabled)
+    slider.setFocus()
+    turn = turn_wheel(slider)
+    assert slider.value() == 0
+    assert not turn.isAccepted() or bar.value() > 0
+
+
+# --- Reload and close -------------------------------------------------------------------
+
+
+def test_reload_and_close_with_edits_show_a_prompt(asking: AskingWindow) -> None:
+    asking.edit()
+    asking.trigger("reload")
+    assert "discard the edits" in asking.question.text
+    assert not asking.question.isWindow()
+    asking.check_that_stop_works()
+    asking.click("questionCancel")
+    assert not asking.has_question()
+    assert asking.device.draft.pending == 1
+    asking.trigger("reload")
+    asking.click("reloadYes")
+    assert asking.device.draft.pending == 0
+
+    asking.edit()
+    asking.trigger("reload")
+    asking.trigger("discard")
+    assert not asking.has_question(), "it goes with the edits"
+
+    asking.edit()
+    assert not asking.window.close()
+    assert "unapplied changes" in asking.question.text
+    asking.check_that_stop_works()
+    asking.click("questionCancel")
+    assert asking.is_shown()
+    assert asking.link() is ConnectionState.CONNECTED
+    assert not asking.window.close()
+    asking.click("closeYes")
+    assert not asking.is_shown()
+
+
+def test_closing_with_edits_offers_to_save_them(
+    asking: AskingWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asking.edit()
+    path = tmp_path / "kept.txt"
+    for chosen in ("", str(tmp_path / "no such folder" / "kept.txt"), str(path)):
+        asking.window.close()
+        assert asking.is_shown(), chosen
+        monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_, name=chosen: (name, ""))
+        asking.click("saveAndClose")
+        asking.wait_for_files()
+        assert asking.is_shown() == (chosen != str(path)), chosen
+    assert "1.5 s" in path.read_text(encoding="utf-8")
+
+
+# --- While settings are being written ---------------------------------------------------
+
+
+def disconnect_in_find_dialog(asking: AskingWindow) -> None:
+    asking.trigger("find")
+    asking.dialog("findDialog").click("findDisconnectButton")
+
+
+def test_disconnecting_during_write_asks_for_confirmation(asking: AskingWindow) -> None:
+    count = asking.begin_to_write()
+    ways: list[Gesture] = [
+        lambda: asking.click("connectButton"),
+        lambda: asking.trigger("disconnect"),
+        lambda: asking.connect_port(asking.program.ports.demo_of("aracna")),
+        partial(disconnect_in_find_dialog, asking),
+    ]
+    for disconnect in ways:
+        assert not asking.has_question()
+        disconnect()
+        assert asking.has_question()
+        assert "Settings are still being written. Disconnect anyway?" in asking.question.text
+        assert asking.link() is ConnectionState.CONNECTED
+        asking.click("questionCancel")
+    asking.trigger("disconnect")
+    asking.click("disconnectYes")
+    asking.may_store = True
+    asking.wait(lambda: asking.link() is ConnectionState.DISCONNECTED)
+    assert 0 < asking.device.draft.pending <= count
+
+
+def test_writing_continues_while_prompt_is_open(asking: AskingWindow) -> None:
+    asking.begin_to_write()
+    asking.click("connectButton")
+    asking.click("questionCancel")
+    asking.may_store = True
+    asking.wait(lambda: not asking.device.writer.running)
+    assert asking.device.draft.pending == 0
+    assert asking.link() is ConnectionState.CONNECTED
+
+    asking.begin_to_write()
+    asking.click("connectButton")
+    asking.may_store = True
+    asking.wait(lambda: not asking.device.writer.running)
+    asking.wait(lambda: not asking.has_question())
+    assert asking.link() is ConnectionState.CONNECTED
+
+    asking.begin_to_write()
+    assert not asking.window.close()
+    assert "Settings are still being written. Close anyway?" in asking.question.text
+    assert asking.is_shown()
+    asking.wait(lambda: asking.find(ConfirmButton, "closeYes").takes_clicks)
+    asking.may_store = True  # closing waits for what is being stored
+    asking.click("closeYes")
+    assert not asking.is_shown()
