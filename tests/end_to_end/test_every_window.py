@@ -210,10 +210,6 @@ def label(*, wraps: bool) -> QLabel:
     return made
 
 
-def group_box() -> QGroupBox:
-    return QGroupBox(TOO_LONG)
-
-
 def combo_box() -> QComboBox:
     made = QComboBox()
     made.addItem(TOO_LONG)
@@ -250,7 +246,7 @@ def table() -> QTableWidget:
         partial(QRadioButton, TOO_LONG),
         combo_box,
         spin_box,
-        group_box,
+        partial(QGroupBox, TOO_LONG),
         tabs,
         table,
     ],

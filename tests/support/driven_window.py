@@ -17,7 +17,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QEvent, QObject, QSocketNotifier, QTimer
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, QSocketNotifier, QTimer
 from PySide6.QtGui import QAction, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
@@ -181,9 +181,9 @@ class Driver(QObject):
         action.trigger()
 
     def sleep_unnoticed(self) -> None:
-        watch = self._program.window.findChild(SuspendDetector) or WATCHES[0].findChild(
-            SuspendDetector
-        )
+        program = QCoreApplication.instance()
+        assert program is not None
+        watch = program.findChild(SuspendDetector)
         assert watch is not None
         watch._slept = lambda: 1e6
 
@@ -221,9 +221,6 @@ class Driver(QObject):
         self._motors.abort("gamepad", "The gamepad is gone.")
 
 
-WATCHES: list[QObject] = []
-
-
 def main(url: str, extra_time: str = "", baud: str = "19200") -> int:
     """Run the program until it is ended."""
     build = composition.build
@@ -233,11 +230,6 @@ def main(url: str, extra_time: str = "", baud: str = "19200") -> int:
         program = build(Timeouts() if extra_time == "usual" else PATIENT)
         trex(program).controller.set_settings(ConnectionSettings("", LineSettings(int(baud))))
         Driver(program)
-        from PySide6.QtCore import QCoreApplication
-
-        instance = QCoreApplication.instance()
-        assert instance is not None
-        WATCHES.append(instance)
         return program
 
     composition.build = build_and_drive

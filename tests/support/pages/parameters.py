@@ -22,8 +22,8 @@ class ParametersPage(WidgetDriver):
         assert isinstance(rows, ParameterFilter)
         return rows.index_of(key)
 
-    def type_value(self, key: str, text: str) -> QSpinBox:
-        """Open the editor of a parameter with the mouse, type and press Enter."""
+    def edit(self, key: str, text: str) -> None:
+        """Open the editor of a parameter with the mouse, and type a value that is accepted."""
         index = self.index_of(key)
         self.view.scrollTo(index)
         place = self.view.visualRect(index).center()
@@ -35,11 +35,6 @@ class ParametersPage(WidgetDriver):
         editor.selectAll()
         QTest.keyClicks(editor, text)
         QTest.keyClick(editor, Qt.Key.Key_Return)
-        return editor
-
-    def edit(self, key: str, text: str) -> None:
-        """Type a value that is accepted; the editor closes."""
-        self.type_value(key, text)
         self.wait_for_no_editor(key)
 
     def wait_for_no_editor(self, key: str) -> None:
