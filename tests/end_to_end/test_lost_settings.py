@@ -77,10 +77,6 @@ def saved() -> dict[str, int]:
     return {} if found is None else dict(found.settings.parameters)
 
 
-def is_asked(window: WindowDriver) -> bool:
-    return bool(window.window.question.text)
-
-
 @pytest.fixture
 def crashed() -> None:
     """A run of the program that died with two edits."""
@@ -93,17 +89,16 @@ def test_edits_of_a_crashed_run_are_offered_and_restored(
     window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
     window.connect(quick_simulator.url)
-    window.wait(lambda: is_asked(window))
-    text = window.window.question.text
-    assert text.startswith("Edited earlier but not applied: 2 settings of this TReX (")
+    window.wait(lambda: asked(window))
+    assert asked(window).startswith("Edited earlier but not applied: 2 settings of this TReX (")
     window.click("questionCancel")
     assert window.device.draft.pending == 0
 
     window.disconnect()
     window.connect(quick_simulator.url)
-    window.wait(lambda: is_asked(window))
+    window.wait(lambda: asked(window))
     window.click("restoreEdits")
-    assert not is_asked(window)
+    assert not asked(window)
     assert dict(window.device.parameters.values.pending) == {
         "serial_timeout": 15,
         "motor1_acceleration": 3,

@@ -1,7 +1,6 @@
 """In a right-to-left language left and right of robots, values and axes stay where they are."""
 
 from collections.abc import Callable, Iterator
-from functools import partial
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
@@ -16,7 +15,6 @@ from trex_gui.devices.trex.views.bars import OutputBar
 from trex_gui.devices.trex.views.pages.motors.drive_control import SpeedSlider
 from trex_gui.devices.trex.views.pages.motors.drive_pad import DrivePad
 from trex_gui.ui.plotting.canvas import PlotCanvas
-from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import LiveLabel
 from trex_gui.ui.widgets.painted import Painted
 from trex_gui.ui.widgets.sliders import StickSlider
@@ -34,9 +32,12 @@ def _right_to_left(qapp: QApplication) -> Iterator[None]:
 @pytest.mark.usefixtures("_right_to_left")
 def test_window_mirrors_no_painted_widget_slider_or_number(window: WindowDriver) -> None:
     assert window.root.layoutDirection() is Direction.RightToLeft
+    for workspace in window.program.workspaces.values():
+        workspace.make_pages()
     kinds = Painted, LiveLabel, QSlider, QAbstractSpinBox
     widgets = [widget for widget in window.find_all(QWidget) if isinstance(widget, kinds)]
     assert len(widgets) > 50
+    assert {DrivePad, SpeedSlider, JointSlider, OutputBar, StickSlider} <= set(map(type, widgets))
     mirrored = [one for one in widgets if one.layoutDirection() is not Direction.LeftToRight]
     assert not mirrored
 
@@ -57,25 +58,8 @@ def plot(parent: QWidget) -> QWidget:
     return canvas
 
 
-def output(parent: QWidget) -> QWidget:
-    bar = OutputBar(parent)
-    bar.set_connected(True)
-    bar.set_value(-61)
-    return bar
-
-
-def entry(parent: QWidget) -> QWidget:
-    return ui.spin_box(parent, "entry", "", -127, 127, value=-61)
-
-
 @pytest.mark.usefixtures("_right_to_left")
-@pytest.mark.parametrize(
-    "make",
-    [
-        *(DrivePad, partial(SpeedSlider, 0), JointSlider, output, plot),
-        *(partial(StickSlider, 0, 100, 20, "bar"), entry),
-    ],
-)
+@pytest.mark.parametrize("make", [DrivePad, plot])
 def test_picture_is_the_same_in_both_directions(
     make: Callable[[QWidget], QWidget],
 ) -> None:

@@ -11,8 +11,6 @@ from tests.support.pages.find_dialog import FindBoardDialog
 from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.window import WindowDriver
-from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.protocol.commands import SetParameter
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.ui.devices.connection import ConnectionState
@@ -39,11 +37,7 @@ def dialog(_no_other_ports: None, window: WindowDriver) -> FindBoardDialog:
 
 def store(simulator: SimulatedDevice, line: LineSettings) -> None:
     """Store line settings in a board and switch it off and on."""
-    settings = ConnectionSettings(simulator.url)
-    client = TrexClient(open_transport(settings), settings)
-    client.request(SetParameter(0x7E, line.to_wire()))
-    client.close()
-    simulator.do("power cycle")
+    simulator.do(f"eeprom uart_settings {line.to_wire()}", "power cycle")
 
 
 def test_board_at_unknown_line_settings_is_found_and_connected(
