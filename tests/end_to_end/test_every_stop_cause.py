@@ -214,17 +214,13 @@ def test_motors_stop_at_every_fault_the_program_survives(
     ]
 
 
-@pytest.mark.parametrize(
-    "cause",
-    ["end_of_the_line_thread", pytest.param("disconnect_line", marks=pytest.mark.slow)],
-)
-def test_motors_stop_when_connection_ends(
-    cause: str, start: StartWindow, quick_simulator: SimulatedDevice
+def test_motors_stop_when_the_thread_of_the_line_ends(
+    start: StartWindow, quick_simulator: SimulatedDevice
 ) -> None:
     window = start()
     window.drive()
-    window.provoke(cause)
-    wait_until_stopped(quick_simulator, cause)
+    window.provoke("end_of_the_line_thread")
+    wait_until_stopped(quick_simulator, "end of the thread")
 
 
 @pytest.mark.parametrize("cause", ["hang_computing", pytest.param("hang", marks=pytest.mark.slow)])

@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, QSocketNotifier, QTimer
-from PySide6.QtGui import QAction, QPaintEvent
+from PySide6.QtGui import QPaintEvent
 from PySide6.QtWidgets import QWidget
 
 from tests.support.patient import PATIENT
@@ -174,11 +174,6 @@ class Driver(QObject):
 
     def close(self) -> None:
         self._program.window.close()
-
-    def disconnect_line(self) -> None:
-        action = self._program.window.findChild(QAction, "disconnectAction")
-        assert action is not None
-        action.trigger()
 
     def sleep_unnoticed(self) -> None:
         program = QCoreApplication.instance()
