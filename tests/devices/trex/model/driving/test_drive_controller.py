@@ -8,7 +8,7 @@ from itertools import pairwise
 import pytest
 from pytestqt.qtbot import QtBot
 
-from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.core.errors import StudioError
@@ -283,32 +283,3 @@ def test_stop_warns_that_channel_driven_motors_may_go_on(rc_device: Device, qtbo
     with qtbot.waitSignal(rc_device.notifier.error) as said:
         rc_device.motors.stop()
     assert said.args == [BEYOND_A_STOP]
-
-
-def test_line_closed_with_motors_at_rest_is_not_reported_as_lost(
-    device: Device, start_simulator: StartSimulator, qtbot: QtBot
-) -> None:
-    failures: list[str] = []
-    device.notifier.error.connect(failures.append)
-    for simulator in (start_simulator("--unpaced"), start_simulator("--unpaced")):
-        device.connect_to(ConnectionSettings(simulator.url))
-        qtbot.waitUntil(
-            lambda: device.link is ConnectionState.CONNECTED and device.motors.is_available
-        )
-        device.disconnect_line()
-        qtbot.waitUntil(lambda: device.link is ConnectionState.DISCONNECTED)
-    assert failures == []
-
-
-def test_stop_of_another_board_warns_about_the_lost_one(
-    driven: DrivenDevice, start_simulator: StartSimulator
-) -> None:
-    failures: list[str] = []
-    driven.simulator.do("line unplug")
-    driven.wait(lambda: driven.link is ConnectionState.DISCONNECTED)
-    driven.notifier.error.connect(failures.append)
-    driven.connect_to(ConnectionSettings(start_simulator().url))
-    driven.wait(lambda: bool(failures))
-    assert not driven.may_move
-    assert driven.simulator.url in failures[0]
-    assert "cut the power of the first" in failures[0]

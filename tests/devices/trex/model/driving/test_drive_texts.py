@@ -1,24 +1,25 @@
-"""Texts of the Motors page for a motor and the channel that drives it."""
+"""What the Motors page says of a motor, its channel, its blockers and the serial timeout."""
 
 import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice
+from trex_gui.core.timing import Timeouts
+from trex_gui.devices.trex.board.drive_status import drive_statuses
+from trex_gui.devices.trex.driving.blockers import DriveBlocker
+from trex_gui.devices.trex.driving.board_reasons import BoardInputs
+from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.drive_status import drive_inputs
 from trex_gui.devices.trex.model.drive_texts import (
     channel_text,
     report_text,
     setpoint_text,
-    speed_text,
+    timeout_warning_on,
 )
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.driving import Drive
-
-
-@pytest.mark.parametrize(
-    ("speed", "text"), [(0, "0"), (64, "forward 64 (50 %)"), (-127, "reverse 127 (100 %)")]
-)
-def test_speed_names_direction_and_share_of_full(speed: int, text: str) -> None:
-    assert speed_text(speed) == text
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
 
 @pytest.mark.parametrize(
@@ -63,3 +64,100 @@ def test_report_shows_the_speed_waiting_behind_channel_5(
     assert report_text(rc_device, 1).startswith("Board: serial in control, ")
     assert report_text(rc_device, 2).endswith(", channel 2 at 0 (overridden)")
     assert report_text(rc_device, 3).endswith(", channel 3 at +99 (overridden)")
+
+
+# --- Why motors do not follow -----------------------------------------------------------
+
+
+def reported(device: Device) -> BoardInputs:
+    board = drive_inputs(device).board
+    assert board is not None
+    return board
+
+
+def test_situation_follows_the_override_switch(
+    rc_device: Device, rc_board: SimulatedDevice, qtbot: QtBot
+) -> None:
+    assert not reported(rc_device).by_serial
+    assert drive_statuses(drive_inputs(rc_device))[0].blocker is DriveBlocker.RC_CHANNELS
+    rc_board.do("channel 5 1000us")
+    qtbot.waitUntil(lambda: reported(rc_device).by_serial)
+    assert drive_statuses(drive_inputs(rc_device))[0].blocker is DriveBlocker.NOT_ARMED
+
+
+def test_channels_that_keep_safe_start_are_known_after_they_were_read(
+    rc_device: Device, rc_board: SimulatedDevice, qtbot: QtBot
+) -> None:
+    assert rc_device.telemetry.raw is None
+    assert reported(rc_device).safe_start == ()
+    for channel in (1, 2):  # the board requires the first of them
+        rc_board.do(f"channel {channel} silent")
+    rc_board.do("channel 3 1680us")
+
+    def said() -> list[str]:
+        return [status.text for status in drive_statuses(drive_inputs(rc_device))]
+
+    qtbot.waitUntil(lambda: "Channel 1 is required but has no signal." in said())
+    qtbot.waitUntil(lambda: "Channel 3 is 180 µs above neutral." in said())
+    assert len(said()) == 3
+
+
+# --- The serial timeout -----------------------------------------------------------------
+
+
+def effect(timeout: float) -> TimeoutStop:
+    """Return what is expected of a timeout in seconds with UART-Error Shutdown set."""
+    return TimeoutStop.EXPECTED if timeout else TimeoutStop.OFF
+
+
+@pytest.mark.parametrize(
+    ("url", "baud", "timeout", "said", "offered"),
+    [
+        ("/dev/ttyUSB0", 19200, 0.1, "", 0.0),
+        ("/dev/ttyUSB0", 2400, 0.2, "", 0.0),
+        ("/dev/ttyUSB0", 2400, 0.1, "short for 2400 baud", 0.5),
+        ("/dev/ttyUSB0", 1200, 0.0, "is off", 0.5),
+        ("socket://robot:23", 19200, 0.5, "short for a network port", 1.0),
+        ("socket://robot:23", 19200, 0.0, "is off", 1.0),
+        ("socket://robot:23", 19200, 1.0, "", 0.0),
+    ],
+)
+def test_warning_about_the_timeout_fits_the_line(
+    url: str, baud: int, timeout: float, said: str, offered: float
+) -> None:
+    settings = ConnectionSettings(url, LineSettings(baud))
+    warning = timeout_warning_on(settings, timeout, effect(timeout), is_guarded=True)
+    assert (warning is None) == (not said)
+    if warning is not None:
+        assert said in warning.text
+        assert warning.seconds == offered
+
+
+def test_slow_line_gets_the_longest_offered_timeout() -> None:
+    settings = ConnectionSettings("socket://robot:23", timeouts=Timeouts(extra=10.0))
+    warning = timeout_warning_on(settings, 1.0, effect(1.0), is_guarded=True)
+    assert warning is not None
+    assert warning.seconds == 5.0
+
+
+@pytest.mark.parametrize(
+    ("is_guarded", "fails"), [(True, "cable or this computer"), (False, "or this program")]
+)
+def test_warning_names_the_program_only_if_no_guardian_watches_it(
+    is_guarded: bool, fails: str
+) -> None:
+    warning = timeout_warning_on(
+        ConnectionSettings("/dev/ttyUSB0"), 0, effect(0), is_guarded=is_guarded
+    )
+    assert warning is not None
+    assert fails in warning.text
+    assert ("guardian" in warning.text) == (not is_guarded)
+
+
+def test_missing_guardian_is_reported_although_the_serial_timeout_is_set() -> None:
+    warning = timeout_warning_on(
+        ConnectionSettings("/dev/ttyUSB0"), 12.5, effect(12.5), is_guarded=False
+    )
+    assert warning is not None
+    assert "serial timeout of 12.5 s" in warning.text
+    assert warning.seconds is None

@@ -10,7 +10,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.pads import PAD, HeldPads
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.gamepad import HOLDER, Gamepad
+from trex_gui.devices.trex.model.gamepad import HOLDER, Gamepad, axis_text, button_text
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.gamepad.profile import Axis, Waits
 
@@ -78,12 +78,6 @@ def test_held_button_and_moved_stick_drive_the_motors(setup: GamepadSetup) -> No
     setup.drive_forward()
     assert setup.motors.holder == HOLDER
     assert setup.gamepad.drives
-
-
-def test_turning_right_drives_left_motor_forward(setup: GamepadSetup) -> None:
-    setup.pads.press(HOLD)
-    setup.pads.move(X, 1.0)
-    setup.wait_for_speeds(FULL_SCALE, -FULL_SCALE)
 
 
 def test_releasing_the_button_brakes_and_keeps_motors_armed(setup: GamepadSetup) -> None:
@@ -259,13 +253,6 @@ def test_missing_gamepad_support_shows_a_remedy(qtbot: QtBot) -> None:
     assert gamepad.text == gamepad.failure == "Install it with …"
 
 
-def test_gamepad_is_not_opened_before_switch_on(qtbot: QtBot) -> None:
-    pads = HeldPads(PAD)
-    gamepad = Gamepad(Device(), pads)
-    assert not pads.is_open
-    assert gamepad.text == ""
-
-
 def test_first_plugged_in_gamepad_is_selected(qtbot: QtBot) -> None:
     pads = HeldPads()
     gamepad = Gamepad(Device(), pads)
@@ -284,3 +271,20 @@ def test_deleted_gamepad_model_closes_the_pads(qtbot: QtBot) -> None:
     gamepad.deleteLater()
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     assert not pads.is_open
+
+
+# --- Names of the parts -----------------------------------------------------------------
+
+
+UNKNOWN = replace(PAD, parts={})
+
+
+def test_parts_are_numbered_from_one() -> None:
+    assert axis_text(UNKNOWN, 0) == "axis 1"
+    assert button_text(UNKNOWN, 4) == "button 5"
+
+
+def test_parts_known_to_sdl_show_their_names() -> None:
+    assert axis_text(PAD, 0) == "axis 1 (left stick, sideways)"
+    assert button_text(PAD, 4) == "button 5 (left shoulder)"
+    assert button_text(PAD, None) == "none"

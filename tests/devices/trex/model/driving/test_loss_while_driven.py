@@ -109,6 +109,8 @@ def test_adapter_that_gets_another_port_is_the_same(lost: LostBoard, adapter: st
     assert ("timeoutFailed" in lost.answers) is bool(adapter)
     doubts = [text for text in errors if "if it is another board, cut the power" in text]
     assert bool(doubts) is not bool(adapter)
+    assert all(lost.board.url in text for text in doubts)
+    assert not lost.device.may_move
 
 
 @pytest.mark.parametrize(

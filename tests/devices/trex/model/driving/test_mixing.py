@@ -1,10 +1,16 @@
-"""Forward and turn become two speeds."""
+"""Forward and turn, of a stick or of held keys, become two speeds."""
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trex_gui.devices.trex.model.momentary_drive import grown, mix
+from trex_gui.devices.trex.model.momentary_drive import (
+    TURN_WHILE_GOING,
+    Heading,
+    grown,
+    keys_setpoint,
+    mix,
+)
 from trex_gui.devices.trex.simulator.channel_control import motor_values
 
 SHARE = st.floats(-1, 1, allow_nan=False)
@@ -66,3 +72,31 @@ def test_speeds_grow_by_steps_and_fall_at_once(
     for _ in range(127):
         speeds = grown(speeds, goal, most)  # type: ignore[assignment]
     assert speeds == goal
+
+
+# --- Held keys --------------------------------------------------------------------------
+
+
+KEYS = {"W": Heading.FORWARD, "S": Heading.BACK, "A": Heading.LEFT, "D": Heading.RIGHT}
+
+
+@pytest.mark.parametrize(
+    ("names", "setpoint"),
+    [
+        ("", (0, 0)),
+        ("W", (1, 0)),
+        ("S", (-1, 0)),
+        ("A", (0, -1)),
+        ("D", (0, 1)),
+        ("WW", (1, 0)),
+        ("WD", (1, TURN_WHILE_GOING)),
+        ("SA", (-1, -TURN_WHILE_GOING)),
+        ("WS", (0, 0)),
+        ("AD", (0, 0)),
+        ("WSD", (0, 1)),
+        ("WAD", (1, 0)),
+        ("WASD", (0, 0)),
+    ],
+)
+def test_held_keys_are_combined(names: str, setpoint: tuple[float, float]) -> None:
+    assert keys_setpoint(KEYS[name] for name in names) == setpoint

@@ -92,17 +92,6 @@ def test_armed_motors_send_setpoints(armed: RequestRecorder) -> None:
     assert armed.motors.auxiliary == 30
 
 
-@pytest.mark.parametrize("accelerate", [False, True])
-def test_setpoints_carry_the_accelerate_option(armed: RequestRecorder, *, accelerate: bool) -> None:
-    armed.motors.accelerate = accelerate
-    armed.motors.set_speed(1, 1)
-    armed.motors.set_auxiliary(1)
-    reports = [
-        request.accelerate for request in armed.requests if not isinstance(request, SetMotors)
-    ]
-    assert reports == [accelerate, accelerate]
-
-
 def test_repeated_setpoint_is_sent_once(armed: RequestRecorder) -> None:
     for _ in range(3):
         armed.motors.set_speed(1, 50)
