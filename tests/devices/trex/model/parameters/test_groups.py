@@ -19,7 +19,7 @@ from trex_gui.devices.trex.model.parameters.text import (
 )
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.device_table import device_table
-from trex_gui.devices.trex.protocol.parameters import motor_name, other_motor_key, parameters_of
+from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.settings.comparison import compare
 from trex_gui.devices.trex.settings.document import Settings
 
@@ -145,17 +145,6 @@ def test_restoring_the_stored_value_is_one_undo_step(
 # --- Both motors ------------------------------------------------------------------------
 
 
-def test_each_motor_parameter_has_a_counterpart(model: ParameterModel) -> None:
-    for spec in SPECS.readable:
-        other_motor = model.values.other_motor_of(spec.key)
-        assert (other_motor is not None) == (spec.subject in {"motor1", "motor2"})
-        if other_motor is not None:
-            assert model.values.other_motor_of(other_motor) == spec.key
-    assert other_motor_key("aux_acceleration") is None
-    assert motor_name("motor2_acceleration") == "Motor 2"
-    assert motor_name("serial_timeout") == ""
-
-
 def test_edit_of_both_motors_is_one_undo_step(model: ParameterModel, undo: QUndoStack) -> None:
     model.both_motors = True
     model.edit("motor2_current_limit", 25)
@@ -178,33 +167,19 @@ def test_reset_and_restore_apply_to_both_motors(model: ParameterModel, undo: QUn
     assert undo.count() == 2
 
 
-def test_parameter_without_counterpart_is_edited_alone(model: ParameterModel) -> None:
-    model.both_motors = True
-    model.edit("aux_acceleration", 4)
-    model.edit("serial_timeout", 4)
-    assert dict(model.values.pending) == {"aux_acceleration": 4, "serial_timeout": 4}
-
-
-def test_unread_counterpart_is_not_edited(model: ParameterModel) -> None:
+def test_other_motor_is_left_alone_where_it_cannot_follow(model: ParameterModel) -> None:
     stored = {key: wire for key, wire in FACTORY.items() if key != "motor2_acceleration"}
     model.load(SPECS, stored, {"motor2_acceleration": "No answer."}, power_cycled=True)
+    model.edit("motor1_current_limit", 4)
     model.both_motors = True
-    model.edit("motor1_acceleration", 4)
-    assert dict(model.values.pending) == {"motor1_acceleration": 4}
-
-
-def test_unchanged_value_does_not_change_the_other_motor(model: ParameterModel) -> None:
-    model.edit("motor1_acceleration", 4)
-    model.both_motors = True
-    model.edit("motor1_acceleration", 4)
-    assert dict(model.values.pending) == {"motor1_acceleration": 4}
-
-
-def test_invalid_value_changes_neither_motor(model: ParameterModel) -> None:
-    model.both_motors = True
+    model.edit("motor1_current_limit", 4)  # unchanged
+    model.edit("motor1_acceleration", 4)  # that of the other motor was not read
+    model.edit("aux_acceleration", 4)  # there is no other
+    expected = {"motor1_current_limit": 4, "motor1_acceleration": 4, "aux_acceleration": 4}
+    assert dict(model.values.pending) == expected
     with pytest.raises(BadRequest):
         model.edit("motor1_pwm_prescaler", 9)
-    assert not model.values.pending
+    assert dict(model.values.pending) == expected
 
 
 def test_differing_motor_value_is_shown_and_can_be_copied(model: ParameterModel) -> None:
@@ -267,7 +242,6 @@ def test_leaving_out_a_parameter_of_a_file_can_be_undone(
     with qtbot.waitSignal(file.pending_changed) as changed:
         file.leave_out("serial_timeout")
     assert changed.args == [1]
-    assert list(file.values.modified) == ["serial_timeout"]
     assert list(file.values.modified) == ["serial_timeout"]
     assert file.values.is_modified("serial_timeout")
     assert not file.values.pending

@@ -14,7 +14,7 @@ from trex_gui.devices.trex.model.parameters.text import (
     ParameterColumn,
 )
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
-from trex_gui.devices.trex.protocol.parameters import ParameterSet, acceleration_wire, parameters_of
+from trex_gui.devices.trex.protocol.parameters import ParameterSet, parameters_of
 
 SPECS = parameters_of("trex", "1.2")
 JUNIOR = parameters_of("trexjr", "1.2")
@@ -84,10 +84,6 @@ def test_each_parameter_has_a_cell_and_each_column_a_name(model: ParameterModel)
     assert model.headerData(0, Qt.Orientation.Vertical) is None
 
 
-def test_model_is_empty_before_a_board_is_read(qtbot: QtBot) -> None:
-    assert ParameterModel().rowCount() == 0
-
-
 def test_unknown_key_has_no_index(model: ParameterModel) -> None:
     assert not model.index_of("nonsense").isValid()
     assert model.index_of("motor_mode").isValid()
@@ -107,22 +103,6 @@ def test_row_shows_name_and_value(model: ParameterModel) -> None:
     edit(model, "motor2_current_limit", 10)
     spoken = limit.data(Qt.ItemDataRole.AccessibleTextRole)
     assert spoken == "Motor 2 Current Limit: 3 A. Stored: 0 (off). Motor 1 differs: off."
-
-
-def test_each_cell_has_a_text(qtbot: QtBot) -> None:
-    for specs in (SPECS, JUNIOR, parameters_of("trex", "1.0")):
-        model = ParameterModel()
-        load(model, factory(specs), specs)
-        for spec in specs.readable:
-            cell = model.index_of(spec.key)
-            assert cell.data()
-            assert cell.siblingAtColumn(ParameterColumn.NAME).data()
-
-
-def test_every_acceleration_is_shown_as_seconds_that_mean_it() -> None:
-    for wire in range(1, 128):
-        seconds, rest = SPECS["motor1_acceleration"].text(wire).split(" ", 1)
-        assert (acceleration_wire(float(seconds)), rest) == (wire, "s to full speed")
 
 
 def test_unread_parameter_shows_the_reason(model: ParameterModel) -> None:
@@ -158,33 +138,25 @@ def test_edit_announces_only_its_row(model: ParameterModel, qtbot: QtBot) -> Non
     assert [index.row() for index in changed.args[:2]] == [row, row]
 
 
-def test_invalid_wire_value_is_rejected_with_a_reason(model: ParameterModel, qtbot: QtBot) -> None:
-    for key, wire in (("motor_mode", 2), ("serial_timeout", -1), ("uart_settings", 0x0B)):
+def test_invalid_value_is_rejected_with_a_reason(model: ParameterModel, qtbot: QtBot) -> None:
+    nonsense = [("serial_timeout", value) for value in ("abc", "", None, [])]
+    for key, value in (
+        *(("motor_mode", 2), ("serial_timeout", -1), ("uart_settings", 0x0B)),
+        *nonsense,
+    ):
         with qtbot.waitSignal(model.rejected) as refused:
-            assert not edit(model, key, wire)
+            assert not edit(model, key, value)
         assert refused.args[0].startswith(SPECS[key].name)
     assert model.values.pending == ()
 
 
-@pytest.mark.parametrize("nonsense", ["abc", "", None, []])
-def test_non_numeric_value_is_rejected(
-    model: ParameterModel, qtbot: QtBot, nonsense: object
-) -> None:
-    with qtbot.waitSignal(model.rejected):
-        assert not edit(model, "serial_timeout", nonsense)
-    assert model.values.pending == ()
-
-
-def test_name_is_not_editable(model: ParameterModel) -> None:
-    index = model.index_of("serial_timeout").siblingAtColumn(ParameterColumn.NAME)
-    assert not index.flags() & Qt.ItemFlag.ItemIsEditable
-    assert not model.setData(index, 9)
-
-
-def test_edit_needs_a_valid_index_and_the_edit_role(model: ParameterModel) -> None:
+def test_edit_needs_a_value_cell_and_the_edit_role(model: ParameterModel) -> None:
     assert not model.setData(QModelIndex(), 9)
     index = model.index_of("serial_timeout")
     assert not model.setData(index, 9, Qt.ItemDataRole.DisplayRole)
+    name = index.siblingAtColumn(ParameterColumn.NAME)
+    assert not name.flags() & Qt.ItemFlag.ItemIsEditable
+    assert not model.setData(name, 9)
     assert model.values.pending == ()
 
 
@@ -256,9 +228,3 @@ def test_edit_is_dropped_for_another_model(model: ParameterModel, qtbot: QtBot) 
         load(model, factory(JUNIOR), JUNIOR)
     assert pending.args == [0]
     assert model.values.pending == ()
-
-
-def test_cell_carries_its_key_and_number(model: ParameterModel) -> None:
-    assert of(model, "serial_timeout", Role.KEY) == "serial_timeout"
-    cell = model.index_of("serial_timeout")
-    assert cell.data(Qt.ItemDataRole.EditRole) == SPECS["serial_timeout"].default

@@ -24,11 +24,6 @@ def loaded() -> ParameterValues:
     return draft
 
 
-def test_loaded_draft_has_no_pending_edits() -> None:
-    assert loaded().pending == ()
-    assert ParameterValues().value_of("serial_timeout") is None
-
-
 def test_invalid_edit_keeps_the_previous_edit() -> None:
     draft = loaded()
     draft.edit(MODE, 1)
@@ -71,40 +66,22 @@ def test_edit_of_missing_parameter_is_dropped() -> None:
 # --- Stored and active ------------------------------------------------------------------
 
 
-def test_power_cycle_parameter_keeps_its_active_value() -> None:
+def test_active_value_stays_until_a_power_cycle() -> None:
     draft = loaded()
     draft.note_stored(MODE, 1)
-    assert draft.stored["motor_mode"] == 1
-    assert draft.active == {"motor_mode": 0}
-
-
-def test_storing_the_active_value_ends_the_waiting() -> None:
-    draft = loaded()
-    draft.note_stored(MODE, 1)
-    draft.note_stored(MODE, 0)
-    assert draft.active == {}
-
-
-def test_active_value_survives_several_writes() -> None:
-    draft = loaded()
     uart = SPECS["uart_settings"]
     draft.note_stored(uart, 3)
     draft.note_stored(uart, 4)
+    stored = FACTORY | {"motor_mode": 1, "uart_settings": 4}
+    assert draft.stored == stored
+    active = {"motor_mode": 0, "uart_settings": uart.default}
+    assert draft.active == active
+    draft.load(stored, power_cycled=False)
+    assert draft.active == active
+    draft.note_stored(MODE, 0)
     assert draft.active == {"uart_settings": uart.default}
-
-
-def test_power_cycle_activates_all_stored_values() -> None:
-    draft = loaded()
-    draft.note_stored(MODE, 1)
-    draft.load(FACTORY | {"motor_mode": 1}, power_cycled=True)
+    draft.load(stored, power_cycled=True)
     assert draft.active == {}
-
-
-def test_reload_without_power_cycle_keeps_active_values() -> None:
-    draft = loaded()
-    draft.note_stored(MODE, 1)
-    draft.load(FACTORY | {"motor_mode": 1}, power_cycled=False)
-    assert draft.active == {"motor_mode": 0}
 
 
 def test_previously_unknown_value_has_no_active_value() -> None:
