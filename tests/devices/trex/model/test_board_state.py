@@ -80,13 +80,7 @@ def test_active_values_come_from_the_line_settings() -> None:
         "crc7_polynomial": 0x11,
         "channel_input_source": 0,
     }
-
-
-def test_active_polynomial_is_unknown_without_crc7() -> None:
     assert "crc7_polynomial" not in STATE.active_parameters(ConnectionSettings("virtual"))
-
-
-def test_active_input_source_is_unknown_outside_serial_mode() -> None:
     assert replace(STATE, mode=Mode.ANALOG).active_parameters(None) == {}
 
 
@@ -115,26 +109,13 @@ def written(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> DraftAfter:
     return write
 
 
-def test_reset_is_pending_once_the_board_accepts_it(written: DraftAfter) -> None:
-    assert written(WriteResult("factory_reset", 1)).reset_pending
+def test_reset_is_pending_from_its_acceptance_to_the_next_start(written: DraftAfter) -> None:
     assert not written(WriteResult("factory_reset", error=NoReply("x"))).reset_pending
     assert not written(WriteResult("motor_mode", 1)).reset_pending
-
-
-def test_reset_stays_pending_while_values_are_unchanged(written: DraftAfter) -> None:
-    draft = written(WriteResult("factory_reset", 1))
-    draft.take_state(STATE, None, power_cycled=False)
-    assert draft.reset_pending
-
-
-def test_power_cycle_completes_the_reset(written: DraftAfter) -> None:
-    draft = written(WriteResult("factory_reset", 1))
-    draft.take_state(STATE, None, power_cycled=True)
-    assert not draft.reset_pending
-
-
-def test_changed_values_complete_the_reset(written: DraftAfter) -> None:
-    draft = written(WriteResult("factory_reset", 1))
     changed = replace(STATE, parameters={**STATE.parameters, "motor_mode": 1})
-    draft.take_state(changed, None, power_cycled=False)
-    assert not draft.reset_pending
+    for state, power_cycled in ((STATE, True), (changed, False)):
+        draft = written(WriteResult("factory_reset", 1))
+        draft.take_state(STATE, None, power_cycled=False)
+        assert draft.reset_pending
+        draft.take_state(state, None, power_cycled=power_cycled)
+        assert not draft.reset_pending

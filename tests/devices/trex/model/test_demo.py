@@ -130,32 +130,30 @@ def test_stick_position_follows_its_signal(
 # --- What hands do ----------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(
-    ("act", "line"),
-    [
-        (lambda board: board.set_power(False), "power off"),
-        (lambda board: board.set_mix(True), "jumper mix on"),
-        (lambda board: board.set_so_ground(True), "jumper so-ground on"),
-        (lambda board: board.set_load(2, 11.5), "load 2 11.5"),
-        (lambda board: board.set_fault(1, True), "fault 1 on"),
-        (lambda board: board.set_fault(1, False), "fault 1 off"),
-        (lambda board: board.set_battery(9.0), "battery 9.0"),
-        (lambda board: board.set_noise(0.012), "line noise 0.0120"),
-        (lambda board: board.set_mute(True), "line mute on"),
-        (lambda board: board.corrupt("parity"), "line error parity"),
-    ],
-)
-def test_each_hand_sends_its_control_line(
-    board: OverheardBoard, qtbot: QtBot, act: Callable[[DemoBoard], None], line: str
-) -> None:
+HANDS: list[tuple[str, Callable[[DemoBoard], None]]] = [
+    ("power off", lambda board: board.set_power(False)),
+    ("jumper mix on", lambda board: board.set_mix(True)),
+    ("jumper so-ground on", lambda board: board.set_so_ground(True)),
+    ("load 2 11.5", lambda board: board.set_load(2, 11.5)),
+    ("fault 1 on", lambda board: board.set_fault(1, True)),
+    ("fault 1 off", lambda board: board.set_fault(1, False)),
+    ("battery 9.0", lambda board: board.set_battery(9.0)),
+    ("line noise 0.0120", lambda board: board.set_noise(0.012)),
+    ("line mute on", lambda board: board.set_mute(True)),
+    ("line error parity", lambda board: board.corrupt("parity")),
+]
+
+
+def test_each_hand_sends_its_control_line(board: OverheardBoard, qtbot: QtBot) -> None:
     """The tests of the board.simulator show what each line does."""
-    board.simulator.lines.clear()
-    answers: list[str] = []
-    with qtbot.assertNotEmitted(board.rejected):
-        act(board)
-        board.simulator.send("show", answers.append)
-        board.wait(lambda: bool(answers))
-    assert board.simulator.orders() == [line]
+    for line, act in HANDS:
+        board.simulator.lines.clear()
+        answers: list[str] = []
+        with qtbot.assertNotEmitted(board.rejected):
+            act(board)
+            board.simulator.send("show", answers.append)
+            board.wait(lambda: bool(answers))  # noqa: B023
+        assert board.simulator.orders() == [line]
 
 
 def test_power_cycle_is_visible_and_runs_once(board: OverheardBoard) -> None:
