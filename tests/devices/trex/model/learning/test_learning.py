@@ -13,14 +13,16 @@ from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.calibration.problems import ProblemKind
 from trex_gui.devices.trex.client.telemetry import Control
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.learning.channels import Choice, LearnedChannel
 from trex_gui.devices.trex.model.learning.learning import Learning, LearningStep
-from trex_gui.devices.trex.protocol.calibration import CalibrationKey
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import now
 
 UNCONFIRMED = "could not be confirmed as stopped"
+LEARNED = Calibration(2400, 3700, 5100, 80)
 
 
 class LearningSetup:
@@ -87,6 +89,19 @@ class LearningSetup:
         self.push_all()
         self.learning.next()
 
+    def review(self, *channels: int, calibration: Calibration = LEARNED) -> None:
+        """Begin the review of channels whose sticks gave these values."""
+        learned = [LearnedChannel(self.device, number, InputSource.RC) for number in channels]
+        for channel in learned:
+            channel.choice = Choice(calibration, reversed_=False)
+        self.learning.channels = tuple(learned)
+        self.learning.step = LearningStep.REVIEW
+
+    def use(self, *channels: int, calibration: Calibration = LEARNED) -> None:
+        """Edit the settings as if these channels had been learned."""
+        self.review(*channels, calibration=calibration)
+        self.learning.use_values()
+
     def write(self) -> None:
         self.device.writer.apply()
         self.until(lambda: not self.device.writer.running)
@@ -111,9 +126,7 @@ def setup(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[LearningSe
 def test_learning_two_channels_is_one_undo_step(setup: LearningSetup) -> None:
     taken: list[bool] = []
     setup.learning.edited.connect(lambda: taken.append(True))
-    setup.go_to_travel()
-    setup.push_all()
-    setup.learning.next()
+    setup.to_review(1, 2)
     assert setup.learning.step is LearningStep.REVIEW
     assert setup.learning.can_use_values
     assert setup.device.draft.pending == 0
@@ -229,9 +242,7 @@ def test_current_ending_after_the_stop_does_not_block_the_test(setup: LearningSe
 
 
 def test_arming_is_allowed_in_review_but_not_in_travel(setup: LearningSetup) -> None:
-    setup.go_to_travel()
-    setup.push_all()
-    setup.learning.next()
+    setup.to_review(1, 2)
     setup.device.motors.arm()
     setup.until_step(LearningStep.REVIEW)
     setup.learning.back()
@@ -241,9 +252,7 @@ def test_arming_is_allowed_in_review_but_not_in_travel(setup: LearningSetup) -> 
 
 
 def test_review_curves_follow_stick_and_chosen_values(setup: LearningSetup) -> None:
-    setup.go_to_travel()
-    setup.push_all()
-    setup.learning.next()
+    setup.to_review(1, 2)
     first, second = setup.learning.channels
     before, after = second.curve_before, second.curve_after
     assert before is not None
@@ -286,9 +295,7 @@ def test_channel_without_signal_is_skipped(setup: LearningSetup) -> None:
 
 
 def test_going_back_from_review_keeps_the_travel(setup: LearningSetup) -> None:
-    setup.go_to_travel()
-    setup.push_all()
-    setup.learning.next()
+    setup.to_review(1, 2)
     setup.learning.back()
     setup.until_step(LearningStep.TRAVEL)
     assert all(c.travel is not None and c.travel.is_enough for c in setup.learning.channels)
@@ -299,9 +306,7 @@ def test_going_back_from_review_keeps_the_travel(setup: LearningSetup) -> None:
 
 
 def test_invalid_values_cannot_be_accepted(setup: LearningSetup) -> None:
-    setup.go_to_travel()
-    setup.push_all()
-    setup.learning.next()
+    setup.to_review(1, 2)
     (first, _) = setup.learning.channels
     assert first.choice is not None
     good = first.choice.calibration
@@ -315,14 +320,10 @@ def test_invalid_values_cannot_be_accepted(setup: LearningSetup) -> None:
 
 
 def test_written_values_request_a_test(setup: LearningSetup) -> None:
-    stored: list[bool] = []
-    setup.learning.stored.connect(lambda: stored.append(True))
-    setup.go_to_travel()
-    setup.push_all()
-    setup.learning.next()
+    setup.to_review(1, 2)
     setup.learning.use_values()
-    setup.device.writer.apply()
-    setup.until(lambda: bool(stored))
+    setup.write()
+    assert setup.requested_tests == [(1, 2)]
     setup.learning.begin_test(setup.learning.numbers)
     setup.until_step(LearningStep.TEST)
     assert setup.learning.tests is not None
@@ -351,19 +352,17 @@ def test_gap_in_telemetry_stalls_the_neutral_step(setup: LearningSetup) -> None:
 
 @pytest.mark.parametrize("how", ["undo", "discard"])
 def test_dropped_values_do_not_request_a_test(setup: LearningSetup, how: str) -> None:
-    setup.to_review(1)
-    setup.learning.use_values()
+    setup.use(1)
     draft = setup.device.draft
     (draft.undo.undo if how == "undo" else draft.discard_edits)()
-    setup.device.parameters.edit("serial_timeout", 9)
+    setup.device.calibrations.edit(1, LEARNED)  # by hand
     setup.write()
-    assert setup.device.parameters.values.stored.get("serial_timeout") == 9
+    assert setup.device.calibrations.stored(1) == LEARNED
     assert setup.requested_tests == []
 
 
 def test_reconnecting_forgets_the_pending_test(setup: LearningSetup) -> None:
-    setup.to_review(1)
-    setup.learning.use_values()
+    setup.use(1)
     setup.device.disconnect_line()
     setup.until(lambda: setup.device.link is ConnectionState.DISCONNECTED)
     setup.device.connect_to(ConnectionSettings(setup.simulator.url))
@@ -375,8 +374,7 @@ def test_reconnecting_forgets_the_pending_test(setup: LearningSetup) -> None:
 
 
 def test_requesting_a_test_does_not_stop_running_motors(setup: LearningSetup) -> None:
-    setup.to_review(1)
-    setup.learning.use_values()
+    setup.use(1)
     setup.device.motors.arm()
     setup.device.motors.set_speed(1, 40)
     setup.until(lambda: setup.simulator.show()["motors"][0]["speed"] == 40)
@@ -389,8 +387,7 @@ def test_requesting_a_test_does_not_stop_running_motors(setup: LearningSetup) ->
 
 
 def test_each_written_channel_requests_its_own_test(setup: LearningSetup) -> None:
-    setup.to_review(1, 2)
-    setup.learning.use_values()
+    setup.use(1, 2)
     setup.device.writer.apply({"rc_channel_2"})
     setup.until(lambda: not setup.device.writer.running)
     assert setup.requested_tests == [(2,)]
@@ -398,24 +395,18 @@ def test_each_written_channel_requests_its_own_test(setup: LearningSetup) -> Non
     assert setup.requested_tests == [(2,), (1,)]
 
 
-@pytest.mark.parametrize(
-    ("failed", "expected"), [((2,), (1,)), ((1, 2), None), ((), (1, 2))], ids=str
-)
+@pytest.mark.parametrize(("failed", "expected"), [((2,), (1,)), ((1, 2), None)], ids=str)
 def test_only_written_channels_request_a_test(
     setup: LearningSetup, failed: tuple[int, ...], expected: tuple[int, ...] | None
 ) -> None:
-    setup.to_review(1, 2)
-    values = {c.number: c.choice.calibration for c in setup.learning.channels if c.choice}
-    setup.learning.use_values()
+    setup.use(1, 2)
     results = tuple(
         WriteResult(CalibrationKey.of(InputSource.RC, number), error=NoReply("no answer"))
         if number in failed
-        else WriteResult(CalibrationKey.of(InputSource.RC, number), value)
-        for number, value in values.items()
+        else WriteResult(CalibrationKey.of(InputSource.RC, number), LEARNED)
+        for number in (1, 2)
     )
-    setup.device.calibrations.note_stored(
-        {number: value for number, value in values.items() if number not in failed}
-    )
+    setup.device.calibrations.note_stored(dict.fromkeys({1, 2} - set(failed), LEARNED))
     setup.device.applied.emit(results)
     assert setup.requested_tests == ([] if expected is None else [expected])
 
@@ -423,11 +414,9 @@ def test_only_written_channels_request_a_test(
 def test_already_stored_values_request_the_test_at_once(setup: LearningSetup) -> None:
     taken: list[bool] = []
     setup.learning.edited.connect(lambda: taken.append(True))
-    setup.to_review(1)
-    (channel,) = setup.learning.channels
-    assert channel.curve_before is not None
-    setup.learning.choose(1, calibration=channel.curve_before.calibration, reversed_=False)
-    setup.learning.use_values()
+    stored = setup.device.calibrations.stored(1)
+    assert stored is not None
+    setup.use(1, calibration=stored)
     assert taken == []
     assert setup.requested_tests == [(1,)]
     setup.learning.begin_test(setup.learning.numbers)
@@ -444,7 +433,7 @@ def test_old_values_come_from_the_board_despite_edits(setup: LearningSetup) -> N
     setup.device.calibrations.edit(1, replace(stored, neutral=3800))
     setup.device.parameters.edit("reversed_channels", 1)
     setup.device.parameters.edit("serial_timeout", 9)
-    setup.to_review(1)
+    setup.review(1)
     (channel,) = setup.learning.channels
     assert not channel.reversed_now
     assert channel.curve_before is not None
@@ -458,8 +447,7 @@ def test_old_values_come_from_the_board_despite_edits(setup: LearningSetup) -> N
 
 @pytest.mark.parametrize("how", ["mode", "motors"])
 def test_failed_test_does_not_deny_the_written_values(setup: LearningSetup, how: str) -> None:
-    setup.to_review(1)
-    setup.learning.use_values()
+    setup.use(1)
     setup.write()
     assert setup.requested_tests
     setup.learning.begin_test(setup.learning.numbers)

@@ -1,21 +1,22 @@
 """The assistant on a simulated robot: pulses show its wiring, and the edits correct it."""
 
 from collections.abc import Callable, Iterator
-from itertools import product
 
 import pytest
 from pytestqt.qtbot import QtBot
 
-from tests.support.pages.learning import learning_dialog
 from tests.support.robots import Robot
 from tests.support.simulator import SimulatedDevice
-from tests.support.transmitter import Stick
 from trex_gui.core.resource_files import resource
+from trex_gui.devices.trex.model.learning.channels import Choice, LearnedChannel
+from trex_gui.devices.trex.model.learning.learning import Learning, LearningStep
 from trex_gui.devices.trex.model.setup.presets import LIMITS, Preset
 from trex_gui.devices.trex.model.setup.pulses import PAUSE, PULSE, STRONGER, WEAK
 from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup, SetupStep
 from trex_gui.devices.trex.model.setup.wiring import Driver, Movement, Rewiring, Side, Wiring
+from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.ui.runtime import now, runtime
@@ -31,8 +32,6 @@ def robot(quick_simulator: SimulatedDevice, qtbot: QtBot) -> Iterator[Robot]:
 
 FORWARD = {Side.LEFT: 1, Side.RIGHT: 1}
 RIGHT = {Side.LEFT: 1, Side.RIGHT: -1}
-
-COMBINATIONS = list(product([False, True], repeat=2))
 
 
 # --- Which motor is which ---------------------------------------------------------------
@@ -70,7 +69,7 @@ def test_one_stick_is_corrected_by_reversed_channels(
     assert robot.turns_when_pushed(1) == RIGHT
 
 
-@pytest.mark.parametrize(("swapped", "reversed_"), COMBINATIONS)
+@pytest.mark.parametrize(("swapped", "reversed_"), [(False, True), (True, False), (True, True)])
 def test_two_sticks_are_corrected_once_each_drives_its_side(
     robot: Robot, swapped: bool, reversed_: bool
 ) -> None:
@@ -151,22 +150,26 @@ def test_directions_wait_until_the_sticks_are_known(robot: Robot) -> None:
     assert setup.edits == {ParameterKey.REVERSED_CHANNELS: 3}
 
 
-def test_learned_directions_are_taken_over(quick_simulator: SimulatedDevice, qtbot: QtBot) -> None:
-    with learning_dialog(quick_simulator, qtbot) as dialog:
-        setup = RobotSetup(dialog.device, dialog.dialog.learning)
-        dialog.use({1: Stick(forward_is_down=True), 2: Stick()})
-        dialog.go_to_review(1, 2)
-        assert setup.rises == {}
-        dialog.click("learnUseButton")
-        assert setup.rises == {1: False, 2: True}
-        setup.note_movement(1, Movement.LEFT_FORWARD)
-        setup.note_movement(2, Movement.RIGHT_FORWARD)
-        while setup.step is not SetupStep.MOTORS:
-            setup.skip()
-        assert setup.edits == {}  # learning has edited the directions as they have to be
-        setup.note_movement(1, Movement.LEFT_BACKWARD)
-        setup.note_movement(2, Movement.RIGHT_BACKWARD)
-        assert setup.edits == {ParameterKey.REVERSED_CHANNELS: 0b10}
+def test_learned_directions_are_taken_over(robot: Robot) -> None:
+    learning = Learning(robot.device)
+    setup = RobotSetup(robot.device, learning)
+    learning.channels = tuple(
+        LearnedChannel(robot.device, number, InputSource.RC) for number in (1, 2)
+    )
+    for channel in learning.channels:
+        channel.choice = Choice(Calibration(2400, 3700, 5100, 80), reversed_=channel.number == 1)
+    learning.step = LearningStep.REVIEW
+    assert setup.rises == {}
+    learning.use_values()
+    assert setup.rises == {1: False, 2: True}
+    setup.note_movement(1, Movement.LEFT_FORWARD)
+    setup.note_movement(2, Movement.RIGHT_FORWARD)
+    while setup.step is not SetupStep.MOTORS:
+        setup.skip()
+    assert setup.edits == {}  # learning has edited the directions as they have to be
+    setup.note_movement(1, Movement.LEFT_BACKWARD)
+    setup.note_movement(2, Movement.RIGHT_BACKWARD)
+    assert setup.edits == {ParameterKey.REVERSED_CHANNELS: 0b10}
 
 
 # --- What is still open -----------------------------------------------------------------
