@@ -66,18 +66,24 @@ class LostBoard:
         qtbot.runtime.advance(1.0)
 
 
-@pytest.fixture(params=[False, True], ids=["stops", "goes on"])
+@pytest.fixture
+def goes_on() -> bool:
+    return False
+
+
+@pytest.fixture
 def lost(
-    request: pytest.FixtureRequest, device: Device, start_simulator: StartSimulator, qtbot: QtBot
+    device: Device, start_simulator: StartSimulator, qtbot: QtBot, *, goes_on: bool
 ) -> LostBoard:
-    hypothesis = ("--timeout-needs-shutdown=on", "--error-shutdown=off") if request.param else ()
+    hypothesis = ("--timeout-needs-shutdown=on", "--error-shutdown=off") if goes_on else ()
     board = start_simulator("--unpaced", *hypothesis)
     assert isinstance(board, VirtualSimulator)
     board.do("eeprom serial_timeout 5")
     board.do("power cycle")
-    return LostBoard(device, board, qtbot, goes_on=request.param)
+    return LostBoard(device, board, qtbot, goes_on=goes_on)
 
 
+@pytest.mark.parametrize("goes_on", [False, True])
 @pytest.mark.parametrize(
     ("answer", "known"),
     [("timeoutWorked", TimeoutStop.TRIED), ("timeoutFailed", TimeoutStop.FAILED)],
