@@ -51,17 +51,11 @@ def test_newest_snapshot_is_compared_with_the_previous_one(dialog: HistoryDialog
     assert "Apply of 2 settings" in dialog.text("snapshotTitle")
     assert not dialog.is_enabled("restoreButton")
     assert "No board is connected" in dialog.text("restoreNote")
-
-
-def test_older_snapshot_shows_what_restoring_it_would_change(dialog: HistoryDialog) -> None:
-    take(dialog.history, MINUTE, serial_timeout=5)
-    take(dialog.history, serial_timeout=7)
-    dialog.open()
-    dialog.select_snapshot(1)
+    dialog.select_snapshot(1)  # what restoring it would change
     dialog.wait(lambda: dialog.values() == {"serial_timeout": ("0.7 s", "0.5 s")})
 
 
-def test_two_snapshots_are_compared_from_newer_to_older(dialog: HistoryDialog) -> None:
+def test_two_snapshots_or_a_reference_are_compared(dialog: HistoryDialog) -> None:
     for ago, wire in ((3, 5), (2, 6), (1, 7)):
         take(dialog.history, ago * MINUTE, serial_timeout=wire)
     dialog.open()
@@ -70,11 +64,7 @@ def test_two_snapshots_are_compared_from_newer_to_older(dialog: HistoryDialog) -
     dialog.select_snapshot(0, 1, 2)
     dialog.wait_for_text("comparisonSummary", "two to compare")
 
-
-def test_reference_snapshot_can_be_selected_and_is_kept(dialog: HistoryDialog) -> None:
-    for ago, wire in ((3, 5), (2, 6), (1, 7)):
-        take(dialog.history, ago * MINUTE, serial_timeout=wire)
-    dialog.open()
+    dialog.select_snapshot(0)
     box = dialog.combo("compareWithCombo")
     model = box.model()
     assert isinstance(model, QStandardItemModel)
@@ -142,13 +132,15 @@ def test_search_filters_the_list(dialog: HistoryDialog) -> None:
     assert dialog.count() == 2
 
 
-def test_snapshot_of_another_program_appears_on_refresh(dialog: HistoryDialog) -> None:
+def test_what_another_program_did_appears_on_refresh(dialog: HistoryDialog) -> None:
     take(dialog.history, MINUTE, serial_timeout=5)
     dialog.open()
     take(dialog.history)
+    dialog.history.keep(77)
     dialog.refresh()
     assert dialog.count() == 2
     assert dialog.selected_row() == 1  # what was looked at stays
+    assert dialog.find(QSpinBox, "keptField").value() == 77
 
 
 # --- User actions ---------------------------------------------------------------------
@@ -179,16 +171,12 @@ def test_deleting_the_last_snapshot_empties_the_history(dialog: HistoryDialog) -
     take(dialog.history)
     dialog.open()
     dialog.click("deleteSnapshotButton")
-    dialog.answer(yes=True)
-    dialog.wait(dialog.find(QLabel, "historyEmpty").isVisible)
-
-
-def test_closing_with_an_open_question_deletes_nothing(dialog: HistoryDialog) -> None:
-    take(dialog.history)
+    dialog.root.close()
+    assert len(dialog.history.snapshots()) == 1, "the question was not answered"
     dialog.open()
     dialog.click("deleteSnapshotButton")
-    dialog.root.close()
-    assert len(dialog.history.snapshots()) == 1
+    dialog.answer(yes=True)
+    dialog.wait(dialog.find(QLabel, "historyEmpty").isVisible)
 
 
 def test_copy_is_saved_as_a_settings_file(
@@ -257,14 +245,6 @@ def test_damaged_bound_is_reported_until_it_is_set(dialog: HistoryDialog) -> Non
     dialog.wait_for_files()
     assert dialog.history.bound() == Bound(20)
     assert dialog.banner == ""
-
-
-def test_bound_set_elsewhere_appears_on_refresh(dialog: HistoryDialog) -> None:
-    take(dialog.history)
-    dialog.open()
-    dialog.history.keep(77)
-    dialog.refresh()
-    assert dialog.find(QSpinBox, "keptField").value() == 77
 
 
 def test_bound_is_set_only_once_the_snapshots_are_counted(dialog: HistoryDialog) -> None:
