@@ -389,6 +389,6 @@ def full_disk(monkeypatch: pytest.MonkeyPatch) -> None:
 
     def begin_on_full_disk(writer: RecordingWriter[Any, Any]) -> None:
         begin(writer)
-        writer._database.execute("PRAGMA max_page_count = 30")
+        writer._database.execute("PRAGMA max_page_count = 12")
 
     monkeypatch.setattr(RecordingWriter, "_begin", begin_on_full_disk)

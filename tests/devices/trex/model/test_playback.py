@@ -48,6 +48,14 @@ def minute_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
+@pytest.fixture(scope="module")
+def long_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Four minutes, which take a while to read and to export."""
+    path = tmp_path_factory.mktemp("long") / "long.trexrec"
+    write_an_hour(path, 4)
+    return path
+
+
 @pytest.fixture
 def minute(minute_file: Path, qtbot: QtBot) -> Iterator[Playback]:
     playback = loaded(minute_file, qtbot)
@@ -67,9 +75,8 @@ def playback_of(path: Path, qtbot: QtBot, *what: Record) -> Playback:
     return loaded(path, qtbot)
 
 
-def test_progress_of_reading_is_reported(tmp_path: Path, qtbot: QtBot) -> None:
-    write_an_hour(tmp_path / "a.trexrec", 2)
-    playback = loading(Playback(open_recording(tmp_path / "a.trexrec")))
+def test_progress_of_reading_is_reported(long_file: Path, qtbot: QtBot) -> None:
+    playback = loading(Playback(open_recording(long_file)))
     assert not playback.is_loaded
     shares: list[float] = []
     playback.progressed.connect(lambda: shares.append(playback.share))
@@ -77,13 +84,13 @@ def test_progress_of_reading_is_reported(tmp_path: Path, qtbot: QtBot) -> None:
         pass
     assert shares == sorted(shares)
     assert shares[-1] == 1.0
-    assert playback.end - playback.start == pytest.approx(120, abs=0.1)
+    assert playback.end - playback.start == pytest.approx(240, abs=0.1)
     playback.close()
 
 
 def test_seeking_gives_the_same_state_as_sequential_reading(minute: Playback) -> None:
     random = Random(3)
-    places = [random.uniform(0, 60) for _ in range(60)]
+    places = [random.uniform(0, 60) for _ in range(30)]
     straight = BoardSnapshot.at_start(HEADER)
     records = deque(an_hour(60))
     expected: dict[float, BoardSnapshot] = {}
@@ -314,10 +321,9 @@ def started_workers(monkeypatch: pytest.MonkeyPatch) -> list[FileWorker]:
 
 @pytest.mark.realtime
 def test_close_while_reading_ends_the_thread(
-    tmp_path: Path, qtbot: QtBot, started_workers: list[FileWorker]
+    long_file: Path, qtbot: QtBot, started_workers: list[FileWorker]
 ) -> None:
-    write_an_hour(tmp_path / "long.trexrec", 4)
-    playback = loading(Playback(open_recording(tmp_path / "long.trexrec")))
+    playback = loading(Playback(open_recording(long_file)))
     (thread,) = started_workers
     qtbot.waitUntil(lambda: playback.share > 0)
     signals: list[str] = []
@@ -357,11 +363,11 @@ def test_last_samples_of_a_long_recording_are_drawn(tmp_path: Path, qtbot: QtBot
 
 @pytest.mark.realtime
 @pytest.mark.parametrize("how", ["close", "cancel"])
-def test_cancelled_export_keeps_the_existing_file(tmp_path: Path, qtbot: QtBot, how: str) -> None:
-    write_an_hour(tmp_path / "minute.trexrec", 4)
+def test_cancelled_export_keeps_the_existing_file(
+    long_file: Path, tmp_path: Path, qtbot: QtBot, how: str
+) -> None:
     path = tmp_path / "span.csv"
-    source = tmp_path / "minute.trexrec"
-    assert any(is_cancelled(path, loaded(source, qtbot), qtbot, how) for _ in range(TRIES))
+    assert any(is_cancelled(path, loaded(long_file, qtbot), qtbot, how) for _ in range(TRIES))
     assert path.read_text() == "what was there"
 
 

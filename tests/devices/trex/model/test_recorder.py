@@ -228,9 +228,9 @@ class Kept:
 
 @pytest.fixture
 def kept(session: RecorderSetup, monkeypatch: pytest.MonkeyPatch) -> Iterator[Kept]:
-    """Keep the 4 seconds before an event and the 2 seconds after it."""
+    """Keep the 2 seconds before an event and the 2 seconds after it."""
     assert (recorder._BEFORE, recorder._AFTER) == (20.0, 10.0)
-    monkeypatch.setattr(recorder, "_BEFORE", 4.0)
+    monkeypatch.setattr(recorder, "_BEFORE", 2.0)
     monkeypatch.setattr(recorder, "_AFTER", 2.0)
     kept = Kept(session)
     session.device.link_changed.emit()
@@ -246,7 +246,7 @@ def test_seconds_around_a_stop_are_kept_with_what_came_before(
     motors.press_stop()  # at rest: nothing to keep
     session.wait(lambda: not motors.locked_for)
     kept.drive()
-    kept.wait(5)
+    kept.wait(3)
     stopped = now()
     motors.press_stop()
     kept.wait(1)
@@ -254,7 +254,7 @@ def test_seconds_around_a_stop_are_kept_with_what_came_before(
 
     path, records = kept.newest(1)
     assert re.fullmatch(r"[-_.0-9]{24}stop.trexrec", path.name)
-    assert 3.5 < stopped - records[0].time < 4.5
+    assert 1.5 < stopped - records[0].time < 2.5
     assert 2.5 < records[-1].time - stopped < 3.5
     first = records[0]
     assert isinstance(first, SetpointRecord)  # from before the seconds that are kept

@@ -223,7 +223,7 @@ def half_read(path: Path, qtbot: QtBot) -> RecordingWindow:
 @pytest.mark.realtime
 def test_reading_shows_progress_and_can_be_cancelled(tmp_path: Path, qtbot: QtBot) -> None:
     path = tmp_path / "long.trexrec"
-    write_an_hour(path, 10)
+    write_an_hour(path, 5)
     window = half_read(path, qtbot)
     assert window.has("recordingProgress")
     bar = window.find(QProgressBar, "recordingProgress")

@@ -85,6 +85,8 @@ class InterruptedApply:
         """The snapshot says what was stored before, whole."""
         (snapshot,) = self.device.writer.history.snapshots()
         assert self.device.writer.history.load(snapshot) == self.before
+        assert snapshot.reason == f"Apply of {len(WANTED) + 1} settings"
+        assert snapshot.adapter
 
     def require_named(self) -> None:
         """Whatever is not stored was told, and what was told to be stored is."""
