@@ -1,5 +1,7 @@
 """Sentences about one channel."""
 
+from typing import Any
+
 import pytest
 
 from trex_gui.core.errors import NoReply
@@ -7,7 +9,6 @@ from trex_gui.devices.trex.model.channel_text import (
     beyond_input,
     concern,
     function_text,
-    learned_text,
     source_instructions,
     write_failure,
     wrong_order,
@@ -19,37 +20,30 @@ from trex_gui.devices.trex.protocol.flags import InputSource, Mode
 USUAL = Calibration(2500, 3750, 5000, 75)
 
 
-def test_rc_mode_text_names_function_of_each_channel() -> None:
-    said = [
-        function_text(channel, Mode.RC, joint=False, ignored=False) for channel in (1, 2, 3, 4, 5)
-    ]
-    for words, expected in zip(
-        said, ("motor 1", "motor 2", "auxiliary", "flip", "override"), strict=True
-    ):
-        assert expected in words
-    assert "mix jumper" in said[0]
-
-
-def test_known_mix_jumper_state_is_described() -> None:
-    said = {
-        (channel, mixed): function_text(channel, Mode.RC, joint=False, ignored=False, mixed=mixed)
-        for channel in (1, 2, 3)
-        for mixed in (True, False)
-    }
-    assert said[1, True] == "Channel 1 steers: it moves both motors (the mix jumper is on)."
-    assert said[1, False] == "Channel 1 drives motor 1 (the mix jumper is off)."
-    assert "forward and back (the mix jumper is on)" in said[2, True]
-    assert "motor 2 (the mix jumper is off)" in said[2, False]
-    assert said[3, True] == said[3, False]
-    assert "joint" in function_text(1, Mode.RC, joint=True, ignored=False, mixed=True)
-
-
-def test_serial_mode_text_says_channel_does_not_drive() -> None:
-    said = function_text(2, Mode.SERIAL_RC, joint=False, ignored=False, mixed=False)
-    assert said == (
-        "Read only; does not drive. In RC and analog mode it drives motor 2 (the mix jumper is "
-        "off)."
-    )
+@pytest.mark.parametrize(
+    ("channel", "mode", "state", "words"),
+    [
+        (1, Mode.RC, {}, "Channel 1 drives motor 1; with the mix jumper on it steers."),
+        (3, Mode.RC, {}, "auxiliary"),
+        (1, Mode.RC, {"mixed": True}, "steers: it moves both motors (the mix jumper is on)"),
+        (1, Mode.RC, {"mixed": False}, "drives motor 1 (the mix jumper is off)"),
+        (2, Mode.RC, {"mixed": True}, "forward and back (the mix jumper is on)"),
+        (2, Mode.RC, {"mixed": False}, "motor 2 (the mix jumper is off)"),
+        (3, Mode.RC, {"mixed": True}, "Channel 3 drives the auxiliary motor"),
+        (2, Mode.SERIAL_RC, {"mixed": False}, "Read only; does not drive. In RC and analog mode"),
+        (1, Mode.ANALOG, {"joint": True, "mixed": True}, "both drivers power (joint mode"),
+        (2, Mode.RC, {"joint": True}, "has no motor"),
+        (4, Mode.RC, {"joint": True}, "flip"),
+        (1, Mode.RC, {"ignored": True, "is_reversed": True}, "at neutral, whatever its input is."),
+        (5, Mode.SERIAL_RC, {"ignored": True}, "held off"),
+        (1, Mode.RC, {"is_reversed": True}, "; it is reversed."),
+        (4, Mode.RC, {"switches_at": "below 1 V"}, "while the input is below 1 V"),
+    ],
+)
+def test_text_says_what_a_channel_does(
+    channel: int, mode: Mode, state: dict[str, Any], words: str
+) -> None:
+    assert words in function_text(channel, mode, **{"joint": False, "ignored": False, **state})
 
 
 def test_override_takes_motors_from_channels_and_names_channel_5() -> None:
@@ -64,28 +58,6 @@ def test_override_takes_motors_from_channels_and_names_channel_5() -> None:
         *(False, False),
     ]
     assert said[4].startswith("On now. It is the override switch")
-
-
-def test_reversed_channel_is_described_as_reversed_unless_it_is_ignored() -> None:
-    for ignored in (False, True):
-        said = function_text(1, Mode.RC, joint=False, ignored=ignored, is_reversed=True)
-        assert ("reversed" in said) is not ignored
-
-
-def test_joint_mode_text_says_channel_2_has_no_motor() -> None:
-    assert "has no motor" in function_text(2, Mode.RC, joint=True, ignored=False)
-    assert "both drivers" in function_text(1, Mode.ANALOG, joint=True, ignored=False)
-    assert "flip" in function_text(4, Mode.RC, joint=True, ignored=False)
-
-
-def test_ignored_channel_is_described_as_held() -> None:
-    assert "at neutral" in function_text(1, Mode.RC, joint=False, ignored=True)
-    assert "held off" in function_text(5, Mode.SERIAL_RC, joint=False, ignored=True)
-
-
-def test_switch_channel_text_contains_its_threshold() -> None:
-    words = function_text(4, Mode.RC, joint=False, ignored=False, switches_at="below 1250 µs")
-    assert "while the input is below 1250 µs" in words
 
 
 def test_input_source_instruction_depends_on_mode() -> None:
@@ -144,8 +116,3 @@ def test_calibration_beyond_input_range_is_a_concern(
 def test_ends_of_input_range_are_no_concern() -> None:
     assert concern(Calibration(1250, 3750, 6250, 75), InputSource.RC) == ""
     assert concern(Calibration(0, 512, 1023, 20), InputSource.ANALOG) == ""
-
-
-def test_learned_text_names_own_or_factory_calibration() -> None:
-    assert "of its own" in learned_text(True)
-    assert "factory" in learned_text(False)

@@ -21,7 +21,6 @@ from trex_gui.devices.trex.model.demo import (
     BootStep,
     DemoJumpers,
     DemoLeds,
-    DemoMotor,
     DemoSnapshot,
     read_snapshot,
 )
@@ -35,7 +34,6 @@ from trex_gui.devices.trex.views.demo_panel import (
     led_meaning,
     led_patterns,
     led_words,
-    motor_text,
     state_text,
 )
 from trex_gui.ui.devices.ports import Port, PortKind
@@ -66,16 +64,11 @@ RC = replace(
 )
 
 
-@pytest.mark.parametrize("flicker", ["on", "off"])
-def test_packet_led_is_shown_without_flicker(flicker: str) -> None:
-    assert led_patterns(replace(SERIAL, leds=DemoLeds("on", flicker))) == ("on", PACKETS)
-    assert led_patterns(replace(RC, leds=DemoLeds(flicker, "on"))) == (PACKETS, "on")
-
-
-def test_leds_have_the_words_of_the_status_page() -> None:
+def test_packet_led_is_shown_without_flicker() -> None:
     assert LED_TEXTS[PACKETS].startswith(led_words(PACKETS))
-    assert led_words("fast flash") == "flashes fast"
-    assert led_words("blink 1/s") == "blink 1/s"
+    for flicker in ("on", "off"):
+        assert led_patterns(replace(SERIAL, leds=DemoLeds("on", flicker))) == ("on", PACKETS)
+        assert led_patterns(replace(RC, leds=DemoLeds(flicker, "on"))) == (PACKETS, "on")
 
 
 @pytest.mark.parametrize(
@@ -135,20 +128,6 @@ def test_moved_jumper_hints_at_the_power_cycle(snapshot: DemoSnapshot, hint: str
     assert jumper_hint(snapshot) == hint
 
 
-@pytest.mark.parametrize(
-    ("direction", "speed", "text"),
-    [
-        ("forward", 64, "forward 64, 3.1\u00a0A"),
-        ("reverse", 127, "reverse 127, 3.1\u00a0A"),
-        ("brake", 127, "brake 127, 3.1\u00a0A"),
-        ("brake", 0, "coast, 3.1\u00a0A"),
-    ],
-)
-def test_motor_text_names_speed_and_current(direction: str, speed: int, text: str) -> None:
-    motor = DemoMotor(direction, speed, current=3.14, load=3.0, stall=30.0, fault=False)
-    assert motor_text(motor) == text
-
-
 # --- LEDs -------------------------------------------------------------------------------
 
 
@@ -174,11 +153,8 @@ def test_alternating_leds_are_never_lit_together() -> None:
         seconds = tenth / 10
         first = is_lit("alternate 1/s", seconds)
         assert is_lit("alternate 1/s", seconds, second=True) is not first
-
-
-@pytest.mark.parametrize(("pattern", "lit"), [("on", True), ("off", False), ("purple", False)])
-def test_steady_pattern_does_not_blink(pattern: str, lit: bool) -> None:
-    assert is_lit(pattern, 0.3) is is_lit(pattern, 0.8) is lit
+        assert is_lit("on", seconds)
+        assert not is_lit("purple", seconds)
 
 
 def test_leds_blink_and_are_explained(qtbot: QtBot) -> None:
@@ -241,15 +217,12 @@ def slider(qtbot: QtBot) -> StickSlider:
     return slider
 
 
-def test_double_click_moves_slider_to_neutral(slider: StickSlider, qtbot: QtBot) -> None:
+def test_slider_moves_for_hands_and_follows_the_board(slider: StickSlider, qtbot: QtBot) -> None:
     slider.setValue(2000)
     with qtbot.waitSignal(slider.valueChanged):
         QTest.mouseDClick(slider, Qt.MouseButton.LeftButton)
     assert slider.value() == 1500
     assert not slider.isSliderDown()
-
-
-def test_follow_emits_nothing_and_keeps_a_held_handle(slider: StickSlider, qtbot: QtBot) -> None:
     with qtbot.assertNotEmitted(slider.valueChanged):
         slider.follow(1800)
         slider.set_scale(900, 2100, 1400)
@@ -259,30 +232,22 @@ def test_follow_emits_nothing_and_keeps_a_held_handle(slider: StickSlider, qtbot
     assert slider.value() == 1800
 
 
-def test_wheel_moves_a_focused_slider_only(slider: StickSlider, qtbot: QtBot) -> None:
-    slider.clearFocus()
-    turn_wheel(slider)
-    assert slider.value() == 1500
-    slider.activateWindow()
-    slider.setFocus()
-    qtbot.waitUntil(slider.hasFocus)
-    turn_wheel(slider)
-    assert slider.value() > 1500
-
-
-def test_wheel_changes_a_focused_combo_box_only(qtbot: QtBot) -> None:
+def test_wheel_changes_only_what_has_the_focus(slider: StickSlider, qtbot: QtBot) -> None:
     combo = ComboBox()
     qtbot.addWidget(combo)
     combo.addItems(["a", "b", "c"])
     combo.setCurrentIndex(1)
     combo.show()
-    combo.clearFocus()
-    turn_wheel(combo)
-    assert combo.currentIndex() == 1
-    combo.activateWindow()
-    combo.setFocus()
-    qtbot.waitUntil(combo.hasFocus)
-    turn_wheel(combo)
+    for widget in (slider, combo):
+        widget.clearFocus()
+        turn_wheel(widget)
+    assert (slider.value(), combo.currentIndex()) == (1500, 1)
+    for widget in (slider, combo):
+        widget.activateWindow()
+        widget.setFocus()
+        qtbot.waitUntil(widget.hasFocus)
+        turn_wheel(widget)
+    assert slider.value() > 1500
     assert combo.currentIndex() == 0
 
 
