@@ -23,12 +23,9 @@ from trex_gui.ui.devices.simulator import Simulator, simulator_command
 # --- Line settings ----------------------------------------------------------------------
 
 
-def test_line_settings_default_to_factory(setup: ConnectorSetup) -> None:
-    assert setup.connector.settings == ConnectionSettings("")
-
-
 @pytest.mark.parametrize("number", [None, 0, 7, 127])
 def test_line_settings_are_saved(setup: ConnectorSetup, qtbot: QtBot, number: int | None) -> None:
+    assert setup.connector.settings == ConnectionSettings("")
     line = LineSettings(57600, Detection.CRC7, 2)
     with qtbot.waitSignal(setup.connector.changed):
         setup.connector.set_settings(
@@ -144,14 +141,6 @@ def test_failed_open_clears_the_port(setup: ConnectorSetup) -> None:
     assert setup.connector.port is None
 
 
-def test_disconnecting_clears_the_port(
-    setup: ConnectorSetup, quick_simulator: SimulatedDevice
-) -> None:
-    setup.connect(setup.ports.add_typed(quick_simulator.url))
-    setup.disconnect()
-    assert setup.connector.port is None
-
-
 def test_choosing_the_demo_port_starts_the_simulator(setup: ConnectorSetup) -> None:
     setup.connector.set_settings(ConnectionSettings("", LineSettings(115200, Detection.CRC7)))
     setup.connector.connect_to(setup.ports.demo_of("trex"))
@@ -168,6 +157,7 @@ def test_simulator_keeps_running_after_disconnect(setup: ConnectorSetup) -> None
     setup.connect(setup.ports.demo_of("trex"))
     url = setup.connector.simulator.url
     setup.disconnect()
+    assert setup.connector.port is None
     setup.connect(setup.ports.demo_of("trex"))
     assert setup.connector.simulator.url == url
 
@@ -223,6 +213,8 @@ def test_running_simulator_is_not_started_twice(demo: Simulator, qtbot: QtBot) -
 def test_stopped_simulator_can_be_restarted(demo: Simulator, qtbot: QtBot) -> None:
     failures: list[str] = []
     demo.failed.connect(failures.append)
+    demo.stop()
+    demo.send("power off")
     with qtbot.waitSignal(demo.ready):
         demo.start()
     demo.stop()
@@ -230,11 +222,6 @@ def test_stopped_simulator_can_be_restarted(demo: Simulator, qtbot: QtBot) -> No
     assert demo.url == ""
     with qtbot.waitSignal(demo.ready):
         demo.start()
-
-
-def test_stop_without_running_simulator_is_harmless(demo: Simulator) -> None:
-    demo.stop()
-    demo.send("power off")
 
 
 @pytest.mark.realtime

@@ -134,13 +134,6 @@ def test_begin_clears_the_history_and_sets_the_unit(telemetry: Telemetry) -> Non
     assert telemetry.motor_currents == pytest.approx((4.0, 0.0))
 
 
-def test_current_history_holds_one_hour(telemetry: Telemetry) -> None:
-    for number in range(3):
-        take(telemetry, *(Currents(float(time), (number, 0)) for time in range(1000)))
-    assert len(telemetry.currents) == 3000
-    assert telemetry.currents.capacity >= 3600 * 80
-
-
 def test_setpoints_and_channels_are_kept_with_the_currents(
     telemetry: Telemetry, motors: Motors
 ) -> None:

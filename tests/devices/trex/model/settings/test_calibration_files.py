@@ -14,25 +14,23 @@ from trex_gui.devices.trex.protocol.calibration import (
     Calibration,
     CalibrationKey,
 )
-from trex_gui.devices.trex.protocol.device_table import Model, device_table
+from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.settings.document import Settings, factory_settings
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
 
 RC, ANALOG = InputSource.RC, InputSource.ANALOG
+JUNIOR = device_table().model("trexjr")
+RC_1 = CalibrationKey.RC_CHANNEL_1
 OTHER = Calibration(2400, 3700, 5100, 60)
 
 
 @pytest.fixture
 def factory() -> Settings:
-    settings = factory_settings(_model("trex"), "1.2")
+    settings = factory_settings(device_table().model("trex"), "1.2")
     shown = {CalibrationKey.of(RC, channel): DEFAULT_CALIBRATION[RC] for channel in CHANNELS}
     return replace(settings, calibrations=shown)
-
-
-def _model(key: str) -> Model:
-    return device_table().model(key)
 
 
 @pytest.fixture
@@ -65,20 +63,20 @@ def test_import_takes_only_calibrations_of_the_input_source(
     assert draft.pending == 0
 
 
-def test_import_rejects_file_of_another_model(draft: SettingsDraft, tmp_path: Path) -> None:
-    path = tmp_path / "junior.txt"
-    junior = Settings(_model("trexjr"), None, {}, {CalibrationKey.RC_CHANNEL_1: OTHER})
-    path.write_text(write_settings(junior), encoding="utf-8")
-    with pytest.raises(BadRequest, match="TReX Jr"):
-        take_calibrations(draft, read_settings(load(path), path.name)[0], "a file")
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        (
+            write_settings(Settings(device_table().model("trexjr"), None, {}, {RC_1: OTHER})),
+            "TReX Jr",
+        ),
+        ("product: TReX\nserial_timeout: 15\n", "no calibrations"),
+    ],
+)
+def test_import_rejects_files_that_do_not_fit(draft: SettingsDraft, text: str, reason: str) -> None:
+    with pytest.raises(BadRequest, match=reason):
+        take_calibrations(draft, read_settings(text, "a.txt")[0], "a file")
     assert draft.pending == 0
-
-
-def test_import_rejects_file_without_calibrations(draft: SettingsDraft, tmp_path: Path) -> None:
-    path = tmp_path / "none.txt"
-    path.write_text("product: TReX\nserial_timeout: 15\n", encoding="utf-8")
-    with pytest.raises(BadRequest, match="no calibrations"):
-        take_calibrations(draft, read_settings(load(path), path.name)[0], "a file")
 
 
 def test_export_to_new_file_writes_only_calibrations(factory: Settings, tmp_path: Path) -> None:
@@ -101,16 +99,18 @@ def test_export_keeps_other_content_of_an_existing_file(factory: Settings, tmp_p
     assert written.calibrations == factory.calibrations
 
 
-def test_export_rejects_file_that_is_not_utf_8(factory: Settings, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("before", "reason"),
+    [
+        ("product: TReX\n# für mich\n".encode("cp1252"), "not UTF-8"),
+        (b"product: TReX Jr\n", "TReX Jr"),
+    ],
+)
+def test_export_rejects_files_that_do_not_fit(
+    factory: Settings, tmp_path: Path, before: bytes, reason: str
+) -> None:
     path = tmp_path / "old.txt"
-    path.write_bytes("product: TReX\n# für mich\n".encode("cp1252"))
-    with pytest.raises(SettingsError, match="not UTF-8"):
+    path.write_bytes(before)
+    with pytest.raises((BadRequest, SettingsError), match=reason):
         put_calibrations(factory, path, "Calibrations.")
-
-
-def test_export_rejects_file_of_another_model(factory: Settings, tmp_path: Path) -> None:
-    path = tmp_path / "junior.txt"
-    path.write_text("product: TReX Jr\n", encoding="utf-8")
-    with pytest.raises(BadRequest, match="TReX Jr"):
-        put_calibrations(factory, path, "Calibrations.")
-    assert path.read_text(encoding="utf-8") == "product: TReX Jr\n"
+    assert path.read_bytes() == before

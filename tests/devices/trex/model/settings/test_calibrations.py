@@ -28,11 +28,6 @@ def model(qtbot: QtBot) -> Calibrations:
     return model
 
 
-def test_calibrations_are_empty_before_a_board_is_read(qtbot: QtBot) -> None:
-    assert Calibrations().stored(1) is None
-    assert Calibrations().pending == ()
-
-
 def test_edit_is_pending_and_emits_signals(model: Calibrations, qtbot: QtBot) -> None:
     with qtbot.waitSignals([model.changed, model.pending_changed]):
         model.edit(CalibrationKey.RC_CHANNEL_2, LEARNED)
@@ -42,12 +37,8 @@ def test_edit_is_pending_and_emits_signals(model: Calibrations, qtbot: QtBot) ->
         (CalibrationKey.RC_CHANNEL_2, LEARNED),
     )
     assert model.stored(2) == DEFAULT_CALIBRATION[InputSource.RC]
-
-
-def test_edit_to_stored_value_is_not_pending(model: Calibrations) -> None:
-    model.edit(CalibrationKey.RC_CHANNEL_2, LEARNED)
     model.edit(CalibrationKey.RC_CHANNEL_2, DEFAULT_CALIBRATION[InputSource.RC])
-    assert model.pending == ()
+    assert model.pending == ((CalibrationKey.RC_CHANNEL_1, OTHER),)
 
 
 def test_inconsistent_calibration_is_rejected(model: Calibrations) -> None:
@@ -78,14 +69,10 @@ def test_edit_made_during_the_write_stays_pending(model: Calibrations) -> None:
     assert model.pending == ((CalibrationKey.RC_CHANNEL_1, OTHER),)
 
 
-def test_edit_survives_reload_of_the_same_source(model: Calibrations) -> None:
+def test_edit_survives_reload_until_it_is_stored(model: Calibrations) -> None:
     model.edit(CalibrationKey.RC_CHANNEL_1, LEARNED)
     model.load("trex", InputSource.RC, stored(InputSource.RC))
     assert model.pending == ((CalibrationKey.RC_CHANNEL_1, LEARNED),)
-
-
-def test_edit_equal_to_reloaded_value_is_dropped(model: Calibrations) -> None:
-    model.edit(CalibrationKey.RC_CHANNEL_1, LEARNED)
     model.load("trex", InputSource.RC, stored(InputSource.RC) | {1: LEARNED})
     assert model.pending == ()
 
@@ -122,6 +109,9 @@ def test_file_accepts_calibrations_of_both_sources(file: Calibrations) -> None:
     file.edit(CalibrationKey.ANALOG_CHANNEL_1, LEARNED)
     assert file.all_shown[CalibrationKey.ANALOG_CHANNEL_1] == LEARNED
     assert CalibrationKey.ANALOG_CHANNEL_1 not in file.all_stored
+    file.leave_out(CalibrationKey.ANALOG_CHANNEL_1)
+    assert not file.edited
+    assert not file.left_out
 
 
 def test_calibration_is_left_out_of_a_file_and_restored(file: Calibrations) -> None:
@@ -136,13 +126,6 @@ def test_calibration_is_left_out_of_a_file_and_restored(file: Calibrations) -> N
     file.edit(CalibrationKey.RC_CHANNEL_1, LEARNED)
     file.discard_edits()
     assert file.all_shown == file.all_stored
-
-
-def test_leaving_out_an_added_calibration_is_not_an_edit(file: Calibrations) -> None:
-    file.edit(CalibrationKey.RC_CHANNEL_1, LEARNED)
-    file.leave_out(1)
-    assert not file.edited
-    assert not file.left_out
 
 
 def test_calibration_of_a_board_cannot_be_left_out(model: Calibrations) -> None:
