@@ -105,6 +105,7 @@ def test_dragged_handle_changes_its_value_once_on_release(
 
 
 def test_curve_follows_a_held_handle(plot: CurvePlot, driver: CurvePlotDriver) -> None:
+    assert plot.dot is None
     plot.set_raw(2600)
     start = driver.place(Handle.MINIMUM)
     driver.press(start)
@@ -113,6 +114,8 @@ def test_curve_follows_a_held_handle(plot: CurvePlot, driver: CurvePlotDriver) -
     assert abs(plot.curve.calibration.minimum - 2600) < 8
     assert plot.dot == (2600, plot.curve.output(2600))
     driver.release(QPoint(round(plot.x_of(2600)), start.y()))
+    plot.set_raw(None)
+    assert plot.dot is None
 
 
 def test_handle_blocked_by_another_shows_the_reason(driver: CurvePlotDriver) -> None:
@@ -203,15 +206,14 @@ def test_rejected_value_is_explained_beside_its_handle(driver: CurvePlotDriver) 
     assert driver.plot.handles.message_at is None
 
 
-def test_click_moves_no_handle(plot: CurvePlot, driver: CurvePlotDriver, qtbot: QtBot) -> None:
+def test_click_or_a_drag_of_a_read_only_plot_moves_no_handle(
+    plot: CurvePlot, driver: CurvePlotDriver, qtbot: QtBot
+) -> None:
     with qtbot.assertNotEmitted(plot.edited):
         for handle in Handle:
             QTest.mouseClick(driver.viewport, LEFT, pos=driver.place(handle) + QPoint(3, 0))
-
-
-def test_read_only_plot_cannot_be_dragged(driver: CurvePlotDriver, qtbot: QtBot) -> None:
-    driver.plot.show_channel(1, InputSource.RC, USUAL, USUAL, editable=False)
-    with qtbot.assertNotEmitted(driver.plot.previewed):
+    plot.show_channel(1, InputSource.RC, USUAL, USUAL, editable=False)
+    with qtbot.assertNotEmitted(plot.previewed):
         driver.drag_handle(Handle.MAXIMUM, 5200)
 
 
@@ -249,14 +251,6 @@ def test_axis_widens_for_the_calibration(plot: CurvePlot) -> None:
     plot.show_channel(1, InputSource.ANALOG, None, None, editable=False)
     assert plot.axis == (0, 1023)
     plot.grab()
-
-
-def test_missing_signal_hides_the_dot(plot: CurvePlot) -> None:
-    dots = []
-    for raw in (None, 5000, None):
-        plot.set_raw(raw)
-        dots.append(plot.dot)
-    assert dots == [None, (5000, 127), None]
 
 
 def test_names_and_least_heights_follow_the_font_size(plot: CurvePlot) -> None:

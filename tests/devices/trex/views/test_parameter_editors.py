@@ -256,33 +256,23 @@ def test_frequency_takes_what_is_nearest(parameters: ParametersDriver) -> None:
 
 def test_arrow_keys_step_through_frequencies(parameters: ParametersDriver) -> None:
     for prescaler, maximum, steps, shown in (
-        (1, 63, 1, "2480 Hz"),
         (1, 63, -1, "2404 Hz"),
         (3, 3, 1, "2480 Hz"),
-        (3, 3, -1, "2404 Hz"),
-        (0, 127, -1, "9191 Hz"),
-        (0, 0, -1, "10000 Hz"),
         (0, 0, 1, "10000 Hz"),
         (9, 9, 1, "76 Hz"),
         (3, 127, -1, "76 Hz"),
     ):
         values = {"motor2_pwm_prescaler": prescaler, "motor2_pwm_maximum": maximum}
         parameters.load(SPECS, **values)
+        QTest.keyClick(parameters.open_with_keys("motor2_pwm_maximum"), Qt.Key.Key_Return)
+        parameters.wait_for_no_editor("motor2_pwm_maximum")
+        assert not parameters.model.values.pending, "Return keeps what is no choice"
         editor = parameters.open_with_keys("motor2_pwm_maximum")
         QTest.keyClick(editor, Qt.Key.Key_Up if steps > 0 else Qt.Key.Key_Down)
         QTest.keyClick(editor, Qt.Key.Key_Return)
         parameters.wait_for_no_editor("motor2_pwm_maximum")
         assert parameters.cell("motor2_pwm_maximum").data() == shown
         parameters.model.discard_edits()
-
-
-def test_return_keeps_a_frequency_that_is_no_choice(parameters: ParametersDriver) -> None:
-    for prescaler, maximum in ((3, 3), (0, 0), (9, 9)):
-        values = {"motor2_pwm_prescaler": prescaler, "motor2_pwm_maximum": maximum}
-        parameters.load(SPECS, **values)
-        QTest.keyClick(parameters.open_with_keys("motor2_pwm_maximum"), Qt.Key.Key_Return)
-        parameters.wait_for_no_editor("motor2_pwm_maximum")
-        assert not parameters.model.values.pending
 
 
 def test_editor_stays_within_the_table(parameters: ParametersDriver) -> None:

@@ -114,9 +114,17 @@ def test_search_keeps_what_was_selected(parameters: ParametersDriver) -> None:
     assert parameters.current == "serial_timeout"
 
 
-def test_hidden_parameters_can_be_shown(parameters: ParametersDriver) -> None:
+def test_hidden_parameters_are_counted_and_can_be_shown(parameters: ParametersDriver) -> None:
     assert not parameters.has("noParameterMatches")
-    parameters.search("flux capacitor")
+    for words, shown, count in (
+        ("brake duration", 1, "1 of 20"),
+        ("", 20, ""),  # the text is hidden while every row is shown
+        ("flux capacitor", 0, "None of 20 matches"),
+    ):
+        parameters.search(words)
+        assert parameters.rows.shown == shown
+        assert parameters.has("parameterCount") is bool(count)
+        assert not count or parameters.text("parameterCount") == count
     parameters.find(QCheckBox, "modifiedOnly").setChecked(True)
     assert parameters.has("noParameterMatches")
     parameters.click("showAllParameters")
@@ -127,18 +135,6 @@ def test_hidden_parameters_can_be_shown(parameters: ParametersDriver) -> None:
     parameters.table.show_parameter("serial_timeout")
     assert parameters.current == "serial_timeout"
     assert "Serial Timeout" in help_text(parameters)
-
-
-def test_search_shows_how_many_rows_match(parameters: ParametersDriver) -> None:
-    for words, shown, count in (
-        ("brake duration", 1, "1 of 20"),
-        ("nowhere", 0, "None of 20 matches"),
-        ("", 20, ""),  # the text is hidden while every row is shown
-    ):
-        parameters.search(words)
-        assert parameters.rows.shown == shown
-        assert parameters.has("parameterCount") is bool(count)
-        assert not count or parameters.text("parameterCount") == count
 
 
 def test_board_of_older_firmware_lacks_parameters(parameters: ParametersDriver) -> None:
@@ -238,7 +234,11 @@ def test_keys_edit_and_search(parameters: ParametersDriver) -> None:
     parameters.wait_for_value("serial_timeout", 30)
 
 
-def test_keys_after_a_click_on_a_heading_edit_nothing(parameters: ParametersDriver) -> None:
+def test_name_leads_to_the_value_and_a_heading_to_none(parameters: ParametersDriver) -> None:
+    for key in ("serial_timeout", "motor1_current_limit"):
+        parameters.open_with_mouse(key, ParameterColumn.NAME)
+        assert parameters.current == key
+        parameters.close_editor(key)
     parameters.click_cell("motor1_current_limit")
     place = parameters.place_of(parameters.headings[1])
     QTest.mouseClick(parameters.view.viewport(), LEFT, pos=place)
@@ -256,13 +256,6 @@ def test_arrow_keys_bring_the_first_heading_into_sight(parameters: ParametersDri
     while parameters.current != FIRST:
         parameters.press(Qt.Key.Key_Up)
     assert parameters.view.verticalScrollBar().value() == 0
-
-
-def test_name_leads_to_the_value(parameters: ParametersDriver) -> None:
-    for key in ("serial_timeout", "motor1_current_limit"):
-        parameters.open_with_mouse(key, ParameterColumn.NAME)
-        assert parameters.current == key
-        parameters.close_editor(key)
 
 
 # --- Pinned rows ------------------------------------------------------------------------
