@@ -436,7 +436,7 @@ def test_settings_are_written_to_several_boards(make: Make) -> None:
     assert numbers == {3, 7}
 
 
-def test_plan_names_values_beyond_inferred_limits(make: Make) -> None:
+def test_plan_names_doubts_and_findings_of_each_board(make: Make) -> None:
     stand = make("3", "7")
     stand.connect_known(7, 3)
     stand.line.boards[0].eeprom.write("ignored_channels", 63)
@@ -444,6 +444,12 @@ def test_plan_names_values_beyond_inferred_limits(make: Make) -> None:
     work = Work(stand)
     work.reviewed(wanted(ignored_channels=63, serial_timeout=5), 3, 7)
     assert [plan.doubts for plan in work.plans] == [(), ("Ignored Channels 63",)]
+    stand.line.boards[0].eeprom.write("ignored_channels", 2)
+    work.reviewed(wanted(required_channels=3), 3, 7)
+    assert [[one.keys for one in plan.findings] for plan in work.plans] == [
+        [("required_channels", "ignored_channels")],
+        [],
+    ]
 
 
 def test_first_error_while_writing_ends_the_work(make: Make) -> None:
@@ -524,15 +530,3 @@ def test_stop_ends_the_work_and_leaves_no_board_half_written(make: Make) -> None
     assert third.eeprom["serial_timeout"] == 5
     assert stand.line.boards[1].eeprom["motor1_acceleration"] != 9
     assert stand.boards.selected == 7
-
-
-def test_rules_are_applied_to_each_board_with_its_changes(make: Make) -> None:
-    stand = make("3", "7")
-    stand.connect_known(7, 3)
-    stand.line.boards[0].eeprom.write("ignored_channels", 2)
-    work = Work(stand)
-    work.reviewed(wanted(required_channels=3), 3, 7)
-    assert [[one.keys for one in plan.findings] for plan in work.plans] == [
-        [("required_channels", "ignored_channels")],
-        [],
-    ]

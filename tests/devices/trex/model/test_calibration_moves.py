@@ -69,9 +69,23 @@ def test_equal_travel_needs_a_count_for_each_output(travel: int, good: bool) -> 
     assert (why_not_symmetric(short, InputSource.RC, larger=False) == "") is good
 
 
-def test_symmetric_pulse_ends_at_500_us_at_least() -> None:
-    uneven = Calibration(2000, 2500, 5000, 75)
-    assert symmetric(uneven, InputSource.RC, larger=True) == Calibration(1250, 2500, 3750, 75)
+@pytest.mark.parametrize(
+    ("source", "uneven", "larger", "expected"),
+    [
+        (InputSource.RC, (2700, 3700, 5000), False, (2700, 3700, 4700)),
+        (InputSource.RC, (2700, 3700, 5000), True, (2400, 3700, 5000)),
+        (InputSource.RC, (2000, 2500, 5000), True, (1250, 2500, 3750)),  # 500 µs at least
+        (InputSource.ANALOG, (100, 600, 1000), True, (177, 600, 1023)),  # 5 V at most
+    ],
+)
+def test_symmetric_travel_is_that_of_one_side_within_the_input_range(
+    source: InputSource,
+    uneven: tuple[int, int, int],
+    larger: bool,
+    expected: tuple[int, int, int],
+) -> None:
+    made = symmetric(Calibration(*uneven, 75), source, larger=larger)
+    assert made == Calibration(*expected, 75)
 
 
 @pytest.mark.parametrize(
@@ -113,15 +127,3 @@ def test_blocked_handle_names_what_blocks_it() -> None:
     assert moved(USUAL, Handle.DEADBAND_HIGH, 3000).why == "The deadband ends at neutral."
     at_the_end = Calibration(2500, 5000, 5000, 0)
     assert moved(at_the_end, Handle.MINIMUM, 5000).why == "Minimum and maximum must differ."
-
-
-def test_symmetric_travel_uses_shorter_or_longer_side() -> None:
-    uneven = Calibration(2700, 3700, 5000, 75)
-    assert symmetric(uneven, InputSource.RC, larger=False) == Calibration(2700, 3700, 4700, 75)
-    assert symmetric(uneven, InputSource.RC, larger=True) == Calibration(2400, 3700, 5000, 75)
-
-
-def test_symmetric_voltage_ends_at_5_v_at_most() -> None:
-    uneven = Calibration(100, 600, 1000, 20)
-    made = symmetric(uneven, InputSource.ANALOG, larger=True)
-    assert made == Calibration(177, 600, 1023, 20)

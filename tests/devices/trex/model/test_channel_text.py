@@ -84,8 +84,10 @@ def test_wrong_calibration_order_is_described_in_units() -> None:
     assert "both be 2.50 V" in wrong_order(Calibration(512, 512, 512, 0), InputSource.ANALOG)
 
 
-def test_deadband_reaching_minimum_is_a_concern() -> None:
+def test_values_within_their_ranges_are_no_concern() -> None:
     assert concern(USUAL, InputSource.RC) == ""
+    assert concern(Calibration(1250, 3750, 6250, 75), InputSource.RC) == ""
+    assert concern(Calibration(0, 512, 1023, 20), InputSource.ANALOG) == ""
     assert "reaches minimum" in concern(Calibration(3700, 3750, 5000, 75), InputSource.RC)
 
 
@@ -111,8 +113,3 @@ def test_calibration_beyond_input_range_is_a_concern(
     assert said == beyond_input(calibration, source)
     assert ("a pulse is 500 µs to 2500 µs" in said) is (source is InputSource.RC)
     assert ("a voltage is 0.00 V to 5.00 V" in said) is (source is InputSource.ANALOG)
-
-
-def test_ends_of_input_range_are_no_concern() -> None:
-    assert concern(Calibration(1250, 3750, 6250, 75), InputSource.RC) == ""
-    assert concern(Calibration(0, 512, 1023, 20), InputSource.ANALOG) == ""

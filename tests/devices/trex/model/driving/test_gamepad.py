@@ -108,14 +108,6 @@ def test_stick_off_center_before_arming_does_not_drive(setup: GamepadSetup) -> N
     assert setup.speeds() == (None, None)
 
 
-def test_unplugged_gamepad_stops_the_motors(setup: GamepadSetup) -> None:
-    setup.drive_forward()
-    setup.pads.unplug(PAD)
-    setup.wait_for("was disconnected")
-    assert setup.stops == ["The gamepad “Test pad” was disconnected."]
-    assert not setup.motors.armed
-
-
 def test_unreadable_gamepad_stops_the_motors_once(
     setup: GamepadSetup, virtual_time: VirtualRuntime, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -146,6 +138,8 @@ def test_replugged_gamepad_needs_arming_and_a_new_press(setup: GamepadSetup) -> 
     setup.drive_forward()
     setup.pads.unplug(PAD)
     setup.wait_for("was disconnected")
+    assert setup.stops == ["The gamepad “Test pad” was disconnected."]
+    assert not setup.motors.armed
     again = replace(PAD, ident=7)
     setup.pads.plug_in(again)
     setup.pads.press(HOLD, again)
@@ -155,18 +149,14 @@ def test_replugged_gamepad_needs_arming_and_a_new_press(setup: GamepadSetup) -> 
     assert not setup.motors.holder
 
 
-def test_stop_button_stops_another_control(setup: GamepadSetup) -> None:
+@pytest.mark.parametrize("blocker", ["", "Another page is open."])
+def test_stop_button_stops_another_control(setup: GamepadSetup, blocker: str) -> None:
+    setup.gamepad.attend(blocker)
     setup.motors.acquire("pad")
     setup.motors.set_speed(1, 50, "pad")
     setup.pads.press(STOP)
     setup.qtbot.waitUntil(lambda: not setup.motors.armed)
     assert setup.stops == [""]
-
-
-def test_stop_button_works_while_driving_is_blocked(setup: GamepadSetup) -> None:
-    setup.gamepad.attend("Another page is open.")
-    setup.pads.press(STOP)
-    setup.qtbot.waitUntil(lambda: not setup.motors.armed)
 
 
 def test_blocking_while_driving_stops_with_the_reason(setup: GamepadSetup) -> None:

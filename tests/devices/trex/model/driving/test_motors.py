@@ -63,19 +63,15 @@ def drive_everything(motors: Motors) -> None:
 
 
 def test_unarmed_motors_send_nothing(recorder: RequestRecorder) -> None:
+    recorder.motors.arm()
+    assert not recorder.motors.armed, "there is no board"
+    assert not recorder.motors.is_available
+    drive_everything(recorder.motors)
     recorder.motors.set_available(True)
     drive_everything(recorder.motors)
     assert recorder.requests == []
     assert recorder.motors.drive(1) is None
     assert recorder.motors.auxiliary == 0
-
-
-def test_motors_cannot_be_armed_without_a_board(recorder: RequestRecorder) -> None:
-    recorder.motors.arm()
-    assert not recorder.motors.armed
-    assert not recorder.motors.is_available
-    drive_everything(recorder.motors)
-    assert recorder.requests == []
 
 
 def test_armed_motors_send_setpoints(armed: RequestRecorder) -> None:
@@ -97,6 +93,9 @@ def test_repeated_setpoint_is_sent_once(armed: RequestRecorder) -> None:
         armed.motors.set_speed(1, 50)
         armed.motors.set_auxiliary(50)
     assert len(armed.requests) == 2
+    for _ in range(2):
+        armed.motors.set_speeds(50, 60)
+    assert armed.requests[2:] == [SetMotor(2, Drive.at(60), True)]
 
 
 @pytest.mark.parametrize("speed", [-128, 128, 1000])
@@ -150,10 +149,6 @@ def test_lost_board_disarms_without_sending(armed: RequestRecorder) -> None:
     assert armed.motors.drive(1) is None
     assert armed.requests == []
     assert armed.stops == 0
-
-
-def test_returning_board_does_not_arm_the_motors(armed: RequestRecorder) -> None:
-    armed.motors.set_available(False)
     armed.motors.set_available(True)
     assert armed.motors.is_available
     assert not armed.motors.armed
@@ -259,6 +254,12 @@ def test_lower_ceiling_slows_faster_motors(armed: RequestRecorder) -> None:
     armed.requests.clear()
     armed.motors.set_ceiling(30)
     assert armed.requests == [SetMotor(1, Drive.at(-30), True), SetAuxiliary(30, True)]
+    armed.motors.set_speeds(30, -30)
+    armed.motors.set_auxiliary(0)
+    armed.requests.clear()
+    armed.motors.set_ceiling(20)
+    both = SetMotor(1, Drive.at(20), True), SetMotor(2, Drive.at(-20), True)
+    assert armed.requests == [SetMotors(both)]
 
 
 def test_higher_ceiling_takes_effect_after_release(armed: RequestRecorder) -> None:
@@ -349,9 +350,6 @@ def test_release_affects_only_the_held_motor(armed: RequestRecorder) -> None:
     assert armed.motors.drive(1) == Drive.brake(127)
     assert armed.motors.drive(2) == Drive.at(30)
     assert armed.motors.auxiliary == 30
-
-
-def test_releasing_the_auxiliary_sets_it_to_zero(armed: RequestRecorder) -> None:
     armed.motors.acquire("aux")
     armed.motors.set_auxiliary(50, "aux")
     armed.motors.release("aux")
@@ -368,11 +366,6 @@ def test_only_one_control_can_hold_the_motors(armed: RequestRecorder) -> None:
     assert armed.motors.drive(1) == Drive.at(20)
     armed.motors.release("keys")
     assert armed.motors.holder == "pad"
-
-
-def test_setpoint_after_release_is_dropped(armed: RequestRecorder) -> None:
-    armed.motors.acquire("pad")
-    armed.motors.set_speed(1, 20, "pad")
     armed.motors.release("pad")
     armed.motors.set_speed(1, 99, "pad")
     assert armed.motors.drive(1) == Drive.brake(127)
@@ -408,18 +401,3 @@ def test_held_control_drives_linked_motors_straight(armed: RequestRecorder) -> N
     armed.motors.set_ceiling(4)
     MomentaryDrive(armed.motors, "pad").steer(0.5, 0.3)
     assert armed.motors.drive(1) == armed.motors.drive(2) == Drive.at(2)
-
-
-def test_lower_ceiling_slows_both_motors_in_one_request(armed: RequestRecorder) -> None:
-    armed.motors.set_speeds(100, -100)
-    armed.requests.clear()
-    armed.motors.set_ceiling(30)
-    both = SetMotor(1, Drive.at(30), True), SetMotor(2, Drive.at(-30), True)
-    assert armed.requests == [SetMotors(both)]
-
-
-def test_unchanged_setpoint_is_not_sent_with_the_other(armed: RequestRecorder) -> None:
-    armed.motors.set_speeds(50, 50)
-    armed.motors.set_speeds(50, 60)
-    armed.motors.set_speeds(50, 60)
-    assert armed.requests[1:] == [SetMotor(2, Drive.at(60), True)]

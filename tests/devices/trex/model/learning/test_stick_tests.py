@@ -268,17 +268,11 @@ def test_throttle_is_idle_on_its_shorter_side(calibration: Calibration, side: in
 # --- Switches ---------------------------------------------------------------------------
 
 
-def test_switch_result_prompts_to_move_before_any_position() -> None:
+def test_switch_passes_once_both_positions_were_held_for_three_samples() -> None:
     assert switch_held_at((True, 2)).text == "Move the switch to all its positions."
-
-
-@pytest.mark.parametrize("active", [False, True])
-def test_switch_position_counts_after_three_samples(*, active: bool) -> None:
-    seen = switch_held_at((active, 3))
-    assert (seen.on, seen.off) == (active, not active)
-    assert seen.text.startswith(f"Only {'on' if active else 'off'} was seen.")
-
-
-def test_switch_passes_once_both_positions_were_seen() -> None:
+    for active in (False, True):
+        seen = switch_held_at((active, 3))
+        assert (seen.on, seen.off) == (active, not active)
+        assert seen.text.startswith(f"Only {'on' if active else 'off'} was seen.")
     assert switch_held_at((False, 3), (True, 3)).passed
     assert not switch_held_at((False, 3), (True, 2)).passed

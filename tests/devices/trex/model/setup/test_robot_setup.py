@@ -264,17 +264,14 @@ def test_held_motor_runs_in_short_weak_pulses_and_the_other_rests(robot: Robot) 
     assert motors.accelerate
 
 
-def test_stronger_pulse_jumps_to_its_speed(robot: Robot) -> None:
+def test_stronger_pulse_jumps_to_its_speed_below_the_ceiling(robot: Robot) -> None:
     """With the slowest ramp of the board nothing would move within a pulse."""
     robot.device.parameters.edit("motor1_acceleration", 1)
     robot.apply()
     robot.arm()
     assert robot.setup.pulses.start(1, stronger=True)
     robot.wait(lambda: robot.speeds() == (STRONGER, 0))
-
-
-def test_pulse_stays_below_the_ceiling(robot: Robot) -> None:
-    robot.arm()
+    robot.setup.pulses.release()
     robot.device.motors.set_ceiling(10)
     assert robot.setup.pulses.start(1)
     robot.wait(lambda: robot.speeds() == (10, 0))
