@@ -135,19 +135,6 @@ def test_values_follow_slider_keys_and_events(window: RecordingWindow) -> None:
         assert (document.text, document.name) == (settings, f"minute at 0:00:{place}")
 
 
-def test_play_button_plays_and_pauses_at_the_selected_speed(window: RecordingWindow) -> None:
-    speed, button = window.combo("speedCombo"), window.button("playButton")
-    speed.setCurrentIndex(speed.count() - 1)
-    assert window.playback.speed == 16
-    window.click("playButton")
-    assert window.is_playing()
-    assert button.text() == "&Pause"
-    window.wait(lambda: window.playback.position > T0 + 1)
-    window.click("playButton")
-    assert not window.is_playing()
-    assert button.text() == "&Play"
-
-
 def test_shown_span_is_exported_as_csv_and_pictures(
     window: RecordingWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -189,18 +176,28 @@ def test_shown_span_is_exported_as_csv_and_pictures(
     assert ", recorded " in (tmp_path / "minute.svg").read_text(encoding="utf-8")
 
 
-def test_window_is_complete_once_the_recording_is_loaded(window: RecordingWindow) -> None:
+def test_loaded_window_is_complete_and_plays(window: RecordingWindow) -> None:
     assert not window.has("recordingProgress")
     assert not window.has("cancelRecordingButton")
     assert window.is_enabled("exportSpanButton")
     assert window.plot.source is window.playback.traces
     assert "curves show" not in window.text("recordingHeading")
-
     for kind in (QPushButton, QToolButton, QSlider, QComboBox, QListView):
         for widget in window.find_all(kind):
             if widget.isVisible():
                 interface = QAccessible.queryAccessibleInterface(widget)
                 assert interface.text(QAccessible.Text.Name), widget.objectName()
+
+    speed, button = window.combo("speedCombo"), window.button("playButton")
+    speed.setCurrentIndex(speed.count() - 1)
+    assert window.playback.speed == 16
+    window.click("playButton")
+    assert window.is_playing()
+    assert button.text() == "&Pause"
+    window.wait(lambda: window.playback.position > T0 + 1)
+    window.click("playButton")
+    assert not window.is_playing()
+    assert button.text() == "&Play"
 
 
 def half_read(path: Path, qtbot: QtBot) -> RecordingWindow:

@@ -123,10 +123,6 @@ def test_unchecked_row_stays_unchecked_when_values_change(table: ComparisonTable
     table.renew(comparison(motor1_acceleration=9))
     table.renew(comparison(serial_timeout=6, motor1_acceleration=9))
     assert ticked(table) == {"motor1_acceleration"}
-
-
-def test_new_row_is_unchecked_when_tick_new_is_off(table: ComparisonTable) -> None:
-    tick(table, "serial_timeout", False)
     table.renew(comparison(serial_timeout=6, motor1_acceleration=9, motor_mode=1), tick_new=False)
     assert ticked(table) == {"motor1_acceleration"}
 
