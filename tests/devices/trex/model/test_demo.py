@@ -171,18 +171,13 @@ def test_power_cycle_is_visible_and_runs_once(board: OverheardBoard) -> None:
     assert any(off)
 
 
-def test_held_stick_keeps_its_position(board: OverheardBoard) -> None:
-    board.hold_stick(2, 1850)
-    assert board.automatic == {1, 3, 4, 5}
-    board.wait(lambda: seen(board).channels[1].raw == InputSource.RC.counts(1850))
-
-
 def test_stick_positions_are_coalesced_to_first_and_last(board: OverheardBoard) -> None:
     board.simulator.lines.clear()
     for microseconds in range(1000, 2001):
         board.hold_stick(1, microseconds)
     board.wait(lambda: seen(board).channels[0].raw == InputSource.RC.counts(2000))
     assert board.simulator.orders() == ["channel 1 1000us", "channel 1 2000us"]
+    assert board.automatic == {2, 3, 4, 5}
 
 
 def test_snapshot_older_than_a_command_is_not_shown(board: OverheardBoard) -> None:
@@ -210,6 +205,12 @@ def test_restored_signal_returns_to_the_stick_position(board: OverheardBoard) ->
     board.wait(lambda: seen(board).channels[2].raw == InputSource.RC.counts(1700))
     board.set_silent(1, True)
     board.wait(lambda: not seen(board).channels[0].has_signal)
+    board.set_automatic(False)
+    board.centre_sticks()
+    board.set_automatic(True)
+    board.set_mix(True)
+    board.wait(lambda: seen(board).jumpers.mix)
+    assert not seen(board).channels[0].has_signal, "it stays silent when sticks move"
     board.set_silent(1, False)
     board.wait(lambda: seen(board).channels[0].raw is not None)
     assert 1 in board.automatic
@@ -223,17 +224,6 @@ def test_automatic_sticks_can_be_stopped_and_restarted(board: OverheardBoard) ->
     assert board.automatic == frozenset(CHANNELS)
     first = seen(board).channels[0].raw
     board.wait(lambda: seen(board).channels[0].raw != first)
-
-
-def test_silent_input_stays_silent_when_sticks_move(board: OverheardBoard) -> None:
-    board.set_silent(2, True)
-    board.wait(lambda: not seen(board).channels[1].has_signal)
-    board.set_automatic(False)
-    board.centre_sticks()
-    board.set_automatic(True)
-    board.set_mix(True)
-    board.wait(lambda: seen(board).jumpers.mix)
-    assert not seen(board).channels[1].has_signal
 
 
 def test_centering_the_sticks_ends_safe_start(board: OverheardBoard) -> None:

@@ -56,6 +56,14 @@ def test_newest_sample_of_each_kind_is_kept(telemetry: Telemetry) -> None:
     assert telemetry.serial_controls is False
     assert telemetry.latest == 1.4
     assert telemetry.samples == 5
+    raw = telemetry.raw
+    take(
+        telemetry,
+        LatchedStatus(2.0, Status.MOTOR1_FAULT, UartError(0)),
+        ModeSample(3.0, Mode.ANALOG),
+    )
+    assert telemetry.raw == raw
+    assert telemetry.latest == 3.0
 
 
 def test_currents_are_kept_in_amperes_with_times(telemetry: Telemetry) -> None:
@@ -64,6 +72,10 @@ def test_currents_are_kept_in_amperes_with_times(telemetry: Telemetry) -> None:
     assert list(telemetry.currents.times) == [1.0, 1.0125]
     assert list(telemetry.currents.values(0)) == pytest.approx([0.0, 3.0])
     assert list(telemetry.currents.values(1)) == pytest.approx([1.5, 38.25])
+    telemetry.begin(0.04)
+    assert len(telemetry.currents) == 0
+    take(telemetry, Currents(2.0, (100, 0)))
+    assert telemetry.motor_currents == pytest.approx((4.0, 0.0))
 
 
 def test_batch_emits_one_update(telemetry: Telemetry, qtbot: QtBot) -> None:
@@ -105,16 +117,6 @@ def test_views_are_renewed_only_while_a_window_is_seen(telemetry: Telemetry) -> 
     assert emitted[4:] == ["updated", "frame", "text"]
 
 
-def test_status_and_mode_samples_set_only_the_time(telemetry: Telemetry) -> None:
-    take(
-        telemetry,
-        LatchedStatus(2.0, Status.MOTOR1_FAULT, UartError(0)),
-        ModeSample(3.0, Mode.ANALOG),
-    )
-    assert telemetry.raw is None
-    assert telemetry.latest == 3.0
-
-
 def test_forget_clears_values_and_keeps_the_history(telemetry: Telemetry, qtbot: QtBot) -> None:
     take(telemetry, Currents(1.0, (1, 2)), Raw(1.0, (1, 2, 3, 4, 5)), Control(1.0, by_serial=True))
     with qtbot.waitSignal(telemetry.updated):
@@ -124,14 +126,6 @@ def test_forget_clears_values_and_keeps_the_history(telemetry: Telemetry, qtbot:
     assert telemetry.motor_currents is None
     assert telemetry.serial_controls is None
     assert len(telemetry.currents) == 1
-
-
-def test_begin_clears_the_history_and_sets_the_unit(telemetry: Telemetry) -> None:
-    take(telemetry, Currents(1.0, (1, 2)))
-    telemetry.begin(0.04)
-    assert len(telemetry.currents) == 0
-    take(telemetry, Currents(2.0, (100, 0)))
-    assert telemetry.motor_currents == pytest.approx((4.0, 0.0))
 
 
 def test_setpoints_and_channels_are_kept_with_the_currents(

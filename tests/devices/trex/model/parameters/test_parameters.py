@@ -7,7 +7,7 @@ from PySide6.QtCore import QModelIndex, Qt
 from pytestqt.modeltest import ModelTester
 from pytestqt.qtbot import QtBot
 
-from trex_gui.core.errors import BadReply, NoReply
+from trex_gui.core.errors import NoReply
 from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel, Role
 from trex_gui.devices.trex.model.parameters.text import (
@@ -192,11 +192,6 @@ def test_failed_write_stays_pending_with_a_reason(model: ParameterModel) -> None
     assert model.values.pending == (("motor_mode", 1),)
     assert of(model, "motor_mode", Role.PROBLEM) == "No answer."
     assert of(model, "serial_timeout", Role.PROBLEM) is None
-
-
-def test_successful_write_clears_the_problem(model: ParameterModel) -> None:
-    edit(model, "motor_mode", 1)
-    model.note_results([WriteResult("motor_mode", error=BadReply("It did not stick."))])
     model.note_results([WriteResult("motor_mode", 1)])
     assert of(model, "motor_mode", Role.PROBLEM) is None
 

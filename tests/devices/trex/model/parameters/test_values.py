@@ -49,18 +49,12 @@ def test_reload_keeps_edits_only_on_request() -> None:
     assert dict(draft.pending) == {}
 
 
-def test_edit_equal_to_reloaded_value_is_dropped() -> None:
-    draft = loaded()
-    draft.edit(TIMEOUT, 9)
-    draft.load(FACTORY | {"serial_timeout": 9}, keep_edits=True)
-    assert draft.pending == ()
-
-
-def test_edit_of_missing_parameter_is_dropped() -> None:
-    draft = loaded()
-    draft.edit(TIMEOUT, 9)
-    draft.load({"motor_mode": 0}, keep_edits=True)
-    assert draft.pending == ()
+def test_edit_is_dropped_if_it_is_stored_or_its_parameter_is_missing() -> None:
+    for stored in (FACTORY | {"serial_timeout": 9}, {"motor_mode": 0}):
+        draft = loaded()
+        draft.edit(TIMEOUT, 9)
+        draft.load(stored, keep_edits=True)
+        assert draft.pending == ()
 
 
 # --- Stored and active ------------------------------------------------------------------
@@ -82,12 +76,9 @@ def test_active_value_stays_until_a_power_cycle() -> None:
     assert draft.active == {"uart_settings": uart.default}
     draft.load(stored, power_cycled=True)
     assert draft.active == {}
-
-
-def test_previously_unknown_value_has_no_active_value() -> None:
-    draft = ParameterValues()
-    draft.note_stored(MODE, 1)
-    assert draft.active == {}
+    unknown = ParameterValues()
+    unknown.note_stored(MODE, 1)
+    assert unknown.active == {}
 
 
 # --- A file, which need not give everything -------------------------------------------------
@@ -99,7 +90,7 @@ def of_a_file() -> ParameterValues:
     return draft
 
 
-def test_parameter_can_be_added_to_a_file_and_left_out() -> None:
+def test_parameters_of_a_file_are_added_left_out_and_restored() -> None:
     draft = of_a_file()
     assert draft.can_edit("serial_timeout")
     draft.edit(TIMEOUT, 9)
@@ -107,10 +98,6 @@ def test_parameter_can_be_added_to_a_file_and_left_out() -> None:
     draft.leave_out("serial_timeout")
     assert draft.value_of("serial_timeout") is None
     assert not draft.is_modified("serial_timeout")
-
-
-def test_parameter_of_a_file_can_be_left_out_and_restored() -> None:
-    draft = of_a_file()
     draft.leave_out("motor_mode")
     assert draft.value_of("motor_mode") is None
     assert draft.is_modified("motor_mode")
