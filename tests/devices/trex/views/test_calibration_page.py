@@ -331,16 +331,13 @@ def test_value_that_the_board_rejects_is_explained(page: CalibrationPage) -> Non
 # --- The widgets ------------------------------------------------------------------------
 
 
-def test_learn_buttons_request_one_channel_or_all(page: CalibrationPage) -> None:
+def test_buttons_and_fields_are_at_hand(page: CalibrationPage) -> None:
     requested: list[object] = []
     page.widget.learn_requested.connect(requested.append)
     page.select_channel(2)
     page.click("learnButton")
     page.click("learnAllButton")
     assert requested == [(2,), CHANNELS]
-
-
-def test_each_handle_has_a_field_that_tab_reaches(page: CalibrationPage) -> None:
-    """The handles themselves take the mouse only."""
+    # The handles themselves take the mouse only.
     reached = {each.objectName() for each in tab_order(page.root.window())}
     assert reached >= {f"{name}Edit" for name in ("minimum", "neutral", "maximum", "deadband")}

@@ -73,11 +73,6 @@ def test_buttons_check_all_rows_or_none(view: ComparisonView, driver: Comparison
     assert not view.table.ticked
     driver.click("tickAllButton")
     assert len(view.table.ticked) == 2
-
-
-def test_view_without_check_boxes_hides_their_buttons(
-    view: ComparisonView, driver: ComparisonDialog
-) -> None:
     view.show_comparison(comparison(serial_timeout=5), "Now", "File", with_ticks=False)
     assert not driver.has("tickAllButton")
     assert not view.table.ticked
@@ -96,17 +91,14 @@ def test_renewal_keeps_the_current_row_and_column_widths(
     assert driver.text("comparisonSummary") == "Renewed."
 
 
-def test_empty_view_shows_the_reason(view: ComparisonView, driver: ComparisonDialog) -> None:
-    view.show_nothing("Select a snapshot.")
-    assert driver.text("comparisonSummary") == "Select a snapshot."
-    assert driver.table.model().rowCount() == 0
-
-
 def test_left_out_settings_are_listed(view: ComparisonView, driver: ComparisonDialog) -> None:
     found = replace(comparison(serial_timeout=5), left_out=("Motor Mode is left out.",))
     view.show_comparison(found, "Now", "File")
     assert "left out" in driver.text("comparisonLeftOut")
     assert driver.has("comparisonLeftOut")
+    view.show_nothing("Select a snapshot.")
+    assert driver.text("comparisonSummary") == "Select a snapshot."
+    assert driver.table.model().rowCount() == 0
 
 
 # --- Readable in full -------------------------------------------------------------------

@@ -200,22 +200,7 @@ def test_copy_is_saved_as_a_settings_file(
 # --- How many are kept ------------------------------------------------------------------
 
 
-def test_higher_bound_is_set_without_a_question(dialog: HistoryDialog) -> None:
-    dialog.open()
-    assert not dialog.is_enabled("keptButton")
-    dialog.find(QSpinBox, "keptField").setValue(1000)
-    dialog.click("keptButton")
-    dialog.wait_for_files()
-    assert dialog.history.bound() == Bound(1000)
-    dialog.combo("keptCombo").setCurrentIndex(1)
-    dialog.click("keptButton")
-    dialog.wait_for_files()
-    assert dialog.history.bound() == Bound(None)
-    assert not dialog.is_enabled("keptButton")
-    assert not dialog.question.isVisible()
-
-
-def test_lower_bound_asks_and_says_how_many_are_removed(dialog: HistoryDialog) -> None:
+def test_only_a_lower_bound_asks_and_says_how_many_are_removed(dialog: HistoryDialog) -> None:
     for ago in (3, 2, 1):
         take(dialog.history, ago * MINUTE)
     dialog.open()
@@ -232,6 +217,18 @@ def test_lower_bound_asks_and_says_how_many_are_removed(dialog: HistoryDialog) -
     dialog.answer(yes=True)
     assert (len(dialog.history.snapshots()), dialog.history.bound()) == (1, Bound(1))
     assert dialog.count() == 1
+
+    assert not dialog.is_enabled("keptButton")
+    dialog.find(QSpinBox, "keptField").setValue(1000)  # more need no question
+    dialog.click("keptButton")
+    dialog.wait_for_files()
+    assert dialog.history.bound() == Bound(1000)
+    dialog.combo("keptCombo").setCurrentIndex(1)
+    dialog.click("keptButton")
+    dialog.wait_for_files()
+    assert dialog.history.bound() == Bound(None)
+    assert not dialog.is_enabled("keptButton")
+    assert not dialog.question.isVisible()
 
 
 def test_damaged_bound_is_reported_until_it_is_set(dialog: HistoryDialog) -> None:

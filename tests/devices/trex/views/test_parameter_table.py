@@ -382,19 +382,13 @@ def test_rows_of_every_kind_are_painted(parameters: ParametersDriver) -> None:
     """Rows are marked, inferred, disabled and current; a fault in painting is a warning."""
     parameters.model.edit("motor1_acceleration", 4)
     parameters.go_to("motor1_acceleration")
+    cell = parameters.view.visualRect(parameters.cell(FIRST))
     parameters.focus_view()
+    focused = parameters.view.viewport().grab(cell).toImage()
+    parameters.find(QWidget, "parameterSearch").setFocus()
+    assert parameters.view.viewport().grab(cell).toImage() != focused, "it has a frame"
     assert not parameters.table.grab().isNull()
     parameters.table.set_rows_enabled(False)
     assert not parameters.table.grab().isNull()
     parameters.open_file(SPECS, serial_timeout=5)
     assert not parameters.table.grab().isNull()
-
-
-def test_current_value_has_a_frame_while_the_table_has_the_focus(
-    parameters: ParametersDriver,
-) -> None:
-    cell = parameters.view.visualRect(parameters.cell(FIRST))
-    parameters.focus_view()
-    focused = parameters.view.viewport().grab(cell).toImage()
-    parameters.find(QWidget, "parameterSearch").setFocus()
-    assert parameters.view.viewport().grab(cell).toImage() != focused
