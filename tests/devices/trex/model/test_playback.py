@@ -168,6 +168,8 @@ def test_settings_follow_the_position_and_events_are_sorted(tmp_path: Path, qtbo
     assert playback.state().settings == later
     assert playback.state()[ModeSample].mode is Mode.SERIAL_RC
     assert playback.traces.events_between(T0, T0 + 0.7) == playback.events[:1]
+    for second, settings in ((0.5, HEADER.settings), (2, later)):  # at the start of a span
+        assert playback.export_header(T0 + second)["settings"] == settings
     playback.close()
 
 
@@ -216,19 +218,6 @@ def test_span_is_exported_as_csv_or_fails_with_a_reason(
         minute.export(tmp_path / "none" / "span.csv", T0, T0 + 1)
     assert "cannot be written: No such file" in failed.args[0]
     assert not minute.is_busy
-
-
-def test_export_header_has_the_settings_at_its_start(tmp_path: Path, qtbot: QtBot) -> None:
-    later = "product: TReX\nmotor1_current_limit: 20\n"
-    playback = playback_of(
-        tmp_path / "a.trexrec",
-        qtbot,
-        SettingsSnapshot(T0 + 1, later),
-        Currents(T0 + 3, (0, 0)),
-    )
-    assert playback.export_header(T0 + 0.5)["settings"] == HEADER.settings
-    assert playback.export_header(T0 + 2)["settings"] == later
-    playback.close()
 
 
 def test_empty_recording_opens(tmp_path: Path, qtbot: QtBot) -> None:

@@ -35,23 +35,14 @@ class DriveControlsDriver(WidgetDriver):
             layout.addWidget(widget)
         self.setpoints: list[tuple[float, float]] = []
         self.released: list[str] = []
-        self.pad.steered.connect(self._on_steered)
-        self.pad.released.connect(self._on_pad_released)
-        self.slider.released.connect(self._on_slider_released)
+        self.pad.steered.connect(lambda *way: self.setpoints.append(way))
+        self.pad.released.connect(lambda: self.released.append("pad"))
+        self.slider.released.connect(lambda: self.released.append("slider"))
         self.window.resize(600, 300)
         with qtbot.waitExposed(self.window):
             self.window.show()
         self.window.activateWindow()
         self.wait(self.window.isActiveWindow)
-
-    def _on_steered(self, forward: float, turn: float) -> None:
-        self.setpoints.append((forward, turn))
-
-    def _on_pad_released(self) -> None:
-        self.released.append("pad")
-
-    def _on_slider_released(self) -> None:
-        self.released.append("slider")
 
     def hold_pad(self) -> None:
         QTest.mousePress(self.pad, LEFT, pos=self.pad.rect().center() - QPoint(0, 40))

@@ -31,27 +31,6 @@ from trex_gui.ui.runtime import now, runtime
 STOOD_STILL = "The program did not respond for more than half a second."
 
 
-class RecordingConnection(Connection):
-    """A connection that keeps the requests it is given."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self._requests: list[object] = []
-
-    def submit(self, request: object) -> bool:
-        self._requests.append(request)
-        return True
-
-    @property
-    def heartbeats(self) -> list[float]:
-        """When each heartbeat was sent."""
-        return [
-            request.sent
-            for request in self._requests
-            if isinstance(request, Heartbeat) and request.sent is not None
-        ]
-
-
 class DrivenDevice(Device):
     """A device whose motor 1 runs."""
 
@@ -229,22 +208,30 @@ def test_unconfirmed_stop_is_reported_as_unconfirmed(qtbot: QtBot) -> None:
 
 
 def test_armed_motors_send_heartbeats_at_a_steady_rate(
-    qtbot: QtBot, virtual_time: VirtualRuntime
+    virtual_time: VirtualRuntime, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    connection, motors = RecordingConnection(), Motors()
+    moments: list[float | None] = []
+
+    def submit(_connection: Connection, request: object) -> bool:
+        if isinstance(request, Heartbeat):
+            moments.append(request.sent)
+        return True
+
+    monkeypatch.setattr(Connection, "submit", submit)
+    connection, motors = Connection(), Motors()
     notifier = Notifier()
     driving = DriveController(motors, Telemetry(motors, Newest()), connection, notifier)
     assert not driving.may_move
     motors.set_available(True)
     motors.arm()
     virtual_time.advance(10.0)
-    moments = connection.heartbeats
-    gaps = [later - earlier for earlier, later in pairwise(moments)]
+    sent = [moment for moment in moments if moment is not None]
+    gaps = [later - earlier for earlier, later in pairwise(sent)]
     assert max(gaps) < Timeouts().heartbeat / 2, "one may be late or lost"
     assert min(gaps) > 0.05, "they are no load for the line"
     motors.stop()
     virtual_time.advance(1.0)
-    assert connection.heartbeats == moments
+    assert moments == sent
 
 
 def test_confirmed_stop_is_reported_once_and_without_a_warning(

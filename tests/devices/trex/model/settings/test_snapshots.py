@@ -109,15 +109,7 @@ def test_snapshots_of_one_minute_show_seconds(table: ListedHistory) -> None:
     assert times == [f"today 12:03:{one.taken.astimezone():%S}" for one in reversed(taken)]
 
 
-def test_damaged_header_is_shown_after_refresh(table: ListedHistory) -> None:
-    take(table.history).path.write_text("rubbish", encoding="utf-8")
-    refresh(table)
-    assert text(table, 0, SnapshotColumn.BOARD) == "damaged"
-    assert table.index(0, SnapshotColumn.BOARD).data(Qt.ItemDataRole.DecorationRole)
-    assert "cannot be restored" in table.index(0, 0).data(Qt.ItemDataRole.ToolTipRole)
-
-
-def test_damaged_body_is_shown_from_load_until_repair(table: ListedHistory) -> None:
+def test_damage_is_shown_until_repair(table: ListedHistory) -> None:
     path = take(table.history).path
     sound = path.read_text(encoding="utf-8")
     path.write_text(f"{sound}nonsense: 3\n" * 9, encoding="utf-8")
@@ -132,6 +124,12 @@ def test_damaged_body_is_shown_from_load_until_repair(table: ListedHistory) -> N
     refresh(table)
     assert not table.problem_of(table.snapshots[0])
     assert isinstance(content_of(table, table.snapshots[0]), Settings)
+
+    path.write_text("rubbish", encoding="utf-8")
+    refresh(table)
+    assert text(table, 0, SnapshotColumn.BOARD) == "damaged"
+    assert table.index(0, SnapshotColumn.BOARD).data(Qt.ItemDataRole.DecorationRole)
+    assert "cannot be restored" in table.index(0, 0).data(Qt.ItemDataRole.ToolTipRole)
 
 
 def test_snapshot_is_reloaded_only_after_a_file_change(table: ListedHistory) -> None:
