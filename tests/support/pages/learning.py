@@ -169,13 +169,8 @@ class LearningDialog(WidgetDriver):
         self.dialog.test(channels)
         self.wait_for_head("Push every stick")
 
-    def use_and_apply(self) -> None:
-        """Write the values without the window that shows them before."""
-        self.click("learnUseButton")
-        assert not self.dialog.isVisible()
-        self.apply()
-
     def apply(self) -> None:
+        """Write the values without the window that shows them before."""
         self.device.writer.apply()
         self.wait(lambda: self.device.draft.pending == 0 and not self.device.writer.running)
 

@@ -40,7 +40,8 @@ def test_rest_position_of_a_held_stick_can_be_corrected(learning: LearningDialog
     learning.click("learnUseRest1")
     assert learning.problem(1) == ""
     assert not learning.has("learnUseRest1")
-    learning.use_and_apply()
+    learning.click("learnUseButton")
+    learning.apply()
     learning.assert_learned(1)
 
 

@@ -35,23 +35,18 @@ def test_setpoint_text_names_the_commanded_drive(drive: Drive | None, text: str)
     assert setpoint_text(drive).endswith(text)
 
 
-def test_channel_text_shows_a_missing_signal(
+def test_missing_signal_and_errors_are_shown_where_they_are(
     rc_device: Device, rc_board: SimulatedDevice, qtbot: QtBot
 ) -> None:
     assert channel_text(rc_device, 2) == "Channel 2: N/A"
+    assert report_text(rc_device, 1) == "Board: N/A"
     rc_board.do("channel 2 silent")
     qtbot.waitUntil(lambda: channel_text(rc_device, 2) == "Channel 2: no signal")
     assert channel_text(rc_device, 1) == "Channel 1: 0"
-
-
-def test_report_gives_each_motor_its_own_errors(
-    rc_device: Device, rc_board: SimulatedDevice, qtbot: QtBot
-) -> None:
-    assert report_text(rc_device, 1) == "Board: N/A"
     rc_board.do("fault 2 on")
     qtbot.waitUntil(lambda: "fault" in report_text(rc_device, 2))
-    assert report_text(rc_device, 1) == "Board: serial not in control"
-    assert report_text(rc_device, 3) == "Board: serial not in control"
+    for motor in (1, 3):
+        assert report_text(rc_device, motor) == "Board: serial not in control"
 
 
 def test_report_shows_the_speed_waiting_behind_channel_5(

@@ -40,20 +40,16 @@ def test_edit_made_during_the_write_stays_pending() -> None:
     assert draft.pending == (("serial_timeout", 10),)
 
 
-def test_reload_keeps_edits_only_on_request() -> None:
-    draft = loaded()
-    draft.edit(TIMEOUT, 9)
-    draft.load(FACTORY, keep_edits=True)
-    assert dict(draft.pending) == {"serial_timeout": 9}
-    draft.load(FACTORY)
-    assert dict(draft.pending) == {}
-
-
-def test_edit_is_dropped_if_it_is_stored_or_its_parameter_is_missing() -> None:
+def test_edit_is_kept_on_request_unless_it_is_stored_or_its_parameter_is_missing() -> None:
     for stored in (FACTORY | {"serial_timeout": 9}, {"motor_mode": 0}):
         draft = loaded()
         draft.edit(TIMEOUT, 9)
+        draft.load(FACTORY, keep_edits=True)
+        assert dict(draft.pending) == {"serial_timeout": 9}
         draft.load(stored, keep_edits=True)
+        assert draft.pending == ()
+        draft.edit(MODE, 1)
+        draft.load(FACTORY)
         assert draft.pending == ()
 
 

@@ -125,21 +125,7 @@ def test_single_reversed_motor_of_one_stick_is_rewired() -> None:
     assert wiring.turned_channels(Driver.ONE_STICK) == {1}
 
 
-def test_answers_that_contradict_each_other_give_nothing(robot: Robot) -> None:
-    setup = robot.setup
-    setup.rises.update({1: True, 2: True})
-    robot.go_to(SetupStep.MOTORS)
-    for first, second in (
-        (Movement.LEFT_FORWARD, Movement.LEFT_BACKWARD),
-        (Movement.LEFT_FORWARD, Movement.NOTHING),
-    ):
-        setup.note_movement(1, first)
-        setup.note_movement(2, second)
-        assert setup.wiring is None
-        assert setup.edits == {}
-
-
-def test_directions_wait_until_the_sticks_are_known(robot: Robot) -> None:
+def test_directions_wait_for_the_sticks_and_answers_that_agree(robot: Robot) -> None:
     setup = robot.setup
     assert setup.note_pushed((1, 2)) == (1, 2)  # both are at neutral
     robot.go_to(SetupStep.MOTORS)
@@ -148,6 +134,11 @@ def test_directions_wait_until_the_sticks_are_known(robot: Robot) -> None:
     assert setup.edits == {}
     setup.rises.update({1: True, 2: True})
     assert setup.edits == {ParameterKey.REVERSED_CHANNELS: 3}
+
+    for contradicting in (Movement.LEFT_FORWARD, Movement.NOTHING):
+        setup.note_movement(2, contradicting)
+        assert setup.wiring is None
+        assert setup.edits == {}
 
 
 def test_learned_directions_are_taken_over(robot: Robot) -> None:
