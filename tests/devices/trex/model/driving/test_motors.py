@@ -149,6 +149,10 @@ def test_lost_board_disarms_without_sending(armed: RequestRecorder) -> None:
     assert armed.motors.drive(1) is None
     assert armed.requests == []
     assert armed.stops == 0
+
+
+def test_returning_board_does_not_arm_the_motors(armed: RequestRecorder) -> None:
+    armed.motors.set_available(False)
     armed.motors.set_available(True)
     assert armed.motors.is_available
     assert not armed.motors.armed

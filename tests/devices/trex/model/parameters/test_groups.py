@@ -337,7 +337,7 @@ def test_prescaler_and_maximum_are_one_value(
     undo.undo()
     assert len(model.values.pending) == 4
     model.restore("motor1_pwm_maximum")
-    assert not model.values.pending
+    assert dict(model.values.pending) == {}
 
     reports: list[int] = []
     model.dataChanged.connect(lambda first, _last: reports.append(first.row()))

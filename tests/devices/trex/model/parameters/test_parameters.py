@@ -139,10 +139,10 @@ def test_edit_announces_only_its_row(model: ParameterModel, qtbot: QtBot) -> Non
 
 
 def test_invalid_value_is_rejected_with_a_reason(model: ParameterModel, qtbot: QtBot) -> None:
-    nonsense = [("serial_timeout", value) for value in ("abc", "", None, [])]
+    nonsense: list[object] = ["abc", "", None, []]
     for key, value in (
         *(("motor_mode", 2), ("serial_timeout", -1), ("uart_settings", 0x0B)),
-        *nonsense,
+        *(("serial_timeout", each) for each in nonsense),
     ):
         with qtbot.waitSignal(model.rejected) as refused:
             assert not edit(model, key, value)

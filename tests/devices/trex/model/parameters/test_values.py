@@ -90,14 +90,14 @@ def test_parameters_of_a_file_are_added_left_out_and_restored() -> None:
     draft = of_a_file()
     assert draft.can_edit("serial_timeout")
     draft.edit(TIMEOUT, 9)
-    assert draft.pending == (("serial_timeout", 9),)
+    assert dict(draft.pending) == {"serial_timeout": 9}
     draft.leave_out("serial_timeout")
     assert draft.value_of("serial_timeout") is None
     assert not draft.is_modified("serial_timeout")
     draft.leave_out("motor_mode")
     assert draft.value_of("motor_mode") is None
     assert draft.is_modified("motor_mode")
-    assert draft.pending == ()
+    assert dict(draft.pending) == {}
     draft.edit(MODE, 0)
     assert not draft.is_modified("motor_mode")
 

@@ -38,7 +38,7 @@ def test_edit_is_pending_and_emits_signals(model: Calibrations, qtbot: QtBot) ->
     )
     assert model.stored(2) == DEFAULT_CALIBRATION[InputSource.RC]
     model.edit(CalibrationKey.RC_CHANNEL_2, DEFAULT_CALIBRATION[InputSource.RC])
-    assert model.pending == ((CalibrationKey.RC_CHANNEL_1, OTHER),)
+    assert dict(model.pending) == {CalibrationKey.RC_CHANNEL_1: OTHER}
 
 
 def test_inconsistent_calibration_is_rejected(model: Calibrations) -> None:
@@ -69,7 +69,7 @@ def test_written_edit_is_stored_and_failed_edit_stays_pending(model: Calibration
 def test_edit_survives_reload_until_it_is_stored(model: Calibrations) -> None:
     model.edit(CalibrationKey.RC_CHANNEL_1, LEARNED)
     model.load("trex", InputSource.RC, stored(InputSource.RC))
-    assert model.pending == ((CalibrationKey.RC_CHANNEL_1, LEARNED),)
+    assert dict(model.pending) == {CalibrationKey.RC_CHANNEL_1: LEARNED}
     model.load("trex", InputSource.RC, stored(InputSource.RC) | {1: LEARNED})
     assert model.pending == ()
 

@@ -112,6 +112,10 @@ def test_file_with_errors_opens_as_text_with_findings(bad: BadFile, tmp_path: Pa
     assert any(bad.words in found.message and found.line == bad.line for found in document.findings)
 
 
+def is_modified(document: SettingsDocument) -> bool:
+    return document.modified
+
+
 def test_text_with_errors_is_saved_and_corrected(tmp_path: Path) -> None:
     path = tmp_path / "rover.txt"
     path.write_text("product: TReX\n# mine\nmotor_mode: 9\n", encoding="utf-8")
@@ -119,9 +123,9 @@ def test_text_with_errors_is_saved_and_corrected(tmp_path: Path) -> None:
     document.set_text(document.text.replace("9", "8"))
     save_now(document, document.content)
     assert path.read_text(encoding="utf-8") == "product: TReX\n# mine\nmotor_mode: 8\n"
-    assert not document.modified
+    assert not is_modified(document)
     document.set_text(document.text.replace("8", "1"))
-    assert document.modified
+    assert is_modified(document)
     assert not document.readable
     assert document.check()
     assert document.settings is not None
@@ -139,10 +143,6 @@ def test_cp1252_text_needs_a_check_and_is_saved_as_utf8(tmp_path: Path) -> None:
     assert document.check()
     save_now(document, document.content)
     assert path.read_bytes() == "product: TReX\n# für 5 µs\nmotor_mode: 0\n".encode()
-
-
-def is_modified(document: SettingsDocument) -> bool:
-    return document.modified
 
 
 def test_edits_made_while_it_is_saved_stay_unsaved(rover: Path) -> None:
