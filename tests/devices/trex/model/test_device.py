@@ -336,17 +336,3 @@ def test_device_does_not_change_after_shutdown(connected: RecorderOfBoard, qtbot
     assert connected.links == links
     assert connected.failures == []
     assert connected.device.state is None
-
-
-def test_fault_on_a_noisy_line_without_crc_is_doubtful(recorder: RecorderOfBoard) -> None:
-    recorder.connect(recorder.simulator.url)
-    device = recorder.device
-
-    def report(failures: int) -> str:
-        status = LatchedStatus(now(), Status.MOTOR1_FAULT, UartError(0))
-        counters = Counters(requests=1000 + failures, corrupted=failures)
-        device.connection.sampled.emit(Batch((status,), counters))
-        return recent_fault_text(device)
-
-    assert "noisy" not in report(0)
-    assert "noisy" in report(1)
