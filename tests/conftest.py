@@ -142,8 +142,9 @@ def _time(request: pytest.FixtureRequest) -> Iterator[None]:
 
 @pytest.fixture(scope="session")
 def qapp(qapp: QApplication) -> QApplication:
-    """The application with English plural forms, as the program starts it."""
+    """The application with its style and English plural forms, as the program starts it."""
     install_translations(qapp, ENGLISH)
+    theme().install(qapp)
     return qapp
 
 
@@ -359,7 +360,6 @@ def program(qtbot: QtBot, qapp: QApplication, timeouts: Timeouts) -> Iterator[Pr
 
     A page is made when it is shown or sought.
     """
-    theme().install(qapp)
     program = build(timeouts)
     program.window.show()
     yield program

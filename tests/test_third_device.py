@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QComboBox, QLabel, QStackedWidget
+from PySide6.QtWidgets import QComboBox, QLabel, QStackedWidget, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice
@@ -85,6 +85,7 @@ class LampController(DeviceController[PortSettings]):
 class LampWorkspace(Workspace):
     def __init__(self, controller: LampController, window: MainWindow) -> None:
         super().__init__(controller.plugin.key, controller.lamp.notifier, window)
+        self.bar = QWidget(self)
         self.opened: list[Path] = []
         self.add_pages([PageInfo("light", "&Light", lambda: QLabel("On"))])
         self.file_kinds = (FileKind({".lamp"}, "a scene of a lamp", self.opened.append),)

@@ -1271,8 +1271,8 @@
         <translation>Der Stopp wird wiederholt; die Motoren können sich noch drehen.</translation></message>
     <message><source>Stopped. The motors are locked for {0} s.</source>
         <translation>Gestoppt. Die Motoren sind für {0} s gesperrt.</translation></message>
-    <message><source>Then Run motor arms them again.</source>
-        <translation>Danach gibt „Motor freigeben“ sie wieder frei.</translation></message>
+    <message><source>Then arm them again.</source>
+        <translation>Geben Sie sie danach wieder frei.</translation></message>
     <message><source>No board is connected.</source>
         <translation>Es ist kein Board verbunden.</translation></message>
     <message><source>Choose a port above and press Connect.</source>
@@ -1301,12 +1301,12 @@
         <translation>Die Motoren können im Moment nicht freigegeben werden.</translation></message>
     <message><source>Stopped. {0}</source>
         <translation>Gestoppt. {0}</translation></message>
-    <message><source>Run motor arms the motors again.</source>
-        <translation>„Motor freigeben“ gibt die Motoren wieder frei.</translation></message>
+    <message><source>Arm them again to go on.</source>
+        <translation>Geben Sie sie wieder frei, um fortzufahren.</translation></message>
     <message><source>Not armed: nothing is sent yet.</source>
         <translation>Nicht freigegeben: Es wird noch nichts gesendet.</translation></message>
-    <message><source>Put the robot on blocks, then press Run motor.</source>
-        <translation>Bocken Sie den Roboter auf und klicken Sie dann auf „Motor freigeben“.</translation></message>
+    <message><source>Put the robot on blocks, then arm the motors.</source>
+        <translation>Bocken Sie den Roboter auf und geben Sie dann die Motoren frei.</translation></message>
     <message><source>Motor {0} is slowed down: current over the limit.</source>
         <translation>Motor {0} wird verlangsamt: Strom über der Grenze.</translation></message>
     <message><source>Reduce the load, or raise the current limit in Parameters.</source>
@@ -1579,8 +1579,8 @@
         <translation>Der Wächterprozess sendet ihn jetzt.</translation></message>
     <message><source>The guardian process stopped the motors, and the board confirmed it.</source>
         <translation>Der Wächterprozess hat die Motoren gestoppt, und das Board hat das bestätigt.</translation></message>
-    <message><source>{0} The motors were stopped. Press Run motor to continue.</source>
-        <translation>{0} Die Motoren wurden gestoppt. Klicken Sie auf „Motor freigeben“, um fortzufahren.</translation></message>
+    <message><source>{0} The motors were stopped. Arm them again to go on.</source>
+        <translation>{0} Die Motoren wurden gestoppt. Geben Sie sie wieder frei, um fortzufahren.</translation></message>
     <message><source>{0} A stop was sent but is not confirmed yet.</source>
         <translation>{0} Ein Stopp wurde gesendet, ist aber noch nicht bestätigt.</translation></message>
     <message><source>The board that disconnected while driving is back.</source>
@@ -1655,8 +1655,8 @@
         <translation>Die Einstellungen des Gamepads wurden geändert.</translation></message>
     <message><source>No gamepad is connected. Plug one in or switch it on.</source>
         <translation>Es ist kein Gamepad verbunden. Stecken Sie eines ein oder schalten Sie es ein.</translation></message>
-    <message><source>Press Run motor, then move a stick.</source>
-        <translation>Klicken Sie auf „Motor freigeben“ und bewegen Sie dann einen Knüppel.</translation></message>
+    <message><source>Arm the motors, then move a stick.</source>
+        <translation>Geben Sie die Motoren frei und bewegen Sie dann einen Knüppel.</translation></message>
     <message><source>Release the sticks: driving starts only after both axes have been at rest. A worn stick may need a wider dead zone.</source>
         <translation>Lassen Sie die Knüppel los: Das Fahren beginnt erst, wenn beide Achsen in Ruhe waren. Ein abgenutzter Knüppel braucht vielleicht eine größere Totzone.</translation></message>
     <message><source>Release {0}, then hold it to drive.</source>
@@ -1711,16 +1711,16 @@
         <translation>Y, die oberste von vier</translation></message>
     <message><source>The gamepad “{0}” was disconnected.</source>
         <translation>Das Gamepad „{0}“ wurde getrennt.</translation></message>
-    <message><source>Press Run motor, then hold {0} and move a stick.</source>
-        <translation>Klicken Sie auf „Motor freigeben“, halten Sie dann {0} gedrückt und bewegen Sie einen Knüppel.</translation></message>
+    <message><source>Arm the motors, then hold {0} and move a stick.</source>
+        <translation>Geben Sie die Motoren frei, halten Sie dann {0} gedrückt und bewegen Sie einen Knüppel.</translation></message>
     <message><source>Connect to a board to test its motors.</source>
         <translation>Verbinden Sie ein Board, um seine Motoren zu testen.</translation></message>
     <message><source>Settings are being written.</source>
         <translation>Einstellungen werden geschrieben.</translation></message>
     <message><source>After a stop the motors are locked for another {0:.0f} s.</source>
         <translation>Nach einem Stopp sind die Motoren noch {0:.0f} s gesperrt.</translation></message>
-    <message><source>Press Run motor.</source>
-        <translation>Klicken Sie auf „Motor freigeben“.</translation></message>
+    <message><source>Arm the motors first.</source>
+        <translation>Geben Sie zuerst die Motoren frei.</translation></message>
     <message><source>Another control drives the motors now.</source>
         <translation>Jetzt steuert ein anderes Bedienelement die Motoren.</translation></message>
     <message><source>{0} A test needs serial control.</source>
@@ -1929,8 +1929,6 @@
         <translation>Verbinden Sie ein Board, um dies zu senden.</translation></message>
     <message><source>Settings are being written; wait until they are.</source>
         <translation>Einstellungen werden geschrieben; warten Sie, bis das erledigt ist.</translation></message>
-    <message><source>Choose Run motor first.</source>
-        <translation>Wählen Sie zuerst „Motor freigeben“.</translation></message>
     <message><source>A stop would not reach that board: address device {0}.</source>
         <translation>Ein Stopp würde dieses Board nicht erreichen: Adressieren Sie Gerät {0}.</translation></message>
     <message numerus="yes"><source>and %n more packet(s)</source>
@@ -2357,8 +2355,8 @@
         <translation>Der Wächterprozess wurde beendet, und ein neuer konnte nicht gestartet werden.</translation></message>
     <message><source>The motors are locked for a while after a stop; nothing was sent.</source>
         <translation>Die Motoren sind nach einem Stopp eine Zeit lang gesperrt; es wurde nichts gesendet.</translation></message>
-    <message><source>These bytes may move a motor; nothing was sent. Choose Run motor first.</source>
-        <translation>Diese Bytes können einen Motor bewegen; es wurde nichts gesendet. Wählen Sie zuerst „Motor freigeben“.</translation></message>
+    <message><source>These bytes may move a motor; nothing was sent. Arm the motors first.</source>
+        <translation>Diese Bytes können einen Motor bewegen; es wurde nichts gesendet. Geben Sie zuerst die Motoren frei.</translation></message>
     <message><source>These bytes may move a motor of another board, which a stop on this connection does not reach; nothing was sent. Address device {0} in them, or connect with the compact protocol.</source>
         <translation>Diese Bytes können einen Motor eines anderen Boards bewegen, das ein Stopp über diese Verbindung nicht erreicht; es wurde nichts gesendet. Adressieren Sie darin das Gerät {0}, oder verbinden Sie mit dem kompakten Protokoll.</translation></message>
     <message><source>A stop came first; nothing was sent.</source>
@@ -3715,8 +3713,8 @@ bisher {1}</translation></message>
         <translation>Standard&amp;werte wiederherstellen</translation></message>
     <message><source>&amp;Edit the file instead</source>
         <translation>Stattdessen die Datei &amp;bearbeiten</translation></message>
-    <message numerus="yes"><source>{0}: %n change(s) pending; Apply settings writes them.</source>
-        <translation><numerusform>{0}: %n Änderung ausstehend; „Einstellungen anwenden“ schreibt sie.</numerusform><numerusform>{0}: %n Änderungen ausstehend; „Einstellungen anwenden“ schreibt sie.</numerusform></translation></message>
+    <message numerus="yes"><source>{0}: %n change(s) pending: review them to write them.</source>
+        <translation><numerusform>{0}: %n Änderung steht an; prüfen Sie sie, um sie zu schreiben.</numerusform><numerusform>{0}: %n Änderungen stehen an; prüfen Sie sie, um sie zu schreiben.</numerusform></translation></message>
     <message><source>Checked changes become edits. Nothing is written to the board until you click Apply.</source>
         <translation>Werte mit Häkchen werden als Änderungen übernommen. Auf das Board wird erst geschrieben, wenn Sie auf „Einstellungen anwenden“ klicken.</translation></message>
     <message><source>Board, as shown</source>
@@ -3747,32 +3745,36 @@ bisher {1}</translation></message>
         <translation>Schreibt jetzt „Serielles Timeout“ und „Abschaltung bei UART-Fehlern“: Das Board sollte seine Motoren {0} s nach dem letzten Byte stoppen. Andere Änderungen bleiben ausstehend.</translation></message>
     <message><source>Stop both motors and the auxiliary now (Esc, anywhere)</source>
         <translation>Beide Motoren und den Hilfsmotor sofort stoppen (Esc, überall)</translation></message>
-    <message><source>Lets both motors and the auxiliary be driven; nothing moves yet</source>
-        <translation>Gibt beide Motoren und den Hilfsmotor zum Fahren frei; noch bewegt sich nichts</translation></message>
-    <message><source>There are unapplied changes.</source>
-        <translation>Es gibt nicht angewendete Änderungen.</translation></message>
+    <message><source>Stops the motors, and sends nothing until they are armed again</source>
+        <translation>Stoppt die Motoren und sendet nichts, bis sie wieder freigegeben sind</translation></message>
+    <message numerus="yes"><source>Review %n ch&amp;ange(s)…</source>
+        <translation><numerusform>%n Änderung p&amp;rüfen…</numerusform><numerusform>%n Änderungen p&amp;rüfen…</numerusform></translation></message>
+    <message><source>No ch&amp;anges</source>
+        <translation>Keine Ände&amp;rungen</translation></message>
     <message><source>Write the changed parameters into the board (Ctrl+Enter)</source>
         <translation>Die geänderten Parameter ins Board schreiben (Strg+Enter)</translation></message>
-    <message><source>Channels control the motors; Run motor needs serial control.</source>
-        <translation>Die Kanäle steuern die Motoren; „Motor freigeben“ braucht serielle Steuerung.</translation></message>
+    <message><source>Channels control the motors: serial commands do not reach them.</source>
+        <translation>Die Kanäle steuern die Motoren: Serielle Befehle erreichen sie nicht.</translation></message>
     <message><source>Arm the motors</source>
         <translation>Motoren freigeben</translation></message>
     <message><source>Writing …</source>
         <translation>Schreiben läuft …</translation></message>
     <message><source>Stop motors</source>
         <translation>Motoren stoppen</translation></message>
-    <message><source>&amp;Run motor</source>
-        <translation>Motor fre&amp;igeben</translation></message>
-    <message><source>&amp;Apply settings</source>
-        <translation>Einstellungen an&amp;wenden</translation></message>
+    <message><source>Disa&amp;rm</source>
+        <translation>Freigabe a&amp;ufheben</translation></message>
+    <message><source>A&amp;rm motors</source>
+        <translation>Motoren fre&amp;igeben</translation></message>
+    <message><source>Lets both motors and the auxiliary be driven; nothing moves yet</source>
+        <translation>Gibt beide Motoren und den Hilfsmotor zum Fahren frei; noch bewegt sich nichts</translation></message>
     <message><source>The board driven before may still turn its motors. Cut their power.</source>
         <translation>Die Motoren des zuvor angesteuerten Boards können sich noch drehen. Trennen Sie dessen Motorversorgung.</translation></message>
     <message><source>Channels control the motors: Stop does not affect them.</source>
         <translation>Die Kanäle steuern die Motoren: „Motoren stoppen“ wirkt nicht auf die Motoren.</translation></message>
     <message><source>Several boards on this line: select the one to drive.</source>
         <translation>Mehrere Boards an dieser Leitung: Wählen Sie das Board zum Fahren.</translation></message>
-    <message><source>Not armed: no command is sent until you click Run motor.</source>
-        <translation>Nicht freigegeben: Es wird kein Befehl gesendet, bis Sie auf „Motor freigeben“ klicken.</translation></message>
+    <message><source>Not armed: nothing is sent to the motors.</source>
+        <translation>Nicht freigegeben: Es wird nichts an die Motoren gesendet.</translation></message>
     <message><source>&amp;Write {0:g} s and arm</source>
         <translation>{0:g} s &amp;schreiben und freigeben</translation></message>
     <message><source>Arm with&amp;out</source>
@@ -4233,8 +4235,8 @@ bisher {1}</translation></message>
         <translation>Schieberegler beim &amp;Loslassen auf null setzen</translation></message>
     <message><source>A slider drives only while you hold it; letting go brakes its motor</source>
         <translation>Ein Schieberegler fährt nur, solange Sie ihn halten; Loslassen bremst seinen Motor</translation></message>
-    <message><source>Seconds that Run motor is locked after Stop</source>
-        <translation>Sekunden, für die „Motor freigeben“ nach einem Stopp gesperrt ist</translation></message>
+    <message><source>Seconds for which arming is locked after Stop</source>
+        <translation>Sekunden, für die die Freigabe nach einem Stopp gesperrt ist</translation></message>
     <message><source>Either slider sets both motors; the robot does not turn</source>
         <translation>Jeder Schieberegler setzt beide Motoren; der Roboter lenkt nicht</translation></message>
     <message><source>The motors run differently: stop both, or give both the same speed</source>
@@ -4255,8 +4257,8 @@ bisher {1}</translation></message>
         <translation>keine (0 s)</translation></message>
     <message><source>{0}, as a number</source>
         <translation>{0}, als Zahl</translation></message>
-    <message><source>How long Run motor stays locked after Stop or Esc, so that a slider or key still held cannot restart a motor (0 to {0:g} s)</source>
-        <translation>Wie lange „Motor freigeben“ nach einem Stopp oder Esc gesperrt bleibt, damit ein noch gehaltener Schieberegler oder eine gehaltene Taste keinen Motor wieder startet (0 bis {0:g} s)</translation></message>
+    <message><source>How long arming stays locked after Stop or Esc, so that a slider or key that is still held cannot restart a motor (0 to {0:g} s)</source>
+        <translation>Wie lange die Freigabe nach einem Stopp oder Esc gesperrt bleibt, damit ein noch gehaltener Schieberegler oder eine gehaltene Taste keinen Motor wieder startet (0 bis {0:g} s)</translation></message>
     <message><source>Auxiliary (one way)</source>
         <translation>Hilfsmotor (eine Richtung)</translation></message>
     <message><source>acceleration</source>
@@ -4339,8 +4341,8 @@ bisher {1}</translation></message>
         <translation>Kein Board antwortet. Die Änderungen bleiben erhalten, bis ein Board derselben Art verbunden ist.</translation></message>
     <message><source>Factory defaults take effect after the next power cycle.</source>
         <translation>Die Werkseinstellungen gelten nach dem nächsten Aus- und Einschalten.</translation></message>
-    <message numerus="yes"><source>%n pending change(s): click Apply settings to write.</source>
-        <translation><numerusform>%n ausstehende Änderung: Klicken Sie auf „Einstellungen anwenden“, um sie zu schreiben.</numerusform><numerusform>%n ausstehende Änderungen: Klicken Sie auf „Einstellungen anwenden“, um sie zu schreiben.</numerusform></translation></message>
+    <message numerus="yes"><source>%n pending change(s): review them to write them.</source>
+        <translation><numerusform>%n anstehende Änderung: Prüfen Sie sie, um sie zu schreiben.</numerusform><numerusform>%n anstehende Änderungen: Prüfen Sie sie, um sie zu schreiben.</numerusform></translation></message>
     <message><source>Stored, but not active until the board is switched off and on: {0}.</source>
         <translation>Gespeichert, aber erst nach dem Aus- und Einschalten des Boards aktiv: {0}.</translation></message>
     <message><source>{0} of {1} could not be verified; marked below.</source>
@@ -4459,6 +4461,8 @@ bisher {1}</translation></message>
         <translation>Trotzdem schließen</translation></message>
     <message><source>Review and apply…</source>
         <translation>Prüfen und anwenden…</translation></message>
+    <message><source>There are unapplied changes.</source>
+        <translation>Es gibt nicht angewendete Änderungen.</translation></message>
     <message numerus="yes"><source>%n setting(s) of this {0} differ from what was applied last ({1}): lost, changed by something else, or this is another board.</source>
         <translation><numerusform>%n Einstellung dieses {0} weicht von der zuletzt angewendeten ab ({1}): verloren, von etwas anderem geändert, oder dies ist ein anderes Board.</numerusform><numerusform>%n Einstellungen dieses {0} weichen von den zuletzt angewendeten ab ({1}): verloren, von etwas anderem geändert, oder dies ist ein anderes Board.</numerusform></translation></message>
     <message><source>Keep the values of the board</source>
@@ -4477,8 +4481,8 @@ bisher {1}</translation></message>
         <translation>Die Sekunden um „{0}“ wurden behalten. Datei, Störung oder Stopp öffnen: {1}</translation></message>
     <message><source>The seconds around “{0}” could not be kept. {1}</source>
         <translation>Die Sekunden um „{0}“ konnten nicht behalten werden. {1}</translation></message>
-    <message><source>Start recording &amp;with Run motor</source>
-        <translation>Aufzeichnung &amp;mit „Motor freigeben“ starten</translation></message>
+    <message><source>Start recording &amp;when the motors are armed</source>
+        <translation>Aufzeichnung bei der &amp;Freigabe der Motoren starten</translation></message>
     <message><source>Nothing can be recorded: no board is connected.</source>
         <translation>Es kann nichts aufgezeichnet werden: Kein Board ist verbunden.</translation></message>
     <message><source>File, Open recording</source>
@@ -5145,8 +5149,8 @@ bisher {1}</translation></message>
         <translation>Kein Board zur Hand?</translation></message>
     <message><source>&amp;Try the demo</source>
         <translation>Demo aus&amp;probieren</translation></message>
-    <message><source>Set up, calibrate, drive and understand a Pololu TReX or TReX Jr. You need the board with its supply, and a serial adapter with three wires. No motor moves before you click Run motor, and Esc stops the motors in every window.</source>
-        <translation>Einen Pololu TReX oder TReX Jr einrichten, kalibrieren, ansteuern und verstehen. Sie brauchen das Board mit seiner Stromversorgung und einen seriellen Adapter mit drei Leitungen. Kein Motor bewegt sich, bevor Sie auf „Motor freigeben“ klicken, und Esc stoppt die Motoren in jedem Fenster.</translation></message>
+    <message><source>Set up, calibrate, drive and understand a Pololu TReX or TReX Jr. You need the board with its supply, and a serial adapter with three wires. No motor moves before you arm the motors, and Esc stops the motors in every window.</source>
+        <translation>Einen Pololu TReX oder TReX Jr einrichten, kalibrieren, ansteuern und verstehen. Sie brauchen das Board mit seiner Stromversorgung und einen seriellen Adapter mit drei Leitungen. Kein Motor bewegt sich, bevor Sie die Motoren freigeben, und Esc stoppt die Motoren in jedem Fenster.</translation></message>
     <message><source>TT&amp;L adapter</source>
         <translation>&amp;TTL-Adapter</translation></message>
     <message><source>RS-&amp;232 adapter</source>

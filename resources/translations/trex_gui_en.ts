@@ -49,12 +49,14 @@
         <translation><numerusform>&amp;Learn channel {0} again</numerusform><numerusform>&amp;Learn channels {0} again</numerusform></translation></message>
     <message numerus="yes"><source>%n earlier pending edit(s) will be written, too.</source>
         <translation><numerusform>%n earlier pending edit will be written, too.</numerusform><numerusform>%n earlier pending edits will be written, too.</numerusform></translation></message>
-    <message numerus="yes"><source>{0}: %n change(s) pending; Apply settings writes them.</source>
-        <translation><numerusform>{0}: %n change is pending; Apply settings writes it.</numerusform><numerusform>{0}: %n changes are pending; Apply settings writes them.</numerusform></translation></message>
+    <message numerus="yes"><source>{0}: %n change(s) pending: review them to write them.</source>
+        <translation><numerusform>{0}: %n change pending: review it to write it.</numerusform><numerusform>{0}: %n changes pending: review them to write them.</numerusform></translation></message>
     <message numerus="yes"><source>&amp;Load %n change(s)</source>
         <translation><numerusform>&amp;Load %n change</numerusform><numerusform>&amp;Load %n changes</numerusform></translation></message>
-    <message numerus="yes"><source>%n pending change(s): click Apply settings to write.</source>
-        <translation><numerusform>%n pending change: click Apply settings to write.</numerusform><numerusform>%n pending changes: click Apply settings to write.</numerusform></translation></message>
+    <message numerus="yes"><source>Review %n ch&amp;ange(s)…</source>
+        <translation><numerusform>Review %n ch&amp;ange…</numerusform><numerusform>Review %n ch&amp;anges…</numerusform></translation></message>
+    <message numerus="yes"><source>%n pending change(s): review them to write them.</source>
+        <translation><numerusform>%n pending change: review it to write it.</numerusform><numerusform>%n pending changes: review them to write them.</numerusform></translation></message>
     <message numerus="yes"><source>%n setting(s) written and verified.</source>
         <translation><numerusform>%n setting written and verified.</numerusform><numerusform>%n settings written and verified.</numerusform></translation></message>
     <message numerus="yes"><source>Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore as pending edits?</source>

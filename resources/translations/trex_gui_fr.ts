@@ -1271,8 +1271,8 @@
         <translation>L'ordre d'arrêt est répété ; les moteurs peuvent encore tourner.</translation></message>
     <message><source>Stopped. The motors are locked for {0} s.</source>
         <translation>Arrêt effectué. Les moteurs sont verrouillés pendant {0} s.</translation></message>
-    <message><source>Then Run motor arms them again.</source>
-        <translation>Ensuite, « Activer les moteurs » les active de nouveau.</translation></message>
+    <message><source>Then arm them again.</source>
+        <translation>Réactivez-les ensuite.</translation></message>
     <message><source>No board is connected.</source>
         <translation>Aucune carte n'est connectée.</translation></message>
     <message><source>Choose a port above and press Connect.</source>
@@ -1301,12 +1301,12 @@
         <translation>Les moteurs ne peuvent pas être activés pour le moment.</translation></message>
     <message><source>Stopped. {0}</source>
         <translation>Arrêt effectué. {0}</translation></message>
-    <message><source>Run motor arms the motors again.</source>
-        <translation>« Activer les moteurs » les active de nouveau.</translation></message>
+    <message><source>Arm them again to go on.</source>
+        <translation>Réactivez-les pour continuer.</translation></message>
     <message><source>Not armed: nothing is sent yet.</source>
         <translation>Moteurs non activés : rien n'est encore envoyé.</translation></message>
-    <message><source>Put the robot on blocks, then press Run motor.</source>
-        <translation>Posez le robot sur cales, puis cliquez sur « Activer les moteurs ».</translation></message>
+    <message><source>Put the robot on blocks, then arm the motors.</source>
+        <translation>Posez le robot sur cales, puis activez les moteurs.</translation></message>
     <message><source>Motor {0} is slowed down: current over the limit.</source>
         <translation>Le moteur {0} est ralenti : courant au-dessus de la limite.</translation></message>
     <message><source>Reduce the load, or raise the current limit in Parameters.</source>
@@ -1579,8 +1579,8 @@
         <translation>Le processus gardien l'envoie maintenant.</translation></message>
     <message><source>The guardian process stopped the motors, and the board confirmed it.</source>
         <translation>Le processus gardien a arrêté les moteurs et la carte l'a confirmé.</translation></message>
-    <message><source>{0} The motors were stopped. Press Run motor to continue.</source>
-        <translation>{0} Les moteurs ont été arrêtés. Cliquez sur « Activer les moteurs » pour continuer.</translation></message>
+    <message><source>{0} The motors were stopped. Arm them again to go on.</source>
+        <translation>{0} Les moteurs ont été arrêtés. Réactivez-les pour continuer.</translation></message>
     <message><source>{0} A stop was sent but is not confirmed yet.</source>
         <translation>{0} Un ordre d'arrêt a été envoyé, mais n'est pas encore confirmé.</translation></message>
     <message><source>The board that disconnected while driving is back.</source>
@@ -1655,8 +1655,8 @@
         <translation>Les réglages de la manette ont été modifiés.</translation></message>
     <message><source>No gamepad is connected. Plug one in or switch it on.</source>
         <translation>Aucune manette n'est connectée. Branchez-en une ou allumez-la.</translation></message>
-    <message><source>Press Run motor, then move a stick.</source>
-        <translation>Cliquez sur « Activer les moteurs », puis bougez un manche.</translation></message>
+    <message><source>Arm the motors, then move a stick.</source>
+        <translation>Activez les moteurs, puis bougez un manche.</translation></message>
     <message><source>Release the sticks: driving starts only after both axes have been at rest. A worn stick may need a wider dead zone.</source>
         <translation>Relâchez les manches : la conduite ne commence que lorsque les deux axes ont été au repos. Un manche usé peut nécessiter une zone morte plus large.</translation></message>
     <message><source>Release {0}, then hold it to drive.</source>
@@ -1711,16 +1711,16 @@
         <translation>Y, le plus haut des quatre</translation></message>
     <message><source>The gamepad “{0}” was disconnected.</source>
         <translation>La manette « {0} » a été déconnectée.</translation></message>
-    <message><source>Press Run motor, then hold {0} and move a stick.</source>
-        <translation>Cliquez sur « Activer les moteurs », puis maintenez le {0} enfoncé et bougez un manche.</translation></message>
+    <message><source>Arm the motors, then hold {0} and move a stick.</source>
+        <translation>Activez les moteurs, puis maintenez le {0} enfoncé et bougez un manche.</translation></message>
     <message><source>Connect to a board to test its motors.</source>
         <translation>Connectez une carte pour essayer ses moteurs.</translation></message>
     <message><source>Settings are being written.</source>
         <translation>Des réglages sont en cours d'écriture.</translation></message>
     <message><source>After a stop the motors are locked for another {0:.0f} s.</source>
         <translation>Après un arrêt, les moteurs restent verrouillés pendant encore {0:.0f} s.</translation></message>
-    <message><source>Press Run motor.</source>
-        <translation>Cliquez sur « Activer les moteurs ».</translation></message>
+    <message><source>Arm the motors first.</source>
+        <translation>Activez d'abord les moteurs.</translation></message>
     <message><source>Another control drives the motors now.</source>
         <translation>Une autre commande pilote maintenant les moteurs.</translation></message>
     <message><source>{0} A test needs serial control.</source>
@@ -1929,8 +1929,6 @@
         <translation>Connectez une carte pour envoyer ceci.</translation></message>
     <message><source>Settings are being written; wait until they are.</source>
         <translation>Des réglages sont en cours d'écriture ; attendez qu'ils soient écrits.</translation></message>
-    <message><source>Choose Run motor first.</source>
-        <translation>Choisissez d'abord « Activer les moteurs ».</translation></message>
     <message><source>A stop would not reach that board: address device {0}.</source>
         <translation>Un arrêt n'atteindrait pas cette carte : adressez l'appareil {0}.</translation></message>
     <message numerus="yes"><source>and %n more packet(s)</source>
@@ -2357,8 +2355,8 @@
         <translation>Le processus gardien s'est terminé, et un autre n'a pas pu être démarré.</translation></message>
     <message><source>The motors are locked for a while after a stop; nothing was sent.</source>
         <translation>Les moteurs sont verrouillés quelque temps après un arrêt ; rien n'a été envoyé.</translation></message>
-    <message><source>These bytes may move a motor; nothing was sent. Choose Run motor first.</source>
-        <translation>Ces octets peuvent faire tourner un moteur ; rien n'a été envoyé. Choisissez d'abord « Activer les moteurs ».</translation></message>
+    <message><source>These bytes may move a motor; nothing was sent. Arm the motors first.</source>
+        <translation>Ces octets peuvent faire tourner un moteur ; rien n'a été envoyé. Activez d'abord les moteurs.</translation></message>
     <message><source>These bytes may move a motor of another board, which a stop on this connection does not reach; nothing was sent. Address device {0} in them, or connect with the compact protocol.</source>
         <translation>Ces octets peuvent faire tourner un moteur d'une autre carte, qu'un arrêt sur cette connexion n'atteint pas ; rien n'a été envoyé. Indiquez-y l'appareil {0} comme destinataire, ou connectez-vous avec le protocole compact.</translation></message>
     <message><source>A stop came first; nothing was sent.</source>
@@ -3715,8 +3713,8 @@ avant {1}</translation></message>
         <translation>Restaurer les valeurs par &amp;défaut</translation></message>
     <message><source>&amp;Edit the file instead</source>
         <translation>&amp;Modifier plutôt le fichier</translation></message>
-    <message numerus="yes"><source>{0}: %n change(s) pending; Apply settings writes them.</source>
-        <translation><numerusform>{0} : %n modification en attente ; « Appliquer les réglages » l'écrit.</numerusform><numerusform>{0} : %n modifications en attente ; « Appliquer les réglages » les écrit.</numerusform></translation></message>
+    <message numerus="yes"><source>{0}: %n change(s) pending: review them to write them.</source>
+        <translation><numerusform>{0} : %n modification en attente ; vérifiez-la pour l'écrire.</numerusform><numerusform>{0} : %n modifications en attente ; vérifiez-les pour les écrire.</numerusform></translation></message>
     <message><source>Checked changes become edits. Nothing is written to the board until you click Apply.</source>
         <translation>Les changements cochés deviennent des modifications. Rien n'est écrit dans la carte tant que vous ne cliquez pas sur « Appliquer les réglages ».</translation></message>
     <message><source>Board, as shown</source>
@@ -3747,32 +3745,36 @@ avant {1}</translation></message>
         <translation>Écrit maintenant « Délai série » et « Arrêt sur erreur UART » : la carte devrait arrêter ses moteurs {0} s après le dernier octet. Les autres modifications restent en attente.</translation></message>
     <message><source>Stop both motors and the auxiliary now (Esc, anywhere)</source>
         <translation>Arrêter tout de suite les deux moteurs et l'auxiliaire (Échap, partout)</translation></message>
-    <message><source>Lets both motors and the auxiliary be driven; nothing moves yet</source>
-        <translation>Permet de piloter les deux moteurs et l'auxiliaire ; rien ne bouge encore</translation></message>
-    <message><source>There are unapplied changes.</source>
-        <translation>Il y a des modifications non appliquées.</translation></message>
+    <message><source>Stops the motors, and sends nothing until they are armed again</source>
+        <translation>Arrête les moteurs et n'envoie rien jusqu'à leur réactivation</translation></message>
+    <message numerus="yes"><source>Review %n ch&amp;ange(s)…</source>
+        <translation><numerusform>Vérifier %n m&amp;odification…</numerusform><numerusform>Vérifier %n m&amp;odifications…</numerusform></translation></message>
+    <message><source>No ch&amp;anges</source>
+        <translation>Aucune m&amp;odification</translation></message>
     <message><source>Write the changed parameters into the board (Ctrl+Enter)</source>
         <translation>Écrire les paramètres modifiés dans la carte (Ctrl+Entrée)</translation></message>
-    <message><source>Channels control the motors; Run motor needs serial control.</source>
-        <translation>Les voies commandent les moteurs ; « Activer les moteurs » exige la commande par liaison série.</translation></message>
+    <message><source>Channels control the motors: serial commands do not reach them.</source>
+        <translation>Les voies commandent les moteurs : les commandes série ne les atteignent pas.</translation></message>
     <message><source>Arm the motors</source>
         <translation>Activer les moteurs</translation></message>
     <message><source>Writing …</source>
         <translation>Écriture en cours …</translation></message>
     <message><source>Stop motors</source>
         <translation>Arrêter les moteurs</translation></message>
-    <message><source>&amp;Run motor</source>
+    <message><source>Disa&amp;rm</source>
+        <translation>Désa&amp;ctiver</translation></message>
+    <message><source>A&amp;rm motors</source>
         <translation>&amp;Activer les moteurs</translation></message>
-    <message><source>&amp;Apply settings</source>
-        <translation>Appli&amp;quer les réglages</translation></message>
+    <message><source>Lets both motors and the auxiliary be driven; nothing moves yet</source>
+        <translation>Permet de piloter les deux moteurs et l'auxiliaire ; rien ne bouge encore</translation></message>
     <message><source>The board driven before may still turn its motors. Cut their power.</source>
         <translation>Les moteurs de la carte pilotée auparavant tournent peut-être encore. Coupez leur alimentation.</translation></message>
     <message><source>Channels control the motors: Stop does not affect them.</source>
         <translation>Les voies commandent les moteurs : « Arrêter les moteurs » n'agit pas sur eux.</translation></message>
     <message><source>Several boards on this line: select the one to drive.</source>
         <translation>Plusieurs cartes sur cette liaison : sélectionnez celle à piloter.</translation></message>
-    <message><source>Not armed: no command is sent until you click Run motor.</source>
-        <translation>Moteurs non activés : aucune commande n'est envoyée tant que vous n'avez pas cliqué sur « Activer les moteurs ».</translation></message>
+    <message><source>Not armed: nothing is sent to the motors.</source>
+        <translation>Moteurs non activés : rien ne leur est envoyé.</translation></message>
     <message><source>&amp;Write {0:g} s and arm</source>
         <translation>É&amp;crire {0:g} s et activer</translation></message>
     <message><source>Arm with&amp;out</source>
@@ -4233,8 +4235,8 @@ avant {1}</translation></message>
         <translation>Remettre à &amp;zéro le curseur relâché</translation></message>
     <message><source>A slider drives only while you hold it; letting go brakes its motor</source>
         <translation>Un curseur ne fait tourner son moteur que tant que vous le tenez ; le relâcher freine le moteur</translation></message>
-    <message><source>Seconds that Run motor is locked after Stop</source>
-        <translation>Secondes pendant lesquelles « Activer les moteurs » est verrouillé après un arrêt</translation></message>
+    <message><source>Seconds for which arming is locked after Stop</source>
+        <translation>Secondes pendant lesquelles l'activation est verrouillée après un arrêt</translation></message>
     <message><source>Either slider sets both motors; the robot does not turn</source>
         <translation>L'un ou l'autre curseur règle les deux moteurs ; le robot ne tourne pas</translation></message>
     <message><source>The motors run differently: stop both, or give both the same speed</source>
@@ -4255,8 +4257,8 @@ avant {1}</translation></message>
         <translation>aucun (0 s)</translation></message>
     <message><source>{0}, as a number</source>
         <translation>{0}, en chiffres</translation></message>
-    <message><source>How long Run motor stays locked after Stop or Esc, so that a slider or key still held cannot restart a motor (0 to {0:g} s)</source>
-        <translation>Durée pendant laquelle « Activer les moteurs » reste verrouillé après un arrêt ou Échap, pour qu'un curseur ou une touche encore maintenus ne puissent pas relancer un moteur (0 à {0:g} s)</translation></message>
+    <message><source>How long arming stays locked after Stop or Esc, so that a slider or key that is still held cannot restart a motor (0 to {0:g} s)</source>
+        <translation>Durée pendant laquelle l'activation reste verrouillée après un arrêt ou Échap, pour qu'un curseur ou une touche encore maintenus ne puissent pas relancer un moteur (0 à {0:g} s)</translation></message>
     <message><source>Auxiliary (one way)</source>
         <translation>Auxiliaire (un seul sens)</translation></message>
     <message><source>acceleration</source>
@@ -4339,8 +4341,8 @@ avant {1}</translation></message>
         <translation>Aucune carte ne répond. Les modifications sont conservées jusqu'à la connexion d'une carte du même type.</translation></message>
     <message><source>Factory defaults take effect after the next power cycle.</source>
         <translation>Les réglages d'usine prennent effet après avoir coupé et remis l'alimentation.</translation></message>
-    <message numerus="yes"><source>%n pending change(s): click Apply settings to write.</source>
-        <translation><numerusform>%n modification en attente : cliquez sur « Appliquer les réglages » pour l'écrire.</numerusform><numerusform>%n modifications en attente : cliquez sur « Appliquer les réglages » pour les écrire.</numerusform></translation></message>
+    <message numerus="yes"><source>%n pending change(s): review them to write them.</source>
+        <translation><numerusform>%n modification en attente : vérifiez-la pour l'écrire.</numerusform><numerusform>%n modifications en attente : vérifiez-les pour les écrire.</numerusform></translation></message>
     <message><source>Stored, but not active until the board is switched off and on: {0}.</source>
         <translation>Enregistré, mais inactif tant que l'alimentation de la carte n'a pas été coupée puis remise : {0}.</translation></message>
     <message><source>{0} of {1} could not be verified; marked below.</source>
@@ -4459,6 +4461,8 @@ avant {1}</translation></message>
         <translation>Fermer quand même</translation></message>
     <message><source>Review and apply…</source>
         <translation>Vérifier et appliquer…</translation></message>
+    <message><source>There are unapplied changes.</source>
+        <translation>Il y a des modifications non appliquées.</translation></message>
     <message numerus="yes"><source>%n setting(s) of this {0} differ from what was applied last ({1}): lost, changed by something else, or this is another board.</source>
         <translation><numerusform>%n réglage de ce {0} diffère de ce qui a été appliqué en dernier ({1}) : perdu, modifié par autre chose, ou c'est une autre carte.</numerusform><numerusform>%n réglages de ce {0} diffèrent de ce qui a été appliqué en dernier ({1}) : perdus, modifiés par autre chose, ou c'est une autre carte.</numerusform></translation></message>
     <message><source>Keep the values of the board</source>
@@ -4477,8 +4481,8 @@ avant {1}</translation></message>
         <translation>Les secondes autour de « {0} » ont été conservées. Fichier, Ouvrir un défaut ou un arrêt : {1}</translation></message>
     <message><source>The seconds around “{0}” could not be kept. {1}</source>
         <translation>Les secondes autour de « {0} » n'ont pas pu être conservées. {1}</translation></message>
-    <message><source>Start recording &amp;with Run motor</source>
-        <translation>Démarrer l'enregistrement &amp;avec « Activer les moteurs »</translation></message>
+    <message><source>Start recording &amp;when the motors are armed</source>
+        <translation>Démarrer l'enregistrement à l'&amp;activation des moteurs</translation></message>
     <message><source>Nothing can be recorded: no board is connected.</source>
         <translation>Rien ne peut être enregistré : aucune carte n'est connectée.</translation></message>
     <message><source>File, Open recording</source>
@@ -5145,8 +5149,8 @@ avant {1}</translation></message>
         <translation>Pas de carte sous la main ?</translation></message>
     <message><source>&amp;Try the demo</source>
         <translation>&amp;Essayer la démo</translation></message>
-    <message><source>Set up, calibrate, drive and understand a Pololu TReX or TReX Jr. You need the board with its supply, and a serial adapter with three wires. No motor moves before you click Run motor, and Esc stops the motors in every window.</source>
-        <translation>Configurer, étalonner, piloter et comprendre un Pololu TReX ou TReX Jr. Il vous faut la carte avec son alimentation, et un adaptateur série avec trois fils. Aucun moteur ne bouge avant que vous ne cliquiez sur « Activer les moteurs », et Échap arrête les moteurs dans toutes les fenêtres.</translation></message>
+    <message><source>Set up, calibrate, drive and understand a Pololu TReX or TReX Jr. You need the board with its supply, and a serial adapter with three wires. No motor moves before you arm the motors, and Esc stops the motors in every window.</source>
+        <translation>Configurer, étalonner, piloter et comprendre un Pololu TReX ou TReX Jr. Il vous faut la carte avec son alimentation, et un adaptateur série avec trois fils. Aucun moteur ne bouge avant que vous n'activiez les moteurs, et Échap arrête les moteurs dans toutes les fenêtres.</translation></message>
     <message><source>TT&amp;L adapter</source>
         <translation>Adaptate&amp;ur TTL</translation></message>
     <message><source>RS-&amp;232 adapter</source>

@@ -163,7 +163,7 @@ def controls_of(window: QWidget) -> list[QWidget]:
         if isinstance(control, KINDS)
         and control.isEnabledTo(control.window())
         and not (isinstance(control, QAbstractButton) and control.isChecked())
-        and not (isinstance(control, QPushButton) and control.isFlat())
+        and not (isinstance(control, QPushButton) and control.property("look") == "link")
         and not isinstance(control.parentWidget(), QAbstractSpinBox | QComboBox)
     ]
 

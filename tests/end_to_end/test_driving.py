@@ -195,20 +195,19 @@ def test_leaving_page_with_held_control_stops_and_disarms(keys: MotorsPage) -> N
 
 def test_focus_goes_from_run_to_stop_where_arrow_keys_change_nothing(page: MotorsPage) -> None:
     ceiling = page.motors.ceiling
-    for name in ("motorsRunButton", "runButton"):
-        run = page.button(name)
-        assert "nothing moves yet" in run.accessibleDescription()
-        run.setFocus()
-        QTest.keyClick(run, Qt.Key.Key_Space)
-        page.wait(page.is_armed)
-        assert page.button("stopButton").hasFocus()
-        for key in (Qt.Key.Key_Up, Qt.Key.Key_Right, Qt.Key.Key_PageUp, Qt.Key.Key_Home):
-            page.click_key(key)
-        assert page.motors.ceiling == ceiling
-        assert not page.motors.text
-        page.click_key(Qt.Key.Key_Space)
-        assert not page.is_armed()
-        page.wait(run.isEnabled)
+    run = page.button("runButton")
+    assert "nothing moves yet" in run.accessibleDescription()
+    run.setFocus()
+    QTest.keyClick(run, Qt.Key.Key_Space)
+    page.wait(page.is_armed)
+    assert page.button("stopButton").hasFocus()
+    for key in (Qt.Key.Key_Up, Qt.Key.Key_Right, Qt.Key.Key_PageUp, Qt.Key.Key_Home):
+        page.click_key(key)
+    assert page.motors.ceiling == ceiling
+    assert not page.motors.text
+    page.click_key(Qt.Key.Key_Space)
+    assert not page.is_armed()
+    page.wait(run.isEnabled)
 
     facts = page.find(QLabel, "motorsStored")
     assert facts.isEnabled()

@@ -61,10 +61,10 @@ class MotorsPage(WindowDriver):
     # --- Arm and stop -------------------------------------------------------------------
 
     def arm(self) -> None:
-        """Click Run motor as soon as it is offered, on a board that is armed as it is."""
+        """Click Arm motors as soon as it is offered, on a board that is armed as it is."""
         self.motors.remember_arming_without_timeout()
-        self.wait(self.button("motorsRunButton").isEnabled)
-        self.click("motorsRunButton")
+        self.wait(self.button("runButton").isEnabled)
+        self.click("runButton")
         self.wait(self.pad.isEnabled)
 
     def is_armed(self) -> bool:

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
     QPushButton,
     QRadioButton,
     QSlider,
+    QTabBar,
     QTableWidget,
     QTabWidget,
     QWidget,
@@ -23,7 +24,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.colours import contrast
 from trex_gui.devices.trex.views.pages.motors.drive_control import SpeedSlider
 from trex_gui.devices.trex.views.pages.motors.drive_pad import DrivePad
-from trex_gui.ui.theme.theme import SCHEMES, Scheme, theme, tint
+from trex_gui.ui.theme.theme import SCHEMES, Scheme, set_look, theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.sliders import StickSlider
 
@@ -35,9 +36,8 @@ def controls(sheet: QWidget) -> Iterator[QWidget]:
     """Create one of each kind that takes the focus; a tab bar is in its tabs."""
     default, flat, run, stop = (ui.button(sheet, name, name) for name in ("ok", "link", "go", "no"))
     default.setDefault(True)
-    flat.setFlat(True)
-    tint(run, "run")
-    tint(stop, "stop")
+    for button, look in ((flat, "link"), (run, "primary"), (stop, "stop")):
+        set_look(button, look)
     yield from (default, flat, run, stop)
     yield ui.tool_button(sheet, "tool", icon="clear")
     yield ui.check_box(sheet, "box", "Box")
@@ -94,7 +94,8 @@ def test_focus_is_visible(scheme: Scheme, qtbot: QtBot, qapp: QApplication) -> N
         each.setFocus()
         assert each.hasFocus()
         found = changed_pixels(before, sheet.grab(area).toImage())
-        perimeter = 2 * (each.width() + each.height())
+        framed = each.tabRect(0) if isinstance(each, QTabBar) else each
+        perimeter = 2 * (framed.width() + framed.height())
         assert found >= 0.8 * perimeter, (
             f"{type(each).__name__} {each.objectName()}: {found} pixels"
         )

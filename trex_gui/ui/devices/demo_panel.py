@@ -42,7 +42,7 @@ class Columns:
     ticks: tuple[str, ...] = ()
 
 
-class Rows(ui.GroupBox, Generic[SnapshotT]):
+class Rows(ui.Card, Generic[SnapshotT]):
     """A group of rows.
 
     Its methods create controls and connect them to the device and, with `read`, to its state;

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QSignalBlocker, Signal, Slot
-from PySide6.QtWidgets import QComboBox, QInputDialog, QWidget
+from PySide6.QtWidgets import QComboBox, QFrame, QInputDialog, QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.ui.devices.connection import ConnectionState
@@ -21,9 +21,10 @@ from trex_gui.ui.widgets.labels import ElidedLabel
 _NOT_CONNECTED, _OTHER = "not connected", "other"
 
 _LEAST = 10  # characters of a port, where there is little room
+_STATE = 18  # characters of the state there
 
 
-class ConnectionBar(QWidget):
+class ConnectionBar(QFrame):
     """Choosing a port only chooses it; the button connects, or disconnects the connected one.
 
     The list shows the port that was connected or chosen last; at first the port that was used last
@@ -46,6 +47,7 @@ class ConnectionBar(QWidget):
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
+        self.setObjectName("connectionBar")
         self._line_choices = line_choices
         self._manager = device_manager
         self._ports = ports
@@ -91,9 +93,7 @@ class ConnectionBar(QWidget):
             tip=tr("Find a board whose line settings are unknown"),
             on_click=self.find_board,
         )
-        state = QWidget(self)
-        self._state = state
-        follow_theme(self, "room", self._take_room)
+        self._state = state = QWidget(self)
         self._status = ui.named(ElidedLabel("", state), "statusLabel")
         self._quality = ui.named(ElidedLabel("", state), "qualityLabel")
         ui.column((self._status, 1), self._quality, into=state, margins=0, spacing=0)
@@ -106,6 +106,7 @@ class ConnectionBar(QWidget):
             on_click=lambda: self.remedy_chosen.emit(Remedy.SET_UP_CRC),
         )
         self._remedy.hide()
+        follow_theme(self, "room", self._take_room)
         self._progress = ui.progress_bar(self, "progressBar", tr("Progress"))
         self._progress.setFixedWidth(70)
         self._progress.hide()
@@ -119,13 +120,16 @@ class ConnectionBar(QWidget):
             self._remedy,
             self._progress,
             into=self,
-            margins=0,
+            margins=(12, 6, 12, 6),
         )
 
     def _take_room(self) -> None:
         metrics = self.fontMetrics()
         self._combo.setMinimumWidth(_LEAST * metrics.averageCharWidth())
-        self._state.setMinimumHeight(2 * metrics.lineSpacing())  # nothing moves below
+        # Nothing moves below when a button comes, or a text needs two lines.
+        self._remedy.ensurePolished()
+        room = max(2 * metrics.lineSpacing(), self._remedy.sizeHint().height())
+        self._state.setMinimumSize(_STATE * metrics.averageCharWidth(), room)
 
     @Slot()
     def toggle(self) -> None:

@@ -22,7 +22,7 @@ from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.devices.scanner import ScanFinding
 from trex_gui.ui.frame.workspace import LineChoice
-from trex_gui.ui.theme.style import use_theme_style
+from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.labels import Note
@@ -289,8 +289,7 @@ class FindDialog(ReusedDialog):
 
     def _row(self, index: int, finding: ScanFinding) -> QFrame:
         row = QFrame(self._results)
-        row.setFrameShape(QFrame.Shape.StyledPanel)
-        use_theme_style(row)
+        set_look(row, "card")
         row.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
         text = _text(finding.text, row, f"findText{index}")
         text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)

@@ -104,12 +104,13 @@ class MainWindow(QMainWindow):
         self._connection = ConnectionBar(device_manager, ports, self._line_choices, frame)
         self.question = InlinePrompt(frame)  # for questions of the window and of the workspaces
         self._stack = QStackedWidget(frame)
-        banner = Banner(frame, notifier, self._topic_of)
+        self._banner = banner = Banner(frame, notifier, self._topic_of)
         banner.chosen.connect(self.apply_remedy)
         banner.help_wanted.connect(self.show_help)
         messages = MessageRoom(frame, self.question, banner, lines=1)
-        below = ui.column(messages, (self._stack, 1), spacing=0)
-        ui.column(self._connection, (below, 1), into=frame, spacing=0)
+        self._bars = QStackedWidget(frame)
+        parts = self._connection, (self._stack, 1), messages, self._bars
+        ui.column(*parts, into=frame, margins=0, spacing=0)
         self.setCentralWidget(frame)
         self._workspaces: tuple[Workspace, ...] = ()
         self._actions: dict[str, QAction] = {}
@@ -132,6 +133,7 @@ class MainWindow(QMainWindow):
         is_first = not self._workspaces
         self._workspaces += (workspace,)
         self._stack.addWidget(workspace)
+        self._bars.addWidget(workspace.bar)
         for dock in workspace.docks:
             if is_first or not self.restoreDockWidget(dock):
                 self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
@@ -260,6 +262,11 @@ class MainWindow(QMainWindow):
 
     def _show_current(self) -> None:
         self._stack.setCurrentWidget(self._workspace)
+        self._bars.setCurrentWidget(self._workspace.bar)
+        tabs = self.pages
+        pages = (tabs.widget(index) for index in range(tabs.count()))
+        below = self._banner, self.question, self._workspace.bar
+        ui.tab_order(tabs.tabBar(), *(page for page in pages if page), *below)
         self._actions["stop"].setText(self._workspace.stop_text)
         for workspace in self._workspaces:
             for entry in entries_of(workspace.menus()):

@@ -53,7 +53,7 @@ class StartPanel(QWidget):
         self._prefix = texts.prefix
         self._frame = frame
 
-        hardware = ui.GroupBox(texts.title, self)
+        hardware = ui.Card(texts.title, self)
         pictures, steps = QStackedWidget(hardware), QStackedWidget(hardware)
         choices: list[QAbstractButton] = []
         for number, way in enumerate(texts.ways, start=1):
@@ -91,7 +91,7 @@ class StartPanel(QWidget):
         both = ui.row(top, (begin, 1), margins=0)
         ui.column(*([ui.row(*choices, 1, margins=0)] if choices else []), both, into=hardware)
 
-        other = ui.GroupBox(texts.none, self)
+        other = ui.Card(texts.none, self)
         demo = self._button(other, "startDemo", texts.demo, "run", self._connect_to_demo)
         demo.setToolTip(tr("A simulated board: nothing can be damaged"))
         opening = [
@@ -100,7 +100,7 @@ class StartPanel(QWidget):
         ]
         ui.row(demo, *opening, 1, into=other)
 
-        self._recent = ui.named(ui.GroupBox(tr("Recent files"), self), f"{texts.prefix}startFiles")
+        self._recent = ui.named(ui.Card(tr("Recent files"), self), f"{texts.prefix}startFiles")
         self._files = [
             self._button(
                 self._recent, "startRecent", "", "open", partial(self._on_file_clicked, at)

@@ -15,7 +15,6 @@ from trex_gui.ui.help.messages import MessageHelp
 from trex_gui.ui.log import Log
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.plotting.page import PlotPage
-from trex_gui.ui.theme.style import use_theme_style
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
@@ -80,12 +79,14 @@ class LineChoice:
 
 
 class Workspace(QWidget):
-    """The pages of a device, the bar below them, and its menu entries.
+    """The pages of a device, the bar at the bottom of the window, and its menu entries.
 
     A device sets and overrides what it needs.
     """
 
     actions_changed = Signal()  # `enabled_actions`
+
+    bar: QWidget  # with the stop button
 
     def __init__(self, key: str, notifier: Notifier, parent: QWidget | None = None) -> None:
         """`key` is that of the kind of device."""
@@ -104,7 +105,6 @@ class Workspace(QWidget):
         # At the right of the window; the workspace shows and hides them.
         self.docks: Sequence[QDockWidget] = ()
         self.pages = QTabWidget(self)
-        use_theme_style(self.pages.tabBar())
         self.pages.setDocumentMode(True)
         self._actions: Mapping[str, QAction] = {}  # by key, once the menus are built
         self._infos: tuple[PageInfo, ...] = ()
@@ -241,7 +241,6 @@ def fill_menu_bar(
     for title, entries in menus:
         menu = window.menuBar().addMenu(title)
         menu.setToolTipsVisible(True)
-        use_theme_style(menu)
         for entry in entries:
             if isinstance(entry, str):
                 menu.addSeparator()

@@ -1,11 +1,11 @@
 """A frame around what got the focus from the keyboard: Fusion hardly shows it."""
 
 from PySide6.QtCore import QEvent, QObject, QPoint, QRect, Qt, Slot
-from PySide6.QtGui import QPalette, QRegion
-from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QWidget
+from PySide6.QtGui import QRegion
+from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QFrame, QTabBar, QWidget
 from shiboken6 import Shiboken
 
-_WIDTH = 2  # pixels, beside the widget
+_ROOM = 3  # pixels beside the widget
 _TYPE = QEvent.Type
 _CHANGES = {_TYPE.Hide, _TYPE.Move, _TYPE.ParentChange, _TYPE.Resize, _TYPE.Show}
 
@@ -34,11 +34,9 @@ class FocusFrame(QObject):
             parent.installEventFilter(self)
             self._watched.append(parent)
             parent = None if parent.isWindow() else parent.parentWidget()
-        self._frame = frame = QWidget(self._watched[-1])
+        self._frame = frame = QFrame(self._watched[-1])
         frame.setObjectName("focusFrame")
         frame.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        frame.setAutoFillBackground(True)
-        frame.setBackgroundRole(QPalette.ColorRole.Highlight)
         self._place()
 
     def _end(self) -> None:
@@ -62,9 +60,8 @@ class FocusFrame(QObject):
         if frame is None or not all(map(Shiboken.isValid, (frame, *self._watched))):
             return
         window = self._watched[-1]
-        inside = _place_of(self._watched[0], window)
-        around = inside.adjusted(-_WIDTH, -_WIDTH, _WIDTH, _WIDTH)
-        ring = QRegion(around) - QRegion(inside)
+        around = _place_of(self._watched[0], window).adjusted(-_ROOM, -_ROOM, _ROOM, _ROOM)
+        ring = QRegion(around)
         for each in self._watched:
             if isinstance(each.parentWidget(), QAbstractScrollArea):  # it shows a part
                 ring &= QRegion(_place_of(each, window))
@@ -76,4 +73,8 @@ class FocusFrame(QObject):
 
 
 def _place_of(widget: QWidget, window: QWidget) -> QRect:
-    return QRect(widget.mapTo(window, QPoint()), widget.size())
+    """Return where a widget is in its window; of a tab bar, where the current tab is."""
+    place = QRect(QPoint(), widget.size())
+    if isinstance(widget, QTabBar):
+        place = widget.tabRect(widget.currentIndex()).adjusted(_ROOM, _ROOM, -_ROOM, -_ROOM)
+    return place.translated(widget.mapTo(window, QPoint()))

@@ -8,11 +8,12 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
-from typing import Any, Literal
+from string import Template
+from typing import Literal
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, Signal, Slot
-from PySide6.QtGui import QColor, QFont, QFontDatabase, QGuiApplication, QPalette
-from PySide6.QtWidgets import QApplication, QPushButton, QToolButton, QToolTip, QWidget
+from PySide6.QtGui import QColor, QFont, QFontDatabase, QFontMetrics, QGuiApplication, QPalette
+from PySide6.QtWidgets import QApplication, QToolTip, QWidget
 
 from trex_gui.core.resource_files import resource
 from trex_gui.ui.preferences import Preferences
@@ -25,23 +26,16 @@ FONT_SIZES = (90, 100, 110, 125, 150, 175)  # percent of the system's font size
 
 _SCHEME, _FONT_SIZE = "window/scheme", "window/font_size"
 
-_FUSION_OUTLINE = 140
-"""Percent by which Fusion darkens the window's colour for the outline of a control."""
+_SIZES = {"title": 1.6, "heading": 1.15, "caption": 0.9}
+"""Sizes of texts, relative to the font of the application."""
 
-_OUTLINED = (
-    "QAbstractButton",
-    "QAbstractSlider",
-    "QAbstractSpinBox",
-    "QComboBox",
-    "QLineEdit",
-    "QListView",
-    "QMenu",
-    "QPlainTextEdit",
-    "QProgressBar",
-    "QTableView",
-    "QTreeView",
-)
-"""Controls: an outline made of the window's colour cannot be seen on it."""
+_INDICATOR = 16
+"""Side of a check box and diameter of a radio button, in pixels at a font size of 100 %."""
+
+CARD_PADDING = 16  # pixels inside a card
+_BELOW_TITLE = 8  # pixels below the title of a card
+
+_SHAPES = ("up", "down", "check", "dot")
 
 _COLOUR_TABLES = ("text", "graphics", "fill", "surface")
 
@@ -54,6 +48,21 @@ class Colours:
     disabled: dict[str, QColor]
     named: dict[str, QColor]
 
+    def style_sheet(self, scheme: str, font: QFont, percent: int) -> str:
+        """Return `resources/themes/style.qss` with these colours, and sizes that fit the font."""
+        size, unit = font.pointSizeF(), "pt"
+        if size <= 0:
+            size, unit = font.pixelSize(), "px"
+        indicator = _INDICATOR * percent // 100
+        values = {name: color.name() for name, color in {**self.palette, **self.named}.items()}
+        values |= {f"disabled_{name}": color.name() for name, color in self.disabled.items()}
+        values |= {name: f"{size * factor:.1f}{unit}" for name, factor in _SIZES.items()}
+        title = QFontMetrics(scaled_font(font, _SIZES["heading"])).height() + _BELOW_TITLE
+        values |= {"padding": f"{CARD_PADDING}px", "below_title": f"{CARD_PADDING + title}px"}
+        values |= {"indicator": f"{indicator}px", "half_indicator": f"{indicator // 2 + 1}px"}
+        values |= {name: resource(f"themes/{scheme}/{name}.svg").as_posix() for name in _SHAPES}
+        return Template(_template()).substitute(values)
+
     def qpalette(self) -> QPalette:
         palette = QPalette()
         for role, color in self.palette.items():
@@ -61,6 +70,11 @@ class Colours:
         for role, color in self.disabled.items():
             palette.setColor(QPalette.ColorGroup.Disabled, _role(role), color)
         return palette
+
+
+@cache
+def _template() -> str:
+    return resource("themes/style.qss").read_text(encoding="utf-8")
 
 
 def _role(name: str) -> QPalette.ColorRole:
@@ -152,6 +166,7 @@ class Theme(QObject):
             self.font_size = percent
             self._app.setFont(scaled_font(self._system_font, percent / 100))
             QCoreApplication.sendPostedEvents(None, QEvent.Type.ApplicationFontChange)
+            self._show()
             self.changed.emit()
 
     def _resolve(self) -> str:
@@ -182,16 +197,9 @@ class Theme(QObject):
             if changes or self._app.palette() != palette:
                 self._app.setPalette(palette)
                 QToolTip.setPalette(palette)
-            outlined = QPalette(palette)
-            color = self.color("outline").lighter(_FUSION_OUTLINE)
-            outlined.setColor(QPalette.ColorRole.Window, color)
-            filled = QPalette(palette)  # a header inherits from its table, and fills its free room
-            filled.setColor(QPalette.ColorRole.Window, self.color("button"))
-            for kind in (*_OUTLINED, "QHeaderView"):
-                wanted = filled if kind == "QHeaderView" else outlined
-                name: Any = kind  # PySide takes a str here, not the bytes that its stubs name
-                if QApplication.palette(name) != wanted:  # Qt may have dropped it
-                    QApplication.setPalette(wanted, name)
+            sheet = self._colours.style_sheet(scheme, self._app.font(), self.font_size)
+            if self._app.styleSheet() != sheet:
+                self._app.setStyleSheet(sheet)
         if changes:
             self.changed.emit()
 
@@ -272,43 +280,20 @@ def set_text_color(widget: QWidget, name: str) -> None:
     follow_theme(widget, "textColor", apply)
 
 
-def tint(button: QPushButton | QToolButton, name: str) -> None:
-    """Paint a button in the theme colour `name` with the text in `<name>_text`.
+def set_look(widget: QWidget, look: str) -> None:
+    """Give a widget a look of `style.qss`.
 
-    Disabled, it looks like any other disabled button. An icon for it takes the same text colour:
-    `set_icon(button, "stop", "stop_text")`.
+    Buttons: primary, stop, link or compact; spin boxes: bare; frames: card, actions or message.
     """
-
-    def apply() -> None:
-        palette = QPalette()
-        fill = _before_fusion(theme().color(name))
-        text = theme().color(f"{name}_text")
-        for group in (QPalette.ColorGroup.Active, QPalette.ColorGroup.Inactive):
-            palette.setColor(group, QPalette.ColorRole.Button, fill)
-            palette.setColor(group, QPalette.ColorRole.ButtonText, text)
-        button.setPalette(palette)
-
-    follow_theme(button, "tint", apply)
+    set_style_property(widget, "look", look)
 
 
-def fill(widget: QWidget, name: str) -> None:
-    """Fill a widget with the theme colour `name`, with its texts in `<name>_text`; empty: reset."""
-
-    def apply() -> None:
-        palette = QPalette()
-        if name:
-            palette.setColor(QPalette.ColorRole.Window, theme().color(name))
-            palette.setColor(QPalette.ColorRole.WindowText, theme().color(f"{name}_text"))
-        widget.setPalette(palette)
-
-    follow_theme(widget, "fill", apply)
-
-
-def _before_fusion(color: QColor) -> QColor:
-    """Return the colour to give to Fusion so that it paints about `color`.
-
-    Fusion takes a quarter of the saturation from a button's colour and brightens it, the more
-    the darker it is.
-    """
-    saturation = min(255, round(color.hsvSaturation() / 0.75))
-    return QColor.fromHsv(max(color.hsvHue(), 0), saturation, round(color.value() * 0.72))
+def set_style_property(widget: QWidget, name: str, value: object) -> None:
+    """Set a property that the style sheet looks at, also for what is inside the widget."""
+    if widget.property(name) == value:
+        return
+    widget.setProperty(name, value)
+    if widget.testAttribute(Qt.WidgetAttribute.WA_WState_Polished):
+        for each in (widget, *widget.findChildren(QWidget)):
+            each.style().unpolish(each)
+            each.style().polish(each)

@@ -64,7 +64,6 @@ class Marks(NamedTuple):
     """Colours that every repaint needs."""
 
     fill: QColor
-    negative: QColor
     neutral: QColor
     mark: QColor
     pointer: QColor
@@ -81,10 +80,9 @@ class Bar(Painted):
 
     spoken_role = QAccessible.Role.ProgressBar
 
-    def __init__(self, fill: str, negative: str, parent: QWidget | None = None) -> None:
+    def __init__(self, fill: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._fill = fill
-        self._negative = negative
         self._connected = False
         self._has_value = False
         self.state = BarState.DISCONNECTED
@@ -197,7 +195,7 @@ class Bar(Painted):
 
     def _read_marks(self) -> Marks:
         common = ("neutral", "mark", "pointer", "text", "muted")
-        return Marks(*(theme().color(name) for name in (self._fill, self._negative, *common)))
+        return Marks(*(theme().color(name) for name in (self._fill, *common)))
 
     @Slot()
     def _on_theme_changed(self) -> None:

@@ -6,12 +6,13 @@ from functools import partial
 from itertools import pairwise
 from typing import Any, TypeVar
 
-from PySide6.QtCore import QEvent, QLocale, QObject, SignalInstance
+from PySide6.QtCore import QLocale, QObject, QSize, SignalInstance
 from PySide6.QtGui import (
     QAction,
     QIcon,
     QKeySequence,
     QPalette,
+    QResizeEvent,
     QShortcut,
     Qt,
 )
@@ -43,8 +44,7 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.ui.theme.icons import set_icon
-from trex_gui.ui.theme.style import use_theme_style
-from trex_gui.ui.theme.theme import follow_theme, theme, tint
+from trex_gui.ui.theme.theme import CARD_PADDING, follow_theme, set_look, set_style_property, theme
 from trex_gui.ui.units import units
 from trex_gui.ui.widgets.behaviour import (
     ConfirmButton,
@@ -55,12 +55,28 @@ from trex_gui.ui.widgets.behaviour import (
 from trex_gui.ui.widgets.painted import never_mirror
 
 
-class GroupBox(QGroupBox):
-    """Its frame can be seen in each theme."""
+class Card(QGroupBox):
+    """A group of controls: a plain surface with its title inside; cards are never nested."""
 
     def __init__(self, title: str = "", parent: QWidget | None = None) -> None:
-        super().__init__(title, parent)
-        use_theme_style(self)
+        super().__init__(parent)
+        self._title = label(self, size="heading")
+        self.setTitle(title)
+        self.ensurePolished()  # a layout that is made before would not leave room for the title
+
+    def setTitle(self, title: str) -> None:  # noqa: N802 - of Qt
+        super().setTitle(title)  # screen readers need it; the style sheet hides it
+        self._title.setText(title)
+        set_style_property(self, "titled", bool(title))
+
+    def minimumSizeHint(self) -> QSize:
+        title = self._title.sizeHint().width() + 2 * CARD_PADDING
+        return super().minimumSizeHint().expandedTo(QSize(title, 0))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        inside, height = self.contentsRect(), self._title.sizeHint().height()
+        self._title.setGeometry(inside.x(), inside.x(), inside.width(), height)
 
 
 class ComboBox(QComboBox):
@@ -93,8 +109,7 @@ class RedButton(QPushButton):
         super().__init__(parent)
         self.setObjectName(name)
         self.setAutoDefault(False)
-        set_bold(self)
-        tint(self, "stop")
+        set_look(self, "stop")
         set_icon(self, "stop", "stop_text")
         self.pressed.connect(stop)
 
@@ -102,11 +117,6 @@ class RedButton(QPushButton):
         self.setText(text)
         self.setAccessibleName(text)
         self.setToolTip(plain(tip))
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.FontChange:
-            set_bold(self)
 
 
 Handler = Callable[..., object] | SignalInstance  # what a signal is connected to
@@ -170,6 +180,7 @@ def button(
     made.setCheckable(checkable)
     if default:
         made.setDefault(True)
+        set_look(made, "primary")
     elif default is False:
         made.setAutoDefault(False)
     return _connected(made, icon, on_click, on_toggle)
@@ -194,9 +205,7 @@ def tool_button(
 
 
 def radio_button(parent: QWidget, name: str, text: str, *, tip: str = "") -> QRadioButton:
-    made = named(QRadioButton(text, parent), name, tip=tip)
-    use_theme_style(made)
-    return made
+    return named(QRadioButton(text, parent), name, tip=tip)
 
 
 def check_box(
@@ -212,7 +221,6 @@ def check_box(
 ) -> QCheckBox:
     """Create a check box; `checked` is set before `on_toggle` is connected."""
     made = named(QCheckBox(text, parent), name, accessible=accessible, tip=tip)
-    use_theme_style(made)
     made.setChecked(checked)
     return _connected(made, "", on_click, on_toggle)
 
@@ -228,9 +236,12 @@ def label(
     rich: bool = False,
     selectable: bool = False,
     bold: bool = False,
+    size: str = "",
     buddy: QWidget | None = None,
 ) -> QLabel:
     """Create a label: `wrap` breaks long text into lines, `expand` takes the width that is left.
+
+    Its `size` is "title", "heading" or "caption", or that of ordinary text.
 
     A `rich` text is markup: what is not ours in it has to be escaped.
     """
@@ -239,6 +250,8 @@ def label(
     made.setToolTip(plain(tip))
     made.setTextFormat(Qt.TextFormat.RichText if rich else Qt.TextFormat.PlainText)
     made.setText(text)
+    if size:
+        set_style_property(made, "textSize", size)
     if selectable:
         made.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
     if expand:
@@ -461,15 +474,13 @@ def set_large(*buttons: QPushButton) -> None:
         button.setMinimumSize(max(4 * height, button.sizeHint().width()), height)
 
     for button in buttons:
-        height = 2 * button.fontMetrics().height() + 4
+        height = 2 * button.fontMetrics().height() + 12
         follow_theme(button, "large", partial(fit, button, height))
 
 
 def set_bold(widget: QWidget, bold: bool = True) -> None:
-    font = widget.font()
-    if font.bold() != bold:
-        font.setBold(bold)
-        widget.setFont(font)
+    """Let the style sheet make it bold: it forgets a font of a widget that gets another parent."""
+    set_style_property(widget, "bold", bold)
 
 
 def row(
@@ -544,6 +555,8 @@ def _filled(
 
 
 def _set_margins(layout: QLayout, margins: Margins) -> None:
+    if margins is None and isinstance(layout.parent(), Card):
+        margins = 0
     if isinstance(margins, int):
         layout.setContentsMargins(margins, margins, margins, margins)
     elif margins is not None:

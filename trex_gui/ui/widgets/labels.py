@@ -14,7 +14,7 @@ from trex_gui.core.translation import tr
 from trex_gui.ui.theme.icons import set_sign
 from trex_gui.ui.theme.theme import follow_theme, set_text_color, theme
 from trex_gui.ui.widgets.accessible import Spoken
-from trex_gui.ui.widgets.builders import plain
+from trex_gui.ui.widgets.builders import plain, set_bold
 from trex_gui.ui.widgets.painted import never_mirror
 
 _SIGN_ROOM = 2  # pixels beyond the height of a line
@@ -49,9 +49,7 @@ class Note(QLabel):
         color = color if alarming else "window_text"
         if color != self._color:
             self._color = color
-            font = self.font()
-            font.setBold(alarming)
-            self.setFont(font)
+            set_bold(self, alarming)
             set_text_color(self, color)
 
 

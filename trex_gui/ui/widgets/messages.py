@@ -19,8 +19,7 @@ from trex_gui.ui.notifier import (
     never,
 )
 from trex_gui.ui.theme.icons import set_sign
-from trex_gui.ui.theme.style import use_theme_style
-from trex_gui.ui.theme.theme import fill, follow_theme
+from trex_gui.ui.theme.theme import follow_theme, set_look, set_style_property
 from trex_gui.ui.widgets import builders as ui
 
 
@@ -30,9 +29,7 @@ class _MessageRow(QFrame):
     def __init__(self, name: str, parent: QWidget | None, *, selectable: bool = False) -> None:
         super().__init__(parent)
         self.setObjectName(name)
-        self.setFrameShape(QFrame.Shape.StyledPanel)
-        use_theme_style(self)
-        self.setAutoFillBackground(True)
+        set_look(self, "message")
         self._sign = ui.label(self)
         self._text = ui.label(self, f"{name}Text", wrap=True, expand=True, selectable=selectable)
         self._layout = ui.row(
@@ -191,7 +188,7 @@ class Banner(_MessageRow):
             self._notifier.shows_problem = sign == "warning" and not is_danger
         if text:
             set_sign(self._sign, sign, "stop_text" if is_danger else sign, 4)
-        fill(self, "stop" if is_danger else "")
+        set_style_property(self, "danger", is_danger)
         ui.set_bold(self._text, is_danger)
         self._dismiss.setAutoRaise(not is_danger)  # its flat text is hardly legible on red
         self._text.setText(text)

@@ -11,17 +11,17 @@ from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.views.motor_controls import ArmDialog, RunButton
+from trex_gui.devices.trex.views.motor_controls import ArmButton, ArmDialog
 from trex_gui.ui.theme.theme import theme
 
 
 class Arming(WidgetDriver):
-    """A window with nothing but *Run motor*, and its dialog."""
+    """A window with nothing but *Arm motors*, and its dialog."""
 
     def __init__(self, device: Device, simulator: SimulatedDevice, qtbot: QtBot) -> None:
         super().__init__(QWidget(), qtbot)
         self.device, self.simulator = device, simulator
-        RunButton(device, "runButton", self.root)
+        ArmButton(device, "runButton", self.root)
         qtbot.addWidget(self.root)
         self.root.show()
 

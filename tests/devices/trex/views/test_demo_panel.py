@@ -258,6 +258,7 @@ def test_alarming_note_is_bold_and_coloured(qtbot: QtBot, qapp: QApplication) ->
     note.show_note("short")
     assert note.minimumHeight() == 2 * note.fontMetrics().lineSpacing()
     note.show_note("now!", alarming=True)
+    note.ensurePolished()
     assert note.font().bold()
     assert note.palette().color(note.foregroundRole()) == theme().color("warning")
     note.show_note("calm")

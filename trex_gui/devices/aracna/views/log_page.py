@@ -19,7 +19,7 @@ class RobotLogPage(LogPage):
     ) -> None:
         super().__init__(log, "aracna", robot.notifier, message_help, parent)
         self._robot = robot
-        line = ui.GroupBox(tr("Line"), self)
+        line = ui.Card(tr("Line"), self)
         self._traffic, self._failures = (
             ui.label(line, name, wrap=True, expand=True, selectable=True)
             for name in ("aracnaTrafficValue", "aracnaQualityValue")

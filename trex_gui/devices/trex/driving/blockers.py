@@ -88,7 +88,7 @@ class DriveBlocker(Enum):
     LOCKED = (
         Effect.STOPS,
         tr_noop("Stopped. The motors are locked for {0} s."),
-        tr_noop("Then Run motor arms them again."),
+        tr_noop("Then arm them again."),
     )
     NO_BOARD = (
         Effect.BLOCKS,
@@ -122,11 +122,11 @@ class DriveBlocker(Enum):
         tr_noop("Select one of the boards on this line."),
     )
     NOT_ALLOWED = (Effect.BLOCKS, tr_noop("The motors cannot be armed at this moment."))
-    STOPPED = (Effect.BLOCKS, tr_noop("Stopped. {0}"), tr_noop("Run motor arms the motors again."))
+    STOPPED = (Effect.BLOCKS, tr_noop("Stopped. {0}"), tr_noop("Arm them again to go on."))
     NOT_ARMED = (
         Effect.BLOCKS,
         tr_noop("Not armed: nothing is sent yet."),
-        tr_noop("Put the robot on blocks, then press Run motor."),
+        tr_noop("Put the robot on blocks, then arm the motors."),
     )
     OVER_LIMIT = (
         Effect.LIMITS,

@@ -231,7 +231,7 @@ class DriveController(QObject):
         if report.reason is not None:
             reason = describe(report.reason)
             if report.confirmed:
-                text = tr("{0} The motors were stopped. Press Run motor to continue.")
+                text = tr("{0} The motors were stopped. Arm them again to go on.")
             else:
                 text = tr("{0} A stop was sent but is not confirmed yet.")
             self._notifier.error.emit(text.format(reason))

@@ -230,8 +230,8 @@ class Gamepad(QObject):
         held = button_text(self.pad, self.profile.hold)
         if not self._motors.armed:
             if self.profile.hold is None:
-                return tr("Press Run motor, then move a stick.")
-            return tr("Press Run motor, then hold {0} and move a stick.").format(held)
+                return tr("Arm the motors, then move a stick.")
+            return tr("Arm the motors, then hold {0} and move a stick.").format(held)
         if self._motors.holder and not self.drives:
             return tr("Another control drives now.")
         return self._waits_text().format(held) if self._has_read else self.text

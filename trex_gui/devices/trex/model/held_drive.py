@@ -28,9 +28,9 @@ def held_drive_blocker(
         text = tr("After a stop the motors are locked for another {0:.0f} s.")
         return text.format(max(1.0, motors.locked_for))
     if not motors.armed and wheels_are_free:
-        return tr("Press Run motor.")
+        return tr("Arm the motors first.")
     if not motors.armed:
-        return tr("Put the robot on blocks, then press Run motor.")
+        return tr("Put the robot on blocks, then arm the motors.")
     if motors.holder not in {"", holder}:
         return tr("Another control drives the motors now.")
     if not is_driving and (is_moving or motors.auxiliary > 0):

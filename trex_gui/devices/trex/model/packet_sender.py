@@ -82,7 +82,7 @@ class TrexPacketSender(QObject):
             return tr("Settings are being written; wait until they are.")
         moving = [packet for packet in packets if packet.moves]
         if moving and not self._device.motors.armed:
-            return tr("Choose Run motor first.")
+            return tr("Arm the motors first.")
         if not all(packet.is_within_stop(settings.device_number) for packet in moving):
             text = tr("A stop would not reach that board: address device {0}.")
             return text.format(settings.device_number)

@@ -101,7 +101,7 @@ class ErrorCode(Enum):
     )
     NO_GUARDIAN = tr_noop("The guardian process ended, and another one could not be started.")
     LOCKED_OUT = tr_noop("The motors are locked for a while after a stop; nothing was sent.")
-    NOT_ARMED = tr_noop("These bytes may move a motor; nothing was sent. Choose Run motor first.")
+    NOT_ARMED = tr_noop("These bytes may move a motor; nothing was sent. Arm the motors first.")
     MOVES_ANOTHER_BOARD = tr_noop(
         "These bytes may move a motor of another board, which a stop on this connection does not "
         "reach; nothing was sent. Address device {0} in them, or connect with the compact "

@@ -14,7 +14,7 @@ from trex_gui.devices.trex.settings.comparison import Comparison
 from trex_gui.devices.trex.views.boards import board_name
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.findings_list import FindingsList, LimitsPrompt
-from trex_gui.devices.trex.views.motor_controls import StopButton
+from trex_gui.devices.trex.views.motor_controls import ActionBar
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.labels import Note
@@ -63,7 +63,7 @@ class ApplyToBoardsDialog(ReusedDialog):
         self._findings_area = ScrollBox(self._findings, self)
         self._note = ui.named(Note(2, self), "applyToBoardsNote")
         self._question = ui.named(LimitsPrompt(self), "boardsQuestion")
-        stop = StopButton(device, "boardsStopButton", self)
+        bar = ActionBar(device, "boardsStopButton", self)
         self._write = ui.button(
             self, "writeBoardsButton", icon="apply", default=True, on_click=self._on_write_clicked
         )
@@ -74,8 +74,8 @@ class ApplyToBoardsDialog(ReusedDialog):
 
         tables = (self._table, 2), self._heading, (self._changes, 3), (self._findings_area, 1)
         question = MessageRoom(self, self._question)
-        buttons = ui.row(stop, 1, self._write, self._end, close)
-        ui.column(intro, *tables, self._note, question, buttons, into=self)
+        ui.row(bar.stop, 1, self._write, self._end, close, into=bar)
+        ui.column(intro, *tables, self._note, question, bar, into=self)
 
         self._end.clicked.connect(self.work.cancel)
         self._table.itemChanged.connect(self._on_item_changed)

@@ -59,7 +59,7 @@ class ChannelBar(Bar):
         self._raw: int | None = None
         self.marks: dict[str, int] = {}  # names and counts of the marks that are drawn
         self.axis = USUAL_AXIS[self._source]  # raw counts at the left and the right end
-        super().__init__("bar", "bar_negative", parent)
+        super().__init__("bar", parent)
         self.setAccessibleName(tr("Channel input"))
         self._refresh()
 
@@ -262,9 +262,8 @@ class ChannelBar(Bar):
             return
         above = raw > neutral
         edge = self.x_of(neutral + deadband if above else neutral - deadband)
-        color = self._marks.fill if above else self._marks.negative
         self._paint_fill(painter, track, start, edge, self._marks.neutral)
-        self._paint_fill(painter, track, edge, self.x_of(raw), color)
+        self._paint_fill(painter, track, edge, self.x_of(raw), self._marks.fill)
 
 
 class _FilledBar(Bar):
@@ -272,7 +271,7 @@ class _FilledBar(Bar):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         self.value: float | None = None
-        super().__init__("bar", "bar_negative", parent)
+        super().__init__("bar", parent)
         self._refresh()
 
     def set_value(self, value: float | None) -> None:
@@ -324,7 +323,8 @@ class _FilledBar(Bar):
             self._paint_pointer(painter, track, self.x_of(value), 0)
 
     def _fill_color(self, value: float) -> QColor:
-        return self._marks.fill if value > 0 else self._marks.negative
+        del value
+        return self._marks.fill
 
 
 class OutputBar(_FilledBar):

@@ -13,7 +13,6 @@ from trex_gui.devices.trex.views.jumper_sketch import JumperPlaces, JumperSketch
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.frame.wiring_sketch import Wires, WiringSketch
 from trex_gui.ui.notifier import ConnectWith
-from trex_gui.ui.theme.style import use_theme_style
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog, keep_room
 from trex_gui.ui.widgets.labels import Muted, Note
@@ -258,7 +257,6 @@ class CheckBoardDialog(ReusedDialog):
         self._device = device
         title = tr("Ways to a board that responds")
         tabs = ui.named(QTabWidget(self), "checkTabs", accessible=title)
-        use_theme_style(tabs.tabBar())
         tabs.setDocumentMode(True)  # else its background is brighter than muted text bears
         self._steps = HandShakePage(tabs)
         tabs.addTab(ScrollBox(SightsPage(wiring, tabs), tabs), tr("&What the board shows"))

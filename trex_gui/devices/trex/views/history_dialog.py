@@ -13,7 +13,7 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.snapshots import Listing, SnapshotColumn, SnapshotTable
 from trex_gui.devices.trex.settings.history import KEPT, SettingsHistory, Snapshot
-from trex_gui.devices.trex.views.motor_controls import StopButton
+from trex_gui.devices.trex.views.motor_controls import ActionBar
 from trex_gui.devices.trex.views.snapshot_pane import SnapshotPane
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Answer, Notifier
@@ -55,7 +55,7 @@ class HistoryDialog(ReusedDialog):
         self._save = button("saveSnapshotButton", tr("Save &as…"), icon="save", tip=tip)
         self._delete = button("deleteSnapshotButton", tr("&Delete…"), icon="clear")
         self._pane = SnapshotPane(device, self._table, notifier, self)
-        stop = StopButton(device, "historyStopButton", self)
+        bar = ActionBar(device, "historyStopButton", self)
         self._bound = _BoundField(self._history, self._question, notifier, self)
         self._folder = button("openFolderButton", tr("&Open folder"), icon="folder")
         close = button("closeHistoryButton", tr("&Close"), on_click=self.close)
@@ -76,9 +76,9 @@ class HistoryDialog(ReusedDialog):
         self._pages = QStackedWidget(self)
         self._pages.addWidget(halves)
         self._pages.addWidget(nothing)
-        bottom = ui.row(stop, self._bound, 1, self._folder, close)
+        ui.row(bar.stop, self._bound, 1, self._folder, close, into=bar)
         messages = MessageRoom(self, self._banner, self._question, lines=1)
-        ui.column(messages, (self._pages, 1), bottom, into=self)
+        ui.column(messages, (self._pages, 1), bar, into=self)
         halves.setSizes([560, 620])
         restore_geometry(self, "history", 1180, 640)
 

@@ -84,7 +84,7 @@ class LoadDialog(ReusedDialog):
         except BadRequest as error:
             self._trouble.show_note(error_sentence(error), alarming=True)
             return
-        text = tr("{0}: %n change(s) pending; Apply settings writes them.", "", len(rows))
+        text = tr("{0}: %n change(s) pending: review them to write them.", "", len(rows))
         self.staged.emit(text.format(self._name))
         self.close()
 

@@ -1,20 +1,18 @@
-"""Stop, run and the serial timeout: the row below every page, and what asks before arming."""
+"""Stop, arm and the serial timeout: the row below every page, and what asks before arming."""
 
 import math
 
 from PySide6.QtCore import Qt, Signal, Slot
-from PySide6.QtGui import QCursor
-from PySide6.QtWidgets import QDialog, QPushButton, QWidget
+from PySide6.QtWidgets import QDialog, QFrame, QWidget
 
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import recent_fault_text
 from trex_gui.devices.trex.model.drive_texts import TimeoutWarning, timeout_warning
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.theme.icons import set_icon
-from trex_gui.ui.theme.theme import set_text_color, tint
+from trex_gui.ui.theme.theme import set_look, set_style_property, set_text_color
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import keep_room
+from trex_gui.ui.widgets.behaviour import ConfirmButton
 from trex_gui.ui.widgets.builders import RedButton
 from trex_gui.ui.widgets.labels import Note
 
@@ -103,17 +101,11 @@ class TimeoutNotice(QWidget):
         self.setObjectName("timeoutNotice")
         self._device = device
         self._warning: TimeoutWarning | None = None
-        self._text = ui.named(Note(2, self), "timeoutLabel")
+        self._text = ui.named(Note(1, self), "timeoutLabel")
         self._text.setAlignment(Qt.AlignmentFlag.AlignVCenter)
-        keep_room(self)
         self._button = ui.button(self, "timeoutButton", accessible=tr("Write the serial timeout"))
-        self._button.setFlat(True)
-        self._button.setCursor(QCursor(Qt.CursorShape.PointingHandCursor))
-        font = self._button.font()
-        font.setUnderline(True)
-        self._button.setFont(font)
+        set_look(self._button, "link")
         set_text_color(self._text, "warning")
-        set_text_color(self._button, "link")
         ui.row((self._text, 1), self._button, into=self, margins=0)
 
         self._button.clicked.connect(self._on_clicked)
@@ -166,58 +158,90 @@ class StopButton(RedButton):
         self.setEnabled(self._device.link not in inactive or self._device.may_stop_matter)
 
 
-class RunButton(QPushButton):
-    """Arms the motors; it is disabled while they are armed."""
+class ActionBar(QFrame):
+    """The row with the stop button at the bottom of a window; amber while motors are armed."""
+
+    def __init__(self, device: Device, stop_name: str, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._motors = device.motors
+        set_look(self, "actions")
+        self.stop = StopButton(device, stop_name, self)
+        self._motors.arming_changed.connect(self._show_armed)
+        self._show_armed()
+
+    @Slot()
+    def _show_armed(self) -> None:
+        set_style_property(self, "armed", self._motors.armed)
+
+
+class ArmButton(ConfirmButton):
+    """Arms the motors; while they are armed it stops and disarms them, without the lock of Stop."""
 
     def __init__(self, device: Device, name: str, parent: QWidget) -> None:
-        super().__init__(tr("&Run motor"), parent)
+        super().__init__("", parent)
+        self._device = device
         self._motors = motors = device.motors
-        text = tr("Lets both motors and the auxiliary be driven; nothing moves yet")
-        ui.named(self, name, tip=text)
-        self.setAccessibleDescription(text)
-        ui.set_bold(self)
-        tint(self, "run")
-        set_icon(self, "run", "run_text")
-        self.clicked.connect(lambda: arm(device, self.window()))
+        ui.named(self, name)
+        self.clicked.connect(self._on_clicked)
         for signal in (motors.arming_changed, motors.availability_changed, motors.lockout_changed):
             signal.connect(self._on_changed)
         self._on_changed()
 
     @Slot()
+    def _on_clicked(self) -> None:
+        if self._motors.armed:
+            self._motors.stop()
+        else:
+            arm(self._device, self.window())
+
+    @Slot()
     def _on_changed(self) -> None:
         """Give the focus to the stop button: arrow keys may change the next widget."""
-        window = self.window()
-        if self._motors.armed and window.focusWidget() is self:  # also behind a dialog
+        window, armed = self.window(), self._motors.armed
+        if armed and window.focusWidget() is self:  # also behind a dialog
             for stop in window.findChildren(StopButton):
                 if stop.window() is window:
                     stop.setFocus()
-        self.setEnabled(self._motors.can_arm)
+        text = tr("Disa&rm") if armed else tr("A&rm motors")
+        if text != self.text():
+            self.setText(text)
+            self.hold_off()
+        tip = tr("Stops the motors, and sends nothing until they are armed again")
+        if not armed:
+            tip = tr("Lets both motors and the auxiliary be driven; nothing moves yet")
+        self.setToolTip(tip)
+        self.setAccessibleDescription(tip)
+        self.setEnabled(armed or self._motors.can_arm)
 
 
-class ControlBar(QWidget):
-    """Stop motors in red, Run motor in green, the state of the motors, Apply settings."""
+_MANY = 88  # changes, in a text that is as long as any
+
+
+def _apply_text(pending: int) -> str:
+    return tr("Review %n ch&ange(s)…", "", pending) if pending else tr("No ch&anges")
+
+
+class ControlBar(ActionBar):
+    """Stop, *Arm motors*, the state of the motors, and the changes to review."""
 
     apply_requested = Signal()
 
-    def __init__(self, device: Device, recording: QWidget, parent: QWidget | None = None) -> None:
-        """`recording` is shown beside the notice."""
-        super().__init__(parent)
+    def __init__(self, device: Device, recording: QWidget, parent: QWidget) -> None:
+        """`recording` is shown beside the changes."""
+        super().__init__(device, "stopButton", parent)
         self._device = device
 
-        notice = TimeoutNotice(device, self)
-        stop = StopButton(device, "stopButton", self)
-        run = RunButton(device, "runButton", self)
+        stop, run = self.stop, ArmButton(device, "runButton", self)
         self._state = ui.named(Note(1, self), "motorStateLabel")
         self._state.setAlignment(Qt.AlignmentFlag.AlignVCenter)
-        text = tr("There are unapplied changes.")
-        self._unapplied = ui.label(self, "unappliedLabel", text, wrap=True)
-        set_text_color(self._unapplied, "dirty")
         tip = tr("Write the changed parameters into the board (Ctrl+Enter)")
-        self._apply = ui.button(self, "applyButton", tr("&Apply settings"), tip=tip, icon="apply")
+        self._apply = ui.button(self, "applyButton", _apply_text(_MANY), tip=tip, default=False)
         ui.set_large(stop, run, self._apply)
+        self._apply.setMinimumWidth(self._apply.sizeHint().width())  # nothing moves as it changes
 
-        buttons = ui.row(stop, run, (self._state, 1), self._unapplied, self._apply)
-        ui.column(ui.row((notice, 1), recording), buttons, into=self, margins=0)
+        texts = ui.column(1, self._state, TimeoutNotice(device, self), 1, spacing=0)
+        parts = stop, run, (texts, 1), recording, self._apply
+        ui.row(*parts, into=self, margins=(12, 8, 12, 8))
 
         self._apply.clicked.connect(self.apply_requested)
         motors = device.motors
@@ -236,7 +260,7 @@ class ControlBar(QWidget):
 
     @Slot()
     def _on_changed(self) -> None:
-        motors, pending = self._device.motors, self._device.draft.pending > 0
+        motors, pending = self._device.motors, self._device.draft.pending
         fault = recent_fault_text(self._device)
         may_matter = self._device.may_stop_matter
         alarming = bool(fault) or motors.armed or may_matter or self._is_beyond_reach
@@ -245,8 +269,9 @@ class ControlBar(QWidget):
             alarming=alarming,
             color="danger" if self._is_out_of_reach else "warning",
         )
-        self._unapplied.setVisible(pending)
-        self._apply.setEnabled(pending and self._device.writer.can_apply)
+        self._apply.setText(_apply_text(pending))
+        set_look(self._apply, "primary" if pending else "")
+        self._apply.setEnabled(pending > 0 and self._device.writer.can_apply)
 
     @property
     def _is_out_of_reach(self) -> bool:
@@ -281,5 +306,5 @@ class ControlBar(QWidget):
         if self._device.driving.reaches_several:
             return tr("Several boards on this line: select the one to drive.")
         if motors.is_available:
-            return tr("Not armed: no command is sent until you click Run motor.")
-        return tr("Channels control the motors; Run motor needs serial control.")
+            return tr("Not armed: nothing is sent to the motors.")
+        return tr("Channels control the motors: serial commands do not reach them.")

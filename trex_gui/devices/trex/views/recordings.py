@@ -55,7 +55,7 @@ class Recordings(RecordingManager["PlaybackWindow"]):
 
     def entries(self) -> Entries:
         """Return the entries of the File menu."""
-        choose, with_run = self.choose_and_open, tr("Start recording &with Run motor")
+        choose, with_run = self.choose_and_open, tr("Start recording &when the motors are armed")
         keep_events = tr("&Keep 30 s around each fault and stop")
         return (
             Entry("record", tr("&Record…"), self.toggle, "Ctrl+Shift+R", "record"),

@@ -29,7 +29,7 @@ def start_texts(parent: QWidget) -> StartTexts:
         welcome=tr(
             "Set up, calibrate, drive and understand a Pololu TReX or TReX Jr. You need the "
             "board with its supply, and a serial adapter with three wires. No motor moves "
-            "before you click Run motor, and Esc stops the motors in every window."
+            "before you arm the motors, and Esc stops the motors in every window."
         ),
     )
 

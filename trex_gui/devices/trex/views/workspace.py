@@ -92,9 +92,8 @@ class TrexWorkspace(Workspace):
         )
 
         self.recordings = Recordings(device, frame)
-        bar = ControlBar(device, self.recordings.indicator, self)
-        beside = ui.row(panel, (tabs, 1), margins=0)
-        ui.column((beside, 1), bar, into=self, margins=0)
+        self.bar = bar = ControlBar(device, self.recordings.indicator, self)
+        ui.row(panel, (tabs, 1), into=self, margins=0)
         self._demo = DemoPanel(controller, frame)
         self.files = files = SettingsFiles(device, frame)
         self.docks = (self._demo,)
@@ -252,7 +251,7 @@ class TrexWorkspace(Workspace):
                 Entry("discard", tr("&Discard all edits"), device.draft.discard_edits, "", "clear"),
             ),
             Menu.DEVICE: (
-                Entry("run", tr("&Run motor"), partial(arm, device, self._frame), "Ctrl+R", "run"),
+                Entry("run", tr("A&rm motors"), partial(arm, device, self._frame), "Ctrl+R", "run"),
                 SEPARATOR,
                 Entry("reload", tr("R&eload settings from device"), reload, "Ctrl+L", "reload"),
                 Entry("apply", tr("&Apply settings…"), review, "Ctrl+Return", "apply"),

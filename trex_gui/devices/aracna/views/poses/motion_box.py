@@ -33,7 +33,7 @@ _Index = QModelIndex | QPersistentModelIndex
 _LINES = 5
 
 
-class MotionBox(ui.GroupBox):
+class MotionBox(ui.Card):
     """Edits the sequences of a library, and shows the gaits."""
 
     shown = Signal()  # another item is current, or its steps have changed
@@ -68,7 +68,6 @@ class MotionBox(ui.GroupBox):
             (self._steps, 3),
             ui.row(self._add, self._remove, self._up, self._down, 1),
             into=self,
-            margins=(8, 6, 8, 8),
             spacing=4,
         )
 

@@ -11,13 +11,15 @@ from trex_gui.devices.aracna.poses.playing import mismatch
 from trex_gui.devices.aracna.poses.project import Pose
 from trex_gui.devices.aracna.protocol.joints import HIGHEST, MOTORS, degrees
 from trex_gui.devices.aracna.views.poses.name_list import NameList, small_button
+from trex_gui.ui.theme.theme import follow_theme, set_look
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import take_typed
 
 _ACROSS = 4
+_AROUND_NUMBER = 16  # pixels
 
 
-class PoseBox(ui.GroupBox):
+class PoseBox(ui.Card):
     """Edits the poses of a library."""
 
     pose_chosen = Signal(str)  # name of the current pose; empty for none
@@ -59,7 +61,6 @@ class PoseBox(ui.GroupBox):
             fields,
             ui.row(self._capture, self._go_to),
             into=self,
-            margins=(8, 6, 8, 8),
             spacing=4,
         )
 
@@ -72,7 +73,13 @@ class PoseBox(ui.GroupBox):
     def _field(self, motor: int) -> QSpinBox:
         accessible = tr("Position of motor {0} in this pose").format(motor)
         box = ui.spin_box(self, f"aracnaPosition{motor}", accessible, 0, HIGHEST)
-        box.setButtonSymbols(QSpinBox.ButtonSymbols.NoButtons)  # it is narrow
+        set_look(box, "bare")  # it is narrow
+
+        def take_room() -> None:
+            widest = self.fontMetrics().horizontalAdvance(str(HIGHEST))
+            box.setMinimumWidth(widest + _AROUND_NUMBER)
+
+        follow_theme(box, "room", take_room)
         box.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         box.valueChanged.connect(lambda value: self._on_position_edited(motor, value))
         return box

@@ -17,7 +17,7 @@ from trex_gui.devices.aracna.model.texts import (
 from trex_gui.devices.aracna.protocol.joints import HIGHEST, degrees, position
 from trex_gui.devices.aracna.views.robot.joint_widgets import JointSlider, SpeedBox
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.theme.theme import set_look, theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import LiveLabel
 
@@ -42,7 +42,7 @@ class JointRow(QObject):
 
         def position_box(kind: str, accessible: str) -> QSpinBox:
             box = ui.spin_box(parent, f"aracna{kind}{motor}", name(accessible), 0, HIGHEST)
-            box.setButtonSymbols(QSpinBox.ButtonSymbols.NoButtons)  # the slider is beside it
+            set_look(box, "bare")  # the slider is beside it
             return box
 
         self.name = ui.label(parent, f"aracnaName{motor}", joint_text(motor))
@@ -59,7 +59,7 @@ class JointRow(QObject):
             decimals=1,
             suffix="°",
         )
-        self._degrees.setButtonSymbols(QSpinBox.ButtonSymbols.NoButtons)
+        set_look(self._degrees, "bare")
         present = name(tr("present position"))
         self._present = LiveLabel(f"aracnaPresent{motor}", present, parent)
         widest = self._present.fontMetrics().horizontalAdvance(position_text(HIGHEST))

@@ -19,7 +19,7 @@ from trex_gui.devices.aracna.views.robot.joint_table import JointTable
 from trex_gui.devices.aracna.views.robot.joint_widgets import CommonSpeedBox
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
-from trex_gui.ui.theme.theme import tint
+from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.translations import error_text
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import take_typed
@@ -170,8 +170,8 @@ class Controls(QWidget):
         self._speed = CommonSpeedBox("aracnaSpeedAll", tr("Speed of all motors"), self)
         self._move = self._button("Move", tr("Mo&ve"), "", self.move_now)
         ui.set_bold(self._move)
-        tint(self._move, "run")
-        set_icon(self._move, "run", "run_text")
+        set_look(self._move, "primary")
+        set_icon(self._move, "run", "primary_text")
         self._move.setMinimumWidth(8 * self.fontMetrics().averageCharWidth() + 60)
         self._live = ui.check_box(
             self,

@@ -15,9 +15,9 @@ from trex_gui.devices.trex.model.bench import Bench, Phase
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.views.bench.forms import PlanForm, TuningForm
 from trex_gui.devices.trex.views.bench.results import BenchFiles, FiguresTable
-from trex_gui.devices.trex.views.motor_controls import RunButton, StopButton
+from trex_gui.devices.trex.views.motor_controls import ActionBar, ArmButton
 from trex_gui.ui.runtime import new_timer
-from trex_gui.ui.theme.theme import tint
+from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import HoldButton, ReusedDialog, only_when_visible
 from trex_gui.ui.widgets.labels import Note
@@ -69,11 +69,12 @@ class BenchDialog(ReusedDialog):
         left = ui.named(QWidget(self), "benchLeft")
         ui.column((ScrollBox(forms, left), 1), self._hold, into=left, margins=0)
         button = partial(ui.button, self, default=False)
-        self._stop = stop = StopButton(device, "benchStopButton", self)
-        run = RunButton(device, "benchRunButton", self)
+        bar = ActionBar(device, "benchStopButton", self)
+        self._stop = bar.stop
+        run = ArmButton(device, "benchRunButton", self)
         run.setAutoDefault(False)
         ui.set_bold(self._hold)
-        tint(self._hold, "run")
+        set_look(self._hold, "primary")
         tip = tr("Open a saved test")
         self._open = button("benchOpenButton", tr("&Open…"), icon="open", tip=tip)
         tip = tr("Save this test to compare with later, or a picture of it")
@@ -85,9 +86,9 @@ class BenchDialog(ReusedDialog):
         compare = ui.row(compare_title, (self._compare, 1), band_title, self._band)
         self._right = ui.column(compare, self._figures)
         middle = ui.row(left, (self._right, 1))
-        buttons = ui.row(stop, run, 1, self._open, self._save, close)
-        ui.column(self._note, (middle, 1), buttons, into=self)
-        ui.tab_order(left, self._compare, self._band, self._figures, stop)
+        ui.row(bar.stop, run, 1, self._open, self._save, close, into=bar)
+        ui.column(self._note, (middle, 1), bar, into=self)
+        ui.tab_order(left, self._compare, self._band, self._figures, bar.stop)
 
         self._open.clicked.connect(self.files.ask_and_open)
         self._save.clicked.connect(lambda: self.files.ask_and_save(bench.runs[-1]))

@@ -28,7 +28,7 @@ def _form(parent: QWidget | None = None) -> QFormLayout:
     return form
 
 
-class PlanForm(ui.GroupBox):
+class PlanForm(ui.Card):
     """Edits the plan of a bench; disabled while a test runs."""
 
     def __init__(self, device: Device, bench: Bench, parent: QWidget) -> None:
@@ -160,7 +160,7 @@ class PlanForm(ui.GroupBox):
         self._period.setToolTip(ui.plain(tips[shape]))
 
 
-class TuningForm(ui.GroupBox):
+class TuningForm(ui.Card):
     """Edits one motor's acceleration, brake duration, current limit and P, as its page does."""
 
     def __init__(self, device: Device, bench: Bench, parent: QWidget) -> None:

@@ -20,7 +20,6 @@ from trex_gui.devices.trex.protocol.descriptions import CHANNEL_ROLES
 from trex_gui.devices.trex.views.count_editor import CountEditor
 from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
 from trex_gui.ui.theme.icons import icon
-from trex_gui.ui.theme.style import use_theme_style
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.units import units
 from trex_gui.ui.widgets import builders as ui
@@ -210,7 +209,6 @@ class ReviewPage(QWidget):
         self._learning = learning
 
         self._tabs = ui.named(QTabBar(self), "learnChannelTabs", accessible=tr("Channels"))
-        use_theme_style(self._tabs)
         self._tabs.setExpanding(False)
         self._forms = [ChannelForm(learning, channel) for channel in learning.channels]
         for channel in learning.channels:

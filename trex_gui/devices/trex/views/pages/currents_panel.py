@@ -8,7 +8,7 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.telemetry import board_traces
 from trex_gui.devices.trex.protocol.descriptions import CURRENT_ACCURACY
-from trex_gui.devices.trex.views.motor_controls import StopButton
+from trex_gui.devices.trex.views.motor_controls import ActionBar
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.plotting.panel import TracePanel
 from trex_gui.ui.plotting.traces import Traces
@@ -95,9 +95,10 @@ class PlotWindow(QMainWindow):
         self.setWindowIcon(application_icon())
         self.setWindowTitle(tr("Motor currents"))
         self.panel = CurrentsPanel(device, self, key=self._KEY)
-        stop = StopButton(device, "plotStopButton", self)
+        bar = ActionBar(device, "plotStopButton", self)
+        row(bar.stop, 1, into=bar)
         frame = QWidget(self)
-        column((self.panel, 1), row(stop, 1), into=frame)
+        column((self.panel, 1), bar, into=frame)
         self.setCentralWidget(frame)
         QShortcut(QKeySequence(QKeySequence.StandardKey.Close), self, self.close)
         restore_geometry(self, self._KEY, 900, 560)

@@ -89,8 +89,8 @@ class ErrorsPage(QWidget):
         LastColumn(table)
         return table
 
-    def _make_line_box(self) -> ui.GroupBox:
-        box = ui.GroupBox(tr("Connection"), self)
+    def _make_line_box(self) -> ui.Card:
+        box = ui.Card(tr("Connection"), self)
         restarts_tip = tr(
             "The board came back in another mode, so its power was off meanwhile; it does not "
             "report a restart in the same mode"

@@ -37,7 +37,7 @@ SIGNS = {
 }
 
 
-class MotorsBox(ui.GroupBox):
+class MotorsBox(ui.Card):
     """Every reason why the motors do what they do, and what the LEDs of the board show then."""
 
     def __init__(self, parent: QWidget) -> None:
@@ -128,8 +128,8 @@ class StatusPage(QWidget):
             changed.connect(self._show_motors)
         self._on_device_changed()
 
-    def _form(self, title: str, **rows: str) -> ui.GroupBox:
-        box = ui.GroupBox(title, self)
+    def _form(self, title: str, **rows: str) -> ui.Card:
+        box = ui.Card(title, self)
         form = QFormLayout(box)
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         for key, text in rows.items():

@@ -11,7 +11,7 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey, unconfirmed_
 from trex_gui.devices.trex.settings.comparison import Comparison
 from trex_gui.devices.trex.settings.document import factory_settings, serial_defaults
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
-from trex_gui.devices.trex.views.motor_controls import StopButton
+from trex_gui.devices.trex.views.motor_controls import ActionBar
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.builders import button, column, label, named, row
 from trex_gui.ui.widgets.labels import Note
@@ -35,7 +35,7 @@ class DefaultsDialog(ReusedDialog):
         self._intro = label(self, "defaultsIntro", wrap=True)
         self._rows = ComparisonView(self)
         self._inferred = label(self, "defaultsInferred", wrap=True)
-        stop = StopButton(device, "defaultsStopButton", self)
+        bar = ActionBar(device, "defaultsStopButton", self)
         tip = tr("Every parameter, by the board's own command, at its next start")
         title = tr("&Let the board reset itself…")
         self._reset = button(self, "boardResetButton", title, tip=tip)
@@ -51,9 +51,9 @@ class DefaultsDialog(ReusedDialog):
         self._take = button(self, "takeDefaultsButton", default=True)
         self._cancel = button(self, "defaultsCancelButton", tr("Cancel"), on_click=self.close)
 
-        buttons = row(stop, self._reset, self._sure, 1, self._take, self._cancel)
+        row(bar.stop, self._reset, self._sure, 1, self._take, self._cancel, into=bar)
         above = self._intro, (self._rows, 1), self._inferred, self._question, self._taken
-        column(*above, buttons, into=self)
+        column(*above, bar, into=self)
 
         self._reset.clicked.connect(self._on_reset_clicked)
         self._sure.clicked.connect(self._on_sure_clicked)

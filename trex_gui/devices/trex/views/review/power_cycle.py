@@ -6,8 +6,8 @@ from PySide6.QtWidgets import QFrame, QWidget
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.power_cycle import PowerCycle, PowerCycleStage
-from trex_gui.devices.trex.views.motor_controls import StopButton
-from trex_gui.ui.theme.style import use_theme_style
+from trex_gui.devices.trex.views.motor_controls import ActionBar
+from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.builders import button, column, grid, label, named, row, set_bold
 from trex_gui.ui.widgets.labels import Note, Sign
@@ -22,8 +22,7 @@ class PowerCyclePanel(QFrame):
     def __init__(self, cycle: PowerCycle, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("powerCyclePanel")
-        self.setFrameShape(QFrame.Shape.StyledPanel)
-        use_theme_style(self)
+        set_look(self, "card")
         self._cycle = cycle
         self._waiting: tuple[str, ...] = ()
 
@@ -131,10 +130,11 @@ class PowerCycleDialog(ReusedDialog):
         self._cycle = PowerCycle(device, self)
 
         panel = PowerCyclePanel(self._cycle, self)
-        stop = StopButton(device, "powerCycleStopButton", self)
+        bar = ActionBar(device, "powerCycleStopButton", self)
         text = tr("Close")
         close = button(self, "powerCycleCloseButton", text, default=True, on_click=self.close)
-        column((panel, 1), row(stop, 1, close), into=self)
+        row(bar.stop, 1, close, into=bar)
+        column((panel, 1), bar, into=self)
         self.finished.connect(self._cycle.end)
 
     def guide(self) -> None:

@@ -18,7 +18,7 @@ from trex_gui.devices.trex.settings.comparison import Comparison, compare, setti
 from trex_gui.devices.trex.settings.rules import LintFinding
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.findings_list import FindingsList, LimitsPrompt
-from trex_gui.devices.trex.views.motor_controls import StopButton
+from trex_gui.devices.trex.views.motor_controls import ActionBar
 from trex_gui.devices.trex.views.review.power_cycle import PowerCyclePanel
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.translations import error_sentence
@@ -63,15 +63,15 @@ class ReviewDialog(ReusedDialog):
         self._progress = progress_bar(self, "reviewProgress", tr("Progress of writing"))
         self._progress.setTextVisible(True)
         self._power = PowerCyclePanel(self._cycle, self)
-        stop = StopButton(device, "reviewStopButton", self)
+        bar = ActionBar(device, "reviewStopButton", self)
         self._write = button(
             self, "writeButton", icon="apply", confirms=True, on_click=self._on_write_clicked
         )
         self._close = button(self, "reviewCloseButton", on_click=self.close)
 
-        buttons = row(stop, (self._progress, 1), 1, self._write, self._close)
+        row(bar.stop, (self._progress, 1), 1, self._write, self._close, into=bar)
         findings = self._findings_head, (self._findings_area, 1)
-        below = self._foot, MessageRoom(self, self._question), self._power, buttons
+        below = self._foot, MessageRoom(self, self._question), self._power, bar
         column(self._head, (self._rows, 2), *findings, *below, into=self)
 
         self.finished.connect(self._on_finished)

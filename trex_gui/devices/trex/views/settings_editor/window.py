@@ -16,7 +16,7 @@ from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.views.conversion_view import ConvertDialog
-from trex_gui.devices.trex.views.motor_controls import StopButton
+from trex_gui.devices.trex.views.motor_controls import ActionBar
 from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
 from trex_gui.devices.trex.views.settings_editor.calibration_page import CalibrationEditor
 from trex_gui.devices.trex.views.settings_editor.compare_dialog import CompareDialog, GetSettings
@@ -27,9 +27,8 @@ from trex_gui.ui.devices.undo import undo_titles
 from trex_gui.ui.files import in_background
 from trex_gui.ui.frame.workspace import SEPARATOR, Entry, fill_menu_bar
 from trex_gui.ui.theme.icons import application_icon
-from trex_gui.ui.theme.style import use_theme_style
 from trex_gui.ui.widgets import file_questions
-from trex_gui.ui.widgets.builders import column, named
+from trex_gui.ui.widgets.builders import column, named, row
 from trex_gui.ui.widgets.document_saver import DocumentSaver
 from trex_gui.ui.widgets.file_questions import SaveAnswer
 from trex_gui.ui.widgets.messages import Banner, MessageRoom
@@ -63,7 +62,6 @@ class SettingsEditor(QMainWindow):
 
         self._banner = Banner(self)
         self.tabs = named(QTabWidget(self), "editorTabs", accessible=tr("Pages"))
-        use_theme_style(self.tabs.tabBar())
         self.tabs.setDocumentMode(True)
         parameters = ParameterTable(document.draft, self._linter, self)
         self._findings = FindingsPanel(self)
@@ -72,10 +70,11 @@ class SettingsEditor(QMainWindow):
         self.tabs.addTab(CalibrationEditor(document.draft, self), tr("Calibrations"))
         self._findings_index = self.tabs.addTab(_with_margins(self._findings), "")
         self._text_index = self.tabs.addTab(self._text, tr("Text"))
-        stop = StopButton(device, "editorStopButton", self)
+        bar = ActionBar(device, "editorStopButton", self)
+        row(bar.stop, 1, into=bar)
         frame = QWidget(self)
         messages = MessageRoom(frame, self._banner, lines=1)
-        column(messages, (self.tabs, 1), (stop, 0, Qt.AlignmentFlag.AlignLeft), into=frame)
+        column(messages, (self.tabs, 1), bar, into=frame)
         self.setCentralWidget(frame)
         self._actions = self._build_menus()
         self._build_tool_bar()

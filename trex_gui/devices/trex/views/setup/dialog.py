@@ -10,7 +10,7 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup, SetupStep
-from trex_gui.devices.trex.views.motor_controls import StopButton
+from trex_gui.devices.trex.views.motor_controls import ActionBar
 from trex_gui.devices.trex.views.setup.direction_pages import SticksPage, WiringPage
 from trex_gui.devices.trex.views.setup.pages import (
     DriverPage,
@@ -61,7 +61,8 @@ class SetupDialog(ReusedDialog):
         self._pages: dict[SetupStep, tuple[_Page, ScrollBox]] = {}  # made when first shown
         self._stack = QStackedWidget(self)
         self._edits = ui.named(Note(2, self), "setupEdits")
-        self._stop = stop = StopButton(device, "setupStopButton", self)
+        bar = ActionBar(device, "setupStopButton", self)
+        self._stop = bar.stop
         button = partial(ui.button, self, default=False)
         skip_tip = tr("Go on without the changes of this step")
         close_tip = tr("Close the assistant; its changes stay until you apply or discard them")
@@ -71,8 +72,8 @@ class SetupDialog(ReusedDialog):
         close = button("setupCloseButton", tr("&Close"), tip=close_tip, on_click=self.close)
         for each in (self._skip, self._next):  # a second click must not hit another button
             keep_room(each)
-        buttons = ui.row(stop, 1, self._back, self._skip, self._next, close)
-        ui.column(self._strip, (self._stack, 1), self._edits, buttons, into=self, spacing=10)
+        ui.row(bar.stop, 1, self._back, self._skip, self._next, close, into=bar)
+        ui.column(self._strip, (self._stack, 1), self._edits, bar, into=self, spacing=10)
 
         setup.changed.connect(self._on_changed)
         device.link_changed.connect(self._on_changed)

@@ -16,8 +16,8 @@ from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup
 from trex_gui.devices.trex.model.setup.wiring import Driver, Movement, Rewiring, Side, Wiring
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.views.bars import ChannelBar
-from trex_gui.devices.trex.views.motor_controls import RunButton, TimeoutNotice
-from trex_gui.ui.theme.theme import tint
+from trex_gui.devices.trex.views.motor_controls import ArmButton, TimeoutNotice
+from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import HoldButton, keep_room, only_when_visible
 from trex_gui.ui.widgets.labels import Muted, Note
@@ -139,7 +139,7 @@ class SticksPage(QWidget):
         return text
 
 
-class _MotorBox(ui.GroupBox):
+class _MotorBox(ui.Card):
     """A button to hold for one motor, and what it moved."""
 
     def __init__(self, setup: RobotSetup, motor: int, parent: QWidget) -> None:
@@ -151,7 +151,7 @@ class _MotorBox(ui.GroupBox):
         self._hold = ui.named(hold, f"setupHold{motor}", tip=tip)
         self._hold.setMinimumHeight(2 * self.fontMetrics().height() + 4)
         ui.set_bold(self._hold)
-        tint(self._hold, "run")
+        set_look(self._hold, "primary")
         question = ui.label(self, text=tr("What turned, and which way?"))
         texts = {
             Movement.LEFT_FORWARD: tr("Left wheel, forward"),
@@ -200,7 +200,7 @@ class WiringPage(QWidget):
         text = tr("The wheels are &off the ground, and nothing can get caught in them")
         self._free = ui.check_box(self, "setupWheelsFree", text)
         self._run_place = QWidget(self)  # disables the button, which enables itself
-        run = RunButton(device, "setupRunButton", self._run_place)
+        run = ArmButton(device, "setupRunButton", self._run_place)
         run.setAutoDefault(False)
         self._run_place.setEnabled(False)
         ui.row(run, into=self._run_place, margins=0)

@@ -12,7 +12,6 @@ from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, channels
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.board_records import Known
 from trex_gui.ui.theme.icons import icon
-from trex_gui.ui.theme.style import use_theme_style
 from trex_gui.ui.theme.theme import follow_theme
 from trex_gui.ui.widgets.builders import button, column, label, named, plain, row
 from trex_gui.ui.widgets.labels import ElidedLabel, LegendKey, Note
@@ -103,7 +102,6 @@ class ChannelHeading(QWidget):
         self._learned = named(ElidedLabel(tr("not learned"), self), "learnedLabel")
         self._learned.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._sources = named(QTabBar(self), "sourceTabs", accessible=tr("Input source"))
-        use_theme_style(self._sources)
         self._sources.setDrawBase(False)
         for _ in _SOURCES:
             self._sources.addTab("")

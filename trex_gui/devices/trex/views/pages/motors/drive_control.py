@@ -9,7 +9,7 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.descriptions import CURRENT_ACCURACY
 from trex_gui.devices.trex.views.bars import CurrentBar, OutputBar
-from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.theme.theme import set_look, theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import keep_room
 from trex_gui.ui.widgets.labels import ElidedLabel
@@ -98,9 +98,8 @@ class SpeedSlider(PressSlider):
             for x in (start, end):
                 painter.fillRect(x - 1, middle - 7, 2, 15, theme().color("mark"))
         zero, here = self.x_of(0, handle), handle.center().x()
-        name = "bar_negative" if self.sliderPosition() < 0 else "bar"
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(theme().color(name))
+        painter.setBrush(theme().color("bar"))
         painter.drawRect(QRect(min(zero, here), middle - 2, abs(here - zero), 5))
 
     def paint_below(self, painter: QPainter, handle: QRect) -> None:
@@ -220,7 +219,7 @@ class DriveControl(QWidget):
         self.reported = ui.named(reported, f"{name}Reported")
         self.reported.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         for button in (self._zero, self.brake):
-            button.setMinimumWidth(button.fontMetrics().horizontalAdvance(button.text()) + 20)
+            set_look(button, "compact")
         self.current = ui.named(CurrentBar(self), f"{name}Current")
         tip = tr("Current of this motor; the red line is its limit, ⚠ means 80 % of it or more.")
         self.current.setToolTip(ui.plain(f"{tip} {tr(CURRENT_ACCURACY)}"))

@@ -167,10 +167,10 @@ class GamepadDialog(ReusedDialog):
         self._detecting = ""  # key of a row
 
         self._name = ui.label(self, "gamepadName")
-        live = ui.named(ui.GroupBox(tr("Live state"), self), "gamepadLive")
+        live = ui.named(ui.Card(tr("Live state"), self), "gamepadLive")
         self._live = PadView(None, live)
         self._live_layout = ui.column(self._live, 1, into=live)
-        uses = ui.GroupBox(tr("Assignment"), self)
+        uses = ui.Card(tr("Assignment"), self)
         mixed, tank = tr("One axis drives, one turns"), tr("An axis for each motor")
         self._style = ui.combo_box(
             uses,
@@ -231,7 +231,7 @@ class GamepadDialog(ReusedDialog):
         self._on_gamepad_changed()
         self._on_gamepad_moved()
 
-    def _lay_out_assignment(self, uses: ui.GroupBox) -> None:
+    def _lay_out_assignment(self, uses: ui.Card) -> None:
         form = QFormLayout(uses)
         first, second, *buttons = self._rows.values()
         form.addRow(tr("St&icks:"), self._style)

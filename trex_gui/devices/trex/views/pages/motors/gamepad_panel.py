@@ -14,13 +14,13 @@ from trex_gui.ui.widgets.builders import ComboBox
 from trex_gui.ui.widgets.labels import Note
 
 
-class GamepadPanel(ui.GroupBox):
+class GamepadPanel(ui.Card):
     """Lets a gamepad drive only while this panel is visible."""
 
     def __init__(
         self, device: Device, parent: QWidget | None = None, *, source: PadSource | None = None
     ) -> None:
-        super().__init__(tr("Gamepad"), parent)
+        super().__init__("", parent)
         self.setObjectName("gamepadPanel")
         self.gamepad = Gamepad(device, source or SdlPads(), self)
         self._dialog: GamepadDialog | None = None
@@ -108,7 +108,7 @@ class GamepadPanel(ui.GroupBox):
         for widget in (self._pads, self._set_up, self._bars, self._unfocused):
             widget.setVisible(gamepad.on)
         self._state.show_note(gamepad.text, alarming=bool(gamepad.failure or gamepad.gone))
-        self._state.setAccessibleName(gamepad.text)
+        self._state.setAccessibleName(gamepad.text or tr("Gamepad"))
         self._attend()
         self._on_gamepad_moved()
 

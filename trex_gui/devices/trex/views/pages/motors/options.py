@@ -105,7 +105,7 @@ class SpeedCeiling(QWidget):
         self._note.show_note(text if motors.board else "")
 
 
-class Options(ui.GroupBox):
+class Options(ui.Card):
     """Brake strength, lock, spring return and stop on leaving are stored; the others are not."""
 
     keys_toggled = Signal(bool)  # whether keys drive wherever the focus is
@@ -183,10 +183,10 @@ class Options(ui.GroupBox):
 
     def _make_lock(self) -> SpeedEntry:
         tip = tr(
-            "How long Run motor stays locked after Stop or Esc, so that a slider or key still held "
-            "cannot restart a motor (0 to {0:g} s)"
+            "How long arming stays locked after Stop or Esc, so that a slider or key that is "
+            "still held cannot restart a motor (0 to {0:g} s)"
         ).format(Number(LONGEST))
-        accessible = tr("Seconds that Run motor is locked after Stop")
+        accessible = tr("Seconds for which arming is locked after Stop")
         lock = ui.named(SpeedEntry(self), "lockoutEntry", accessible=accessible, tip=tip)
         lock.setRange(0, round(LONGEST))
         lock.setSuffix(tr(" s"))

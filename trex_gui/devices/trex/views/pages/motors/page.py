@@ -16,7 +16,6 @@ from trex_gui.devices.trex.model.momentary_drive import MomentaryDrive
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
-from trex_gui.devices.trex.views.motor_controls import RunButton
 from trex_gui.devices.trex.views.pages.motors.drive_control import DriveControl
 from trex_gui.devices.trex.views.pages.motors.drive_pad import DrivePad
 from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
@@ -55,9 +54,7 @@ class MotorsPage(QWidget):
         self._reason = ui.named(Note(2, self), "motorsReason")
         self._reason.setTextFormat(Qt.TextFormat.RichText)
         self._reason.setAlignment(Qt.AlignmentFlag.AlignVCenter)
-        run = RunButton(device, "motorsRunButton", self)
-        run.setText(run.text().replace("&", ""))  # the letter is that of the one below the pages
-        self._drive_box = drive_box = ui.GroupBox(tr("Drive"), self)
+        self._drive_box = drive_box = ui.Card(tr("Drive"), self)
         ceiling = SpeedCeiling(device.motors, drive_box)
         self._pad = DrivePad(drive_box)
         auxiliary_title = tr("Auxiliary (one way)")
@@ -71,7 +68,7 @@ class MotorsPage(QWidget):
         self._stored.setToolTip(tr("Stored settings; click a value to open its parameter"))
         self._keys = KeyDriver(self._key_drive, device.motors, self, self._pad)
 
-        head = ui.row(self._sign, (self._reason, 1), run, spacing=10)
+        head = ui.row(self._sign, (self._reason, 1), spacing=10)
         first, second, auxiliary = self._controls.values()
         controls = ui.column(first, 1, second, 1, auxiliary, 1, spacing=4)
         drive = ui.row(self._pad, (controls, 1), spacing=16)

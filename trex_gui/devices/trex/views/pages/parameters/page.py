@@ -75,7 +75,7 @@ class ParametersPage(QWidget):
         if self._device.draft.reset_pending:
             return tr("Factory defaults take effect after the next power cycle.")
         if pending := self._device.draft.pending:
-            return tr("%n pending change(s): click Apply settings to write.", "", pending)
+            return tr("%n pending change(s): review them to write them.", "", pending)
         if waiting := self._model.values.waiting_for_power:
             text = tr("Stored, but not active until the board is switched off and on: {0}.")
             return text.format(", ".join(waiting))
