@@ -84,7 +84,7 @@ class LampController(DeviceController[PortSettings]):
 
 class LampWorkspace(Workspace):
     def __init__(self, controller: LampController, window: MainWindow) -> None:
-        super().__init__(controller.plugin.key, controller.lamp.notifier, window)
+        super().__init__(controller.plugin.key, controller.lamp.notifier, window.stack)
         self.bar = QWidget(self)
         self.opened: list[Path] = []
         self.add_pages([PageInfo("light", "&Light", lambda: QLabel("On"))])

@@ -3023,6 +3023,102 @@
         <translation>Gespeichert als {0}.</translation></message>
     <message><source>Settled within {0:.0f} % after</source>
         <translation>Auf {0:.0f} % eingeschwungen nach</translation></message>
+    <message><source>compact packets</source>
+        <translation>kompakte Pakete</translation></message>
+    <message><source>sticks learned</source>
+        <translation>Knüppel gelernt</translation></message>
+    <message><source>current limits</source>
+        <translation>Stromgrenzen</translation></message>
+    <message><source>serial timeout</source>
+        <translation>serielles Timeout</translation></message>
+    <message><source>Set &amp;up my robot…</source>
+        <translation>Meinen &amp;Roboter einrichten…</translation></message>
+    <message><source>If the cable fails</source>
+        <translation>Wenn das Kabel ausfällt</translation></message>
+    <message><source>Problems</source>
+        <translation>Probleme</translation></message>
+    <message><source>Sh&amp;ow them</source>
+        <translation>Anz&amp;eigen</translation></message>
+    <message><source>The board</source>
+        <translation>Das Board</translation></message>
+    <message><source>joint: one motor</source>
+        <translation>Parallelbetrieb: ein Motor</translation></message>
+    <message><source>two independent motors</source>
+        <translation>zwei unabhängige Motoren</translation></message>
+    <message><source>RS-232 (everything sent comes back)</source>
+        <translation>RS-232 (alles Gesendete kommt zurück)</translation></message>
+    <message><source>TTL (SI and SO)</source>
+        <translation>TTL (SI und SO)</translation></message>
+    <message><source>this firmware runs at half of this baud rate</source>
+        <translation>diese Firmware läuft mit der halben Baudrate</translation></message>
+    <message><source>device number {0}</source>
+        <translation>Gerätenummer {0}</translation></message>
+    <message><source>None since {0}.</source>
+        <translation>Keine seit {0}.</translation></message>
+    <message><source>Mode jumper</source>
+        <translation>Modus-Jumper</translation></message>
+    <message><source>Mix jumper</source>
+        <translation>Mix-Jumper</translation></message>
+    <message><source>SO–G jumper</source>
+        <translation>SO–G-Jumper</translation></message>
+    <message><source>Serial line</source>
+        <translation>Serielle Leitung</translation></message>
+    <message><source>not responding</source>
+        <translation>antwortet nicht</translation></message>
+    <message><source>Red LED</source>
+        <translation>Rote LED</translation></message>
+    <message><source>Green LED</source>
+        <translation>Grüne LED</translation></message>
+    <message><source>Red</source>
+        <translation>Rot</translation></message>
+    <message><source>Green</source>
+        <translation>Grün</translation></message>
+    <message><source>Mode: not known</source>
+        <translation>Modus: nicht bekannt</translation></message>
+    <message><source>Mix: not known</source>
+        <translation>Mix: nicht bekannt</translation></message>
+    <message><source>move a stick to see</source>
+        <translation>Knüppel bewegen, um es zu sehen</translation></message>
+    <message><source>SO–G: not known</source>
+        <translation>SO–G: nicht bekannt</translation></message>
+    <message><source>SO–G: off</source>
+        <translation>SO–G: ab</translation></message>
+    <message><source>replies reach this computer</source>
+        <translation>Antworten erreichen diesen Computer</translation></message>
+    <message><source>not known</source>
+        <translation>nicht bekannt</translation></message>
+    <message><source>not armed</source>
+        <translation>nicht freigegeben</translation></message>
+    <message><source>{0}, limit {1:.1f} A</source>
+        <translation>{0}, Grenze {1:.1f} A</translation></message>
+    <message><source>{0:.0f} reads/s, {1:.1f} % answered</source>
+        <translation>{0:.0f} Abfragen/s, {1:.1f} % beantwortet</translation></message>
+    <message><source>CH{0}</source>
+        <translation>K{0}</translation></message>
+    <message><source>Mode: off</source>
+        <translation>Modus: ab</translation></message>
+    <message><source>serial mode</source>
+        <translation>serieller Modus</translation></message>
+    <message><source>RC</source>
+        <translation>RC</translation></message>
+    <message><source>Analog</source>
+        <translation>Analog</translation></message>
+    <message><source>channels drive</source>
+        <translation>Kanäle steuern</translation></message>
+    <message><source>Mix: on</source>
+        <translation>Mix: gesteckt</translation></message>
+    <message><source>one stick drives both motors</source>
+        <translation>ein Knüppel steuert beide Motoren</translation></message>
+    <message><source>Mix: off</source>
+        <translation>Mix: ab</translation></message>
+    <message><source>each channel drives its motor</source>
+        <translation>jeder Kanal steuert seinen Motor</translation></message>
+    <message><source>{0}, no limit</source>
+        <translation>{0}, keine Grenze</translation></message>
+    <message><source>Channel {0}, {1}</source>
+        <translation>Kanal {0}, {1}</translation></message>
+    <message><source>Mode: {0}</source>
+        <translation>Modus: {0}</translation></message>
     <message><source>Click a board, or press Enter, to show it on every page. Motors stop first.</source>
         <translation>Klicken Sie auf ein Board oder drücken Sie Enter, um es auf jeder Seite zu zeigen. Zuvor werden die Motoren gestoppt.</translation></message>
     <message><source>Ask for each device number which board has it; nothing is changed</source>
@@ -3075,8 +3171,6 @@
         <translation>ausgewählt</translation></message>
     <message><source>responding</source>
         <translation>antwortet</translation></message>
-    <message><source>not responding</source>
-        <translation>antwortet nicht</translation></message>
     <message><source>reply unreadable</source>
         <translation>Antwort unlesbar</translation></message>
     <message><source>not asked yet</source>
@@ -3295,8 +3389,6 @@
         <translation>Batteriespannung</translation></message>
     <message><source>Supply</source>
         <translation>Versorgung</translation></message>
-    <message><source>Mode jumper</source>
-        <translation>Modus-Jumper</translation></message>
     <message><source>Mix</source>
         <translation>Mix</translation></message>
     <message><source>SO–G</source>
@@ -3347,8 +3439,6 @@
         <translation>Bootloader: Wartet auf Firmware. Zum Verlassen aus- und einschalten.</translation></message>
     <message><source>serial</source>
         <translation>seriell</translation></message>
-    <message><source>RC</source>
-        <translation>RC</translation></message>
     <message><source>Demo TReX</source>
         <translation>Demo-TReX</translation></message>
     <message><source>Factory state</source>
@@ -3359,8 +3449,6 @@
         <translation>Eine schwache Batterie bricht ein, wenn die Motoren anlaufen, und das Board startet neu</translation></message>
     <message><source>No jumper: serial</source>
         <translation>Kein Jumper: seriell</translation></message>
-    <message><source>Analog</source>
-        <translation>Analog</translation></message>
     <message><source>auxiliary</source>
         <translation>Hilfsmotor</translation></message>
     <message><source>flip</source>
@@ -3741,6 +3829,8 @@ bisher {1}</translation></message>
         <translation>Nicht in der Datei und daher unverändert: {0}.</translation></message>
     <message><source>“Arm without” is remembered for this board. Cut the power by hand then if the cable falls out.</source>
         <translation>„Ohne Timeout freigeben“ wird für dieses Board gemerkt. Trennen Sie dann die Motorversorgung von Hand, wenn das Kabel herausfällt.</translation></message>
+    <message><source>Write the serial timeout</source>
+        <translation>Serielles Timeout schreiben</translation></message>
     <message><source>Writes Serial Timeout and UART-Error Shutdown now: the board should stop its motors {0} s after the last byte. Other changes stay pending.</source>
         <translation>Schreibt jetzt „Serielles Timeout“ und „Abschaltung bei UART-Fehlern“: Das Board sollte seine Motoren {0} s nach dem letzten Byte stoppen. Andere Änderungen bleiben ausstehend.</translation></message>
     <message><source>Stop both motors and the auxiliary now (Esc, anywhere)</source>
@@ -3748,9 +3838,9 @@ bisher {1}</translation></message>
     <message><source>Stops the motors, and sends nothing until they are armed again</source>
         <translation>Stoppt die Motoren und sendet nichts, bis sie wieder freigegeben sind</translation></message>
     <message numerus="yes"><source>Review %n ch&amp;ange(s)…</source>
-        <translation><numerusform>%n Änderung p&amp;rüfen…</numerusform><numerusform>%n Änderungen p&amp;rüfen…</numerusform></translation></message>
+        <translation><numerusform>%n Änderung an&amp;wenden…</numerusform><numerusform>%n Änderungen an&amp;wenden…</numerusform></translation></message>
     <message><source>No ch&amp;anges</source>
-        <translation>Keine Ände&amp;rungen</translation></message>
+        <translation>Nichts anzu&amp;wenden</translation></message>
     <message><source>Write the changed parameters into the board (Ctrl+Enter)</source>
         <translation>Die geänderten Parameter ins Board schreiben (Strg+Enter)</translation></message>
     <message><source>Channels control the motors: serial commands do not reach them.</source>
@@ -3781,8 +3871,6 @@ bisher {1}</translation></message>
         <translation>&amp;Ohne Timeout freigeben</translation></message>
     <message><source>The board did not store the serial timeout.</source>
         <translation>Das Board hat das serielle Timeout nicht gespeichert.</translation></message>
-    <message><source>Write the serial timeout</source>
-        <translation>Serielles Timeout schreiben</translation></message>
     <message><source>Armed. Drive them on the Motors page.</source>
         <translation>Freigegeben. Gefahren wird auf der Seite „Motoren“.</translation></message>
     <message><source>Stopping …</source>
@@ -4393,44 +4481,6 @@ bisher {1}</translation></message>
         <translation>Kopieren als „{0}“</translation></message>
     <message><source>Copy to {0}</source>
         <translation>Nach {0} kopieren</translation></message>
-    <message><source>LEDs that the board shows</source>
-        <translation>LEDs, die das Board zeigt</translation></message>
-    <message><source>Set up my r&amp;obot…</source>
-        <translation>&amp;Meinen Roboter einrichten…</translation></message>
-    <message><source>Who drives, jumpers, sticks, motors and limits, step by step.</source>
-        <translation>Wer steuert, Jumper, Knüppel, Motoren und Grenzen, Schritt für Schritt.</translation></message>
-    <message><source>compact packets</source>
-        <translation>kompakte Pakete</translation></message>
-    <message><source>LEDs on the board:</source>
-        <translation>LEDs auf dem Board:</translation></message>
-    <message><source>joint: one motor</source>
-        <translation>Parallelbetrieb: ein Motor</translation></message>
-    <message><source>two independent motors</source>
-        <translation>zwei unabhängige Motoren</translation></message>
-    <message><source>RS-232 (everything sent comes back)</source>
-        <translation>RS-232 (alles Gesendete kommt zurück)</translation></message>
-    <message><source>TTL (SI and SO)</source>
-        <translation>TTL (SI und SO)</translation></message>
-    <message><source>This firmware runs at half of this baud rate.</source>
-        <translation>Diese Firmware arbeitet mit der Hälfte dieser Baudrate.</translation></message>
-    <message><source>Model:</source>
-        <translation>Modell:</translation></message>
-    <message><source>Firmware:</source>
-        <translation>Firmware:</translation></message>
-    <message><source>Mode:</source>
-        <translation>Modus:</translation></message>
-    <message><source>In control:</source>
-        <translation>Steuerung:</translation></message>
-    <message><source>Motors:</source>
-        <translation>Motoren:</translation></message>
-    <message><source>Port:</source>
-        <translation>Port:</translation></message>
-    <message><source>Settings:</source>
-        <translation>Einstellungen:</translation></message>
-    <message><source>Connector:</source>
-        <translation>Anschluss:</translation></message>
-    <message><source>device number {0}</source>
-        <translation>Gerätenummer {0}</translation></message>
     <message><source>&amp;Settings at this time…</source>
         <translation>&amp;Einstellungen zu dieser Zeit…</translation></message>
     <message><source>Open the settings that the board stored at this time</source>
@@ -4482,7 +4532,7 @@ bisher {1}</translation></message>
     <message><source>The seconds around “{0}” could not be kept. {1}</source>
         <translation>Die Sekunden um „{0}“ konnten nicht behalten werden. {1}</translation></message>
     <message><source>Start recording &amp;when the motors are armed</source>
-        <translation>Aufzeichnung bei der &amp;Freigabe der Motoren starten</translation></message>
+        <translation>Aufzeichnung &amp;mit der Freigabe der Motoren starten</translation></message>
     <message><source>Nothing can be recorded: no board is connected.</source>
         <translation>Es kann nichts aufgezeichnet werden: Kein Board ist verbunden.</translation></message>
     <message><source>File, Open recording</source>
@@ -5179,8 +5229,8 @@ bisher {1}</translation></message>
         <translation>&amp;Werkseinstellung der Leitung: {0}…</translation></message>
     <message><source>Fas&amp;t: {0}…</source>
         <translation>&amp;Schnell: {0}…</translation></message>
-    <message><source>S&amp;tatus</source>
-        <translation>&amp;Status</translation></message>
+    <message><source>B&amp;oard</source>
+        <translation>Bo&amp;ard</translation></message>
     <message><source>&amp;Channels</source>
         <translation>&amp;Kanäle</translation></message>
     <message><source>Cali&amp;bration</source>
@@ -5223,8 +5273,6 @@ bisher {1}</translation></message>
         <translation>&amp;Gerätenummer ändern…</translation></message>
     <message><source>A&amp;pply a file to several boards…</source>
         <translation>&amp;Datei auf mehrere Boards anwenden…</translation></message>
-    <message><source>Set &amp;up my robot…</source>
-        <translation>Meinen &amp;Roboter einrichten…</translation></message>
     <message><source>Lear&amp;n channels…</source>
         <translation>Kanäle &amp;einlernen…</translation></message>
     <message><source>&amp;Test the sticks…</source>
@@ -5795,14 +5843,10 @@ Kein Produkt von Pololu.</translation></message>
         <translation>Blau</translation></message>
     <message><source>Orange</source>
         <translation>Orange</translation></message>
-    <message><source>Green</source>
-        <translation>Grün</translation></message>
     <message><source>Yellow</source>
         <translation>Gelb</translation></message>
     <message><source>Purple</source>
         <translation>Violett</translation></message>
-    <message><source>Red</source>
-        <translation>Rot</translation></message>
     <message><source>Teal</source>
         <translation>Türkis</translation></message>
     <message><source>Pink</source>

@@ -50,7 +50,7 @@
     <message numerus="yes"><source>%n earlier pending edit(s) will be written, too.</source>
         <translation><numerusform>%n earlier pending edit will be written, too.</numerusform><numerusform>%n earlier pending edits will be written, too.</numerusform></translation></message>
     <message numerus="yes"><source>{0}: %n change(s) pending: review them to write them.</source>
-        <translation><numerusform>{0}: %n change pending: review it to write it.</numerusform><numerusform>{0}: %n changes pending: review them to write them.</numerusform></translation></message>
+        <translation><numerusform>{0}: %n change is pending: review it to write it.</numerusform><numerusform>{0}: %n changes are pending: review them to write them.</numerusform></translation></message>
     <message numerus="yes"><source>&amp;Load %n change(s)</source>
         <translation><numerusform>&amp;Load %n change</numerusform><numerusform>&amp;Load %n changes</numerusform></translation></message>
     <message numerus="yes"><source>Review %n ch&amp;ange(s)…</source>

@@ -3023,6 +3023,102 @@
         <translation>Enregistré sous {0}.</translation></message>
     <message><source>Settled within {0:.0f} % after</source>
         <translation>Stabilisé à ±{0:.0f} % après</translation></message>
+    <message><source>compact packets</source>
+        <translation>paquets compacts</translation></message>
+    <message><source>sticks learned</source>
+        <translation>manches appris</translation></message>
+    <message><source>current limits</source>
+        <translation>limites de courant</translation></message>
+    <message><source>serial timeout</source>
+        <translation>délai série</translation></message>
+    <message><source>Set &amp;up my robot…</source>
+        <translation>&amp;Configurer mon robot…</translation></message>
+    <message><source>If the cable fails</source>
+        <translation>Si le câble lâche</translation></message>
+    <message><source>Problems</source>
+        <translation>Problèmes</translation></message>
+    <message><source>Sh&amp;ow them</source>
+        <translation>Les m&amp;ontrer</translation></message>
+    <message><source>The board</source>
+        <translation>La carte</translation></message>
+    <message><source>joint: one motor</source>
+        <translation>jumelé : un seul moteur</translation></message>
+    <message><source>two independent motors</source>
+        <translation>deux moteurs indépendants</translation></message>
+    <message><source>RS-232 (everything sent comes back)</source>
+        <translation>RS-232 (tout ce qui est envoyé revient)</translation></message>
+    <message><source>TTL (SI and SO)</source>
+        <translation>TTL (SI et SO)</translation></message>
+    <message><source>this firmware runs at half of this baud rate</source>
+        <translation>ce micrologiciel fonctionne à la moitié de ce débit</translation></message>
+    <message><source>device number {0}</source>
+        <translation>numéro d'appareil {0}</translation></message>
+    <message><source>None since {0}.</source>
+        <translation>Aucun depuis {0}.</translation></message>
+    <message><source>Mode jumper</source>
+        <translation>Cavalier de mode</translation></message>
+    <message><source>Mix jumper</source>
+        <translation>Cavalier de mixage</translation></message>
+    <message><source>SO–G jumper</source>
+        <translation>Cavalier SO–G</translation></message>
+    <message><source>Serial line</source>
+        <translation>Ligne série</translation></message>
+    <message><source>not responding</source>
+        <translation>ne répond pas</translation></message>
+    <message><source>Red LED</source>
+        <translation>LED rouge</translation></message>
+    <message><source>Green LED</source>
+        <translation>LED verte</translation></message>
+    <message><source>Red</source>
+        <translation>Rouge</translation></message>
+    <message><source>Green</source>
+        <translation>Vert</translation></message>
+    <message><source>Mode: not known</source>
+        <translation>Mode : inconnu</translation></message>
+    <message><source>Mix: not known</source>
+        <translation>Mixage : inconnu</translation></message>
+    <message><source>move a stick to see</source>
+        <translation>bougez un manche pour le voir</translation></message>
+    <message><source>SO–G: not known</source>
+        <translation>SO–G : inconnu</translation></message>
+    <message><source>SO–G: off</source>
+        <translation>SO–G : retiré</translation></message>
+    <message><source>replies reach this computer</source>
+        <translation>les réponses arrivent à cet ordinateur</translation></message>
+    <message><source>not known</source>
+        <translation>inconnu</translation></message>
+    <message><source>not armed</source>
+        <translation>non activé</translation></message>
+    <message><source>{0}, limit {1:.1f} A</source>
+        <translation>{0}, limite {1:.1f} A</translation></message>
+    <message><source>{0:.0f} reads/s, {1:.1f} % answered</source>
+        <translation>{0:.0f} lectures/s, {1:.1f} % répondues</translation></message>
+    <message><source>CH{0}</source>
+        <translation>V{0}</translation></message>
+    <message><source>Mode: off</source>
+        <translation>Mode : retiré</translation></message>
+    <message><source>serial mode</source>
+        <translation>mode série</translation></message>
+    <message><source>RC</source>
+        <translation>RC</translation></message>
+    <message><source>Analog</source>
+        <translation>Analogique</translation></message>
+    <message><source>channels drive</source>
+        <translation>les voies commandent</translation></message>
+    <message><source>Mix: on</source>
+        <translation>Mixage : en place</translation></message>
+    <message><source>one stick drives both motors</source>
+        <translation>un manche commande les deux moteurs</translation></message>
+    <message><source>Mix: off</source>
+        <translation>Mixage : retiré</translation></message>
+    <message><source>each channel drives its motor</source>
+        <translation>chaque voie commande son moteur</translation></message>
+    <message><source>{0}, no limit</source>
+        <translation>{0}, sans limite</translation></message>
+    <message><source>Channel {0}, {1}</source>
+        <translation>Voie {0}, {1}</translation></message>
+    <message><source>Mode: {0}</source>
+        <translation>Mode : {0}</translation></message>
     <message><source>Click a board, or press Enter, to show it on every page. Motors stop first.</source>
         <translation>Cliquez sur une carte, ou appuyez sur Entrée, pour l'afficher sur toutes les pages. Les moteurs s'arrêtent d'abord.</translation></message>
     <message><source>Ask for each device number which board has it; nothing is changed</source>
@@ -3075,8 +3171,6 @@
         <translation>sélectionnée</translation></message>
     <message><source>responding</source>
         <translation>répond</translation></message>
-    <message><source>not responding</source>
-        <translation>ne répond pas</translation></message>
     <message><source>reply unreadable</source>
         <translation>réponse illisible</translation></message>
     <message><source>not asked yet</source>
@@ -3295,8 +3389,6 @@
         <translation>Tension de la batterie</translation></message>
     <message><source>Supply</source>
         <translation>Alimentation</translation></message>
-    <message><source>Mode jumper</source>
-        <translation>Cavalier de mode</translation></message>
     <message><source>Mix</source>
         <translation>Mix</translation></message>
     <message><source>SO–G</source>
@@ -3347,8 +3439,6 @@
         <translation>Chargeur d'amorçage : attend un firmware. Coupez et remettez l'alimentation pour en sortir.</translation></message>
     <message><source>serial</source>
         <translation>série</translation></message>
-    <message><source>RC</source>
-        <translation>RC</translation></message>
     <message><source>Demo TReX</source>
         <translation>Démo TReX</translation></message>
     <message><source>Factory state</source>
@@ -3359,8 +3449,6 @@
         <translation>La tension d'une batterie faible chute au démarrage des moteurs, et la carte redémarre</translation></message>
     <message><source>No jumper: serial</source>
         <translation>Sans cavalier : série</translation></message>
-    <message><source>Analog</source>
-        <translation>Analogique</translation></message>
     <message><source>auxiliary</source>
         <translation>auxiliaire</translation></message>
     <message><source>flip</source>
@@ -3741,6 +3829,8 @@ avant {1}</translation></message>
         <translation>Absents du fichier, donc inchangés : {0}.</translation></message>
     <message><source>“Arm without” is remembered for this board. Cut the power by hand then if the cable falls out.</source>
         <translation>« Activer sans délai » est mémorisé pour cette carte. Coupez alors l'alimentation à la main si le câble se débranche.</translation></message>
+    <message><source>Write the serial timeout</source>
+        <translation>Écrire le délai série</translation></message>
     <message><source>Writes Serial Timeout and UART-Error Shutdown now: the board should stop its motors {0} s after the last byte. Other changes stay pending.</source>
         <translation>Écrit maintenant « Délai série » et « Arrêt sur erreur UART » : la carte devrait arrêter ses moteurs {0} s après le dernier octet. Les autres modifications restent en attente.</translation></message>
     <message><source>Stop both motors and the auxiliary now (Esc, anywhere)</source>
@@ -3748,9 +3838,9 @@ avant {1}</translation></message>
     <message><source>Stops the motors, and sends nothing until they are armed again</source>
         <translation>Arrête les moteurs et n'envoie rien jusqu'à leur réactivation</translation></message>
     <message numerus="yes"><source>Review %n ch&amp;ange(s)…</source>
-        <translation><numerusform>Vérifier %n m&amp;odification…</numerusform><numerusform>Vérifier %n m&amp;odifications…</numerusform></translation></message>
+        <translation><numerusform>Appli&amp;quer %n modification…</numerusform><numerusform>Appli&amp;quer %n modifications…</numerusform></translation></message>
     <message><source>No ch&amp;anges</source>
-        <translation>Aucune m&amp;odification</translation></message>
+        <translation>Rien à appli&amp;quer</translation></message>
     <message><source>Write the changed parameters into the board (Ctrl+Enter)</source>
         <translation>Écrire les paramètres modifiés dans la carte (Ctrl+Entrée)</translation></message>
     <message><source>Channels control the motors: serial commands do not reach them.</source>
@@ -3781,8 +3871,6 @@ avant {1}</translation></message>
         <translation>Activer &amp;sans délai</translation></message>
     <message><source>The board did not store the serial timeout.</source>
         <translation>La carte n'a pas enregistré le délai série.</translation></message>
-    <message><source>Write the serial timeout</source>
-        <translation>Écrire le délai série</translation></message>
     <message><source>Armed. Drive them on the Motors page.</source>
         <translation>Moteurs activés. Pilotez-les sur la page Moteurs.</translation></message>
     <message><source>Stopping …</source>
@@ -4393,44 +4481,6 @@ avant {1}</translation></message>
         <translation>Copier comme « {0} »</translation></message>
     <message><source>Copy to {0}</source>
         <translation>Copier vers {0}</translation></message>
-    <message><source>LEDs that the board shows</source>
-        <translation>LED que la carte allume</translation></message>
-    <message><source>Set up my r&amp;obot…</source>
-        <translation>&amp;Configurer mon robot…</translation></message>
-    <message><source>Who drives, jumpers, sticks, motors and limits, step by step.</source>
-        <translation>Qui pilote, cavaliers, manches, moteurs et limites, étape par étape.</translation></message>
-    <message><source>compact packets</source>
-        <translation>paquets compacts</translation></message>
-    <message><source>LEDs on the board:</source>
-        <translation>LED sur la carte :</translation></message>
-    <message><source>joint: one motor</source>
-        <translation>jumelé : un seul moteur</translation></message>
-    <message><source>two independent motors</source>
-        <translation>deux moteurs indépendants</translation></message>
-    <message><source>RS-232 (everything sent comes back)</source>
-        <translation>RS-232 (tout ce qui est envoyé revient)</translation></message>
-    <message><source>TTL (SI and SO)</source>
-        <translation>TTL (SI et SO)</translation></message>
-    <message><source>This firmware runs at half of this baud rate.</source>
-        <translation>Ce firmware fonctionne à la moitié de ce débit.</translation></message>
-    <message><source>Model:</source>
-        <translation>Modèle :</translation></message>
-    <message><source>Firmware:</source>
-        <translation>Firmware :</translation></message>
-    <message><source>Mode:</source>
-        <translation>Mode :</translation></message>
-    <message><source>In control:</source>
-        <translation>Aux commandes :</translation></message>
-    <message><source>Motors:</source>
-        <translation>Moteurs :</translation></message>
-    <message><source>Port:</source>
-        <translation>Port :</translation></message>
-    <message><source>Settings:</source>
-        <translation>Réglages :</translation></message>
-    <message><source>Connector:</source>
-        <translation>Connecteur :</translation></message>
-    <message><source>device number {0}</source>
-        <translation>numéro d'appareil {0}</translation></message>
     <message><source>&amp;Settings at this time…</source>
         <translation>&amp;Réglages à cet instant…</translation></message>
     <message><source>Open the settings that the board stored at this time</source>
@@ -4482,7 +4532,7 @@ avant {1}</translation></message>
     <message><source>The seconds around “{0}” could not be kept. {1}</source>
         <translation>Les secondes autour de « {0} » n'ont pas pu être conservées. {1}</translation></message>
     <message><source>Start recording &amp;when the motors are armed</source>
-        <translation>Démarrer l'enregistrement à l'&amp;activation des moteurs</translation></message>
+        <translation>Démarrer l'enregistrement &amp;avec l'activation des moteurs</translation></message>
     <message><source>Nothing can be recorded: no board is connected.</source>
         <translation>Rien ne peut être enregistré : aucune carte n'est connectée.</translation></message>
     <message><source>File, Open recording</source>
@@ -5179,8 +5229,8 @@ avant {1}</translation></message>
         <translation>Réglages de liaison d'&amp;usine : {0}…</translation></message>
     <message><source>Fas&amp;t: {0}…</source>
         <translation>&amp;Rapide : {0}…</translation></message>
-    <message><source>S&amp;tatus</source>
-        <translation>Ét&amp;at</translation></message>
+    <message><source>B&amp;oard</source>
+        <translation>C&amp;arte</translation></message>
     <message><source>&amp;Channels</source>
         <translation>&amp;Voies</translation></message>
     <message><source>Cali&amp;bration</source>
@@ -5223,8 +5273,6 @@ avant {1}</translation></message>
         <translation>Modifier le nu&amp;méro d'appareil…</translation></message>
     <message><source>A&amp;pply a file to several boards…</source>
         <translation>Appliquer un fichier à &amp;plusieurs cartes…</translation></message>
-    <message><source>Set &amp;up my robot…</source>
-        <translation>&amp;Configurer mon robot…</translation></message>
     <message><source>Lear&amp;n channels…</source>
         <translation>Apprendre les &amp;voies…</translation></message>
     <message><source>&amp;Test the sticks…</source>
@@ -5795,14 +5843,10 @@ N'est pas un produit de Pololu.</translation></message>
         <translation>Bleu</translation></message>
     <message><source>Orange</source>
         <translation>Orange</translation></message>
-    <message><source>Green</source>
-        <translation>Vert</translation></message>
     <message><source>Yellow</source>
         <translation>Jaune</translation></message>
     <message><source>Purple</source>
         <translation>Violet</translation></message>
-    <message><source>Red</source>
-        <translation>Rouge</translation></message>
     <message><source>Teal</source>
         <translation>Turquoise</translation></message>
     <message><source>Pink</source>

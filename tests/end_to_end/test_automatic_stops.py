@@ -15,7 +15,7 @@ from trex_gui.ui.devices.connection import ConnectionState
 
 LOCKED = "The screen was locked"
 MISTAKEN = "Internal error (ValueError)"
-NOT_ARMED = "Not armed: no command is sent until you click Arm motors."
+NOT_ARMED = "Not armed: nothing is sent to the motors."
 
 
 def stopped(reason: str) -> str:

@@ -38,9 +38,9 @@ def test_pages_warn_of_motors_behind_a_lost_line(
         lose(window, board)
         assert f"{grave} {remedy}" in page.find(QLabel, "motorsReason").accessibleName()
         assert f"{grave} {remedy}" in window.text("motorStateLabel")
-        page = window.open_page("statusPage")
-        assert page.has("statusLost")
-        assert page.text("statusLost").startswith(f"{grave} {remedy}")
+        page = window.open_page("boardPage")
+        assert page.has("boardLost")
+        assert page.text("boardLost").startswith(f"{grave} {remedy}")
 
         assert window.text("bannerText").startswith(f"{grave} {remedy}")
         assert window.is_enabled("stopButton")
@@ -57,9 +57,9 @@ def test_pages_warn_of_motors_behind_a_lost_line(
         window.click("stopButton")
         window.wait(lambda: not window.device.may_move)
         window.wait_for_text("bannerText", "It has confirmed the stop.")
-        assert not page.has("statusLost")
+        assert not page.has("boardLost")
         window.disconnect()
-        assert not page.has("statusLost")
+        assert not page.has("boardLost")
 
 
 def test_danger_stays_in_front_until_the_stop_is_confirmed(

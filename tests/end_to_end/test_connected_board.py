@@ -65,8 +65,9 @@ def test_title_and_pages_show_board_data_until_disconnect(
     assert not window.window.isWindowModified()
 
     assert window.text("statusLabel") == "Connected to TReX 1.2."
-    status = window.open_page("statusPage")
-    assert "Serial commands control the motors" in status.text("controlValue")
+    board = window.open_page("boardPage")
+    assert "Not armed" in board.text("motorsReason1")
+    assert "TReX (DMC01) · firmware 1.2" in board.text("boardFacts")
 
     channels = window.open_page("channelsPage")
     channels.wait(lambda: channels.text("channel1Input") == "1500 µs (3750)")
@@ -90,7 +91,7 @@ def test_title_and_pages_show_board_data_until_disconnect(
     window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
     assert window.window.windowTitle() == "TReX Studio[*]"
     assert channels.text("channel1Input") == "N/A"
-    assert status.text("modelValue") == "N/A"
+    assert not board.has("boardView")
     for name in ("parametersView", "runButton", "stopButton", "applyButton"):
         assert not window.is_enabled(name), name
 
@@ -119,7 +120,8 @@ def test_board_in_rc_mode_rejects_settings_and_speeds(
     assert not window.is_enabled("runButton")
     assert "RC channels control the motors" in motors.text("motorsReason")
 
-    assert window.has("timeoutNotice")
+    window.open_page("boardPage")
+    assert "Serial timeout is off" in window.text("timeoutLabel")
     assert not window.has("timeoutButton"), "the board would reject it"
     parameters = window.open_page("parametersPage")
     assert not parameters.is_enabled("parametersView")
@@ -135,6 +137,7 @@ def test_board_in_rc_mode_rejects_settings_and_speeds(
     simulator.do("power cycle")
     window.wait(lambda: window.is_enabled("applyButton"))
     assert parameters.is_enabled("parametersView")
+    window.open_page("boardPage")
     assert window.has("timeoutButton")
     assert window.device.parameters.values.pending == (("serial_timeout", 15),)
 

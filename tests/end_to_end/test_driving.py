@@ -100,7 +100,7 @@ def test_half_typed_number_is_discarded_and_changes_no_speed(armed: MotorsPage) 
             armed.button("stopButton").setFocus(reason)
             assert entry.value() == before, (name, reason)
         armed.type_into(name, "7", enter=False)
-        armed.open_page("statusPage")
+        armed.open_page("boardPage")
         assert entry.value() == before, name
         armed.show_page()
     motors = armed.motors
@@ -163,7 +163,7 @@ def test_leaving_page_with_held_control_stops_and_disarms(keys: MotorsPage) -> N
     for name, (hold, release) in controls.items():
         hold()
         keys.wait_for_targets(sixty if name == "slider" else FULL, None, name)
-        keys.open_page("parametersPage" if name == "key" else "statusPage")
+        keys.open_page("parametersPage" if name == "key" else "boardPage")
         keys.wait_for_brake(name)
         assert not keys.is_armed()
         assert "Motors page was left" in keys.motors.stop_reason
@@ -175,14 +175,14 @@ def test_leaving_page_with_held_control_stops_and_disarms(keys: MotorsPage) -> N
     keys.drag("motor1Slider", 60)
     keys.wait_for_targets(sixty, None)
     keys.let_nothing_happen(0.02)
-    keys.open_page("statusPage")
+    keys.open_page("boardPage")
     keys.let_nothing_happen(0.1)
     assert keys.target(1) == sixty, "a slider that was released drives on"
     assert keys.is_armed()
 
     keys.show_page()
     keys.click("stopOnLeaving")
-    keys.open_page("statusPage")
+    keys.open_page("boardPage")
     keys.wait_for_brake("every control was released")
     assert not keys.is_armed()
     assert keys.motors.stop_reason == "The Motors page was left."
@@ -465,7 +465,7 @@ def test_gamepad_drives_and_its_stop_button_works_on_other_pages(
     page.wait(lambda: is_stopped(quick_simulator))
     assert page.is_armed()
     pad.move(Y, 0.0)
-    for name in ("statusPage", "currentsPage", "parametersPage"):
+    for name in ("boardPage", "currentsPage", "parametersPage"):
         page.open_page(name)
         page.motors.arm()
         page.motors.set_speed(1, 60)

@@ -72,10 +72,10 @@ def test_messages_are_in_sight_and_move_no_control(connected_window: WindowDrive
         window.device.notifier.cleared.emit()
         assert moved(window, before) == [], page
         window.device.writer.set_serial_timeout(0.5)
-        window.wait(lambda: not window.has("timeoutNotice"))
+        window.wait(lambda: not window.device.writer.running)
         assert moved(window, before) == [], page
         window.device.writer.set_serial_timeout(0)
-        window.wait(lambda: window.has("timeoutNotice"))
+        window.wait(lambda: not window.device.writer.running)
         window.device.parameters.edit("serial_timeout", 9)
         assert moved(window, before) == [], page
         if page != "parametersPage":

@@ -28,9 +28,9 @@ def computer(monkeypatch: pytest.MonkeyPatch) -> list[ListPortInfo]:
 
 @pytest.mark.usefixtures("computer")
 def test_panel_with_each_wiring_is_shown_while_nothing_is_connected(window: WindowDriver) -> None:
-    status = window.open_page("statusPage")
+    status = window.open_page("boardPage")
     assert status.find(QWidget, "startPanel").isVisible()
-    assert not status.find(QWidget, "statusMotors").isVisible()
+    assert not status.find(QWidget, "boardView").isVisible()
     assert status.find(QWidget, "startNoPort").isVisible()
     window.click("startFind")
     assert window.has("findDialog")
@@ -39,7 +39,7 @@ def test_panel_with_each_wiring_is_shown_while_nothing_is_connected(window: Wind
     window.click("startDemo")
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
     assert not status.find(QWidget, "startPanel").isVisible()
-    assert status.find(QWidget, "statusMotors").isVisible()
+    assert status.find(QWidget, "boardView").isVisible()
 
     window.disconnect()
     assert status.find(QWidget, "startPanel").isVisible()
@@ -172,7 +172,7 @@ def test_only_first_start_shows_welcome(start: Start) -> None:
         assert not window.has("startDemo")
         check_keyboard(window.window)
         window.open_page("channelsPage")
-        window.open_page("statusPage")
+        window.open_page("boardPage")
         assert window.has("welcome")
         window.click("welcomeConnect")
         assert not window.has("welcome")

@@ -252,7 +252,7 @@ def test_typed_bytes_are_explained_and_sent(
     assert "get mode" not in meaning()
     assert "get mode" in page.find(QLabel, "transcriptMeaning").toolTip()
     page.type_into("transcriptBytes", "C2 50")
-    assert meaning().endswith("(may move a motor)\nChoose Arm motors first.")
+    assert meaning().endswith("(may move a motor)\nArm the motors first.")
     assert not page.is_enabled("transcriptSendButton")
     window.trigger("run")
     page.wait(lambda: page.is_enabled("transcriptSendButton"))

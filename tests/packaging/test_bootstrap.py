@@ -432,7 +432,7 @@ def test_demo_without_display_lists_its_screenshots(
     (folder / "left-from-before.png").touch()
 
     def tour(command: Sequence[str], extra_env: Mapping[str, str]) -> int:
-        (folder / "statusPage.png").touch()
+        (folder / "boardPage.png").touch()
         return programs.run(command, extra_env)
 
     monkeypatch.setattr(bootstrap, "ROOT", tmp_path)
@@ -444,7 +444,7 @@ def test_demo_without_display_lists_its_screenshots(
     assert programs.environment == {"QT_QPA_PLATFORM": "offscreen"}
     said = capsys.readouterr().out
     assert "There is no display here" in said
-    assert "demo-screenshots/statusPage.png" in said.replace("\\", "/")
+    assert "demo-screenshots/boardPage.png" in said.replace("\\", "/")
     assert "left-from-before" not in said
 
 

@@ -77,22 +77,22 @@ def started(qtbot: QtBot) -> Iterator[Program]:
 
 
 def _pages(program: Program) -> set[str]:
-    names = ("statusPage", "motorsPage", "parametersPage", "aracnaRobotPage")
+    names = ("boardPage", "motorsPage", "parametersPage", "aracnaRobotPage")
     return {name for name in names if program.window.findChild(QWidget, name) is not None}
 
 
 def test_pages_and_plots_are_made_when_they_are_shown_or_the_window_is_painted(
     started: Program,
 ) -> None:
-    assert _pages(started) == {"statusPage"}
+    assert _pages(started) == {"boardPage"}
     started.window.pages.setCurrentIndex(3)
-    assert _pages(started) == {"statusPage", "motorsPage"}
+    assert _pages(started) == {"boardPage", "motorsPage"}
     tabs = started.window.pages
     titles = [tabs.tabText(index) for index in range(tabs.count())]
     started.connect_to_demo("trex")
-    assert _pages(started) == {"statusPage", "motorsPage"}
+    assert _pages(started) == {"boardPage", "motorsPage"}
     started.complete()
-    assert _pages(started) == {"statusPage", "motorsPage", "parametersPage"}
+    assert _pages(started) == {"boardPage", "motorsPage", "parametersPage"}
     assert [tabs.tabText(index) for index in range(tabs.count())] == titles
     assert tabs.currentIndex() == 3
     assert started.window.findChild(QWidget, "curvePlot") is None

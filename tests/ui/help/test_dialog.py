@@ -112,11 +112,11 @@ def test_picture_is_a_link_to_itself_in_full_size(help_window: HelpDriver) -> No
     help_window.dialog.show_topic("status.md")
     browser = help_window.text_browser
     help_window.dialog.resize(700, 500)
-    assert '<a href="pictures/status-light.png"><img src="pictures/status-light.png"' in (
+    assert '<a href="pictures/board-light.png"><img src="pictures/board-light.png"' in (
         browser.toHtml()
     )
-    help_window.follow("pictures/status-light.png")
-    whole = QImage(str(resource("help/pictures/status-light.png")))
+    help_window.follow("pictures/board-light.png")
+    whole = QImage(str(resource("help/pictures/board-light.png")))
     assert browser.document().idealWidth() >= whole.width()
     assert browser.horizontalScrollBar().maximum() > 0
     help_window.click("helpBack")
@@ -147,15 +147,15 @@ def picture(browser: QTextBrowser, name: str) -> QColor:
     url = browser.source().resolved(QUrl(f"pictures/{name}-light.png"))
     image = browser.loadResource(QTextDocument.ResourceType.ImageResource.value, url)
     assert 0 < image.width() <= browser.viewport().width()
-    return QColor(image.pixelColor(2, image.height() - 2))
+    return QColor(image.pixelColor(2, 2))
 
 
 def test_pictures_and_text_follow_theme_and_font(help_window: HelpDriver) -> None:
     dialog, browser = help_window.dialog, help_window.text_browser
     dialog.show_topic("status.md")
-    assert picture(browser, "status").lightness() > 200
+    assert picture(browser, "board").lightness() > 200
     theme().set_scheme("dark")
-    assert picture(browser, "status").lightness() < 60
+    assert picture(browser, "board").lightness() < 60
     assert help_window.shown == "status.md"
     theme().set_scheme("light")
     before = browser.document().size().height()

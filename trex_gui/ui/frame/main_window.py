@@ -103,13 +103,13 @@ class MainWindow(QMainWindow):
         frame = QWidget(self)
         self._connection = ConnectionBar(device_manager, ports, self._line_choices, frame)
         self.question = InlinePrompt(frame)  # for questions of the window and of the workspaces
-        self._stack = QStackedWidget(frame)
+        self.stack = QStackedWidget(frame)
         self._banner = banner = Banner(frame, notifier, self._topic_of)
         banner.chosen.connect(self.apply_remedy)
         banner.help_wanted.connect(self.show_help)
         messages = MessageRoom(frame, self.question, banner, lines=1)
         self._bars = QStackedWidget(frame)
-        parts = self._connection, (self._stack, 1), messages, self._bars
+        parts = self._connection, (self.stack, 1), messages, self._bars
         ui.column(*parts, into=frame, margins=0, spacing=0)
         self.setCentralWidget(frame)
         self._workspaces: tuple[Workspace, ...] = ()
@@ -132,7 +132,7 @@ class MainWindow(QMainWindow):
         """
         is_first = not self._workspaces
         self._workspaces += (workspace,)
-        self._stack.addWidget(workspace)
+        self.stack.addWidget(workspace)
         self._bars.addWidget(workspace.bar)
         for dock in workspace.docks:
             if is_first or not self.restoreDockWidget(dock):
@@ -261,7 +261,7 @@ class MainWindow(QMainWindow):
         self._show_current()
 
     def _show_current(self) -> None:
-        self._stack.setCurrentWidget(self._workspace)
+        self.stack.setCurrentWidget(self._workspace)
         self._bars.setCurrentWidget(self._workspace.bar)
         tabs = self.pages
         pages = (tabs.widget(index) for index in range(tabs.count()))

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QSignalBlocker, Signal
 from PySide6.QtGui import QAction, QKeySequence
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabWidget, QWidget
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QStackedWidget, QTabWidget, QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.ui.help.messages import MessageHelp
@@ -130,7 +130,7 @@ class Workspace(QWidget):
         self._missing.remove(index)
         current, placeholder = self.pages.currentIndex(), self.pages.widget(index)
         page = self._infos[index].make()
-        box = ScrollBox(page, self)
+        box = ScrollBox(page, self.pages.findChild(QStackedWidget) or self)  # where it stays
         with QSignalBlocker(self.pages):  # the current page stays the same
             self.pages.insertTab(index, box, self.pages.tabText(index))
             self.pages.removeTab(index + 1)

@@ -199,6 +199,8 @@ class Theme(QObject):
                 QToolTip.setPalette(palette)
             sheet = self._colours.style_sheet(scheme, self._app.font(), self.font_size)
             if self._app.styleSheet() != sheet:
+                # Replaced, each widget would be styled once for each that it is in: 0.6 s.
+                self._app.setStyleSheet("")
                 self._app.setStyleSheet(sheet)
         if changes:
             self.changed.emit()

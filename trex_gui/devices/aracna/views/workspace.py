@@ -76,7 +76,7 @@ class AracnaWorkspace(Workspace):
 
     def __init__(self, controller: AracnaController, frame: MainWindow) -> None:
         robot = controller.robot
-        super().__init__(controller.plugin.key, robot.notifier, frame)
+        super().__init__(controller.plugin.key, robot.notifier, frame.stack)
         self._robot = robot
         self._controller = controller
         self.help_topics, self.message_help = TOPICS, message_help()

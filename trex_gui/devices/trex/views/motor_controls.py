@@ -1,4 +1,4 @@
-"""Stop, arm and the serial timeout: the row below every page, and what asks before arming."""
+"""Stop and *Arm motors*: the row below every page, and what asks before arming."""
 
 import math
 
@@ -10,7 +10,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import recent_fault_text
 from trex_gui.devices.trex.model.drive_texts import TimeoutWarning, timeout_warning
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.theme.theme import set_look, set_style_property, set_text_color
+from trex_gui.ui.theme.theme import set_look, set_style_property
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ConfirmButton
 from trex_gui.ui.widgets.builders import RedButton
@@ -94,21 +94,17 @@ class ArmDialog(QDialog):
 
 
 class TimeoutNotice(QWidget):
-    """Visible while the serial timeout is off or too short."""
+    """What the motors do if the cable fails; writes a better serial timeout if there is one."""
 
-    def __init__(self, device: Device, parent: QWidget | None = None) -> None:
+    def __init__(self, device: Device, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName("timeoutNotice")
         self._device = device
         self._warning: TimeoutWarning | None = None
-        self._text = ui.named(Note(1, self), "timeoutLabel")
-        self._text.setAlignment(Qt.AlignmentFlag.AlignVCenter)
-        self._button = ui.button(self, "timeoutButton", accessible=tr("Write the serial timeout"))
-        set_look(self._button, "link")
-        set_text_color(self._text, "warning")
-        ui.row((self._text, 1), self._button, into=self, margins=0)
-
-        self._button.clicked.connect(self._on_clicked)
+        self._text = ui.named(Note(2, self), "timeoutLabel")
+        name = tr("Write the serial timeout")
+        self._button = ui.button(self, "timeoutButton", accessible=name, on_click=self._on_clicked)
+        ui.column(self._text, (self._button, 0, Qt.AlignmentFlag.AlignLeft), into=self, margins=0)
         guardian_changed = device.connection.guardian_changed
         for changed in (device.link_changed, device.state_changed, guardian_changed):
             changed.connect(self._on_changed)
@@ -117,23 +113,22 @@ class TimeoutNotice(QWidget):
     @Slot()
     def _on_changed(self) -> None:
         self._warning = warning = timeout_warning(self._device)
-        self.setVisible(warning is not None)
         self._button.setEnabled(not self._device.writer.running)
-        if warning is None:
+        seconds = None if warning is None else warning.seconds
+        can_write = seconds is not None and not self._device.writer.is_rejected
+        self._button.setVisible(can_write)
+        text = self._device.board.silence_remedy if warning is None else warning.text
+        self._text.show_note(text, alarming=warning is not None)
+        if seconds is None:
             return
-        self._text.setText(warning.text)
-        can_set = warning.seconds is not None and not self._device.writer.is_rejected
-        self._button.setVisible(can_set)
-        if warning.seconds is None:
-            return
-        seconds = f"{Number(warning.seconds):g}"
-        self._button.setText(tr("Write &{0} s").format(seconds))
-        self._button.setAccessibleName(tr("Write a serial timeout of {0} s").format(seconds))
+        number = f"{Number(seconds):g}"
+        self._button.setText(tr("Write &{0} s").format(number))
+        self._button.setAccessibleName(tr("Write a serial timeout of {0} s").format(number))
         tip = tr(
             "Writes Serial Timeout and UART-Error Shutdown now: the board should stop its "
             "motors {0} s after the last byte. Other changes stay pending."
         )
-        self._button.setToolTip(tip.format(seconds))
+        self._button.setToolTip(ui.plain(tip.format(number)))
 
     @Slot()
     def _on_clicked(self) -> None:
@@ -239,8 +234,7 @@ class ControlBar(ActionBar):
         ui.set_large(stop, run, self._apply)
         self._apply.setMinimumWidth(self._apply.sizeHint().width())  # nothing moves as it changes
 
-        texts = ui.column(1, self._state, TimeoutNotice(device, self), 1, spacing=0)
-        parts = stop, run, (texts, 1), recording, self._apply
+        parts = stop, run, (self._state, 1), recording, self._apply
         ui.row(*parts, into=self, margins=(12, 8, 12, 8))
 
         self._apply.clicked.connect(self.apply_requested)

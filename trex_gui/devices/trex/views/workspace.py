@@ -16,6 +16,7 @@ from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.model.report import settings_parts, status_text
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.devices.trex.views.board.page import BoardPage
 from trex_gui.devices.trex.views.boards import BoardPanel
 from trex_gui.devices.trex.views.demo_panel import DemoPanel
 from trex_gui.devices.trex.views.help import GUIDE, TOPICS, message_help
@@ -27,7 +28,6 @@ from trex_gui.devices.trex.views.pages.channels import ChannelsPage
 from trex_gui.devices.trex.views.pages.currents import CurrentsPage
 from trex_gui.devices.trex.views.pages.errors import ErrorsPage
 from trex_gui.devices.trex.views.pages.parameters.page import ParametersPage
-from trex_gui.devices.trex.views.pages.status import StatusPage
 from trex_gui.devices.trex.views.prompts import ClosePrompt, RestorePrompt
 from trex_gui.devices.trex.views.recordings import Recordings
 from trex_gui.devices.trex.views.settings_commands import SettingsCommands
@@ -63,7 +63,7 @@ class TrexWorkspace(Workspace):
 
     def __init__(self, controller: TrexController, frame: MainWindow) -> None:
         device = controller.device
-        super().__init__(controller.plugin.key, device.notifier, frame)
+        super().__init__(controller.plugin.key, device.notifier, frame.stack)
         self._device = device
         self._controller = controller
         self._question = frame.question
@@ -79,7 +79,7 @@ class TrexWorkspace(Workspace):
         ui.tab_order(panel, tabs.tabBar())
         self.add_pages(
             (
-                PageInfo("status", tr("S&tatus"), self._make_status_page),
+                PageInfo("board", tr("B&oard"), self._make_board_page),
                 PageInfo("channels", tr("&Channels"), partial(ChannelsPage, device, self)),
                 PageInfo("calibration", tr("Cali&bration"), self._make_calibration_page),
                 PageInfo("motors", tr("&Motors"), self._make_motors_page),
@@ -133,10 +133,11 @@ class TrexWorkspace(Workspace):
         device.errors_changed.connect(self._on_errors_changed)
         self._undo_watch = device.draft.undo.indexChanged.connect(self._on_actions_changed)
 
-    def _make_status_page(self) -> QWidget:
+    def _make_board_page(self) -> QWidget:
         start = StartPanel(start_texts(self), self._frame, self)
-        page = StatusPage(self._device, start, self)
+        page = BoardPage(self._device, start, self)
         page.setup_requested.connect(self._set_up)
+        page.page_wanted.connect(self.show_page)
         return page
 
     def _make_calibration_page(self) -> QWidget:

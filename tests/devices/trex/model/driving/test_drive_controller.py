@@ -109,7 +109,7 @@ def test_frozen_window_reports_the_confirmed_stop(driven: DrivenDevice) -> None:
         assert now() < deadline, "the motor was not stopped"
         runtime().sleep(0.05)
     driven.wait(lambda: not driven.may_move)
-    assert said == [f"{STOOD_STILL} The motors were stopped. Press Arm motors to continue."]
+    assert said == [f"{STOOD_STILL} The motors were stopped. Arm them again to go on."]
     assert driven.motors.stop_reason == STOOD_STILL
 
 

@@ -92,7 +92,7 @@ def test_button_held_before_arming_does_not_drive(setup: GamepadSetup) -> None:
     setup.motors.stop()
     setup.pads.press(HOLD)
     setup.pads.move(Y, -1.0)
-    setup.wait_for("Press Arm motors")
+    setup.wait_for("Arm the motors")
     setup.motors.arm()
     setup.wait_for("Release")
     assert setup.speeds() == (None, None)
@@ -143,7 +143,7 @@ def test_replugged_gamepad_needs_arming_and_a_new_press(setup: GamepadSetup) -> 
     again = replace(PAD, ident=7)
     setup.pads.plug_in(again)
     setup.pads.press(HOLD, again)
-    setup.wait_for("Press Arm motors")
+    setup.wait_for("Arm the motors")
     setup.motors.arm()
     setup.wait_for("Release")
     assert not setup.motors.holder

@@ -101,7 +101,7 @@ class RobotDrawing(Painted):
         return QSize(330, 330)
 
     def minimumSizeHint(self) -> QSize:
-        return QSize(190, 190)
+        return QSize(170, 170)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Stay no higher than wide, so that the text below is close."""

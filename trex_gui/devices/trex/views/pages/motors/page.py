@@ -16,12 +16,12 @@ from trex_gui.devices.trex.model.momentary_drive import MomentaryDrive
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.views.board.page import SIGNS
 from trex_gui.devices.trex.views.pages.motors.drive_control import DriveControl
 from trex_gui.devices.trex.views.pages.motors.drive_pad import DrivePad
 from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
 from trex_gui.devices.trex.views.pages.motors.key_driver import KeyDriver
 from trex_gui.devices.trex.views.pages.motors.options import Options, SpeedCeiling
-from trex_gui.devices.trex.views.pages.status import SIGNS
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui

@@ -1,0 +1,1 @@
+"""The page *Board*: the board drawn as it is now."""

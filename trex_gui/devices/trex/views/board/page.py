@@ -1,0 +1,192 @@
+"""Page of the board: who controls the motors, the board drawn, what is open, what failed."""
+
+import time
+from html import escape
+
+from PySide6.QtCore import Qt, Signal, Slot
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import QLabel, QWidget
+
+from trex_gui.core.translation import tr
+from trex_gui.devices.trex.board.drive_status import DriveStatus, drive_statuses
+from trex_gui.devices.trex.client.reading import DeviceState
+from trex_gui.devices.trex.driving.blockers import DriveBlocker, Effect
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.drive_status import drive_inputs
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.flags import channels_in
+from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
+from trex_gui.devices.trex.views.board.view import BoardView
+from trex_gui.devices.trex.views.motor_controls import TimeoutNotice
+from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.runtime import now
+from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.behaviour import only_when_visible
+from trex_gui.ui.widgets.labels import Muted, Note, Sign
+
+SIGNS = {
+    Effect.STOPS: ("warning", "warning"),
+    Effect.BLOCKS: ("info", "info"),
+    Effect.LIMITS: ("warning", "warning"),
+    Effect.NOTE: ("ok", "good"),
+}
+
+
+class Reasons(QWidget):
+    """Every reason why the motors do what they do; the one that matters most is the heading."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._rows: list[tuple[Sign, QLabel]] = []
+        self._grid = ui.grid(self, margins=0, spacing=(8, 2), stretch=[(1, 1)])
+        self._remedy = ui.named(Muted("", self), "motorsRemedy")
+        self._grid.addWidget(self._remedy, 1, 1)
+
+    def show_statuses(self, statuses: tuple[DriveStatus, ...]) -> None:
+        for row in range(len(self._rows), len(statuses)):
+            sign, name = Sign(self), f"motorsReason{row + 1}"
+            text = ui.label(
+                self, name, wrap=True, rich=True, selectable=True, size="" if row else "title"
+            )
+            place = 2 * row  # the remedy of the first is below it
+            self._grid.addWidget(sign, place, 0, Qt.AlignmentFlag.AlignTop)
+            self._grid.addWidget(text, place, 1)
+            self._rows.append((sign, text))
+        self._remedy.setText(statuses[0].remedy)
+        self._remedy.setVisible(bool(statuses[0].remedy))
+        for row, (sign, text) in enumerate(self._rows):
+            for widget in (sign, text):
+                widget.setVisible(row < len(statuses))
+            if row < len(statuses):
+                status = statuses[row]
+                shown = f"<b>{escape(status.text)}</b> {escape(status.remedy)}".rstrip()
+                if not row:
+                    shown = escape(status.text)
+                if text.text() != shown:
+                    sign.show_sign(*SIGNS[status.blocker.effect])
+                    text.setText(shown)
+                    text.setAccessibleName(f"{status.text} {status.remedy}".rstrip())
+
+
+class BoardPage(QWidget):
+    setup_requested = Signal()
+    page_wanted = Signal(str)  # the key of the page
+
+    def __init__(self, device: Device, start: QWidget, parent: QWidget | None = None) -> None:
+        """`start` is shown while nothing is connected."""
+        super().__init__(parent)
+        self.setObjectName("boardPage")
+        self._device = device
+        self._start = start
+        self._report = QWidget(self)
+        self._lost = ui.named(Note(0, self), "boardLost")
+        self._reasons = Reasons(self._report)
+        self._facts = ui.named(Muted("", self._report), "boardFacts")
+        drawing = ui.named(ui.Card("", self._report), "boardDrawing", accessible=tr("The board"))
+        self._view = BoardView(device, drawing)
+        self._view.page_wanted.connect(self.page_wanted)
+        ui.column((self._view, 1), self._facts, into=drawing)
+
+        set_up = ui.Card(tr("Set up my robot"), self._report)
+        self._open = ui.label(set_up, "setUpOpen", wrap=True)
+        self._set_up = ui.button(
+            set_up, "setUpButton", tr("Set &up my robot…"), on_click=self.setup_requested
+        )
+        ui.column(self._open, (self._set_up, 0, Qt.AlignmentFlag.AlignLeft), 1, into=set_up)
+        cable = ui.Card(tr("If the cable fails"), self._report)
+        ui.column(TimeoutNotice(device, cable), 1, into=cable)
+        problems = ui.Card(tr("Problems"), self._report)
+        self._problems = ui.label(problems, "boardProblems", wrap=True)
+        show = ui.button(problems, "showProblems", tr("Sh&ow them"))
+        show.clicked.connect(lambda: self.page_wanted.emit("errors"))
+        ui.column(self._problems, (show, 0, Qt.AlignmentFlag.AlignLeft), 1, into=problems)
+        cards = ui.row((set_up, 1), (cable, 1), (problems, 1), spacing=16)
+        ui.column(self._reasons, (drawing, 1), cards, into=self._report, margins=0, spacing=12)
+        ui.column(self._lost, start, (self._report, 1), into=self, margins=16)
+
+        for changed in (device.link_changed, device.state_changed):
+            changed.connect(self._on_device_changed)
+        device.telemetry.text_due.connect(self._on_text_due)
+        for changed in (device.motors.arming_changed, device.motors.lockout_changed):
+            changed.connect(self._show_motors)
+        device.errors_changed.connect(self._show_problems)
+        self._on_device_changed()
+
+    @Slot()
+    def _on_device_changed(self) -> None:
+        state, settings = self._device.state, self._device.settings
+        is_idle = self._device.link is ConnectionState.DISCONNECTED
+        status, *_ = self._show_motors()
+        is_lost = status.blocker is DriveBlocker.LOST
+        self._lost.show_note(f"{status.text} {status.remedy}" if is_lost else "", alarming=True)
+        self._start.setVisible(is_idle)
+        self._report.setVisible(not is_idle)
+        self._set_up.setEnabled(self._device.is_connected)
+        if state is not None and settings is not None and self._device.is_connected:
+            self._facts.setText(" · ".join(self._facts_of(state, settings)))
+            self._open.setText(_open_text(state))
+        self._show_problems()
+        self._on_text_due()
+
+    def _facts_of(self, state: DeviceState, settings: ConnectionSettings) -> list[str]:
+        """Return model, firmware and how this computer talks to the board."""
+        model, number = state.signature.model, settings.device_number
+        addressing = tr("compact packets")
+        if number is not None:
+            addressing = tr("device number {0}").format(number)
+        echo = self._device.connection.echo
+        facts = [
+            f"{model.name} ({model.part})",
+            tr("firmware {0}").format(state.signature.firmware),
+            tr("joint: one motor") if self._device.board.is_joint else tr("two independent motors"),
+            settings.label,
+            settings.line.text(),
+            addressing,
+            tr("RS-232 (everything sent comes back)") if echo else tr("TTL (SI and SO)"),
+        ]
+        wire = state.parameters.get(ParameterKey.UART_SETTINGS)
+        is_valid = wire is not None and wire in state.specs[ParameterKey.UART_SETTINGS].valid
+        real = settings.line.real_baud(state.signature.firmware)
+        if is_valid and real != settings.line.baud:
+            facts.insert(5, tr("this firmware runs at half of this baud rate"))
+        return facts
+
+    @Slot()
+    def _show_motors(self) -> tuple[DriveStatus, ...]:
+        statuses = drive_statuses(drive_inputs(self._device))
+        self._reasons.show_statuses(statuses)
+        return statuses
+
+    @Slot()
+    def _show_problems(self) -> None:
+        board = self._device.board
+        names = [tr(one.name) for one in board.errors.entries if one.is_uncleared]
+        text = ", ".join(names)
+        if not names and board.connected_at is not None:
+            since = time.localtime(time.time() - (now() - board.connected_at))
+            text = tr("None since {0}.").format(time.strftime("%H:%M", since))
+        self._problems.setText(text)
+
+    @Slot()
+    @only_when_visible
+    def _on_text_due(self) -> None:
+        self._show_motors()
+        if self._report.isVisible():
+            self._view.show_board()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._on_text_due()
+
+
+def _open_text(state: DeviceState) -> str:
+    """Return what of the set-up the board stores already, and what it does not."""
+    stored = state.parameters.get
+    limits = all(stored(MotorParameter.CURRENT_LIMIT.of(motor)) for motor in (1, 2))
+    learned = {1, 2} <= set(channels_in(state.calibrated))
+    steps = {
+        tr("sticks learned"): learned,
+        tr("current limits"): limits,
+        tr("serial timeout"): bool(stored(ParameterKey.SERIAL_TIMEOUT)),
+    }
+    return "   ".join(f"{'✓' if done else '•'} {text}" for text, done in steps.items())

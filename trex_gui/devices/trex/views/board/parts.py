@@ -1,0 +1,285 @@
+"""The parts of the drawing of a board. Each is a button: it has a name, a state and a page."""
+
+import math
+from collections.abc import Callable
+
+from PySide6.QtCore import QPointF, QRect, QRectF, Qt
+from PySide6.QtGui import QAccessible, QColor, QFont, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtWidgets import QAbstractButton, QWidget
+
+from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
+from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.accessible import Spoken
+from trex_gui.ui.widgets.builders import plain
+from trex_gui.ui.widgets.leds import is_lit
+from trex_gui.ui.widgets.painted import Painter, never_mirror
+
+_SPOKES = 5
+_TURNS = 0.8  # a second at full speed: a sketch, as the board does not measure any speed
+
+
+class BoardPart(QAbstractButton, Spoken):
+    """Says what it is in bold, and what the board reports of it in the lines below."""
+
+    spoken_role = QAccessible.Role.Button
+
+    def __init__(
+        self,
+        name: str,
+        accessible: str,
+        open_page: Callable[[], object],
+        parent: QWidget,
+        color: str = "outline",
+    ) -> None:
+        """`open_page` shows what else there is about the part; `color` is a name of the theme."""
+        super().__init__(parent)
+        self.color = color
+        never_mirror(self)
+        self.setObjectName(f"boardPart{name}")
+        self.setAccessibleName(accessible)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setCursor(Qt.CursorShape.PointingHandCursor)
+        self.lines: tuple[str, ...] = ()
+        self.alarm = ""  # the colour of the theme in which the last line is written, if it alarms
+        self.clicked.connect(open_page)
+        theme().changed.connect(self.update)
+
+    def show_lines(self, *lines: str, alarm: str = "") -> None:
+        if (lines, alarm) != (self.lines, self.alarm):
+            self.lines, self.alarm = lines, alarm
+            self.setToolTip(plain("\n".join(filter(None, lines))))
+            self.update()
+
+    def spoken_state(self) -> str:
+        return ", ".join(filter(None, self.lines))
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        del event
+        with Painter(self) as painter:
+            if self.underMouse() and self.isEnabled():
+                painter.setPen(Qt.PenStyle.NoPen)
+                painter.setBrush(theme().color("selected"))
+                painter.drawRoundedRect(self.rect(), 6, 6)
+            self.paint(painter)
+
+    def paint(self, painter: QPainter) -> None:
+        """Paint what the part looks like."""
+        raise NotImplementedError
+
+    def write_lines(self, painter: QPainter, left: int) -> None:
+        """Write the lines beside a shape that ends at `left`, elided where there is no room."""
+        height = self.fontMetrics().height()
+        top = (self.height() - height * len(self.lines)) // 2
+        for number, text in enumerate(self.lines):
+            last = number == len(self.lines) - 1
+            color = self.alarm if self.alarm and last else "muted" if number else "window_text"
+            place = QRect(left, top + number * height, self.width() - left, height)
+            write(painter, place, text, color, bold=not number or bool(self.alarm and last))
+
+
+def write(
+    painter: QPainter,
+    place: QRect,
+    text: str,
+    color: str,
+    *,
+    bold: bool = False,
+    align: Qt.AlignmentFlag = Qt.AlignmentFlag.AlignLeft,
+) -> None:
+    """Write one line in a colour of the theme, elided where there is no room."""
+    font = QFont(painter.font())
+    font.setWeight(QFont.Weight.DemiBold if bold else QFont.Weight.Normal)
+    painter.save()
+    painter.setFont(font)
+    painter.setPen(theme().color(color))
+    shown = painter.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, place.width())
+    painter.drawText(place, align | Qt.AlignmentFlag.AlignVCenter, shown)
+    painter.restore()
+
+
+class ChannelPart(BoardPart):
+    """An input: its value on a bar with the marks of its calibration."""
+
+    _axis = (0, 1)
+    _count: int | None = None
+    _calibration: Calibration | None = None
+
+    def show_input(
+        self, axis: tuple[int, int], count: int | None, calibration: Calibration | None
+    ) -> None:
+        """Show a raw count on an axis of raw counts; `None` is no signal, or nothing known."""
+        shown = axis, count, calibration
+        if shown != (self._axis, self._count, self._calibration):
+            self._axis, self._count, self._calibration = shown
+            self.update()
+
+    def paint(self, painter: QPainter) -> None:
+        height, room = self.fontMetrics().height(), self.rect().adjusted(4, 2, -4, -2)
+        line = QRect(room.left(), room.top(), room.width(), height)
+        title, role, value = (*self.lines, "", "", "")[:3]
+        beside = self.fontMetrics().horizontalAdvance(f"{title}  ") + 4
+        write(painter, line, title, "window_text", bold=True)
+        write(painter, line.adjusted(beside, 0, 0, 0), role, "muted")
+        write(painter, line, value, "window_text", bold=True, align=Qt.AlignmentFlag.AlignRight)
+        track = QRectF(room.left(), line.bottom() + 5, room.width(), 10)
+        painter.setPen(QPen(theme().color("hairline"), 1))
+        painter.setBrush(theme().color("track"))
+        painter.drawRoundedRect(track, 5, 5)
+        if self._calibration is None:
+            return
+        marks = self._calibration.minimum, self._calibration.neutral, self._calibration.maximum
+        if self._count is not None:
+            ends = sorted((self._x(track, self._calibration.neutral), self._x(track, self._count)))
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(theme().color("bar"))
+            painter.drawRoundedRect(QRectF(ends[0], track.top(), ends[1] - ends[0], 10), 2, 2)
+        painter.setPen(QPen(theme().color("mark"), 1))
+        for mark in marks:
+            x = self._x(track, mark)
+            painter.drawLine(QPointF(x, track.top() - 3), QPointF(x, track.bottom() + 3))
+
+    def _x(self, track: QRectF, count: int) -> float:
+        low, high = self._axis
+        share = (count - low) / (high - low)
+        return track.left() + track.width() * min(max(share, 0.0), 1.0)
+
+
+class LedPart(BoardPart):
+    """A LED in the pattern that the board shows, with the pattern in words."""
+
+    pattern = ""  # as `leds.is_lit` takes it; empty while it is not known
+    _is_lit = False
+
+    @property
+    def moves(self) -> bool:
+        return self.pattern not in {"", "on", "off"}
+
+    def show_moment(self, seconds: float) -> None:
+        lit = is_lit(self.pattern, seconds)
+        if lit != self._is_lit:
+            self._is_lit = lit
+            self.update()
+
+    def paint(self, painter: QPainter) -> None:
+        radius = self.fontMetrics().height() / 2
+        middle = QPointF(radius + 6, self.height() / 2)
+        unknown = not self.pattern
+        style = Qt.PenStyle.DashLine if unknown else Qt.PenStyle.SolidLine
+        color = theme().color(self.color if self._is_lit else "track_edge")
+        painter.setPen(QPen(color, 1.5, style))
+        painter.setBrush(theme().color(self.color if self._is_lit else "track_off"))
+        painter.drawEllipse(middle, radius, radius)
+        if self._is_lit:  # a glint: a lit lamp differs from a dark one without its colour
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(Qt.GlobalColor.white)
+            painter.drawEllipse(middle - QPointF(radius, radius) * 0.3, radius / 4, radius / 4)
+        self.write_lines(painter, round(2 * radius + 14))
+
+
+class JumperPart(BoardPart):
+    """Two pins, with the jumper on them or without; where it is not known, dashed."""
+
+    is_on: bool | None = None
+
+    def show_jumper(self, is_on: bool | None, *lines: str) -> None:
+        if is_on is not self.is_on:
+            self.is_on = is_on
+            self.update()
+        self.show_lines(*lines)
+
+    def paint(self, painter: QPainter) -> None:
+        height = self.fontMetrics().height()
+        box = QRectF(4, (self.height() - 1.8 * height) / 2, 3.6 * height, 1.8 * height)
+        style = Qt.PenStyle.DashLine if self.is_on is None else Qt.PenStyle.SolidLine
+        painter.setPen(QPen(theme().color("outline"), 1.5, style))
+        painter.setBrush(theme().color("mark") if self.is_on else Qt.BrushStyle.NoBrush)
+        painter.drawRoundedRect(box, 5, 5)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(theme().color("base" if self.is_on else "outline"))
+        for x in (0.3, 0.7):
+            painter.drawEllipse(
+                box.topLeft() + QPointF(x * box.width(), box.height() / 2), 3.5, 3.5
+            )
+        self.write_lines(painter, round(box.right() + 10))
+
+
+class MotorPart(BoardPart):
+    """A wheel that turns as the motor is told to, with its setpoint, current and limit."""
+
+    speed = 0  # what it is told, -127 to 127
+    _angle = 0.0
+
+    def show_speed(self, speed: int) -> None:
+        if speed != self.speed:
+            self.speed = speed
+            self.update()
+
+    def turn(self, seconds: float) -> None:
+        if self.speed:
+            self._angle += 360 * _TURNS * self.speed / FULL_SCALE * seconds
+            self.update(0, 0, self._wheel().toRect().right() + 12, self.height())
+
+    def _wheel(self) -> QRectF:
+        side = min(self.height() - 22.0, 4.4 * self.fontMetrics().height())
+        return QRectF(10, (self.height() - side) / 2 + 5, side, side)
+
+    def paint(self, painter: QPainter) -> None:
+        wheel = self._wheel()
+        color = theme().color(self.color if self.speed else "outline")
+        painter.setPen(QPen(color, 4))
+        painter.setBrush(theme().color("track"))
+        painter.drawEllipse(wheel)
+        painter.setPen(QPen(color, 2))
+        radius = wheel.width() / 2
+        for spoke in range(_SPOKES):
+            angle = math.radians(self._angle + 360 * spoke / _SPOKES)
+            reach = QPointF(math.sin(angle), -math.cos(angle)) * (radius - 3)
+            painter.drawLine(wheel.center(), wheel.center() + reach)
+        painter.setBrush(color)
+        painter.drawEllipse(wheel.center(), radius / 5, radius / 5)
+        if self.speed:
+            self._paint_arrow(painter, wheel, color)
+        self.write_lines(painter, round(wheel.right() + 16))
+
+    def _paint_arrow(self, painter: QPainter, wheel: QRectF, color: QColor) -> None:
+        """Paint which way it turns: clockwise is forward."""
+        around = wheel.adjusted(-7, -7, 7, 7)
+        painter.setPen(QPen(color, 2.5))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawArc(around, 45 * 16, 100 * 16)
+        side = 1 if self.speed > 0 else -1
+        angle = math.radians(45 if side > 0 else 145)
+        tip = around.center() + QPointF(math.cos(angle), -math.sin(angle)) * around.width() / 2
+        along = QPointF(math.sin(angle), math.cos(angle)) * side * 7
+        across = QPointF(along.y(), -along.x()) * 0.7
+        painter.setBrush(color)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.drawPolygon(QPolygonF([tip + along, tip - across, tip + across]))
+
+
+class SerialPart(BoardPart):
+    """The header of the serial line, and how good the line is."""
+
+    PINS = ("SI", "SO", "GND")
+    body_width = 0  # of the board, on whose lower edge the header is
+
+    def paint(self, painter: QPainter) -> None:
+        height, advance = self.fontMetrics().height(), self.fontMetrics().horizontalAdvance
+        widths = [advance(pin) + 2 * height for pin in self.PINS]
+        box = QRectF((self.body_width - sum(widths)) / 2, 1, sum(widths), 1.7 * height)
+        painter.setPen(QPen(theme().color("outline"), 1))
+        painter.setBrush(theme().color("base"))
+        painter.drawRoundedRect(box, 4, 4)
+        left = round(box.left())
+        for pin, width in zip(self.PINS, widths, strict=True):
+            place = QRect(left, round(box.top()), width, round(box.height()))
+            write(
+                painter, place, pin, "window_text", bold=True, align=Qt.AlignmentFlag.AlignHCenter
+            )
+            left += width
+        x = box.center().x()
+        painter.setPen(QPen(theme().color(self.color), 4))
+        painter.drawLine(QPointF(x, box.bottom() + 2), QPointF(x, self.height()))
+        left = round(x) + 12
+        beside = QRect(left, round(box.bottom()) + 2, self.width() - left, height + 4)
+        write(painter, beside, self.lines[0] if self.lines else "", self.alarm or "muted")

@@ -1,0 +1,313 @@
+"""The board, drawn: what it reports is shown where it happens."""
+
+from collections.abc import Callable, Mapping
+from functools import partial
+
+from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt, Signal, Slot
+from PySide6.QtGui import QHideEvent, QPaintEvent, QPen, QResizeEvent, QShowEvent
+from PySide6.QtWidgets import QStyle, QWidget
+
+from trex_gui.core.translation import Number, tr
+from trex_gui.devices.trex.board.quality import quality_text
+from trex_gui.devices.trex.driving.board_reasons import LED_TEXTS, led_patterns
+from trex_gui.devices.trex.model.channel_text import CHANNEL_NAMES
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.drive_texts import speed_text
+from trex_gui.devices.trex.protocol.flags import CHANNELS, Mode
+from trex_gui.devices.trex.views.bars import USUAL_AXIS, widened
+from trex_gui.devices.trex.views.board.parts import (
+    BoardPart,
+    ChannelPart,
+    JumperPart,
+    LedPart,
+    MotorPart,
+    SerialPart,
+    write,
+)
+from trex_gui.ui.runtime import new_timer, now
+from trex_gui.ui.theme.theme import follow_theme, scaled_font, theme
+from trex_gui.ui.widgets.painted import Painter, never_mirror
+
+_FRAME_MS = 40
+_AUXILIARY = 3  # as a motor: the channel that drives it
+
+# Lines of text: how wide the columns are at least and at most, and how high the rows are.
+_CHANNELS, _MOTORS, _BODY, _WIRE = (10, 17), (11, 17), (15, 28), 1.4
+_LOWEST, _HIGHEST = 21, 26
+_LARGEST = 1.5  # times the size of the font, where there is room
+
+
+class BoardView(QWidget):
+    """The connected board. A part leads to the page that has more about it."""
+
+    page_wanted = Signal(str)  # the key of the page
+
+    def __init__(self, device: Device, parent: QWidget) -> None:
+        super().__init__(parent)
+        never_mirror(self)
+        self.setObjectName("boardView")
+        self.setAccessibleName(tr("The board"))
+        self._device = device
+        self._body = QRect()
+        self._began = self._frame_at = now()
+        self._timer = new_timer(self, _FRAME_MS, self._on_frame)
+
+        def opens(page: str) -> Callable[[], object]:
+            return partial(self.page_wanted.emit, page)
+
+        leds, settings = opens("errors"), opens("parameters")
+        channels, motors = opens("channels"), opens("motors")
+        self._channels = {
+            number: ChannelPart(
+                f"Channel{number}",
+                tr("Channel {0}, {1}").format(number, tr(CHANNEL_NAMES[number]).lower()),
+                channels,
+                self,
+            )
+            for number in CHANNELS
+        }
+        self._leds = (
+            LedPart("RedLed", tr("Red LED"), leds, self, "led_red"),
+            LedPart("GreenLed", tr("Green LED"), leds, self, "led_green"),
+        )
+        self._mode = JumperPart("ModeJumper", tr("Mode jumper"), settings, self)
+        self._mix = JumperPart("MixJumper", tr("Mix jumper"), channels, self)
+        self._so_ground = JumperPart("SoGroundJumper", tr("SO–G jumper"), opens("transcript"), self)
+        names = {1: tr("Motor 1"), 2: tr("Motor 2"), _AUXILIARY: tr("Auxiliary")}
+        self._motors = {
+            number: MotorPart(f"Motor{number}", name, motors, self, color)
+            for (number, name), color in zip(
+                names.items(), ("motor1", "motor2", "auxiliary"), strict=True
+            )
+        }
+        self._serial = SerialPart("Serial", tr("Serial line"), opens("errors"), self)
+        follow_theme(self, "room", self.updateGeometry)
+
+    # --- Places -------------------------------------------------------------------------
+
+    def minimumSizeHint(self) -> QSize:
+        width = _CHANNELS[0] + _MOTORS[0] + _BODY[0] + 2 * _WIRE + 1
+        line = self.fontMetrics().height()
+        return QSize(round(width * line), _LOWEST * line)
+
+    def sizeHint(self) -> QSize:
+        width = _CHANNELS[1] + _MOTORS[1] + _BODY[1] + 2 * _WIRE + 1
+        line = self.fontMetrics().height()
+        return QSize(round(width * line), _HIGHEST * line)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        least, base, width = self.minimumSizeHint(), self.fontMetrics().height(), self.width()
+        larger = min(width / least.width(), self.height() / least.height(), _LARGEST)
+        line = round(base * max(1.0, larger))
+        for part in self.findChildren(BoardPart):
+            part.setFont(scaled_font(self.font(), line / base))
+        extra = max(0.0, width / line - least.width() / base)  # to be shared out
+        columns = [
+            round(line * min(most, least + extra / 3))
+            for least, most in (_CHANNELS, _BODY, _MOTORS)
+        ]
+        wire = round(min(5.0, _WIRE + extra / 8) * line)
+        left = max(0, (width - sum(columns) - 2 * wire) // 2)
+        channels, body, motors = columns
+        height = min(self.height(), _HIGHEST * line)
+        top = (self.height() - height) // 2
+        serial = 4 * line
+        body_height = height - serial + line
+        self._body = QRect(left + channels + wire, top, body, body_height)
+        self._place_column(self._channels, QRect(left, top, channels, body_height), 2 * line + 14)
+        right = self._body.right() + wire
+        self._place_column(
+            self._motors, QRect(right, top, motors, body_height), round(body_height / 3) - 4
+        )
+        inside = self._body.adjusted(round(1.2 * line), 0, -line // 2, 0)
+        at = top + round(3.2 * line)
+        half = inside.width() // 2
+        for number, led in enumerate(self._leds):
+            led.setGeometry(inside.left() + number * half, at, half, round(2.4 * line))
+        room = (self._body.bottom() - line - at - 2 * line) // 3
+        for number, jumper in enumerate((self._mode, self._mix, self._so_ground)):
+            place = QRect(inside.left(), at + round(2.4 * line) + number * room, inside.width(), 0)
+            place.setHeight(min(room, 3 * line))
+            jumper.setGeometry(place)
+        bottom = self._body.bottom() - round(0.8 * line)
+        self._serial.body_width = self._body.width()
+        self._serial.setGeometry(self._body.left(), bottom, self._body.width() + wire, serial)
+
+    def _place_column(self, parts: Mapping[int, BoardPart], room: QRect, height: int) -> None:
+        step = room.height() / len(parts)
+        for number, part in enumerate(parts.values()):
+            top = round(room.top() + (number + 0.5) * step - height / 2)
+            part.setGeometry(room.left(), top, room.width(), height)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        del event
+        color, line = theme().color, self._serial.fontMetrics().height()
+        body = QRectF(self._body)
+        with Painter(self) as painter:
+            painter.setPen(QPen(color("board_edge"), 5))
+            for part in self._channels.values():
+                y = part.geometry().bottom() - 8
+                painter.drawLine(QPointF(part.geometry().right() + 8, y), QPointF(body.left(), y))
+            for motor in self._motors.values():
+                y = motor.geometry().center().y()
+                painter.drawLine(QPointF(body.right(), y), QPointF(motor.x() + 4, y))
+            painter.setPen(QPen(color("board_edge"), 2))
+            painter.setBrush(color("board"))
+            painter.drawRoundedRect(body, 10, 10)
+            painter.setBrush(color("base"))
+            holes = body.adjusted(12, 12, -12, -12)
+            for hole in (
+                holes.topLeft(),
+                holes.topRight(),
+                holes.bottomLeft(),
+                holes.bottomRight(),
+            ):
+                painter.drawEllipse(hole, 5, 5)
+            for part in self._channels.values():
+                y = part.geometry().bottom() - 8
+                painter.drawRoundedRect(QRectF(body.left() - 6, y - 9, 12, 18), 3, 3)
+            for motor in self._motors.values():
+                y = motor.geometry().center().y()
+                painter.drawRoundedRect(QRectF(body.right() - 14, y - 18, 26, 36), 4, 4)
+            painter.setFont(scaled_font(self._serial.font(), 1.3))
+            title = self._body.adjusted(0, line, 0, 0)
+            title.setHeight(2 * line)
+            center = Qt.AlignmentFlag.AlignHCenter
+            write(painter, title, self._name(), "window_text", bold=True, align=center)
+
+    def _name(self) -> str:
+        state = self._device.state
+        return "TReX" if state is None else state.signature.model.name
+
+    # --- What the board reports ---------------------------------------------------------
+
+    def show_board(self) -> None:
+        """Show the newest of everything; what is not known is drawn as unknown."""
+        device = self._device
+        board = device.board.inputs(now()) if device.is_connected else None
+        self._show_channels()
+        self._show_jumpers()
+        self._show_motors()
+        patterns = ("", "") if board is None else led_patterns(board)
+        for led, name, pattern in zip(self._leds, (tr("Red"), tr("Green")), patterns, strict=True):
+            led.pattern = pattern
+            led.show_lines(name, tr(LED_TEXTS[pattern], "LED") if pattern else tr("not known"))
+        quality, is_connected = device.board.quality, device.is_connected
+        text = quality_text(quality) if is_connected else tr("not responding")
+        if quality.is_noisy is False:
+            answered = Number(100 * (1 - quality.lost))
+            text = tr("{0:.0f} reads/s, {1:.1f} % answered").format(Number(quality.rate), answered)
+        alarm = "warning" if quality.is_noisy or not is_connected else ""
+        self._serial.color = alarm or "led_green"
+        self._serial.show_lines(text, alarm=alarm)
+        self._on_frame()
+        self._run()
+        self.update()
+
+    def _show_channels(self) -> None:
+        device, state = self._device, self._device.state
+        for number, part in self._channels.items():
+            name = tr(CHANNEL_NAMES[number]).lower()
+            title = tr("CH{0}").format(number)
+            if state is None or device.telemetry.raw is None:
+                part.show_lines(title, name, "–")
+                part.show_input((0, 1), None, None)
+                continue
+            count, curve = device.telemetry.raw_of(number), device.draft.stored_curve(number)
+            value = tr("no signal") if count is None else state.source.text(count)
+            calibration = None if curve is None else curve.calibration
+            marks = [] if calibration is None else [calibration.minimum, calibration.maximum]
+            axis = widened(USUAL_AXIS[state.source], [*marks, *([count] if count else [])])
+            part.show_lines(title, name, value)
+            part.show_input(axis, count, calibration)
+
+    def _show_jumpers(self) -> None:
+        device, state = self._device, self._device.state
+        mix = device.mix_jumper.is_on
+        if state is None:
+            self._mode.show_jumper(None, tr("Mode: not known"))
+        elif state.mode.is_serial:
+            self._mode.show_jumper(False, tr("Mode: off"), tr("serial mode"))
+        else:
+            name = tr("RC") if state.mode is Mode.RC else tr("Analog")
+            self._mode.show_jumper(True, tr("Mode: {0}").format(name), tr("channels drive"))
+        if mix is None:
+            self._mix.show_jumper(None, tr("Mix: not known"), tr("move a stick to see"))
+        elif mix:
+            self._mix.show_jumper(True, tr("Mix: on"), tr("one stick drives both motors"))
+        else:
+            self._mix.show_jumper(False, tr("Mix: off"), tr("each channel drives its motor"))
+        if not device.is_connected or device.connection.echo:
+            self._so_ground.show_jumper(None, tr("SO–G: not known"))
+        else:  # with the jumper no reply would come
+            self._so_ground.show_jumper(False, tr("SO–G: off"), tr("replies reach this computer"))
+
+    def _show_motors(self) -> None:
+        device, telemetry = self._device, self._device.telemetry
+        by_serial, currents = telemetry.serial_controls, telemetry.motor_currents
+        recent = {m: device.board.errors.recent(m, now()) for m in (1, 2)}
+        for number, part in self._motors.items():
+            speed = self._speed_of(number, by_serial=by_serial)
+            text = tr("not known") if speed is None else speed_text(speed)
+            if number == _AUXILIARY and speed:  # it turns one way only
+                text = str(speed)
+            if speed == 0 and by_serial and not device.motors.armed:
+                text = tr("not armed")
+            part.show_speed(speed or 0)
+            lines = [part.accessibleName(), text]
+            faults = [tr(entry.name) for entry in recent.get(number, ())]
+            if number in {1, 2} and not device.board.is_joint:
+                lines.append(self._current_text(number, currents))
+            if faults:
+                lines.append(", ".join(faults))
+            part.show_lines(*lines, alarm="danger" if faults else "")
+
+    def _speed_of(self, number: int, *, by_serial: bool | None) -> int | None:
+        """Return what motor 1 or 2, or the auxiliary (3), is told now; `None`: not known."""
+        device = self._device
+        if not device.is_connected or by_serial is None:
+            return None
+        if not by_serial:
+            value = device.telemetry.remapped_of(number)
+            return abs(value) if number == _AUXILIARY and value is not None else value
+        if number == _AUXILIARY:
+            return device.motors.auxiliary
+        drive = device.motors.drive(number)
+        return drive.signed if drive is not None and not drive.is_brake else 0
+
+    def _current_text(self, motor: int, currents: tuple[float, float] | None) -> str:
+        limit = self._device.current_limit(motor)
+        shown = "–" if currents is None else f"{Number(currents[motor - 1]):.2f} A"
+        if limit is None:
+            return tr("{0}, no limit").format(shown)
+        return tr("{0}, limit {1:.1f} A").format(shown, Number(limit))
+
+    # --- What moves ---------------------------------------------------------------------
+
+    @Slot()
+    def _on_frame(self) -> None:
+        seconds, self._frame_at = now() - self._frame_at, now()
+        for led in self._leds:
+            led.show_moment(now() - self._began)
+        for motor in self._motors.values():
+            motor.turn(min(seconds, 0.2))
+
+    def _run(self) -> None:
+        """Let LEDs and wheels move while they are seen, unless the system wants no motion."""
+        duration = QStyle.StyleHint.SH_Widget_Animation_Duration
+        is_wanted = self.style().styleHint(duration, None, self) > 0
+        moves = any(led.moves for led in self._leds) or any(m.speed for m in self._motors.values())
+        if not (moves and is_wanted and self.isVisible()):
+            self._timer.stop()
+        elif not self._timer.isActive():
+            self._frame_at = now()
+            self._timer.start()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self.show_board()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        self._timer.stop()
