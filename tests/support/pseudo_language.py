@@ -44,6 +44,7 @@ from PySide6.QtWidgets import (
 )
 
 from tests.support.scripts import program_texts
+from trex_gui.ui.frame.places import PlaceBar
 from trex_gui.ui.widgets.labels import ElidedLabel
 
 BEGIN, END = "⟦", "⟧"
@@ -242,6 +243,8 @@ def _needs(widget: QWidget) -> Iterator[tuple[str, QSize, QSize]]:
             check = style.pixelMetric(QStyle.PixelMetric.PM_IndicatorWidth, None, widget)
             beside = 2 * check if widget.isCheckable() else check // 2
             yield widget.title(), _size(widget, widget.title(), beside), widget.size()
+        case PlaceBar() if widget.is_narrow:
+            pass  # its texts are tool tips
         case QTabBar():
             for index in filter(widget.isTabVisible, range(widget.count())):
                 place = widget.tabRect(index)

@@ -120,7 +120,7 @@ class ConnectionBar(QFrame):
             self._remedy,
             self._progress,
             into=self,
-            margins=(12, 6, 12, 6),
+            margins=(12, 4, 12, 4),
         )
 
     def _take_room(self) -> None:

@@ -8,9 +8,10 @@ from pathlib import Path
 
 from PySide6.QtCore import QSignalBlocker, Signal
 from PySide6.QtGui import QAction, QKeySequence
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QStackedWidget, QTabWidget, QWidget
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QStackedWidget, QWidget
 
 from trex_gui.core.translation import tr
+from trex_gui.ui.frame.places import Places
 from trex_gui.ui.help.messages import MessageHelp
 from trex_gui.ui.log import Log
 from trex_gui.ui.notifier import Notifier
@@ -68,6 +69,7 @@ class PageInfo:
     key: str  # names it in code and in the key of its action, `workspace_key`
     title: str  # of its tab, with the mnemonic of its menu entry
     make: Callable[[], QWidget]  # called once: when it is first shown, or soon after the start
+    icon: str = "info"  # beside the title
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,8 +106,7 @@ class Workspace(QWidget):
         self.openers: Mapping[str, Callable[[Path], object]] = {}
         # At the right of the window; the workspace shows and hides them.
         self.docks: Sequence[QDockWidget] = ()
-        self.pages = QTabWidget(self)
-        self.pages.setDocumentMode(True)
+        self.pages = Places(self)
         self._actions: Mapping[str, QAction] = {}  # by key, once the menus are built
         self._infos: tuple[PageInfo, ...] = ()
         self._missing: set[int] = set()  # pages that are not made yet
@@ -116,6 +117,7 @@ class Workspace(QWidget):
         self._missing = set(range(len(infos)))
         for info in infos:
             self.pages.addTab(QWidget(self), info.title.replace("&", ""))
+        self.pages.bar.icons = [info.icon for info in infos]
         self._make_page(self.pages.currentIndex())
         self.pages.currentChanged.connect(self._make_page)
 

@@ -90,6 +90,7 @@ class TracePanel(QWidget):
         bar = row(
             *(window_label, self._window, top_label, self._top, self._pause, self._hold),
             *(self.layout_button, self.export, 1),
+            spacing=4,
         )
         column(bar, self._note, (parts, 1), into=self, margins=0)
         tab_order(self._hold, self.layout_button, self.export, self.plot, self._view, self._list)

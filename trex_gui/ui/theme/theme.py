@@ -285,7 +285,8 @@ def set_text_color(widget: QWidget, name: str) -> None:
 def set_look(widget: QWidget, look: str) -> None:
     """Give a widget a look of `style.qss`.
 
-    Buttons: primary, stop, link or compact; spin boxes: bare; frames: card, actions or message.
+    Buttons: primary, stop, link or compact; spin boxes: bare; cards: compact;
+    frames: card, actions or message.
     """
     set_style_property(widget, "look", look)
 

@@ -70,7 +70,7 @@ class Card(QGroupBox):
         set_style_property(self, "titled", bool(title))
 
     def minimumSizeHint(self) -> QSize:
-        title = self._title.sizeHint().width() + 2 * CARD_PADDING
+        title = self._title.sizeHint().width() + 2 * (CARD_PADDING + 1)
         return super().minimumSizeHint().expandedTo(QSize(title, 0))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -339,6 +339,19 @@ def spin_box(
     return made
 
 
+_AROUND_NUMBER = 16  # pixels beside a number without buttons
+
+
+def make_bare(box: QAbstractSpinBox, widest: str) -> None:
+    """Leave out the buttons of a spin box, and make it as narrow as its `widest` text."""
+
+    def take_room() -> None:
+        box.setMinimumWidth(box.fontMetrics().horizontalAdvance(widest) + _AROUND_NUMBER)
+
+    set_look(box, "bare")
+    follow_theme(box, "room", take_room)
+
+
 class DecimalSpinBox(QDoubleSpinBox):
     """Takes a point and a comma for the decimal separator, and neither for that of thousands."""
 
@@ -468,13 +481,13 @@ def _tab_stops(part: QWidget) -> Iterator[QWidget]:
 
 
 def set_large(*buttons: QPushButton) -> None:
-    """Make buttons that matter most two lines high, and never too narrow for their text."""
+    """Make buttons that matter most easy to hit, and never too narrow for their text."""
 
     def fit(button: QPushButton, height: int) -> None:
         button.setMinimumSize(max(4 * height, button.sizeHint().width()), height)
 
     for button in buttons:
-        height = 2 * button.fontMetrics().height() + 12
+        height = round(1.6 * button.fontMetrics().height()) + 18
         follow_theme(button, "large", partial(fit, button, height))
 
 

@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
 
 _LINES = 4
 _CHARACTERS = 24  # of average width, where it scrolls sideways
-_WIDEST = 720  # pixels that it may need: what a screen of 1024 has beside the demo panel
+_WIDEST = 664  # pixels that it may need: what a screen of 1024 has beside places and demo panel
 
 
 class ScrollBox(QScrollArea):

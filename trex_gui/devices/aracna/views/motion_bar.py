@@ -60,7 +60,7 @@ class MotionBar(QFrame):
             "This link has no stop: a running motion ends only by itself, or by cutting the servo "
             "power."
         )
-        layout = ui.grid(self, margins=(12, 8, 12, 8), stretch=[(1, 1)])
+        layout = ui.grid(self, margins=(12, 6, 12, 6), stretch=[(1, 1)])
         layout.setVerticalSpacing(2)
         layout.addWidget(stop, 0, 0, 2, 1)
         layout.addWidget(self._activity, 0, 1)

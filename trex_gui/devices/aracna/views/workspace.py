@@ -93,10 +93,10 @@ class AracnaWorkspace(Workspace):
         traffic = TrafficPage(robot.traffic, "aracnaTranscript", tr("a robot"), self.notifier, self)
         self.add_pages(
             (
-                PageInfo("robot", tr("R&obot"), lambda: page),
-                PageInfo("poses", tr("Pos&es"), lambda: self._poses),
-                PageInfo("log", tr("Lo&g"), self._make_log_page),
-                PageInfo("transcript", tr("&Traffic"), lambda: traffic),
+                PageInfo("robot", tr("R&obot"), lambda: page, "board"),
+                PageInfo("poses", tr("Pos&es"), lambda: self._poses, "copy"),
+                PageInfo("log", tr("Lo&g"), self._make_log_page, "history"),
+                PageInfo("transcript", tr("&Traffic"), lambda: traffic, "console"),
             )
         )
         self.make_pages()  # those that are there already would cover the first

@@ -235,7 +235,7 @@ class ControlBar(ActionBar):
         self._apply.setMinimumWidth(self._apply.sizeHint().width())  # nothing moves as it changes
 
         parts = stop, run, (self._state, 1), recording, self._apply
-        ui.row(*parts, into=self, margins=(12, 8, 12, 8))
+        ui.row(*parts, into=self, margins=(12, 6, 12, 6))
 
         self._apply.clicked.connect(self.apply_requested)
         motors = device.motors

@@ -79,15 +79,19 @@ class TrexWorkspace(Workspace):
         ui.tab_order(panel, tabs.tabBar())
         self.add_pages(
             (
-                PageInfo("board", tr("B&oard"), self._make_board_page),
-                PageInfo("channels", tr("&Channels"), partial(ChannelsPage, device, self)),
-                PageInfo("calibration", tr("Cali&bration"), self._make_calibration_page),
-                PageInfo("motors", tr("&Motors"), self._make_motors_page),
-                PageInfo("currents", tr("C&urrents"), self._make_currents_page),
-                PageInfo("parameters", tr("&Parameters"), self._make_parameters_page),
-                PageInfo("errors", tr("&Errors"), partial(ErrorsPage, device, self)),
-                PageInfo("log", tr("Lo&g"), self._make_log_page),
-                PageInfo("transcript", tr("T&raffic"), self._make_traffic_page),
+                PageInfo("board", tr("B&oard"), self._make_board_page, "board"),
+                PageInfo(
+                    "channels", tr("&Channels"), partial(ChannelsPage, device, self), "channels"
+                ),
+                PageInfo(
+                    "calibration", tr("Cali&bration"), self._make_calibration_page, "calibrate"
+                ),
+                PageInfo("motors", tr("&Motors"), self._make_motors_page, "motor"),
+                PageInfo("currents", tr("C&urrents"), self._make_currents_page, "plot"),
+                PageInfo("parameters", tr("&Parameters"), self._make_parameters_page, "settings"),
+                PageInfo("errors", tr("&Errors"), partial(ErrorsPage, device, self), "warning"),
+                PageInfo("log", tr("Lo&g"), self._make_log_page, "history"),
+                PageInfo("transcript", tr("T&raffic"), self._make_traffic_page, "console"),
             )
         )
 

@@ -26,6 +26,7 @@ from trex_gui.devices.aracna.poses.project import (
 )
 from trex_gui.devices.aracna.views.poses.name_list import NameList, small_button
 from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import LastColumn, paint_placeholder, take_typed
 
@@ -41,6 +42,7 @@ class MotionBox(ui.Card):
     def __init__(self, library: Library, notifier: Notifier, parent: QWidget | None = None) -> None:
         super().__init__(tr("Sequences and gaits"), parent)
         self.setObjectName("aracnaMotionBox")
+        set_look(self, "compact")
         self._library = library
         self._next_pose = ""
         self.table = StepTable(library, self)

@@ -48,7 +48,7 @@ class PosesPage(QWidget):
         self.play = bar.play
         panel = ui.column(head, (ui.row((poses, 2), (motions, 3)), 1), bar, spacing=6)
         left = ui.column((drawing, 1), footnote, 0)
-        ui.row((left, 1), (panel, 4), into=self, spacing=16)
+        ui.row((left, 1), (panel, 4), into=self, margins=4, spacing=6)
 
         poses.pose_chosen.connect(motions.show_pose)
         motions.show_pose(poses.current_name)

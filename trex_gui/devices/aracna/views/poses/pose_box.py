@@ -11,12 +11,11 @@ from trex_gui.devices.aracna.poses.playing import mismatch
 from trex_gui.devices.aracna.poses.project import Pose
 from trex_gui.devices.aracna.protocol.joints import HIGHEST, MOTORS, degrees
 from trex_gui.devices.aracna.views.poses.name_list import NameList, small_button
-from trex_gui.ui.theme.theme import follow_theme, set_look
+from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import take_typed
 
 _ACROSS = 4
-_AROUND_NUMBER = 16  # pixels
 
 
 class PoseBox(ui.Card):
@@ -27,6 +26,7 @@ class PoseBox(ui.Card):
     def __init__(self, robot: Robot, library: Library, parent: QWidget | None = None) -> None:
         super().__init__(tr("Poses"), parent)
         self.setObjectName("aracnaPoseBox")
+        set_look(self, "compact")
         self._robot = robot
         self._library = library
 
@@ -73,13 +73,7 @@ class PoseBox(ui.Card):
     def _field(self, motor: int) -> QSpinBox:
         accessible = tr("Position of motor {0} in this pose").format(motor)
         box = ui.spin_box(self, f"aracnaPosition{motor}", accessible, 0, HIGHEST)
-        set_look(box, "bare")  # it is narrow
-
-        def take_room() -> None:
-            widest = self.fontMetrics().horizontalAdvance(str(HIGHEST))
-            box.setMinimumWidth(widest + _AROUND_NUMBER)
-
-        follow_theme(box, "room", take_room)
+        ui.make_bare(box, str(HIGHEST))
         box.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         box.valueChanged.connect(lambda value: self._on_position_edited(motor, value))
         return box

@@ -17,7 +17,7 @@ from trex_gui.devices.aracna.model.texts import (
 from trex_gui.devices.aracna.protocol.joints import HIGHEST, degrees, position
 from trex_gui.devices.aracna.views.robot.joint_widgets import JointSlider, SpeedBox
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.theme.theme import set_look, theme
+from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import LiveLabel
 
@@ -42,7 +42,7 @@ class JointRow(QObject):
 
         def position_box(kind: str, accessible: str) -> QSpinBox:
             box = ui.spin_box(parent, f"aracna{kind}{motor}", name(accessible), 0, HIGHEST)
-            set_look(box, "bare")  # the slider is beside it
+            ui.make_bare(box, str(HIGHEST))  # the slider is beside it
             return box
 
         self.name = ui.label(parent, f"aracnaName{motor}", joint_text(motor))
@@ -59,7 +59,7 @@ class JointRow(QObject):
             decimals=1,
             suffix="°",
         )
-        set_look(self._degrees, "bare")
+        ui.make_bare(self._degrees, "300.0°")
         present = name(tr("present position"))
         self._present = LiveLabel(f"aracnaPresent{motor}", present, parent)
         widest = self._present.fontMetrics().horizontalAdvance(position_text(HIGHEST))
@@ -187,7 +187,7 @@ class JointTable(QWidget):
         self._legs: list[QLabel] = []
         self._limits_shown = False
 
-        self._grid = ui.grid(self, margins=0, spacing=(6, 3), stretch=[(_SLIDER, 1)])
+        self._grid = ui.grid(self, margins=0, spacing=(4, 3), stretch=[(_SLIDER, 1)])
         self._heads = {
             column: self._head(column, text, tip)
             for column, text, tip in (

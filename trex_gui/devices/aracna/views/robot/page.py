@@ -25,7 +25,7 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import take_typed
 from trex_gui.ui.widgets.labels import Note
 
-_GAP = 8
+_GAP = 6  # pixels between drawing and table
 _WIDEST_RATE = 888.8
 _CAPTION_LINES = 6
 _MIN_SKETCH_WIDTH = 130  # pixels; in a narrower drawing the joints overlap

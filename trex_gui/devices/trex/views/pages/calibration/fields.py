@@ -41,7 +41,7 @@ class CalibrationFields(QWidget):
             "maximum": tr("Ma&ximum"),
             "deadband": tr("Dead&band ±"),
         }
-        layout = grid(self, margins=0, spacing=(12, 2), stretch=[(each, 1) for each in range(4)])
+        layout = grid(self, margins=0, spacing=(8, 2), stretch=[(each, 1) for each in range(4)])
         for number, (field, title) in enumerate(titles.items()):
             accessible = title.replace("&", "")
             editor = named(CountEditor(self._source, self), f"{field}Edit", accessible=accessible)

@@ -18,7 +18,7 @@ from trex_gui.ui.widgets.labels import ElidedLabel, LegendKey, Note
 from trex_gui.ui.widgets.painted import Painted
 
 _KEY = ParameterKey.CHANNEL_INPUT_SOURCE
-_AROUND_TEXT = 30  # pixels of a row of the list: frame, margins and icon
+_AROUND_TEXT = 22  # pixels of a row of the list: frame, margins and icon
 _SOURCES = (InputSource.RC, InputSource.ANALOG)
 
 

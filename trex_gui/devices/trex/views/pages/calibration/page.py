@@ -91,13 +91,13 @@ class CalibrationPage(PlotPage):
 
         # Findings are at the top: on a low screen what is below the plot may have to be scrolled.
         above = column(self._heading, self._findings, self._other, self._legend)
-        buttons = row(self._learn, self._learn_all, 1, self._change, self._discard)
+        buttons = row(self._learn, self._learn_all, 1, self._change, self._discard, spacing=2)
         notes = row((self._note, 2), why, (self._why, 1))
         self._right = column(above, self._fields, self._both, notes, self._options, buttons)
         row(self._channels, (self._right, 1), into=body, margins=0)
         layout = column(self._empty, (body, 1), 0, into=self)
         margins = layout.contentsMargins()
-        layout.setContentsMargins(margins.left(), margins.top(), margins.right(), 2)
+        layout.setContentsMargins(4, margins.top(), 4, 2)
 
         self._learn.clicked.connect(lambda: self.learn_requested.emit((self.channel,)))
         self._learn_all.clicked.connect(lambda: self.learn_requested.emit(CHANNELS))

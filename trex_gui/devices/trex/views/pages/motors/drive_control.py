@@ -229,10 +229,10 @@ class DriveControl(QWidget):
             widget.setVisible(two_way)
 
         words = ui.row(self._title, self._setpoint_label, 1, self.reported, spacing=10)
-        numbers = ui.row(self._entry, self._zero, self.brake, 1, spacing=8)
+        numbers = ui.row(self._entry, self._zero, self.brake, 1, spacing=4)
         beside = ui.column(numbers, self.current, 1, spacing=1)
         speed = ui.column(self.slider, self._bar, 1, spacing=0)
-        halves = ui.row((speed, 3), (beside, 1), spacing=8)
+        halves = ui.row((speed, 3), (beside, 1), spacing=4)
         ui.column(words, halves, into=self, margins=0, spacing=2)
 
         self.slider.valueChanged.connect(self._on_slider_changed)

@@ -158,14 +158,14 @@ class Options(ui.Card):
 
         # Without a spacing of its own a column would take that of its row.
         left = ui.column(accelerate, at_once, self._keys, self._link, 1, spacing=_SPACING)
-        right = ui.grid(spacing=(2 * _SPACING, _SPACING), stretch=[(1, 1)])
+        right = ui.grid(spacing=(_SPACING, _SPACING), stretch=[(1, 1)])
         for column, widget in enumerate(self._brake.widgets):
             right.addWidget(widget, 0, column)
         right.addWidget(lock_label, 1, 0)
         right.addLayout(ui.row(self._lock, 1), 1, 1, 1, 2)
         right.addWidget(self._leave, 2, 0, 1, 3)
         right.addWidget(self._return, 3, 0, 1, 3)
-        ui.row(left, (right, 1), into=self, spacing=4 * _SPACING)
+        ui.row(left, (right, 1), into=self)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
 
         self._keys.toggled.connect(self.keys_toggled)

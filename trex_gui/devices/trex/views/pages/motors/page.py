@@ -71,10 +71,12 @@ class MotorsPage(QWidget):
         head = ui.row(self._sign, (self._reason, 1), spacing=10)
         first, second, auxiliary = self._controls.values()
         controls = ui.column(first, 1, second, 1, auxiliary, 1, spacing=4)
-        drive = ui.row(self._pad, (controls, 1), spacing=16)
+        drive = ui.row(self._pad, (controls, 1), spacing=10)
         ui.column(ceiling, (drive, 1), into=drive_box)
         gamepad = GamepadPanel(device, self)
-        ui.column(head, (drive_box, 1), self._options, self._stored, gamepad, 0, into=self)
+        ui.column(
+            head, (drive_box, 1), self._options, self._stored, gamepad, 0, into=self, margins=4
+        )
 
         for number, control in self._controls.items():
             control.speed_wanted.connect(partial(self._on_speed_wanted, number))

@@ -1,0 +1,96 @@
+"""The drawing of a board shows what the board reports, and what is not known as unknown."""
+
+from collections.abc import Iterator
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QWidget
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatedDevice
+from tests.support.window import WidgetDriver
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.views.board.parts import BoardPart, JumperPart, LedPart, MotorPart
+from trex_gui.devices.trex.views.board.view import BoardView
+from trex_gui.ui.devices.connection import ConnectionState
+
+
+class Drawing(WidgetDriver):
+    def __init__(self, view: BoardView, device: Device, qtbot: QtBot) -> None:
+        super().__init__(view, qtbot)
+        self.view, self.device = view, device
+
+    def said(self, name: str) -> str:
+        self.view.show_board()
+        return self.find(BoardPart, f"boardPart{name}").spoken_state()
+
+    def connect(self, simulator: SimulatedDevice) -> None:
+        self.device.connect_to(ConnectionSettings(simulator.url))
+        self.wait(lambda: self.device.link is ConnectionState.CONNECTED)
+        self.wait(lambda: self.device.telemetry.motor_currents is not None)
+
+
+@pytest.fixture
+def drawing(qtbot: QtBot) -> Iterator[Drawing]:
+    device, window = Device(), QWidget()
+    qtbot.addWidget(window)
+    view = BoardView(device, window)
+    view.resize(800, 400)
+    window.show()
+    yield Drawing(view, device, qtbot)
+    assert device.shut_down()
+
+
+def test_nothing_is_said_that_is_not_known(drawing: Drawing) -> None:
+    assert drawing.said("Channel1") == "CH1, motor 1, –"
+    for jumper in ("ModeJumper", "MixJumper", "SoGroundJumper"):
+        assert "not known" in drawing.said(jumper)
+        assert drawing.find(JumperPart, f"boardPart{jumper}").is_on is None
+    assert drawing.said("RedLed") == "Red, not known"
+    assert "not known" in drawing.said("Motor1")
+    assert drawing.said("Serial") == "not responding"
+
+
+def test_board_in_serial_mode(drawing: Drawing, quick_simulator: SimulatedDevice) -> None:
+    drawing.connect(quick_simulator)
+    quick_simulator.do("channel 2 1800us")
+    drawing.wait(lambda: drawing.said("Channel2") == "CH2, motor 2, 1800 µs")
+    quick_simulator.do("channel 3 invalid")
+    drawing.wait(lambda: drawing.said("Channel3") == "CH3, auxiliary, no signal")
+    assert drawing.said("ModeJumper") == "Mode: off, serial mode"
+    assert drawing.said("SoGroundJumper") == "SO–G: off, replies reach this computer"
+    assert drawing.said("RedLed") == "Red, on"
+    assert drawing.find(LedPart, "boardPartGreenLed").moves
+
+    motor = drawing.find(MotorPart, "boardPartMotor1")
+    assert drawing.said("Motor1") == "Motor 1, not armed, 0.00 A, no limit"
+    drawing.device.motors.arm()
+    drawing.device.motors.set_speed(1, -20)
+    assert "reverse 20" in drawing.said("Motor1")
+    assert motor.speed == -20
+    quick_simulator.do("fault 1 on")
+    drawing.wait(lambda: "Motor 1 fault" in drawing.said("Motor1"))
+    assert motor.alarm == "danger"
+
+
+def test_channels_drive_in_rc_mode(drawing: Drawing, quick_simulator: SimulatedDevice) -> None:
+    quick_simulator.do("jumper mode rc")
+    quick_simulator.do("power cycle")
+    drawing.connect(quick_simulator)
+    quick_simulator.do("channel 1 1900us")
+    drawing.wait(lambda: "forward" in drawing.said("Motor1"))
+    assert drawing.said("ModeJumper") == "Mode: RC, channels drive"
+    assert drawing.find(JumperPart, "boardPartModeJumper").is_on
+
+
+def test_each_part_opens_its_page_with_the_keyboard(drawing: Drawing) -> None:
+    pages: list[str] = []
+    drawing.view.page_wanted.connect(pages.append)
+    parts = drawing.find_all(BoardPart)
+    assert len(parts) == 14
+    for part in parts:
+        assert part.accessibleName()
+        QTest.keyClick(part, Qt.Key.Key_Space)
+    assert set(pages) == {"channels", "errors", "motors", "parameters", "transcript"}

@@ -1,0 +1,46 @@
+from collections.abc import Iterator
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QWidget
+from pytestqt.qtbot import QtBot
+
+from trex_gui.ui.frame.places import Places
+
+
+@pytest.fixture
+def places(qtbot: QtBot) -> Iterator[Places]:
+    window = QWidget()
+    qtbot.addWidget(window)
+    made = Places(window)
+    for name in ("Board", "Channels", "Motors"):
+        made.addTab(QWidget(made), name)
+    made.bar.icons = ("board", "channels", "motor")
+    made.setTabVisible(1, False)
+    window.show()
+    yield made
+    window.close()
+
+
+def test_names_are_shown_where_there_is_room(places: Places) -> None:
+    places.resize(1300, 400)
+    wide = places.bar.tabRect(0).width()
+    assert places.bar.tabToolTip(0) == ""
+    places.resize(900, 400)
+    assert places.bar.tabRect(0).width() < wide / 2
+    assert places.bar.tabToolTip(0) == "Board"
+    picture = places.bar.grab(places.bar.tabRect(0)).toImage()
+    assert len({picture.pixel(x, 18) for x in range(picture.width())}) > 2
+
+
+def test_arrow_keys_go_through_the_places_that_are_shown(places: Places) -> None:
+    for key, index in (
+        (Qt.Key.Key_Down, 2),
+        (Qt.Key.Key_Down, 2),
+        (Qt.Key.Key_Up, 0),
+        (Qt.Key.Key_Right, 2),
+        (Qt.Key.Key_Left, 0),
+    ):
+        QTest.keyClick(places.bar, key)
+        assert places.currentIndex() == index

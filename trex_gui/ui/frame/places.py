@@ -1,0 +1,122 @@
+"""The places of a workspace: a column of tabs at its left, with icon and name."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt
+from PySide6.QtGui import QFont, QKeyEvent, QPaintEvent, QPen, QResizeEvent
+from PySide6.QtWidgets import QTabBar, QTabWidget, QWidget
+
+from trex_gui.ui.theme.icons import icon
+from trex_gui.ui.theme.theme import follow_theme, theme
+from trex_gui.ui.widgets.painted import Painter
+
+_NARROW = 1100  # pixels for column and page, below which only icons are shown
+_ICON, _AROUND = 20, 8  # pixels
+_KEYS = {Qt.Key.Key_Up: -1, Qt.Key.Key_Left: -1, Qt.Key.Key_Down: 1, Qt.Key.Key_Right: 1}
+
+
+class PlaceBar(QTabBar):
+    is_narrow = False
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.icons: Sequence[str] = ()  # their names, in the order of the tabs
+        self.setMouseTracking(True)
+        self.setExpanding(False)
+        self.setUsesScrollButtons(False)
+        self.setElideMode(Qt.TextElideMode.ElideNone)
+        follow_theme(self, "sizes", self._renew)
+
+    def set_narrow(self, narrow: bool) -> None:
+        """Show icons only, with the names as tool tips."""
+        if narrow != self.is_narrow:
+            self.is_narrow = narrow
+            self._renew()
+
+    def _renew(self) -> None:
+        for index in range(self.count()):  # the tabs ask for their sizes
+            self.setTabText(index, self.tabText(index))
+            self.setTabToolTip(index, self.tabText(index) if self.is_narrow else "")
+
+    def tabSizeHint(self, _index: int) -> QSize:  # noqa: N802 - of Qt
+        metrics = self.fontMetrics()
+        height = max(round(1.6 * metrics.height()), _ICON + 12)
+        if self.is_narrow:
+            return QSize(_ICON + 3 * _AROUND, height)
+        texts = (metrics.horizontalAdvance(self.tabText(i)) for i in range(self.count()))
+        return QSize(round(1.1 * max(texts)) + _ICON + 6 * _AROUND, height)
+
+    def minimumTabSizeHint(self, index: int) -> QSize:  # noqa: N802 - of Qt
+        return self.tabSizeHint(index)
+
+    def minimumSizeHint(self) -> QSize:
+        """As it is in a narrow window: it becomes narrow only where there is no more room."""
+        height = sum(self.tabSizeHint(index).height() for index in range(self.count()))
+        return QSize(_ICON + 3 * _AROUND, height)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        step = _KEYS.get(Qt.Key(event.key()))
+        if step is None:
+            super().keyPressEvent(event)
+            return
+        index = self.currentIndex() + step
+        while 0 <= index < self.count() and not self.isTabVisible(index):
+            index += step
+        if 0 <= index < self.count():
+            self.setCurrentIndex(index)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        del event
+        pointed = self.tabAt(self.mapFromGlobal(self.cursor().pos()))
+        with Painter(self) as painter:
+            for index in filter(self.isTabVisible, range(self.count())):
+                is_current = index == self.currentIndex()
+                place = self.tabRect(index).adjusted(_AROUND, 2, -_AROUND, -2)
+                if is_current or index == pointed:
+                    painter.setPen(Qt.PenStyle.NoPen)
+                    painter.setBrush(theme().color("selected" if is_current else "window"))
+                    painter.drawRoundedRect(place, 6, 6)
+                if is_current:
+                    painter.setBrush(theme().color("accent"))
+                    bar = QRectF(place.left(), place.top() + 6, 3, place.height() - 12)
+                    painter.drawRoundedRect(bar, 1.5, 1.5)
+                left = place.left() + _AROUND + 4
+                sign = QRect(left, place.center().y() - _ICON // 2 + 1, _ICON, _ICON)
+                if self.is_narrow:
+                    sign.moveCenter(place.center())
+                color = "accent" if is_current else "muted"
+                icon(self.icons[index], color).paint(painter, sign)
+                if self.is_narrow:
+                    continue
+                font = QFont(self.font())
+                font.setWeight(QFont.Weight.DemiBold if is_current else QFont.Weight.Normal)
+                painter.setFont(font)
+                painter.setPen(theme().color("window_text" if is_current else "muted"))
+                text = QRect(sign.right() + 12, place.top(), place.width(), place.height())
+                painter.drawText(text, Qt.AlignmentFlag.AlignVCenter, self.tabText(index))
+
+
+class Places(QTabWidget):
+    """Tabs in a column; in a narrow window they are icons."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.bar = PlaceBar(self)
+        self.setTabBar(self.bar)
+        self.setTabPosition(QTabWidget.TabPosition.West)
+        self.setDocumentMode(True)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # the tabs have it
+        theme().changed.connect(self.update)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        self.bar.set_narrow(self.width() < _NARROW)
+        super().resizeEvent(event)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        del event
+        column = QRect(self.bar.x(), 0, self.bar.width(), self.height())
+        with Painter(self) as painter:
+            painter.fillRect(column, theme().color("base"))
+            painter.setPen(QPen(theme().color("hairline"), 1))
+            edge = column.right() if not self.isRightToLeft() else column.left()
+            painter.drawLine(QPointF(edge, 0), QPointF(edge, self.height()))
