@@ -1009,6 +1009,8 @@
         <translation>Seiten</translation></message>
     <message><source>a robot</source>
         <translation>ein Roboter</translation></message>
+    <message><source>Diagnostics</source>
+        <translation>Diagnose</translation></message>
     <message><source>Demo Aracna</source>
         <translation>Demo-Aracna</translation></message>
     <message><source>a pose file of an Aracna</source>

@@ -1009,6 +1009,8 @@
         <translation>Pages</translation></message>
     <message><source>a robot</source>
         <translation>un robot</translation></message>
+    <message><source>Diagnostics</source>
+        <translation>Diagnostic</translation></message>
     <message><source>Demo Aracna</source>
         <translation>Démo Aracna</translation></message>
     <message><source>a pose file of an Aracna</source>

@@ -50,10 +50,8 @@ def check(driver: WindowDriver, window: QWidget, case: str = "") -> None:
 
 
 def check_pages(window: WindowDriver) -> None:
-    tabs = window.window.pages
-    for index in filter(tabs.isTabVisible, range(tabs.count())):
-        tabs.setCurrentIndex(index)
-        check(window, window.window, tabs.tabText(index))
+    for page in window.each_page():
+        check(window, window.window, page.objectName())
 
 
 @each_scheme

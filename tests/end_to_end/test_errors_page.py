@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLabel, QPlainTextEdit, QTableWidget
+from PySide6.QtWidgets import QLabel, QPlainTextEdit, QTableWidget, QTabWidget
 
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
@@ -42,8 +42,7 @@ def test_errors_are_shown_until_they_are_cleared_and_reset(
     quick_simulator.do("fault 2 off")
     window.connect(quick_simulator.url)
     assert page.text("rateValue") == "–", "short, so that it is in one line"
-    tabs = window.window.pages
-    index = tabs.currentIndex()
+    tabs, index = window.find(QTabWidget, "diagnosticsPage"), 0
     page.wait(lambda: row(page, "Motor 2 fault")["Last seen"] == "before connecting")
     assert row(page, "Motor 2 fault")["Count"] == "0"
     texts = [event.text for event in window.device.events.all]

@@ -51,11 +51,7 @@ def test_f1_opens_help_on_each_page(window: WindowDriver) -> None:
     for key, topics in (("trex", trex.TOPICS), ("aracna", aracna.TOPICS)):
         window.program.device_manager.switch_to(key, lambda: None)
         spaces[key].make_pages()
-        tabs = spaces[key].pages
-        for index in range(tabs.count()):
-            tabs.setCurrentIndex(index)
-            page = tabs.widget(index)
-            assert page is not None
+        for page in window.each_page():
             name = page.objectName().removesuffix("Area")
             assert press_f1(window, window.window) == topics[name], name
 

@@ -83,14 +83,10 @@ def check_window(window: QWidget, screen: QRect, stop: QAbstractButton | None) -
 def check_pages(window: WindowDriver, screen: QRect, stop: str, panel: str) -> None:
     """Check the main window with each page, with the panel of the simulated device and without."""
     dock = window.find(QDockWidget, panel)
-    tabs = window.window.pages
-    for index in filter(tabs.isTabVisible, range(tabs.count())):
-        tabs.setCurrentIndex(index)
+    for page in window.each_page():
         runtime().sleep(0.3)
         assert dock.isVisible()
         check_window(window.window, screen, window.button(stop))
-        page = tabs.widget(index)
-        assert page is not None
         for box in (page, *page.findChildren(ScrollBox), dock.widget()):
             assert isinstance(box, ScrollBox)
             content = box.widget()
@@ -262,11 +258,9 @@ def asking(
 
 def test_stop_button_is_visible_on_low_screen(asking: AskingWindow) -> None:
     asking.edit()
-    tabs = asking.window.pages
-    for index in filter(tabs.isTabVisible, range(tabs.count())):
+    for page in asking.each_page():
         asking.window.resize(*HIGH)
-        tabs.setCurrentIndex(index)
-        asking.check_that_stop_is_in_sight(tabs.tabText(index))
+        asking.check_that_stop_is_in_sight(page.objectName())
 
     asking.device.notifier.error.emit(
         "Something went wrong, and it takes a while to say what. " * 6

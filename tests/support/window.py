@@ -5,7 +5,7 @@ program. A page object is a `WidgetDriver` for one page, panel or dialog, with t
 only this page has. All work in virtual and in real time: the `qtbot` that they get decides.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TypeVar
 
@@ -273,6 +273,15 @@ class WindowDriver(WidgetDriver):
         keys = [entry.key.removeprefix(f"{workspace.key}_") for entry in entries]
         workspace.show_page(next(key for key in keys if name.lower().endswith(f"{key}page")))
         return WidgetDriver(self.find(QWidget, name), self.qtbot)
+
+    def each_page(self) -> Iterator[QWidget]:
+        """Show one page after the other, in the area that scrolls it."""
+        workspace = self.program.workspace(self.program.device_manager.current.plugin.key)
+        for number in range(workspace.count):
+            workspace.show_number(number)
+            page = workspace.page_at(number)
+            assert page is not None
+            yield page
 
     def dialog(self, name: str) -> WidgetDriver:
         """Return the dialog with this object name."""

@@ -85,16 +85,17 @@ def test_pages_and_plots_are_made_when_they_are_shown_or_the_window_is_painted(
     started: Program,
 ) -> None:
     assert _pages(started) == {"boardPage"}
-    started.window.pages.setCurrentIndex(3)
-    assert _pages(started) == {"boardPage", "motorsPage"}
     tabs = started.window.pages
     titles = [tabs.tabText(index) for index in range(tabs.count())]
+    assert titles == ["Board", "Channels", "Motors", "Currents", "Parameters", "Diagnostics"]
+    tabs.setCurrentIndex(2)
+    assert _pages(started) == {"boardPage", "motorsPage"}
     started.connect_to_demo("trex")
     assert _pages(started) == {"boardPage", "motorsPage"}
     started.complete()
     assert _pages(started) == {"boardPage", "motorsPage", "parametersPage"}
     assert [tabs.tabText(index) for index in range(tabs.count())] == titles
-    assert tabs.currentIndex() == 3
+    assert tabs.currentIndex() == 2
     assert started.window.findChild(QWidget, "curvePlot") is None
     started.make_plots()
     assert started.window.findChild(QWidget, "curvePlot") is not None

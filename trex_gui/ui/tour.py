@@ -23,6 +23,7 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.frame.workspace import Workspace
 from trex_gui.ui.program import Program
 from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.theme.theme import Scheme, theme
@@ -116,15 +117,16 @@ class Tour(QObject):
         window = self._program.window
         for scheme in self._schemes:
             yield partial(theme().set_scheme, scheme)
-            tabs = window.pages
-            for index in range(1 if first_only else tabs.count()):
-                yield partial(self._show_page, tabs, index)
-                page = tabs.widget(index)
+            device = self._program.device_manager.current
+            workspace = self._program.workspace(device.plugin.key)
+            for index in range(1 if first_only else workspace.count):
+                yield partial(self._show_page, workspace, index)
+                page = workspace.page_at(index)
                 name = page.objectName().removesuffix("PageArea") if page else str(index)
                 yield partial(self._write, window, f"{name}{state}", scheme)
 
-    def _show_page(self, tabs: QTabWidget, index: int) -> None:
-        tabs.setCurrentIndex(index)
+    def _show_page(self, workspace: Workspace, number: int) -> None:
+        workspace.show_number(number)
         for dock in () if self._shows_docks else self._program.window.findChildren(QDockWidget):
             dock.hide()
 

@@ -70,7 +70,7 @@ def _trex_windows(
 ) -> Iterator[QWidget]:
     choice = (str(folder / "a.txt"), "")
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_, **__: choice)
-    yield from _tabs(window.window, window.window.pages)
+    yield from _pages(window)
     window.trigger("line")
     yield from _dialogs(window.window, "line")
     about = _about_box(window, monkeypatch)
@@ -78,7 +78,7 @@ def _trex_windows(
     about.close()
     window.connect_to_demo()
     window.device.parameters.edit("serial_timeout", 15)
-    yield from _tabs(window.window, window.window.pages)
+    yield from _pages(window)
     for open_window in WINDOWS_WITH_STOP:
         shown = open_window(window, folder)
         window.wait(shown.isVisible)
@@ -115,12 +115,18 @@ def every_aracna_window(window: WindowDriver, folder: Path) -> Iterator[QWidget]
     window.program.device_manager.switch_to("aracna", lambda: None)
     yield window.window
     window.connect_to_demo("aracna")
-    yield from _tabs(window.window, window.window.pages)
+    yield from _pages(window)
     (folder / "bad.ppr").write_text("pose a 1 2\n", "utf-8")
     for open_file in aracna(window.program).workspace.openers.values():
         open_file(folder / "bad.ppr")
         window.wait_for_files()
         assert window.has("banner")
+        yield window.window
+
+
+def _pages(window: WindowDriver) -> Iterator[QWidget]:
+    for _ in window.each_page():
+        runtime().sleep(0.3)
         yield window.window
 
 

@@ -145,9 +145,9 @@ class MainWindow(QMainWindow):
             keep_on_screen(self)
             self.restoreState(self._store.data("window/state"))
         page_key = f"{workspace.key}/page"
-        page = self._store.integer(page_key, 0, 0, workspace.pages.count() - 1)
-        workspace.pages.setCurrentIndex(page)
-        workspace.pages.currentChanged.connect(partial(self._store.set, page_key))
+        page = self._store.integer(page_key, 0, 0, workspace.count - 1)
+        workspace.show_number(page)
+        workspace.page_changed.connect(partial(self._store.set, page_key))
         for each in self._workspaces:
             each.take_actions(self._actions)
         self._show_current()
@@ -374,7 +374,8 @@ class MainWindow(QMainWindow):
         topics = dict(HELP_TOPICS)
         for workspace in self._workspaces:
             topics |= workspace.help_topics
-        self.show_help(topic_in_front(topics, self.pages.currentWidget()))
+        page = self._workspace.page_at(self._workspace.current)
+        self.show_help(topic_in_front(topics, page))
 
     @Slot(str)
     def show_help(self, topic: str) -> None:

@@ -6,9 +6,9 @@ from enum import Enum, auto
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QSignalBlocker, Signal
+from PySide6.QtCore import QSignalBlocker, Signal, Slot
 from PySide6.QtGui import QAction, QKeySequence
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QStackedWidget, QWidget
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QStackedWidget, QTabWidget, QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.ui.frame.places import Places
@@ -70,6 +70,8 @@ class PageInfo:
     title: str  # of its tab, with the mnemonic of its menu entry
     make: Callable[[], QWidget]  # called once: when it is first shown, or soon after the start
     icon: str = "info"  # beside the title
+    # Object name and title of the place that it shares with the pages next to it, if it does
+    place: tuple[str, str] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,6 +89,7 @@ class Workspace(QWidget):
     """
 
     actions_changed = Signal()  # `enabled_actions`
+    page_changed = Signal(int)  # the number of the page that is shown now, from 0
 
     bar: QWidget  # with the stop button
 
@@ -109,36 +112,83 @@ class Workspace(QWidget):
         self.pages = Places(self)
         self._actions: Mapping[str, QAction] = {}  # by key, once the menus are built
         self._infos: tuple[PageInfo, ...] = ()
+        self._holders: list[tuple[QTabWidget, int]] = []  # of each page: where, and the index
         self._missing: set[int] = set()  # pages that are not made yet
 
     def add_pages(self, infos: Sequence[PageInfo]) -> None:
-        """Add a tab for each page; the tab is found by the object name of the page."""
+        """Add a place for each page, or for several that share one and have tabs in it.
+
+        A page is found by its object name.
+        """
         self._infos = tuple(infos)
         self._missing = set(range(len(infos)))
-        for info in infos:
-            self.pages.addTab(QWidget(self), info.title.replace("&", ""))
-        self.pages.bar.icons = [info.icon for info in infos]
-        self._make_page(self.pages.currentIndex())
-        self.pages.currentChanged.connect(self._make_page)
+        icons = []
+        holder: QTabWidget = self.pages
+        for before, info in zip((None, *infos), infos, strict=False):
+            if before is None or info.place is None or before.place != info.place:
+                icons.append(info.icon)
+                holder = self._new_place(info)
+            holder.addTab(QWidget(self), info.title.replace("&", ""))
+            self._holders.append((holder, holder.count() - 1))
+        self.pages.bar.icons = icons
+        for holder in {holder: None for holder, _ in self._holders}:
+            holder.currentChanged.connect(self._on_current_changed)
+        self._make_page(self.current)
+
+    def _new_place(self, info: PageInfo) -> QTabWidget:
+        """Return what has the tab of a page: the places, or one of them with tabs of its own."""
+        if info.place is None:
+            return self.pages
+        name, title = info.place
+        shared = ui.named(QTabWidget(self), name, accessible=title)
+        shared.setDocumentMode(True)
+        self.pages.addTab(shared, title)
+        return shared
+
+    @property
+    def current(self) -> int:
+        """The number of the page that is shown, from 0."""
+        shown = {self.pages, self.pages.currentWidget()}
+        current = (
+            number
+            for number, (holder, index) in enumerate(self._holders)
+            if holder in shown and holder.currentIndex() == index
+        )
+        return next(current, 0)
+
+    @property
+    def count(self) -> int:
+        return len(self._infos)
+
+    def page_at(self, number: int) -> QWidget | None:
+        """Return a page, in the area that scrolls it; an empty one if it is not made yet."""
+        holder, index = self._holders[number]
+        return holder.widget(index)
+
+    @Slot()
+    def _on_current_changed(self) -> None:
+        self._make_page(self.current)
+        self.page_changed.emit(self.current)
 
     def make_pages(self) -> None:
         """Make the pages that were not shown yet."""
-        for index in sorted(self._missing):
-            self._make_page(index)
+        for number in sorted(self._missing):
+            self._make_page(number)
 
-    def _make_page(self, index: int) -> None:
-        if index not in self._missing:
+    def _make_page(self, number: int) -> None:
+        if number not in self._missing:
             return
-        self._missing.remove(index)
-        current, placeholder = self.pages.currentIndex(), self.pages.widget(index)
-        page = self._infos[index].make()
-        box = ScrollBox(page, self.pages.findChild(QStackedWidget) or self)  # where it stays
-        with QSignalBlocker(self.pages):  # the current page stays the same
-            self.pages.insertTab(index, box, self.pages.tabText(index))
-            self.pages.removeTab(index + 1)
-            self.pages.setCurrentIndex(current)
+        self._missing.remove(number)
+        holder, index = self._holders[number]
+        current, placeholder = holder.currentIndex(), holder.widget(index)
+        page = self._infos[number].make()
+        box = ScrollBox(page, holder.findChild(QStackedWidget) or self)  # where it stays
+        with QSignalBlocker(holder):  # the current page stays the same
+            holder.insertTab(index, box, holder.tabText(index))
+            holder.removeTab(index + 1)
+            holder.setCurrentIndex(current)
         # It was made after what is below the pages, and a plot is made later still.
-        order = partial(ui.tab_order, self.pages.tabBar(), box)
+        order = partial(ui.tab_order, holder.tabBar(), box)
         order()
         if isinstance(page, PlotPage):
             page.plot_added.connect(order)
@@ -146,15 +196,28 @@ class Workspace(QWidget):
             placeholder.deleteLater()
 
     def show_page(self, key: str) -> None:
-        self.pages.setCurrentIndex(self._index_of(key))
+        self.show_number(self._number_of(key))
+
+    def show_number(self, number: int) -> None:
+        holder, index = self._holders[number]
+        holder.setCurrentIndex(index)
+        if holder is not self.pages:
+            self.pages.setCurrentWidget(holder)
 
     def set_page_title(self, key: str, title: str) -> None:
-        """Change the title on the tab of a page; its entry in the Window menu stays."""
-        index = self._index_of(key)
-        if self.pages.tabText(index) != title:
-            self.pages.setTabText(index, title)
+        """Change the title on the tab of a page, and what follows it on that of its place.
 
-    def _index_of(self, key: str) -> int:
+        Its entry in the Window menu stays.
+        """
+        number = self._number_of(key)
+        (holder, index), info = self._holders[number], self._infos[number]
+        if holder.tabText(index) != title:
+            holder.setTabText(index, title)
+            if info.place is not None:
+                more = title.removeprefix(info.title.replace("&", ""))
+                self.pages.setTabText(self.pages.indexOf(holder), f"{info.place[1]}{more}")
+
+    def _number_of(self, key: str) -> int:
         return [info.key for info in self._infos].index(key)
 
     def page_entries(self) -> Entries:

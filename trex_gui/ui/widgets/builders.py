@@ -38,6 +38,7 @@ from PySide6.QtWidgets import (
     QSpinBox,
     QSplitter,
     QTableView,
+    QTabWidget,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -471,7 +472,10 @@ def tab_order(*parts: QWidget) -> None:
 def _tab_stops(part: QWidget) -> Iterator[QWidget]:
     if part.focusPolicy() & Qt.FocusPolicy.TabFocus:
         yield part
-    if isinstance(part, QSplitter):  # it changes the order of its children
+    if isinstance(part, QTabWidget):  # its tabs are its last child
+        pages = (part.widget(index) for index in range(part.count()))
+        inside = [part.tabBar(), *(page for page in pages if page)]
+    elif isinstance(part, QSplitter):  # it changes the order of its children
         inside = [found for index in range(part.count()) if (found := part.widget(index))]
     else:
         inside = part.findChildren(QWidget, options=Qt.FindChildOption.FindDirectChildrenOnly)
@@ -536,7 +540,8 @@ def _connected(
     made: ButtonT, icon: str, on_click: Handler | None, on_toggle: Handler | None
 ) -> ButtonT:
     if icon:
-        set_icon(made, icon)
+        is_primary = made.property("look") == "primary"
+        set_icon(made, icon, "primary_text" if is_primary else "icon")
     _connect(made.clicked, on_click)
     _connect(made.toggled, on_toggle)
     return made

@@ -91,12 +91,13 @@ class AracnaWorkspace(Workspace):
         self._page = page = RobotPage(robot, self._make_start_panel(), self)
         self._poses = PosesPage(robot, self.library, self)
         traffic = TrafficPage(robot.traffic, "aracnaTranscript", tr("a robot"), self.notifier, self)
+        trouble = "aracnaDiagnosticsPage", tr("Diagnostics")
         self.add_pages(
             (
                 PageInfo("robot", tr("R&obot"), lambda: page, "board"),
                 PageInfo("poses", tr("Pos&es"), lambda: self._poses, "copy"),
-                PageInfo("log", tr("Lo&g"), self._make_log_page, "history"),
-                PageInfo("transcript", tr("&Traffic"), lambda: traffic, "console"),
+                PageInfo("log", tr("Lo&g"), self._make_log_page, "warning", trouble),
+                PageInfo("transcript", tr("&Traffic"), lambda: traffic, "", trouble),
             )
         )
         self.make_pages()  # those that are there already would cover the first

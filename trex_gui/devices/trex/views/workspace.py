@@ -77,21 +77,25 @@ class TrexWorkspace(Workspace):
         panel.file_requested.connect(self._apply_to_boards)
         tabs = ui.named(self.pages, "tabs", accessible=tr("Pages"))
         ui.tab_order(panel, tabs.tabBar())
+        channels = "channelsPlace", tr("Channels")
+        trouble = "diagnosticsPage", tr("Diagnostics")
+        make_channels, make_errors = (
+            partial(ChannelsPage, device, self),
+            partial(ErrorsPage, device, self),
+        )
         self.add_pages(
             (
                 PageInfo("board", tr("B&oard"), self._make_board_page, "board"),
+                PageInfo("channels", tr("&Channels"), make_channels, "channels", channels),
                 PageInfo(
-                    "channels", tr("&Channels"), partial(ChannelsPage, device, self), "channels"
-                ),
-                PageInfo(
-                    "calibration", tr("Cali&bration"), self._make_calibration_page, "calibrate"
+                    "calibration", tr("Cali&bration"), self._make_calibration_page, "", channels
                 ),
                 PageInfo("motors", tr("&Motors"), self._make_motors_page, "motor"),
                 PageInfo("currents", tr("C&urrents"), self._make_currents_page, "plot"),
                 PageInfo("parameters", tr("&Parameters"), self._make_parameters_page, "settings"),
-                PageInfo("errors", tr("&Errors"), partial(ErrorsPage, device, self), "warning"),
-                PageInfo("log", tr("Lo&g"), self._make_log_page, "history"),
-                PageInfo("transcript", tr("T&raffic"), self._make_traffic_page, "console"),
+                PageInfo("errors", tr("&Errors"), make_errors, "warning", trouble),
+                PageInfo("log", tr("Lo&g"), self._make_log_page, "", trouble),
+                PageInfo("transcript", tr("T&raffic"), self._make_traffic_page, "", trouble),
             )
         )
 

@@ -9,7 +9,7 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.descriptions import CURRENT_ACCURACY
 from trex_gui.devices.trex.views.bars import CurrentBar, OutputBar
-from trex_gui.ui.theme.theme import set_look, theme
+from trex_gui.ui.theme.theme import set_look, set_text_color, theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import keep_room
 from trex_gui.ui.widgets.labels import ElidedLabel
@@ -31,8 +31,10 @@ class SpeedSlider(PressSlider):
     End and the wheel do nothing: neither one key nor scrolling must drive a motor.
     """
 
-    def __init__(self, lowest: int, parent: QWidget | None = None) -> None:
+    def __init__(self, lowest: int, parent: QWidget | None = None, color: str = "bar") -> None:
+        """`color` is that of the motor in the theme."""
         super().__init__(lowest, FULL_SCALE, parent)
+        self._color = color
         self._ceiling = FULL_SCALE
         self.setPageStep(16)
 
@@ -99,7 +101,7 @@ class SpeedSlider(PressSlider):
                 painter.fillRect(x - 1, middle - 7, 2, 15, theme().color("mark"))
         zero, here = self.x_of(0, handle), handle.center().x()
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(theme().color("bar"))
+        painter.setBrush(theme().color(self._color))
         painter.drawRect(QRect(min(zero, here), middle - 2, abs(here - zero), 5))
 
     def paint_below(self, painter: QPainter, handle: QRect) -> None:
@@ -199,7 +201,9 @@ class DriveControl(QWidget):
 
         self._title = ui.label(self, f"{name}Title", bold=True)
         # Its signals report whether the user holds it
-        self.slider = ui.named(SpeedSlider(lowest, self), f"{name}Slider")
+        color = "auxiliary" if name == "aux" else name
+        set_text_color(self._title, color)
+        self.slider = ui.named(SpeedSlider(lowest, self, color), f"{name}Slider")
         self._entry = ui.named(SpeedEntry(self), f"{name}Entry")
         self._entry.setRange(-FULL_SCALE, FULL_SCALE)
         self._entry.setMinimumWidth(self._entry.sizeHint().width() + 8)  # as wide with any range
