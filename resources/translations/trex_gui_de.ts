@@ -3057,6 +3057,8 @@
         <translation>Gerätenummer {0}</translation></message>
     <message><source>None since {0}.</source>
         <translation>Keine seit {0}.</translation></message>
+    <message><source>no limit</source>
+        <translation>keine Grenze</translation></message>
     <message><source>Mode jumper</source>
         <translation>Modus-Jumper</translation></message>
     <message><source>Mix jumper</source>
@@ -3077,10 +3079,18 @@
         <translation>Grün</translation></message>
     <message><source>Mode: not known</source>
         <translation>Modus: nicht bekannt</translation></message>
+    <message><source>channels drive</source>
+        <translation>Kanäle steuern</translation></message>
     <message><source>Mix: not known</source>
         <translation>Mix: nicht bekannt</translation></message>
     <message><source>move a stick to see</source>
         <translation>Knüppel bewegen, um es zu sehen</translation></message>
+    <message><source>one stick drives both motors</source>
+        <translation>ein Knüppel steuert beide Motoren</translation></message>
+    <message><source>each channel has its motor</source>
+        <translation>jeder Kanal hat seinen Motor</translation></message>
+    <message><source>for RC and analog mode</source>
+        <translation>für RC- und Analogmodus</translation></message>
     <message><source>SO–G: not known</source>
         <translation>SO–G: nicht bekannt</translation></message>
     <message><source>SO–G: off</source>
@@ -3089,10 +3099,10 @@
         <translation>Antworten erreichen diesen Computer</translation></message>
     <message><source>not known</source>
         <translation>nicht bekannt</translation></message>
+    <message><source>works with motor 1</source>
+        <translation>arbeitet mit Motor 1</translation></message>
     <message><source>not armed</source>
         <translation>nicht freigegeben</translation></message>
-    <message><source>{0}, limit {1:.1f} A</source>
-        <translation>{0}, Grenze {1:.1f} A</translation></message>
     <message><source>{0:.0f} reads/s, {1:.1f} % answered</source>
         <translation>{0:.0f} Abfragen/s, {1:.1f} % beantwortet</translation></message>
     <message><source>CH{0}</source>
@@ -3105,22 +3115,24 @@
         <translation>RC</translation></message>
     <message><source>Analog</source>
         <translation>Analog</translation></message>
-    <message><source>channels drive</source>
-        <translation>Kanäle steuern</translation></message>
+    <message><source>channel 5 hands over</source>
+        <translation>Kanal 5 übergibt</translation></message>
     <message><source>Mix: on</source>
         <translation>Mix: gesteckt</translation></message>
-    <message><source>one stick drives both motors</source>
-        <translation>ein Knüppel steuert beide Motoren</translation></message>
     <message><source>Mix: off</source>
         <translation>Mix: ab</translation></message>
-    <message><source>each channel drives its motor</source>
-        <translation>jeder Kanal steuert seinen Motor</translation></message>
-    <message><source>{0}, no limit</source>
-        <translation>{0}, keine Grenze</translation></message>
+    <message><source>held by safe-start</source>
+        <translation>vom Sicherheitsstart gehalten</translation></message>
+    <message><source>limit {0:.1f} A</source>
+        <translation>Grenze {0:.1f} A</translation></message>
     <message><source>Channel {0}, {1}</source>
         <translation>Kanal {0}, {1}</translation></message>
+    <message><source>may still turn</source>
+        <translation>dreht sich vielleicht noch</translation></message>
     <message><source>Mode: {0}</source>
         <translation>Modus: {0}</translation></message>
+    <message><source>{0} (doubtful)</source>
+        <translation>{0} (zweifelhaft)</translation></message>
     <message><source>Click a board, or press Enter, to show it on every page. Motors stop first.</source>
         <translation>Klicken Sie auf ein Board oder drücken Sie Enter, um es auf jeder Seite zu zeigen. Zuvor werden die Motoren gestoppt.</translation></message>
     <message><source>Ask for each device number which board has it; nothing is changed</source>

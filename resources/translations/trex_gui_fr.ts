@@ -3057,6 +3057,8 @@
         <translation>numéro d'appareil {0}</translation></message>
     <message><source>None since {0}.</source>
         <translation>Aucun depuis {0}.</translation></message>
+    <message><source>no limit</source>
+        <translation>sans limite</translation></message>
     <message><source>Mode jumper</source>
         <translation>Cavalier de mode</translation></message>
     <message><source>Mix jumper</source>
@@ -3077,10 +3079,18 @@
         <translation>Vert</translation></message>
     <message><source>Mode: not known</source>
         <translation>Mode : inconnu</translation></message>
+    <message><source>channels drive</source>
+        <translation>les voies commandent</translation></message>
     <message><source>Mix: not known</source>
         <translation>Mixage : inconnu</translation></message>
     <message><source>move a stick to see</source>
         <translation>bougez un manche pour le voir</translation></message>
+    <message><source>one stick drives both motors</source>
+        <translation>un manche commande les deux moteurs</translation></message>
+    <message><source>each channel has its motor</source>
+        <translation>chaque voie a son moteur</translation></message>
+    <message><source>for RC and analog mode</source>
+        <translation>pour les modes RC et analogique</translation></message>
     <message><source>SO–G: not known</source>
         <translation>SO–G : inconnu</translation></message>
     <message><source>SO–G: off</source>
@@ -3089,10 +3099,10 @@
         <translation>les réponses arrivent à cet ordinateur</translation></message>
     <message><source>not known</source>
         <translation>inconnu</translation></message>
+    <message><source>works with motor 1</source>
+        <translation>marche avec le moteur 1</translation></message>
     <message><source>not armed</source>
         <translation>non activé</translation></message>
-    <message><source>{0}, limit {1:.1f} A</source>
-        <translation>{0}, limite {1:.1f} A</translation></message>
     <message><source>{0:.0f} reads/s, {1:.1f} % answered</source>
         <translation>{0:.0f} lectures/s, {1:.1f} % répondues</translation></message>
     <message><source>CH{0}</source>
@@ -3105,22 +3115,24 @@
         <translation>RC</translation></message>
     <message><source>Analog</source>
         <translation>Analogique</translation></message>
-    <message><source>channels drive</source>
-        <translation>les voies commandent</translation></message>
+    <message><source>channel 5 hands over</source>
+        <translation>la voie 5 passe la main</translation></message>
     <message><source>Mix: on</source>
         <translation>Mixage : en place</translation></message>
-    <message><source>one stick drives both motors</source>
-        <translation>un manche commande les deux moteurs</translation></message>
     <message><source>Mix: off</source>
         <translation>Mixage : retiré</translation></message>
-    <message><source>each channel drives its motor</source>
-        <translation>chaque voie commande son moteur</translation></message>
-    <message><source>{0}, no limit</source>
-        <translation>{0}, sans limite</translation></message>
+    <message><source>held by safe-start</source>
+        <translation>retenu par le démarrage sûr</translation></message>
+    <message><source>limit {0:.1f} A</source>
+        <translation>limite {0:.1f} A</translation></message>
     <message><source>Channel {0}, {1}</source>
         <translation>Voie {0}, {1}</translation></message>
+    <message><source>may still turn</source>
+        <translation>tourne peut-être encore</translation></message>
     <message><source>Mode: {0}</source>
         <translation>Mode : {0}</translation></message>
+    <message><source>{0} (doubtful)</source>
+        <translation>{0} (douteux)</translation></message>
     <message><source>Click a board, or press Enter, to show it on every page. Motors stop first.</source>
         <translation>Cliquez sur une carte, ou appuyez sur Entrée, pour l'afficher sur toutes les pages. Les moteurs s'arrêtent d'abord.</translation></message>
     <message><source>Ask for each device number which board has it; nothing is changed</source>

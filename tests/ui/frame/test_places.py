@@ -34,6 +34,10 @@ def test_names_are_shown_where_there_is_room(places: Places) -> None:
     assert len({picture.pixel(x, 18) for x in range(picture.width())}) > 2
 
 
+def test_places_are_reached_with_tab(places: Places) -> None:
+    assert places.bar.focusPolicy() is Qt.FocusPolicy.TabFocus
+
+
 def test_arrow_keys_go_through_the_places_that_are_shown(places: Places) -> None:
     for key, index in (
         (Qt.Key.Key_Down, 2),

@@ -77,6 +77,10 @@ PAIRS = (
     ("placeholder_text", "base"),
     ("stop_text", "stop"),
     ("primary_text", "primary"),
+    ("primary_text", "primary_down"),
+    ("stop_text", "stop_down"),
+    ("armed_text", "armed_down"),
+    ("armed_muted", "armed"),
     ("armed_text", "armed"),
     ("text", "selected"),
     ("muted", "base"),
@@ -168,7 +172,8 @@ def test_look_of_a_button_has_its_colour(
     theme().set_scheme(scheme)
     button.resize(100, 30)
     button.setDown(down)
-    assert button.grab().toImage().pixelColor(50, 15) == theme().color(look)
+    name = f"{look}_down" if down else look
+    assert button.grab().toImage().pixelColor(50, 15) == theme().color(name)
 
 
 def test_every_icon_draws_something() -> None:

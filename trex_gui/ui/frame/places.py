@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt
+from PySide6.QtCore import QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QFont, QKeyEvent, QPaintEvent, QPen, QResizeEvent
 from PySide6.QtWidgets import QTabBar, QTabWidget, QWidget
 
@@ -25,15 +25,16 @@ class PlaceBar(QTabBar):
         self.setExpanding(False)
         self.setUsesScrollButtons(False)
         self.setElideMode(Qt.TextElideMode.ElideNone)
-        follow_theme(self, "sizes", self._renew)
+        follow_theme(self, "sizes", self.show_names)
 
     def set_narrow(self, narrow: bool) -> None:
         """Show icons only, with the names as tool tips."""
         if narrow != self.is_narrow:
             self.is_narrow = narrow
-            self._renew()
+            self.show_names()
 
-    def _renew(self) -> None:
+    def show_names(self) -> None:
+        """Show the names as they are now, in the tabs or in their tool tips."""
         for index in range(self.count()):  # the tabs ask for their sizes
             self.setTabText(index, self.tabText(index))
             self.setTabToolTip(index, self.tabText(index) if self.is_narrow else "")
@@ -105,7 +106,8 @@ class Places(QTabWidget):
         self.setTabBar(self.bar)
         self.setTabPosition(QTabWidget.TabPosition.West)
         self.setDocumentMode(True)
-        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # the tabs have it
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.bar.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         theme().changed.connect(self.update)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -118,5 +120,4 @@ class Places(QTabWidget):
         with Painter(self) as painter:
             painter.fillRect(column, theme().color("base"))
             painter.setPen(QPen(theme().color("hairline"), 1))
-            edge = column.right() if not self.isRightToLeft() else column.left()
-            painter.drawLine(QPointF(edge, 0), QPointF(edge, self.height()))
+            painter.drawLine(column.topRight(), column.bottomRight())

@@ -216,6 +216,7 @@ class Workspace(QWidget):
             if info.place is not None:
                 more = title.removeprefix(info.title.replace("&", ""))
                 self.pages.setTabText(self.pages.indexOf(holder), f"{info.place[1]}{more}")
+                self.pages.bar.show_names()
 
     def _number_of(self, key: str) -> int:
         return [info.key for info in self._infos].index(key)

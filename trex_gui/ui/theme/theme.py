@@ -300,3 +300,6 @@ def set_style_property(widget: QWidget, name: str, value: object) -> None:
         for each in (widget, *widget.findChildren(QWidget)):
             each.style().unpolish(each)
             each.style().polish(each)
+            options = Qt.FindChildOption.FindDirectChildrenOnly
+            if (follower := each.findChild(_Follower, "textColor", options)) is not None:
+                follower.apply()  # the style restores the palette of before

@@ -63,12 +63,12 @@ class Card(QGroupBox):
         super().__init__(parent)
         self._title = label(self, size="heading")
         self.setTitle(title)
-        self.ensurePolished()  # a layout that is made before would not leave room for the title
 
     def setTitle(self, title: str) -> None:  # noqa: N802 - of Qt
-        super().setTitle(title)  # screen readers need it; the style sheet hides it
         self._title.setText(title)
         set_style_property(self, "titled", bool(title))
+        self.ensurePolished()  # Qt leaves the room that the style says now
+        super().setTitle(title)  # screen readers need it; the style sheet hides it
 
     def minimumSizeHint(self) -> QSize:
         title = self._title.sizeHint().width() + 2 * (CARD_PADDING + 1)

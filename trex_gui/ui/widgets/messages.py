@@ -190,7 +190,6 @@ class Banner(_MessageRow):
             set_sign(self._sign, sign, "stop_text" if is_danger else sign, 4)
         set_style_property(self, "danger", is_danger)
         ui.set_bold(self._text, is_danger)
-        self._dismiss.setAutoRaise(not is_danger)  # its flat text is hardly legible on red
         self._text.setText(text)
         self._help.setVisible(bool(text and self._help_topic(text)))
         # Screen readers need a name while there is no message.

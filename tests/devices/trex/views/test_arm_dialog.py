@@ -3,6 +3,8 @@
 from collections.abc import Iterator
 
 import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QPushButton, QWidget
 from pytestqt.qtbot import QtBot
 
@@ -86,3 +88,28 @@ def test_simulated_board_of_the_program_is_armed_at_once(arming: Arming) -> None
     arming.connect(name="Demo")
     arming.click("runButton")
     assert arming.device.motors.armed
+
+
+def test_keys_that_disarm_do_not_arm_again(arming: Arming) -> None:
+    """Nor does a press that began while the button did something else."""
+    arming.connect(name="Demo")
+    motors, button = arming.device.motors, arming.find(ArmButton, "runButton")
+
+    def is_armed() -> bool:
+        return motors.armed
+
+    arming.click("runButton")
+    assert is_armed()
+    button.setFocus()
+    for _ in range(2):
+        QTest.keyClick(button, Qt.Key.Key_Space)
+    assert not is_armed()
+
+    arming.wait(lambda: motors.can_arm and button.takes_clicks)
+    arming.click("runButton")
+    assert is_armed()
+    arming.wait(lambda: button.takes_clicks)
+    QTest.mousePress(button, Qt.MouseButton.LeftButton)
+    motors.stop("The board restarted.")
+    QTest.mouseRelease(button, Qt.MouseButton.LeftButton)
+    assert not is_armed()

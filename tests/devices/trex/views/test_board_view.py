@@ -77,8 +77,12 @@ def test_board_in_serial_mode(drawing: Drawing, quick_simulator: SimulatedDevice
 
 def test_channels_drive_in_rc_mode(drawing: Drawing, quick_simulator: SimulatedDevice) -> None:
     quick_simulator.do("jumper mode rc")
+    quick_simulator.do("channel 1 1900us")
     quick_simulator.do("power cycle")
     drawing.connect(quick_simulator)
+    drawing.wait(lambda: "held by safe-start" in drawing.said("Motor1"))
+    quick_simulator.do("channel 1 1500us")
+    drawing.wait(lambda: ", 0, " in drawing.said("Motor1"))
     quick_simulator.do("channel 1 1900us")
     drawing.wait(lambda: "forward" in drawing.said("Motor1"))
     assert drawing.said("ModeJumper") == "Mode: RC, channels drive"

@@ -186,20 +186,19 @@ class ArmButton(ConfirmButton):
     def _on_clicked(self) -> None:
         if self._motors.armed:
             self._motors.stop()
-        else:
+            self._focus_stop()
+        elif self.takes_clicks:  # neither the second press of a key that disarmed
             arm(self._device, self.window())
 
     @Slot()
     def _on_changed(self) -> None:
-        """Give the focus to the stop button: arrow keys may change the next widget."""
-        window, armed = self.window(), self._motors.armed
-        if armed and window.focusWidget() is self:  # also behind a dialog
-            for stop in window.findChildren(StopButton):
-                if stop.window() is window:
-                    stop.setFocus()
+        armed = self._motors.armed
+        if armed and self.window().focusWidget() is self:  # also behind a dialog
+            self._focus_stop()
         text = tr("Disa&rm") if armed else tr("A&rm motors")
         if text != self.text():
             self.setText(text)
+            self.setDown(False)  # what was pressed does something else now
             self.hold_off()
         tip = tr("Stops the motors, and sends nothing until they are armed again")
         if not armed:
@@ -207,6 +206,13 @@ class ArmButton(ConfirmButton):
         self.setToolTip(tip)
         self.setAccessibleDescription(tip)
         self.setEnabled(armed or self._motors.can_arm)
+
+    def _focus_stop(self) -> None:
+        """Give the focus to the stop button: arrow keys may change the next widget."""
+        window = self.window()
+        for stop in window.findChildren(StopButton):
+            if stop.window() is window:
+                stop.setFocus()
 
 
 _MANY = 88  # changes, in a text that is as long as any

@@ -62,10 +62,11 @@ class Reasons(QWidget):
                 shown = f"<b>{escape(status.text)}</b> {escape(status.remedy)}".rstrip()
                 if not row:
                     shown = escape(status.text)
-                if text.text() != shown:
+                spoken = f"{status.text} {status.remedy}".rstrip()
+                if text.accessibleName() != spoken:
                     sign.show_sign(*SIGNS[status.blocker.effect])
                     text.setText(shown)
-                    text.setAccessibleName(f"{status.text} {status.remedy}".rstrip())
+                    text.setAccessibleName(spoken)
 
 
 class BoardPage(QWidget):
@@ -122,9 +123,11 @@ class BoardPage(QWidget):
         self._start.setVisible(is_idle)
         self._report.setVisible(not is_idle)
         self._set_up.setEnabled(self._device.is_connected)
+        facts, steps = "", ""
         if state is not None and settings is not None and self._device.is_connected:
-            self._facts.setText(" · ".join(self._facts_of(state, settings)))
-            self._open.setText(_open_text(state))
+            facts, steps = " · ".join(self._facts_of(state, settings)), _open_text(state)
+        self._facts.setText(facts)
+        self._open.setText(steps)
         self._show_problems()
         self._on_text_due()
 
@@ -161,8 +164,8 @@ class BoardPage(QWidget):
     def _show_problems(self) -> None:
         board = self._device.board
         names = [tr(one.name) for one in board.errors.entries if one.is_uncleared]
-        text = ", ".join(names)
-        if not names and board.connected_at is not None:
+        text = ", ".join(names) if self._device.is_connected else ""
+        if self._device.is_connected and not names and board.connected_at is not None:
             since = time.localtime(time.time() - (now() - board.connected_at))
             text = tr("None since {0}.").format(time.strftime("%H:%M", since))
         self._problems.setText(text)

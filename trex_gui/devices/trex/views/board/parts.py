@@ -119,7 +119,8 @@ class ChannelPart(BoardPart):
         title, role, value = (*self.lines, "", "", "")[:3]
         beside = self.fontMetrics().horizontalAdvance(f"{title}  ") + 4
         write(painter, line, title, "window_text", bold=True)
-        write(painter, line.adjusted(beside, 0, 0, 0), role, "muted")
+        taken = painter.fontMetrics().horizontalAdvance(f"{value}   ") + 8
+        write(painter, line.adjusted(beside, 0, -taken, 0), role, "muted")
         write(painter, line, value, "window_text", bold=True, align=Qt.AlignmentFlag.AlignRight)
         track = QRectF(room.left(), line.bottom() + 5, room.width(), 10)
         painter.setPen(QPen(theme().color("hairline"), 1))

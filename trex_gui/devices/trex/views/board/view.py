@@ -9,11 +9,16 @@ from PySide6.QtWidgets import QStyle, QWidget
 
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.board.quality import quality_text
-from trex_gui.devices.trex.driving.board_reasons import LED_TEXTS, led_patterns
+from trex_gui.devices.trex.driving.board_reasons import (
+    LED_TEXTS,
+    SAFE_START_FLASH,
+    BoardInputs,
+    led_patterns,
+)
 from trex_gui.devices.trex.model.channel_text import CHANNEL_NAMES
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.drive_texts import speed_text
-from trex_gui.devices.trex.protocol.flags import CHANNELS, Mode
+from trex_gui.devices.trex.model.drive_texts import setpoint_text, speed_text
+from trex_gui.devices.trex.protocol.flags import CHANNELS, Mode, Status, UartError
 from trex_gui.devices.trex.views.bars import USUAL_AXIS, widened
 from trex_gui.devices.trex.views.board.parts import (
     BoardPart,
@@ -29,7 +34,7 @@ from trex_gui.ui.theme.theme import follow_theme, scaled_font, theme
 from trex_gui.ui.widgets.painted import Painter, never_mirror
 
 _FRAME_MS = 40
-_AUXILIARY = 3  # as a motor: the channel that drives it
+_SECOND, _AUXILIARY = 2, 3  # motors: the channels that drive them
 
 # Lines of text: how wide the columns are at least and at most, and how high the rows are.
 _CHANNELS, _MOTORS, _BODY, _WIRE = (10, 17), (11, 17), (15, 28), 1.4
@@ -81,7 +86,7 @@ class BoardView(QWidget):
             )
         }
         self._serial = SerialPart("Serial", tr("Serial line"), opens("errors"), self)
-        follow_theme(self, "room", self.updateGeometry)
+        follow_theme(self, "room", self._place)
 
     # --- Places -------------------------------------------------------------------------
 
@@ -97,6 +102,10 @@ class BoardView(QWidget):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
+        self._place()
+
+    def _place(self) -> None:
+        self.updateGeometry()
         least, base, width = self.minimumSizeHint(), self.fontMetrics().height(), self.width()
         larger = min(width / least.width(), self.height() / least.height(), _LARGEST)
         line = round(base * max(1.0, larger))
@@ -188,7 +197,7 @@ class BoardView(QWidget):
         board = device.board.inputs(now()) if device.is_connected else None
         self._show_channels()
         self._show_jumpers()
-        self._show_motors()
+        self._show_motors(board)
         patterns = ("", "") if board is None else led_patterns(board)
         for led, name, pattern in zip(self._leds, (tr("Red"), tr("Green")), patterns, strict=True):
             led.pattern = pattern
@@ -199,6 +208,9 @@ class BoardView(QWidget):
             answered = Number(100 * (1 - quality.lost))
             text = tr("{0:.0f} reads/s, {1:.1f} % answered").format(Number(quality.rate), answered)
         alarm = "warning" if quality.is_noisy or not is_connected else ""
+        recent = device.board.errors.recent(1, now()) if is_connected else []
+        if errors := [tr(one.name) for one in recent if isinstance(one.bit, UartError)]:
+            text, alarm = ", ".join(errors), "danger"
         self._serial.color = alarm or "led_green"
         self._serial.show_lines(text, alarm=alarm)
         self._on_frame()
@@ -223,65 +235,83 @@ class BoardView(QWidget):
             part.show_input(axis, count, calibration)
 
     def _show_jumpers(self) -> None:
-        device, state = self._device, self._device.state
-        mix = device.mix_jumper.is_on
+        device = self._device
+        state = device.state if device.is_connected else None
         if state is None:
             self._mode.show_jumper(None, tr("Mode: not known"))
         elif state.mode.is_serial:
             self._mode.show_jumper(False, tr("Mode: off"), tr("serial mode"))
         else:
             name = tr("RC") if state.mode is Mode.RC else tr("Analog")
-            self._mode.show_jumper(True, tr("Mode: {0}").format(name), tr("channels drive"))
+            words = tr("channels drive")
+            if device.telemetry.serial_controls:
+                words = tr("channel 5 hands over")
+            self._mode.show_jumper(True, tr("Mode: {0}").format(name), words)
+        mix = device.mix_jumper.is_on if state is not None else None
         if mix is None:
             self._mix.show_jumper(None, tr("Mix: not known"), tr("move a stick to see"))
-        elif mix:
-            self._mix.show_jumper(True, tr("Mix: on"), tr("one stick drives both motors"))
         else:
-            self._mix.show_jumper(False, tr("Mix: off"), tr("each channel drives its motor"))
-        if not device.is_connected or device.connection.echo:
+            words = tr("one stick drives both motors") if mix else tr("each channel has its motor")
+            if state is not None and state.mode.is_serial:
+                words = tr("for RC and analog mode")
+            self._mix.show_jumper(mix, tr("Mix: on") if mix else tr("Mix: off"), words)
+        if state is None or device.connection.echo:
             self._so_ground.show_jumper(None, tr("SO–G: not known"))
         else:  # with the jumper no reply would come
             self._so_ground.show_jumper(False, tr("SO–G: off"), tr("replies reach this computer"))
 
-    def _show_motors(self) -> None:
-        device, telemetry = self._device, self._device.telemetry
-        by_serial, currents = telemetry.serial_controls, telemetry.motor_currents
-        recent = {m: device.board.errors.recent(m, now()) for m in (1, 2)}
-        for number, part in self._motors.items():
-            speed = self._speed_of(number, by_serial=by_serial)
-            text = tr("not known") if speed is None else speed_text(speed)
-            if number == _AUXILIARY and speed:  # it turns one way only
-                text = str(speed)
-            if speed == 0 and by_serial and not device.motors.armed:
-                text = tr("not armed")
-            part.show_speed(speed or 0)
-            lines = [part.accessibleName(), text]
-            faults = [tr(entry.name) for entry in recent.get(number, ())]
-            if number in {1, 2} and not device.board.is_joint:
-                lines.append(self._current_text(number, currents))
-            if faults:
-                lines.append(", ".join(faults))
-            part.show_lines(*lines, alarm="danger" if faults else "")
-
-    def _speed_of(self, number: int, *, by_serial: bool | None) -> int | None:
-        """Return what motor 1 or 2, or the auxiliary (3), is told now; `None`: not known."""
+    def _show_motors(self, board: BoardInputs | None) -> None:
         device = self._device
-        if not device.is_connected or by_serial is None:
-            return None
-        if not by_serial:
-            value = device.telemetry.remapped_of(number)
-            return abs(value) if number == _AUXILIARY and value is not None else value
-        if number == _AUXILIARY:
-            return device.motors.auxiliary
-        drive = device.motors.drive(number)
-        return drive.signed if drive is not None and not drive.is_brake else 0
+        for number, part in self._motors.items():
+            speed, text = self._told(number, board)
+            alarm = ""
+            is_sensed = board is not None and number != _AUXILIARY
+            recent = device.board.errors.recent(number, now()) if is_sensed else []
+            faults = [entry for entry in recent if isinstance(entry.bit, Status)]
+            lines = [part.accessibleName(), text]
+            if number != _AUXILIARY and not device.board.is_joint:
+                lines += self._current_texts(number)
+            if faults:
+                is_doubtful = all(entry.is_doubtful for entry in faults)
+                names = ", ".join(tr(entry.name) for entry in faults)
+                lines.append(tr("{0} (doubtful)").format(names) if is_doubtful else names)
+                alarm = "warning" if is_doubtful else "danger"
+            elif device.may_move and not device.motors.armed:
+                lines.append(tr("may still turn"))
+                alarm = "danger"
+            part.show_speed(0 if alarm == "danger" else speed)
+            part.show_lines(*lines, alarm=alarm)
 
-    def _current_text(self, motor: int, currents: tuple[float, float] | None) -> str:
-        limit = self._device.current_limit(motor)
-        shown = "–" if currents is None else f"{Number(currents[motor - 1]):.2f} A"
-        if limit is None:
-            return tr("{0}, no limit").format(shown)
-        return tr("{0}, limit {1:.1f} A").format(shown, Number(limit))
+    def _told(self, number: int, board: BoardInputs | None) -> tuple[int, str]:
+        """Return what motor 1 or 2, or the auxiliary (3), is told now, with words for it."""
+        device = self._device
+        if board is None:
+            return 0, tr("not known")
+        if device.board.is_joint and number == _SECOND:
+            return 0, tr("works with motor 1")
+        if not board.by_serial:
+            value = device.telemetry.remapped_of(number)
+            if value is None:
+                return 0, tr("not known")
+            if led_patterns(board)[1] == SAFE_START_FLASH:
+                return 0, tr("held by safe-start")
+            return value, str(abs(value)) if number == _AUXILIARY else speed_text(value)
+        if not device.motors.armed:
+            return 0, tr("not armed")
+        if number == _AUXILIARY:
+            return device.motors.auxiliary, str(device.motors.auxiliary)
+        drive = device.motors.drive(number)
+        if drive is None or drive.is_brake:
+            return 0, setpoint_text(drive)
+        return drive.signed, speed_text(drive.signed)
+
+    def _current_texts(self, motor: int) -> tuple[str, str]:
+        currents, limit = self._device.telemetry.motor_currents, self._device.current_limit(motor)
+        current = "–" if currents is None else f"{Number(currents[motor - 1]):.2f} A"
+        limited = tr("no limit")
+        if limit is not None:
+            limited = tr("limit {0:.1f} A").format(Number(limit))
+        return current, limited
 
     # --- What moves ---------------------------------------------------------------------
 

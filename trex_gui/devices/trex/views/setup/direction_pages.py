@@ -235,7 +235,8 @@ class WiringPage(QWidget):
         can_confirm = self._device.is_connected and not pulses.cannot_drive
         self._free.setEnabled(can_confirm)
         self._free.setChecked(pulses.wheels_are_free)
-        self._run_place.setEnabled(can_confirm and pulses.wheels_are_free)
+        may_run = can_confirm and pulses.wheels_are_free
+        self._run_place.setEnabled(may_run or self._device.motors.armed)
         for box in self._boxes:
             box.show_state(can_hold=not blocker)
         text = blocker or tr(
