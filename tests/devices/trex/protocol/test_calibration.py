@@ -9,6 +9,7 @@ from tests.support.matrix import examples
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_FIELDS,
+    DEFAULT_CALIBRATION,
     Calibration,
     CalibrationKey,
     encode_14_bits,
@@ -181,3 +182,10 @@ def test_calibration_key_is_made_of_source_and_channel(key: CalibrationKey) -> N
 def test_calibration_key_of_unknown_channel_is_rejected() -> None:
     with pytest.raises(ValueError, match="rc_channel_6"):
         CalibrationKey.of(InputSource.RC, 6)
+
+
+def test_factory_calibrations_are_the_documented_ones() -> None:
+    assert {
+        InputSource.RC: Calibration(2500, 3750, 5000, 75),
+        InputSource.ANALOG: Calibration(0, 512, 1023, 20),
+    } == DEFAULT_CALIBRATION
