@@ -263,7 +263,7 @@ class BoardView(QWidget):
     def _show_motors(self, board: BoardInputs | None) -> None:
         device = self._device
         for number, part in self._motors.items():
-            speed, text = self._told(number, board)
+            speed, text = self._setpoint_of(number, board)
             alarm = ""
             is_sensed = board is not None and number != _AUXILIARY
             recent = device.board.errors.recent(number, now()) if is_sensed else []
@@ -282,7 +282,7 @@ class BoardView(QWidget):
             part.show_speed(0 if alarm == "danger" else speed)
             part.show_lines(*lines, alarm=alarm)
 
-    def _told(self, number: int, board: BoardInputs | None) -> tuple[int, str]:
+    def _setpoint_of(self, number: int, board: BoardInputs | None) -> tuple[int, str]:
         """Return what motor 1 or 2, or the auxiliary (3), is told now, with words for it."""
         device = self._device
         if board is None:
