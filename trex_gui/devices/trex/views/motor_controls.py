@@ -94,7 +94,7 @@ class ArmDialog(QDialog):
 
 
 class TimeoutNotice(QWidget):
-    """What the motors do if the cable fails; writes a better serial timeout if there is one."""
+    """Says what the motors do if the cable fails, and can write a better serial timeout."""
 
     def __init__(self, device: Device, parent: QWidget) -> None:
         super().__init__(parent)
