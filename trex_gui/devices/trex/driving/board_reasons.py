@@ -68,11 +68,11 @@ def board_reasons(now: BoardInputs) -> tuple[Reason, ...]:
     else:
         is_rc = now.mode is Mode.RC
         reasons.append(Reason(DriveBlocker.RC_CHANNELS if is_rc else DriveBlocker.ANALOG_CHANNELS))
-        reasons += _held_by_safe_start(now)
+        reasons += held_by_safe_start(now)
     return worst_first(reasons)
 
 
-def _held_by_safe_start(now: BoardInputs) -> tuple[Reason, ...]:
+def held_by_safe_start(now: BoardInputs) -> tuple[Reason, ...]:
     """Return what safe-start waits for, if it holds the motors, or may, with channels in control.
 
     It certainly does without a required signal, and (inferred) while channel 5 requests an
@@ -197,4 +197,4 @@ def led_patterns(now: BoardInputs) -> tuple[str, str]:
     """
     if now.by_serial:
         return "on", PACKETS
-    return PACKETS, SAFE_START_FLASH if _held_by_safe_start(now) else "on"
+    return PACKETS, SAFE_START_FLASH if held_by_safe_start(now) else "on"

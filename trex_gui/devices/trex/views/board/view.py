@@ -11,8 +11,8 @@ from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.board.quality import quality_text
 from trex_gui.devices.trex.driving.board_reasons import (
     LED_TEXTS,
-    SAFE_START_FLASH,
     BoardInputs,
+    held_by_safe_start,
     led_patterns,
 )
 from trex_gui.devices.trex.model.channel_text import CHANNEL_NAMES
@@ -293,7 +293,7 @@ class BoardView(QWidget):
             value = device.telemetry.remapped_of(number)
             if value is None:
                 return 0, tr("not known")
-            if led_patterns(board)[1] == SAFE_START_FLASH:
+            if held_by_safe_start(board):
                 return 0, tr("held by safe-start")
             return value, str(abs(value)) if number == _AUXILIARY else speed_text(value)
         if not device.motors.armed:
