@@ -1,4 +1,4 @@
-"""Labels: notes, elided and muted text, signs, legend keys."""
+"""Labels: notes, elided and muted text, heads of pages, signs, legend keys."""
 
 from PySide6.QtCore import QPointF, QSize, Qt
 from PySide6.QtGui import (
@@ -8,13 +8,13 @@ from PySide6.QtGui import (
     QPaintEvent,
     QPen,
 )
-from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QLabel, QLayout, QSizePolicy, QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.ui.theme.icons import set_sign
-from trex_gui.ui.theme.theme import follow_theme, set_text_color, theme
+from trex_gui.ui.theme.theme import follow_theme, set_style_property, set_text_color, theme
 from trex_gui.ui.widgets.accessible import Spoken
-from trex_gui.ui.widgets.builders import plain, set_bold
+from trex_gui.ui.widgets.builders import column, label, plain, row, set_bold
 from trex_gui.ui.widgets.painted import never_mirror
 
 _SIGN_ROOM = 2  # pixels beyond the height of a line
@@ -165,6 +165,20 @@ class Muted(QLabel):
         self.setTextFormat(Qt.TextFormat.PlainText)
         self.setText(text)
         set_text_color(self, "muted")
+
+
+class PageHead(QWidget):
+    """Title of a page, its state in one line of muted text, and its controls at the right."""
+
+    def __init__(self, title: str, parent: QWidget, *controls: QWidget | QLayout) -> None:
+        super().__init__(parent)
+        self._state = ElidedLabel("", self)
+        set_style_property(self._state, "textSize", "caption")
+        texts = column(label(self, text=title, size="title"), self._state, margins=0, spacing=2)
+        row((texts, 1), *controls, into=self, margins=0)
+
+    def show_state(self, text: str) -> None:
+        self._state.show_text(text)
 
 
 class LegendKey(ElidedLabel):
