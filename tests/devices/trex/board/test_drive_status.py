@@ -6,7 +6,15 @@ from dataclasses import replace
 
 import pytest
 
-from trex_gui.devices.trex.board.drive_status import DriveInputs, drive_statuses
+from trex_gui.devices.trex.board.drive_status import (
+    AUXILIARY,
+    DriveInputs,
+    MotorSetpoint,
+    SetpointSource,
+    drive_statuses,
+    motor_setpoint,
+)
+from trex_gui.devices.trex.client.telemetry import Newest, Remapped
 from trex_gui.devices.trex.driving.blockers import DriveBlocker, Effect
 from trex_gui.devices.trex.driving.board_reasons import BoardInputs
 from trex_gui.devices.trex.protocol.flags import Mode, UartError
@@ -163,3 +171,27 @@ def test_motors_follow_only_where_nothing_stops_or_blocks_them() -> None:
             and not now.board.uart
         )
         assert (status.blocker.effect in {Effect.LIMITS, Effect.NOTE}) is obeyed, now
+
+
+@pytest.mark.parametrize(
+    ("now", "motor", "expected"),
+    [
+        (DriveInputs(link=DriveBlocker.SILENT, board=SERIAL), 1, (SetpointSource.UNKNOWN,)),
+        (DriveInputs(), 1, (SetpointSource.UNKNOWN,)),
+        (DriveInputs(board=SERIAL), 1, (SetpointSource.NOT_ARMED,)),
+        (DriveInputs(board=SERIAL, may_move=True), 1, (SetpointSource.NOT_ARMED, 0, True)),
+        (DriveInputs(board=SERIAL, armed=True, may_move=True), 1, (SetpointSource.SERIAL, 20)),
+        (DriveInputs(board=replace(SERIAL, joint=True)), 2, (SetpointSource.JOINT,)),
+        (DriveInputs(board=RC), 2, (SetpointSource.CHANNEL, -90)),
+        (DriveInputs(board=RC), AUXILIARY, (SetpointSource.CHANNEL, 30)),  # drives one way only
+        (DriveInputs(board=replace(RC, is_held=True)), 2, (SetpointSource.SAFE_START,)),
+    ],
+)
+def test_setpoint_is_what_the_motor_follows(
+    now: DriveInputs, motor: int, expected: tuple[SetpointSource, int, bool]
+) -> None:
+    newest = Newest()
+    newest.take(Remapped(0.0, (50, -90, -30, 0, 0)))
+    assert motor_setpoint(motor, now, newest, 20) == MotorSetpoint(*expected)
+    if expected[0] is SetpointSource.CHANNEL:
+        assert motor_setpoint(motor, now, Newest(), 20) == MotorSetpoint(SetpointSource.UNKNOWN)

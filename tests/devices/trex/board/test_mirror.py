@@ -1,5 +1,6 @@
 """What the mirror of a board makes of the reports of a session."""
 
+from dataclasses import replace
 from datetime import UTC, datetime
 
 import pytest
@@ -13,6 +14,7 @@ from trex_gui.devices.trex.board.mirror import (
     BoardRead,
     LineJudged,
     MotorsShutDown,
+    SetUp,
 )
 from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.reading import DeviceState
@@ -349,6 +351,29 @@ def test_recent_errors_decide_whether_motors_run(watched: Watched) -> None:
     inputs = watched.board.inputs(10.0)
     assert inputs is not None
     assert inputs.faults == ()
+
+
+def test_steps_of_the_set_up_are_those_that_are_stored(watched: Watched) -> None:
+    found = [watched.board.set_up]
+    watched.read(state(serial_timeout=0, motor1_current_limit=5, motor2_current_limit=9))
+    found.append(watched.board.set_up)
+    watched.board.note_written(Written((), replace(state(serial_timeout=5), calibrated=3), LINE))
+    found.append(watched.board.set_up)
+    assert found == [None, SetUp(False, True, False), SetUp(True, False, True)]
+
+
+def test_replies_show_that_so_is_not_grounded(watched: Watched) -> None:
+    returned_by_rs_232 = Connected(state(), True, ReadReason.RETURNED, LINE)
+    found = [watched.board.so_ground]
+    for report in (
+        Connected(state(), False, ReadReason.OPENED, LINE),
+        NotResponding("", Counters()),
+    ):
+        watched.take(report)
+        found.append(watched.board.so_ground)
+    assert watched.board.connected_utc == UTC_NOW
+    watched.take(returned_by_rs_232)
+    assert [*found, watched.board.so_ground] == [None, False, None, None]
 
 
 # --- Safe-start -------------------------------------------------------------------------

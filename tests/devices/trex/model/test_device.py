@@ -100,7 +100,7 @@ def test_connecting_reads_state_and_enables_arming(connected: RecorderOfBoard) -
     assert device.telemetry.serial_controls is True
     assert device.motors.is_available
     assert not device.motors.armed
-    assert not device.connection.echo
+    assert not device.board.echo
     assert connected.steps[-1][0] == connected.steps[-1][1]
     assert connected.failures == []
 

@@ -2,11 +2,17 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from enum import Enum, auto
 from math import ceil
 
 from trex_gui.core.translation import tr, tr_noop
+from trex_gui.devices.trex.client.telemetry import Newest, Remapped
 from trex_gui.devices.trex.driving.blockers import DriveBlocker, Reason, worst_first
-from trex_gui.devices.trex.driving.board_reasons import BoardInputs, board_reasons
+from trex_gui.devices.trex.driving.board_reasons import (
+    BoardInputs,
+    board_reasons,
+    held_by_safe_start,
+)
 from trex_gui.devices.trex.driving.timeout_stop import turning_text
 
 
@@ -34,6 +40,52 @@ class DriveStatus:
     blocker: DriveBlocker
     text: str
     remedy: str = ""
+
+
+class SetpointSource(Enum):
+    """What decides the speed at which a motor is set to turn."""
+
+    UNKNOWN = auto()
+    JOINT = auto()  # motor 1: both drivers work as one motor
+    SAFE_START = auto()  # it holds the motor, whatever the channel commands
+    CHANNEL = auto()
+    NOT_ARMED = auto()  # serial commands would, but none is sent
+    SERIAL = auto()
+
+
+@dataclass(frozen=True, slots=True)
+class MotorSetpoint:
+    """Speed at which a motor is set to turn, -127 to 127, the auxiliary motor 0 to 127.
+
+    `may_turn`: no stop was confirmed since the motors were driven, so nothing else counts.
+    """
+
+    source: SetpointSource
+    speed: int = 0
+    may_turn: bool = False
+
+
+AUXILIARY = 3  # motor that channel 3 drives
+
+
+def motor_setpoint(motor: int, now: DriveInputs, newest: Newest, sent: int) -> MotorSetpoint:
+    """Return the setpoint of motor 1, 2 or `AUXILIARY`; `sent` is its speed by serial commands."""
+    source, speed, board = SetpointSource.UNKNOWN, 0, now.board
+    remapped = newest.get(Remapped)
+    if now.link is not None or board is None:
+        pass
+    elif board.joint and motor == 2:
+        source = SetpointSource.JOINT
+    elif board.by_serial:
+        source = SetpointSource.SERIAL if now.armed else SetpointSource.NOT_ARMED
+        speed = sent if now.armed else 0
+    elif remapped is not None and held_by_safe_start(board):
+        source = SetpointSource.SAFE_START
+    elif remapped is not None:
+        source, speed = SetpointSource.CHANNEL, remapped.values[motor - 1]
+    return MotorSetpoint(
+        source, abs(speed) if motor == AUXILIARY else speed, now.may_move and not now.armed
+    )
 
 
 _DOUBTFUL = tr_noop("{0} Doubtful: the line is noisy and has no CRC.")

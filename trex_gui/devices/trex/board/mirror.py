@@ -34,8 +34,9 @@ from trex_gui.devices.trex.protocol.flags import (
     Status,
     UartError,
     bit_names,
+    channels_in,
 )
-from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
 from trex_gui.devices.trex.session.messages import (
     Batch,
     Connected,
@@ -78,6 +79,15 @@ class LineJudged:
 
 
 BoardEvent = BoardRead | MotorsShutDown | LineJudged | Sample | Event
+
+
+@dataclass(frozen=True, slots=True)
+class SetUp:
+    """Steps of the set-up whose settings a board stores."""
+
+    sticks: bool  # the channels of both motors are learned
+    limits: bool  # both motors have a current limit
+    timeout: bool  # the board stops its motors after a silence
 
 
 class SafeStart:
@@ -133,7 +143,9 @@ class BoardMirror:
         self.adapter = ""  # key of the adapter of the line; to be set before a board is read
         self.is_responding = False
         self.is_joint = False  # both drivers work as one motor now, whatever is stored
+        self.echo = False  # whether everything sent comes back: the RS-232 side of the board
         self.connected_at: float | None = None  # when the line was opened, as `now` in `take`
+        self.connected_utc: datetime | None = None  # the same, as `utc`
         self.restarts = 0  # how often the board was seen to have restarted since then
         self.returns = 0  # how often it responded again after it was silent
         self.last: DeviceState | None = None  # what was read last, also after the line was closed
@@ -161,6 +173,27 @@ class BoardMirror:
         if self.state is None or self.serial_controls is None or not self.is_responding:
             return ""
         return who_controls(self.state.mode, self.serial_controls, joint=self.is_joint)
+
+    @property
+    def so_ground(self) -> bool | None:
+        """Whether the SO–G jumper is on; `None` while that is not known.
+
+        Inferred: with the jumper no reply would leave SO. RS-232 has pins of its own.
+        """
+        return False if self.is_responding and not self.echo else None
+
+    @property
+    def set_up(self) -> SetUp | None:
+        """Steps of the set-up that the board stores; `None` while none is connected."""
+        if self.state is None:
+            return None
+        stored = self.state.parameters.get
+        limits = [stored(MotorParameter.CURRENT_LIMIT.of(motor)) for motor in (1, 2)]
+        return SetUp(
+            sticks={1, 2} <= set(channels_in(self.state.calibrated)),
+            limits=all(limits),
+            timeout=bool(stored(ParameterKey.SERIAL_TIMEOUT)),
+        )
 
     @property
     def timeout_stop(self) -> TimeoutStop:
@@ -223,7 +256,7 @@ class BoardMirror:
     def close(self, now: float, *, may_move: bool) -> Iterator[BoardEvent]:
         """Take that the line was closed; `may_move`: no stop was confirmed."""
         was_read, self._was_read = self._was_read, False
-        self.is_responding, self.connected_at = False, None
+        self.is_responding, self.connected_at, self.connected_utc = False, None, None
         self.memory.leave_board()
         yield from self._forget()
         if was_read:
@@ -246,7 +279,7 @@ class BoardMirror:
         is_changed = state != self.state
         before, self.last = self.last, state
         url = "" if self.settings is None else self.settings.url
-        self.settings = report.settings
+        self.settings, self.echo = report.settings, report.echo
         self.is_responding = self._was_read = True
         opened = occasion is ReadReason.OPENED
         may_be_same = before is not None and may_be_same_board(before, state)
@@ -262,7 +295,8 @@ class BoardMirror:
         if is_new:
             self.errors.reset()
         if opened:
-            self.connected_at, self.restarts, self.returns = now, 0, 0
+            self.connected_at, self.connected_utc = now, utc
+            self.restarts = self.returns = 0
             self.counters = Counters()
             self._joint.clear()
             self._events = StatusEvents()

@@ -53,7 +53,6 @@ class Connection(DeviceConnection[ConnectionSettings]):
     def __init__(self, parent: QObject | None = None) -> None:
         self._decoder = TrexDecoder()
         super().__init__(self._decoder, parent)
-        self.echo = False  # whether everything sent comes back: the RS-232 side of the board
         self.port_rates: frozenset[int] | None = None  # what the port supports; `None`: unknown
         self.selection = 0  # see `Connected.selection`
         self.is_guarded = False  # a process stops the motors if this one fails
@@ -152,7 +151,6 @@ class Connection(DeviceConnection[ConnectionSettings]):
 
     def _take_state(self, report: Connected) -> None:
         self.settings = report.settings
-        self.echo = report.echo
         self.port_rates = report.port_rates
         self.selection = report.selection
         self.traffic.note_settings(report.settings, echo=report.echo)

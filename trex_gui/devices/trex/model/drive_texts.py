@@ -25,12 +25,17 @@ def setpoint_text(drive: Drive | None) -> str:
     return tr("Setpoint: {0}").format(speed_text(drive.signed))
 
 
-def speed_text(speed: int) -> str:
-    """A signed speed with its share of full: `forward 64 (50 %)`."""
+def direction_text(speed: int) -> str:
+    """A signed speed in words: `forward 64`."""
     if not speed:
         return "0"
-    direction = tr("forward") if speed > 0 else tr("reverse")
-    return f"{direction} {abs(speed)} ({100 * abs(speed) / FULL_SCALE:.0f} %)"
+    return f"{tr('forward') if speed > 0 else tr('reverse')} {abs(speed)}"
+
+
+def speed_text(speed: int) -> str:
+    """A signed speed with its share of full: `forward 64 (50 %)`."""
+    share = f" ({100 * abs(speed) / FULL_SCALE:.0f} %)" if speed else ""
+    return f"{direction_text(speed)}{share}"
 
 
 def channel_text(device: Device, channel: int) -> str:

@@ -39,7 +39,7 @@ def status_text(device: Device) -> str:
         f"Board: {device.board_name}",
         f"Mode: {MODE_TEXT[state.mode]}",
         f"In control: {device.board.control_text}",
-        f"Echo: {_yes(device.connection.echo)}",
+        f"Echo: {_yes(device.board.echo)}",
         f"Guardian: {_yes(device.connection.is_guarded)}",
         f"Armed: {_yes(device.motors.armed)}, may be moving: {_yes(device.may_move)}",
         f"Currents (A): {telemetry.motor_currents}",

@@ -1,6 +1,5 @@
 """Page of the board: who controls the motors, the board drawn, what is open, what failed."""
 
-import time
 from html import escape
 
 from PySide6.QtCore import Qt, Signal, Slot
@@ -9,17 +8,16 @@ from PySide6.QtWidgets import QLabel, QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.board.drive_status import DriveStatus, drive_statuses
+from trex_gui.devices.trex.board.mirror import SetUp
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.driving.blockers import DriveBlocker, Effect
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import drive_inputs
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.flags import channels_in
-from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.views.board.view import BoardView
 from trex_gui.devices.trex.views.motor_controls import TimeoutNotice
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.runtime import now
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import only_when_visible
 from trex_gui.ui.widgets.labels import Muted, Note, Sign
@@ -123,11 +121,11 @@ class BoardPage(QWidget):
         self._start.setVisible(is_idle)
         self._report.setVisible(not is_idle)
         self._set_up.setEnabled(self._device.is_connected)
-        facts, steps = "", ""
+        facts, set_up = "", self._device.board.set_up if self._device.is_connected else None
         if state is not None and settings is not None and self._device.is_connected:
-            facts, steps = " · ".join(self._facts_of(state, settings)), _open_text(state)
+            facts = " · ".join(self._facts_of(state, settings))
         self._facts.setText(facts)
-        self._open.setText(steps)
+        self._open.setText("" if set_up is None else _open_text(set_up))
         self._show_problems()
         self._on_text_due()
 
@@ -137,7 +135,6 @@ class BoardPage(QWidget):
         addressing = tr("compact packets")
         if number is not None:
             addressing = tr("device number {0}").format(number)
-        echo = self._device.connection.echo
         facts = [
             f"{model.name} ({model.part})",
             tr("firmware {0}").format(state.signature.firmware),
@@ -145,7 +142,9 @@ class BoardPage(QWidget):
             settings.label,
             settings.line.text(),
             addressing,
-            tr("RS-232 (everything sent comes back)") if echo else tr("TTL (SI and SO)"),
+            tr("RS-232 (everything sent comes back)")
+            if self._device.board.echo
+            else tr("TTL (SI and SO)"),
         ]
         wire = state.parameters.get(ParameterKey.UART_SETTINGS)
         is_valid = wire is not None and wire in state.specs[ParameterKey.UART_SETTINGS].valid
@@ -164,11 +163,10 @@ class BoardPage(QWidget):
     def _show_problems(self) -> None:
         board = self._device.board
         names = [tr(one.name) for one in board.errors.entries if one.is_uncleared]
-        text = ", ".join(names) if self._device.is_connected else ""
-        if self._device.is_connected and not names and board.connected_at is not None:
-            since = time.localtime(time.time() - (now() - board.connected_at))
-            text = tr("None since {0}.").format(time.strftime("%H:%M", since))
-        self._problems.setText(text)
+        text = ", ".join(names)
+        if not names and board.connected_utc is not None:
+            text = tr("None since {0}.").format(f"{board.connected_utc.astimezone():%H:%M}")
+        self._problems.setText(text if self._device.is_connected else "")
 
     @Slot()
     @only_when_visible
@@ -182,14 +180,14 @@ class BoardPage(QWidget):
         self._on_text_due()
 
 
-def _open_text(state: DeviceState) -> str:
-    """Return what of the set-up the board stores already, and what it does not."""
-    stored = state.parameters.get
-    limits = all(stored(MotorParameter.CURRENT_LIMIT.of(motor)) for motor in (1, 2))
-    learned = {1, 2} <= set(channels_in(state.calibrated))
+def _open_text(done: SetUp) -> str:
+    """Return the steps of the set-up, with a tick before those that are stored."""
     steps = {
-        tr("sticks learned"): learned,
-        tr("current limits"): limits,
-        tr("serial timeout"): bool(stored(ParameterKey.SERIAL_TIMEOUT)),
+        tr("sticks learned"): done.sticks,
+        tr("current limits"): done.limits,
+        tr("serial timeout"): done.timeout,
     }
-    return "   ".join(f"{'✓' if done else '•'} {text}" for text, done in steps.items())
+    unbroken = {text.replace(" ", "\N{NO-BREAK SPACE}"): is_done for text, is_done in steps.items()}
+    return "   ".join(
+        f"{'✓' if is_done else '•'}\N{NO-BREAK SPACE}{text}" for text, is_done in unbroken.items()
+    )

@@ -7,17 +7,19 @@ from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QHideEvent, QPaintEvent, QPen, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QStyle, QWidget
 
-from trex_gui.core.translation import Number, tr
-from trex_gui.devices.trex.board.quality import quality_text
-from trex_gui.devices.trex.driving.board_reasons import (
-    LED_TEXTS,
-    BoardInputs,
-    held_by_safe_start,
-    led_patterns,
+from trex_gui.core.translation import Number, tr, tr_noop
+from trex_gui.devices.trex.board.drive_status import (
+    AUXILIARY,
+    DriveInputs,
+    SetpointSource,
+    motor_setpoint,
 )
+from trex_gui.devices.trex.board.quality import quality_text
+from trex_gui.devices.trex.driving.board_reasons import LED_TEXTS, led_patterns
 from trex_gui.devices.trex.model.channel_text import CHANNEL_NAMES
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.drive_texts import setpoint_text, speed_text
+from trex_gui.devices.trex.model.drive_status import drive_inputs
+from trex_gui.devices.trex.model.drive_texts import direction_text, setpoint_text
 from trex_gui.devices.trex.protocol.flags import CHANNELS, Mode, Status, UartError
 from trex_gui.devices.trex.views.bars import USUAL_AXIS, widened
 from trex_gui.devices.trex.views.board.parts import (
@@ -34,7 +36,14 @@ from trex_gui.ui.theme.theme import follow_theme, scaled_font, theme
 from trex_gui.ui.widgets.painted import Painter, never_mirror
 
 _FRAME_MS = 40
-_SECOND, _AUXILIARY = 2, 3  # motors: the channels that drive them
+
+# Words for a setpoint that is no speed.
+_SOURCES = {
+    SetpointSource.UNKNOWN: tr_noop("not known"),
+    SetpointSource.JOINT: tr_noop("works with motor 1"),
+    SetpointSource.SAFE_START: tr_noop("held by safe-start"),
+    SetpointSource.NOT_ARMED: tr_noop("not armed"),
+}
 
 # Lines of text: how wide the columns are at least and at most, and how high the rows are.
 _CHANNELS, _MOTORS, _BODY, _WIRE = (10, 17), (11, 17), (15, 28), 1.4
@@ -78,7 +87,7 @@ class BoardView(QWidget):
         self._mode = JumperPart("ModeJumper", tr("Mode jumper"), settings, self)
         self._mix = JumperPart("MixJumper", tr("Mix jumper"), channels, self)
         self._so_ground = JumperPart("SoGroundJumper", tr("SO–G jumper"), opens("transcript"), self)
-        names = {1: tr("Motor 1"), 2: tr("Motor 2"), _AUXILIARY: tr("Auxiliary")}
+        names = {1: tr("Motor 1"), 2: tr("Motor 2"), AUXILIARY: tr("Auxiliary")}
         self._motors = {
             number: MotorPart(f"Motor{number}", name, motors, self, color)
             for (number, name), color in zip(
@@ -194,10 +203,11 @@ class BoardView(QWidget):
     def show_board(self) -> None:
         """Show the newest of everything; what is not known is drawn as unknown."""
         device = self._device
-        board = device.board.inputs(now()) if device.is_connected else None
+        inputs = drive_inputs(device)
+        board = inputs.board if inputs.link is None else None
         self._show_channels()
         self._show_jumpers()
-        self._show_motors(board)
+        self._show_motors(inputs)
         patterns = ("", "") if board is None else led_patterns(board)
         for led, name, pattern in zip(self._leds, (tr("Red"), tr("Green")), patterns, strict=True):
             led.pattern = pattern
@@ -255,55 +265,45 @@ class BoardView(QWidget):
             if state is not None and state.mode.is_serial:
                 words = tr("for RC and analog mode")
             self._mix.show_jumper(mix, tr("Mix: on") if mix else tr("Mix: off"), words)
-        if state is None or device.connection.echo:
+        so_ground = device.board.so_ground
+        if so_ground is None:
             self._so_ground.show_jumper(None, tr("SO–G: not known"))
-        else:  # with the jumper no reply would come
-            self._so_ground.show_jumper(False, tr("SO–G: off"), tr("replies reach this computer"))
+        else:
+            words = tr("replies reach this computer")
+            self._so_ground.show_jumper(so_ground, tr("SO–G: off"), words)
 
-    def _show_motors(self, board: BoardInputs | None) -> None:
-        device = self._device
+    def _show_motors(self, inputs: DriveInputs) -> None:
+        device, motors = self._device, self._device.motors
         for number, part in self._motors.items():
-            speed, text = self._setpoint_of(number, board)
-            alarm = ""
-            is_sensed = board is not None and number != _AUXILIARY
-            recent = device.board.errors.recent(number, now()) if is_sensed else []
-            faults = [entry for entry in recent if isinstance(entry.bit, Status)]
-            lines = [part.accessibleName(), text]
-            if number != _AUXILIARY and not device.board.is_joint:
+            drive = motors.drive(number)
+            sent = 0 if drive is None else drive.signed
+            sent = motors.auxiliary if number == AUXILIARY else sent
+            setpoint = motor_setpoint(number, inputs, device.board.newest, sent)
+            lines, alarm = [part.accessibleName()], ""
+            if text := _SOURCES.get(setpoint.source):
+                lines.append(tr(text))
+            elif number == AUXILIARY:
+                lines.append(str(setpoint.speed))
+            elif setpoint.source is SetpointSource.SERIAL and (drive is None or drive.is_brake):
+                lines.append(setpoint_text(drive))
+            else:
+                lines.append(direction_text(setpoint.speed))
+            faults = []
+            if number != AUXILIARY and not device.board.is_joint:
                 lines += self._current_texts(number)
+            if number != AUXILIARY and inputs.link is None:
+                recent = device.board.errors.recent(number, now())
+                faults = [entry for entry in recent if isinstance(entry.bit, Status)]
             if faults:
                 is_doubtful = all(entry.is_doubtful for entry in faults)
                 names = ", ".join(tr(entry.name) for entry in faults)
                 lines.append(tr("{0} (doubtful)").format(names) if is_doubtful else names)
                 alarm = "warning" if is_doubtful else "danger"
-            elif device.may_move and not device.motors.armed:
+            elif setpoint.may_turn:
                 lines.append(tr("may still turn"))
                 alarm = "danger"
-            part.show_speed(0 if alarm == "danger" else speed)
+            part.show_speed(0 if alarm == "danger" else setpoint.speed)
             part.show_lines(*lines, alarm=alarm)
-
-    def _setpoint_of(self, number: int, board: BoardInputs | None) -> tuple[int, str]:
-        """Return what motor 1 or 2, or the auxiliary (3), is told now, with words for it."""
-        device = self._device
-        if board is None:
-            return 0, tr("not known")
-        if device.board.is_joint and number == _SECOND:
-            return 0, tr("works with motor 1")
-        if not board.by_serial:
-            value = device.telemetry.remapped_of(number)
-            if value is None:
-                return 0, tr("not known")
-            if held_by_safe_start(board):
-                return 0, tr("held by safe-start")
-            return value, str(abs(value)) if number == _AUXILIARY else speed_text(value)
-        if not device.motors.armed:
-            return 0, tr("not armed")
-        if number == _AUXILIARY:
-            return device.motors.auxiliary, str(device.motors.auxiliary)
-        drive = device.motors.drive(number)
-        if drive is None or drive.is_brake:
-            return 0, setpoint_text(drive)
-        return drive.signed, speed_text(drive.signed)
 
     def _current_texts(self, motor: int) -> tuple[str, str]:
         currents, limit = self._device.telemetry.motor_currents, self._device.current_limit(motor)
