@@ -101,10 +101,15 @@ class TimeoutNotice(QWidget):
         self.setObjectName("timeoutNotice")
         self._device = device
         self._warning: TimeoutWarning | None = None
-        self._text = ui.named(Note(2, self), "timeoutLabel")
+        self._text = ui.named(Note(3, self), "timeoutLabel")
         name = tr("Write the serial timeout")
         self._button = ui.button(self, "timeoutButton", accessible=name, on_click=self._on_clicked)
-        ui.column(self._text, (self._button, 0, Qt.AlignmentFlag.AlignLeft), into=self, margins=0)
+        policy = self._button.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)
+        self._button.setSizePolicy(policy)
+        ui.column(
+            (self._text, 1), (self._button, 0, Qt.AlignmentFlag.AlignLeft), into=self, margins=0
+        )
         guardian_changed = device.connection.guardian_changed
         for changed in (device.link_changed, device.state_changed, guardian_changed):
             changed.connect(self._on_changed)

@@ -91,14 +91,16 @@ class BoardPage(QWidget):
         self._set_up = ui.button(
             set_up, "setUpButton", tr("Set &up my robot…"), on_click=self.setup_requested
         )
-        ui.column(self._open, (self._set_up, 0, Qt.AlignmentFlag.AlignLeft), 1, into=set_up)
+        ui.column((self._open, 1), (self._set_up, 0, Qt.AlignmentFlag.AlignLeft), into=set_up)
         cable = ui.Card(tr("If the cable fails"), self._report)
-        ui.column(TimeoutNotice(device, cable), 1, into=cable)
+        ui.column(TimeoutNotice(device, cable), into=cable)
         problems = ui.Card(tr("Problems"), self._report)
         self._problems = ui.label(problems, "boardProblems", wrap=True)
         show = ui.button(problems, "showProblems", tr("Sh&ow them"))
         show.clicked.connect(lambda: self.page_wanted.emit("errors"))
-        ui.column(self._problems, (show, 0, Qt.AlignmentFlag.AlignLeft), 1, into=problems)
+        ui.column((self._problems, 1), (show, 0, Qt.AlignmentFlag.AlignLeft), into=problems)
+        for text in (self._open, self._problems):
+            text.setAlignment(Qt.AlignmentFlag.AlignTop)
         cards = ui.row((set_up, 1), (cable, 1), (problems, 1), spacing=16)
         ui.column(self._reasons, (drawing, 1), cards, into=self._report, margins=0, spacing=12)
         ui.column(self._lost, start, (self._report, 1), into=self, margins=16)

@@ -3,18 +3,27 @@
 import math
 from collections.abc import Callable
 
-from PySide6.QtCore import QPointF, QRect, QRectF, Qt
-from PySide6.QtGui import QAccessible, QColor, QFont, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QAccessible, QColor, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QAbstractButton, QWidget
 
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.accessible import Spoken
 from trex_gui.ui.widgets.builders import plain
+from trex_gui.ui.widgets.circuit import (
+    jumper_size,
+    paint_block,
+    paint_jumper,
+    text_width,
+    write,
+    write_lines,
+)
 from trex_gui.ui.widgets.leds import is_lit
 from trex_gui.ui.widgets.painted import Painter, never_mirror
 
 _SPOKES = 5
+WHEEL = 3.9  # lines: diameter
 _TURNS = 0.8  # a second at full speed: a sketch, as the board does not measure any speed
 
 
@@ -66,35 +75,10 @@ class BoardPart(QAbstractButton, Spoken):
         """Paint what the part looks like."""
         raise NotImplementedError
 
-    def write_lines(self, painter: QPainter, left: int) -> None:
-        """Write the lines beside a shape that ends at `left`, elided where there is no room."""
-        height = self.fontMetrics().height()
-        top = (self.height() - height * len(self.lines)) // 2
-        for number, text in enumerate(self.lines):
-            last = number == len(self.lines) - 1
-            color = self.alarm if self.alarm and last else "muted" if number else "window_text"
-            place = QRect(left, top + number * height, self.width() - left, height)
-            write(painter, place, text, color, bold=not number or bool(self.alarm and last))
-
-
-def write(
-    painter: QPainter,
-    place: QRect,
-    text: str,
-    color: str,
-    *,
-    bold: bool = False,
-    align: Qt.AlignmentFlag = Qt.AlignmentFlag.AlignLeft,
-) -> None:
-    """Write one line in a colour of the theme, elided where there is no room."""
-    font = QFont(painter.font())
-    font.setWeight(QFont.Weight.DemiBold if bold else QFont.Weight.Normal)
-    painter.save()
-    painter.setFont(font)
-    painter.setPen(theme().color(color))
-    shown = painter.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, place.width())
-    painter.drawText(place, align | Qt.AlignmentFlag.AlignVCenter, shown)
-    painter.restore()
+    def write_beside(self, painter: QPainter, left: float) -> None:
+        """Write the lines beside a shape that ends at `left`."""
+        place = QRectF(left, 0, self.width() - left, self.height())
+        write_lines(painter, place, self.lines, alarm=self.alarm)
 
 
 class ChannelPart(BoardPart):
@@ -114,15 +98,14 @@ class ChannelPart(BoardPart):
             self.update()
 
     def paint(self, painter: QPainter) -> None:
-        height, room = self.fontMetrics().height(), self.rect().adjusted(4, 2, -4, -2)
-        line = QRect(room.left(), room.top(), room.width(), height)
+        room = QRectF(self.rect()).adjusted(4, 2, -4, -2)
+        line = QRectF(room.left(), room.top(), room.width(), self.fontMetrics().height())
         title, role, value = (*self.lines, "", "", "")[:3]
-        beside = self.fontMetrics().horizontalAdvance(f"{title}  ") + 4
+        beside, taken = (text_width(self.font(), f"{text} ") + 4 for text in (title, value))
         write(painter, line, title, "window_text", bold=True)
-        taken = painter.fontMetrics().horizontalAdvance(f"{value}   ") + 8
         write(painter, line.adjusted(beside, 0, -taken, 0), role, "muted")
         write(painter, line, value, "window_text", bold=True, align=Qt.AlignmentFlag.AlignRight)
-        track = QRectF(room.left(), line.bottom() + 5, room.width(), 10)
+        track = QRectF(room.left(), line.bottom() + 4, room.width(), 10)
         painter.setPen(QPen(theme().color("hairline"), 1))
         painter.setBrush(theme().color("track"))
         painter.drawRoundedRect(track, 5, 5)
@@ -174,7 +157,7 @@ class LedPart(BoardPart):
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(Qt.GlobalColor.white)
             painter.drawEllipse(middle - QPointF(radius, radius) * 0.3, radius / 4, radius / 4)
-        self.write_lines(painter, round(2 * radius + 14))
+        self.write_beside(painter, 2 * radius + 14)
 
 
 class JumperPart(BoardPart):
@@ -189,19 +172,9 @@ class JumperPart(BoardPart):
         self.show_lines(*lines)
 
     def paint(self, painter: QPainter) -> None:
-        height = self.fontMetrics().height()
-        box = QRectF(4, (self.height() - 1.8 * height) / 2, 3.6 * height, 1.8 * height)
-        style = Qt.PenStyle.DashLine if self.is_on is None else Qt.PenStyle.SolidLine
-        painter.setPen(QPen(theme().color("outline"), 1.5, style))
-        painter.setBrush(theme().color("mark") if self.is_on else Qt.BrushStyle.NoBrush)
-        painter.drawRoundedRect(box, 5, 5)
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(theme().color("base" if self.is_on else "outline"))
-        for x in (0.3, 0.7):
-            painter.drawEllipse(
-                box.topLeft() + QPointF(x * box.width(), box.height() / 2), 3.5, 3.5
-            )
-        self.write_lines(painter, round(box.right() + 10))
+        width, height = jumper_size(self.fontMetrics().height())
+        paint_jumper(painter, QRectF(4, (self.height() - height) / 2, width, height), self.is_on)
+        self.write_beside(painter, width + 14)
 
 
 class MotorPart(BoardPart):
@@ -221,7 +194,7 @@ class MotorPart(BoardPart):
             self.update(0, 0, self._wheel().toRect().right() + 12, self.height())
 
     def _wheel(self) -> QRectF:
-        side = min(self.height() - 22.0, 4.4 * self.fontMetrics().height())
+        side = min(self.height() - 22.0, WHEEL * self.fontMetrics().height())
         return QRectF(10, (self.height() - side) / 2 + 5, side, side)
 
     def paint(self, painter: QPainter) -> None:
@@ -240,7 +213,7 @@ class MotorPart(BoardPart):
         painter.drawEllipse(wheel.center(), radius / 5, radius / 5)
         if self.speed:
             self._paint_arrow(painter, wheel, color)
-        self.write_lines(painter, round(wheel.right() + 16))
+        self.write_beside(painter, wheel.right() + 14)
 
     def _paint_arrow(self, painter: QPainter, wheel: QRectF, color: QColor) -> None:
         """Paint which way it turns: clockwise is forward."""
@@ -265,22 +238,12 @@ class SerialPart(BoardPart):
     body_width = 0  # of the board, on whose lower edge the header is
 
     def paint(self, painter: QPainter) -> None:
-        height, advance = self.fontMetrics().height(), self.fontMetrics().horizontalAdvance
-        widths = [advance(pin) + 2 * height for pin in self.PINS]
-        box = QRectF((self.body_width - sum(widths)) / 2, 1, sum(widths), 1.7 * height)
-        painter.setPen(QPen(theme().color("outline"), 1))
-        painter.setBrush(theme().color("base"))
-        painter.drawRoundedRect(box, 4, 4)
-        left = round(box.left())
-        for pin, width in zip(self.PINS, widths, strict=True):
-            place = QRect(left, round(box.top()), width, round(box.height()))
-            write(
-                painter, place, pin, "window_text", bold=True, align=Qt.AlignmentFlag.AlignHCenter
-            )
-            left += width
+        height = self.fontMetrics().height()
+        pin = text_width(self.font(), *self.PINS) + height
+        box = QRectF((self.body_width - 3 * pin) / 2, 1, 3 * pin, 1.7 * height)
+        paint_block(painter, box, self.PINS)
         x = box.center().x()
         painter.setPen(QPen(theme().color(self.color), 4))
         painter.drawLine(QPointF(x, box.bottom() + 2), QPointF(x, self.height()))
-        left = round(x) + 12
-        beside = QRect(left, round(box.bottom()) + 2, self.width() - left, height + 4)
+        beside = QRectF(x + 12, box.bottom() + 2, self.width() - x - 12, height + 4)
         write(painter, beside, self.lines[0] if self.lines else "", self.alarm or "muted")

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping
 from functools import partial
 
-from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt, Signal, Slot
+from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Signal, Slot
 from PySide6.QtGui import QHideEvent, QPaintEvent, QPen, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QStyle, QWidget
 
@@ -15,7 +15,7 @@ from trex_gui.devices.trex.board.drive_status import (
     motor_setpoint,
 )
 from trex_gui.devices.trex.board.quality import quality_text
-from trex_gui.devices.trex.driving.board_reasons import LED_TEXTS, led_patterns
+from trex_gui.devices.trex.driving.board_reasons import LED_TEXTS, PACKETS, led_patterns
 from trex_gui.devices.trex.model.channel_text import CHANNEL_NAMES
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import drive_inputs
@@ -23,16 +23,17 @@ from trex_gui.devices.trex.model.drive_texts import direction_text, setpoint_tex
 from trex_gui.devices.trex.protocol.flags import CHANNELS, Mode, Status, UartError
 from trex_gui.devices.trex.views.bars import USUAL_AXIS, widened
 from trex_gui.devices.trex.views.board.parts import (
+    WHEEL,
     BoardPart,
     ChannelPart,
     JumperPart,
     LedPart,
     MotorPart,
     SerialPart,
-    write,
 )
 from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.theme.theme import follow_theme, scaled_font, theme
+from trex_gui.ui.widgets.circuit import paint_block, paint_body, text_width
 from trex_gui.ui.widgets.painted import Painter, never_mirror
 
 _FRAME_MS = 40
@@ -45,9 +46,8 @@ _SOURCES = {
     SetpointSource.NOT_ARMED: tr_noop("not armed"),
 }
 
-# Lines of text: how wide the columns are at least and at most, and how high the rows are.
-_CHANNELS, _MOTORS, _BODY, _WIRE = (10, 17), (11, 17), (15, 28), 1.4
-_LOWEST, _HIGHEST = 21, 26
+_WIRE = 1.4  # lines of text from the body to what is beside it
+_LOWEST, _HIGHEST = 21, 26  # lines
 _LARGEST = 1.5  # times the size of the font, where there is room
 
 
@@ -99,15 +99,30 @@ class BoardView(QWidget):
 
     # --- Places -------------------------------------------------------------------------
 
-    def minimumSizeHint(self) -> QSize:
-        width = _CHANNELS[0] + _MOTORS[0] + _BODY[0] + 2 * _WIRE + 1
+    def _columns(self) -> tuple[tuple[float, float], ...]:
+        """Return how wide channels, body and motors are at least and at most, in lines of text."""
         line = self.fontMetrics().height()
-        return QSize(round(width * line), _LOWEST * line)
+        roles = max((tr(name).lower() for name in CHANNEL_NAMES.values()), key=len)
+        motor = (*(part.accessibleName() for part in self._motors.values()), tr("not armed"))
+        channels = text_width(self.font(), f"CH5  {roles}  2000 µs ") / line + 1
+        return (
+            (channels, channels + 7),
+            (12, 28),
+            (
+                text_width(self.font(), *motor, tr("limit {0:.1f} A").format(88.8)) / line
+                + WHEEL
+                + 2,
+                17,
+            ),
+        )
+
+    def minimumSizeHint(self) -> QSize:
+        width, line = sum(least for least, _ in self._columns()), self.fontMetrics().height()
+        return QSize(round((width + 2 * _WIRE) * line) + 1, _LOWEST * line)
 
     def sizeHint(self) -> QSize:
-        width = _CHANNELS[1] + _MOTORS[1] + _BODY[1] + 2 * _WIRE + 1
-        line = self.fontMetrics().height()
-        return QSize(round(width * line), _HIGHEST * line)
+        width, line = sum(most for _, most in self._columns()), self.fontMetrics().height()
+        return QSize(round((width + 2 * _WIRE) * line) + 1, _HIGHEST * line)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -121,10 +136,7 @@ class BoardView(QWidget):
         for part in self.findChildren(BoardPart):
             part.setFont(scaled_font(self.font(), line / base))
         extra = max(0.0, width / line - least.width() / base)  # to be shared out
-        columns = [
-            round(line * min(most, least + extra / 3))
-            for least, most in (_CHANNELS, _BODY, _MOTORS)
-        ]
+        columns = [round(line * min(most, least + extra / 3)) for least, most in self._columns()]
         wire = round(min(5.0, _WIRE + extra / 8) * line)
         left = max(0, (width - sum(columns) - 2 * wire) // 2)
         channels, body, motors = columns
@@ -138,7 +150,7 @@ class BoardView(QWidget):
         self._place_column(
             self._motors, QRect(right, top, motors, body_height), round(body_height / 3) - 4
         )
-        inside = self._body.adjusted(round(1.2 * line), 0, -line // 2, 0)
+        inside = self._body.adjusted(line, 0, -line, 0)
         at = top + round(3.2 * line)
         half = inside.width() // 2
         for number, led in enumerate(self._leds):
@@ -146,11 +158,12 @@ class BoardView(QWidget):
         room = (self._body.bottom() - line - at - 2 * line) // 3
         for number, jumper in enumerate((self._mode, self._mix, self._so_ground)):
             place = QRect(inside.left(), at + round(2.4 * line) + number * room, inside.width(), 0)
-            place.setHeight(min(room, 3 * line))
+            place.setHeight(min(room, 4 * line))
             jumper.setGeometry(place)
         bottom = self._body.bottom() - round(0.8 * line)
         self._serial.body_width = self._body.width()
-        self._serial.setGeometry(self._body.left(), bottom, self._body.width() + wire, serial)
+        width = left + sum(columns) + 2 * wire - self._body.left()
+        self._serial.setGeometry(self._body.left(), bottom, width, serial)
 
     def _place_column(self, parts: Mapping[int, BoardPart], room: QRect, height: int) -> None:
         step = room.height() / len(parts)
@@ -160,39 +173,23 @@ class BoardView(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
-        color, line = theme().color, self._serial.fontMetrics().height()
         body = QRectF(self._body)
         with Painter(self) as painter:
-            painter.setPen(QPen(color("board_edge"), 5))
+            painter.setPen(QPen(theme().color("board_edge"), 5))
             for part in self._channels.values():
                 y = part.geometry().bottom() - 8
                 painter.drawLine(QPointF(part.geometry().right() + 8, y), QPointF(body.left(), y))
             for motor in self._motors.values():
                 y = motor.geometry().center().y()
                 painter.drawLine(QPointF(body.right(), y), QPointF(motor.x() + 4, y))
-            painter.setPen(QPen(color("board_edge"), 2))
-            painter.setBrush(color("board"))
-            painter.drawRoundedRect(body, 10, 10)
-            painter.setBrush(color("base"))
-            holes = body.adjusted(12, 12, -12, -12)
-            for hole in (
-                holes.topLeft(),
-                holes.topRight(),
-                holes.bottomLeft(),
-                holes.bottomRight(),
-            ):
-                painter.drawEllipse(hole, 5, 5)
+            painter.setFont(self._serial.font())
+            paint_body(painter, body, self._name())
             for part in self._channels.values():
                 y = part.geometry().bottom() - 8
-                painter.drawRoundedRect(QRectF(body.left() - 6, y - 9, 12, 18), 3, 3)
+                paint_block(painter, QRectF(body.left() - 6, y - 9, 12, 18))
             for motor in self._motors.values():
                 y = motor.geometry().center().y()
-                painter.drawRoundedRect(QRectF(body.right() - 14, y - 18, 26, 36), 4, 4)
-            painter.setFont(scaled_font(self._serial.font(), 1.3))
-            title = self._body.adjusted(0, line, 0, 0)
-            title.setHeight(2 * line)
-            center = Qt.AlignmentFlag.AlignHCenter
-            write(painter, title, self._name(), "window_text", bold=True, align=center)
+                paint_block(painter, QRectF(body.right() - 14, y - 18, 26, 36))
 
     def _name(self) -> str:
         state = self._device.state
@@ -211,7 +208,8 @@ class BoardView(QWidget):
         patterns = ("", "") if board is None else led_patterns(board)
         for led, name, pattern in zip(self._leds, (tr("Red"), tr("Green")), patterns, strict=True):
             led.pattern = pattern
-            led.show_lines(name, tr(LED_TEXTS[pattern], "LED") if pattern else tr("not known"))
+            words = tr(LED_TEXTS[pattern], "LED") if pattern else tr("not known")
+            led.show_lines(name, tr("flickers") if pattern == PACKETS else words)
         quality, is_connected = device.board.quality, device.is_connected
         text = quality_text(quality) if is_connected else tr("not responding")
         if quality.is_noisy is False:

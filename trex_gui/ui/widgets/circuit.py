@@ -1,0 +1,112 @@
+"""Painted parts of a circuit board, not to scale: its body, header blocks, jumpers and texts."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QPointF, QRect, QRectF, Qt
+from PySide6.QtGui import QFont, QFontMetrics, QPainter, QPen
+
+from trex_gui.ui.theme.theme import scaled_font, theme
+
+_HOLE, _INSET = 5, 12  # pixels: radius of a hole, and its distance from the edges
+_HIGHEST = 10_000  # pixels: more than any text needs
+_LEFT = Qt.AlignmentFlag.AlignLeft
+_CENTER = Qt.AlignmentFlag.AlignHCenter
+
+
+def paint_body(painter: QPainter, body: QRectF, name: str) -> None:
+    """Paint a board with a hole in each corner, and its name at the top."""
+    painter.setPen(QPen(theme().color("board_edge"), 2))
+    painter.setBrush(theme().color("board"))
+    painter.drawRoundedRect(body, 10, 10)
+    painter.setBrush(theme().color("base"))
+    holes = body.adjusted(_INSET, _INSET, -_INSET, -_INSET)
+    for hole in (holes.topLeft(), holes.topRight(), holes.bottomLeft(), holes.bottomRight()):
+        painter.drawEllipse(hole, _HOLE, _HOLE)
+    painter.save()
+    line = painter.fontMetrics().height()
+    painter.setFont(scaled_font(painter.font(), 1.3))
+    title = QRectF(body.left(), body.top() + 0.8 * line, body.width(), 1.6 * line)
+    write(painter, title, name, "window_text", bold=True, align=_CENTER)
+    painter.restore()
+
+
+def paint_block(painter: QPainter, place: QRectF, pins: Sequence[str] = ()) -> None:
+    """Paint a header block, with the names of its pins side by side."""
+    painter.setPen(QPen(theme().color("outline"), 1))
+    painter.setBrush(theme().color("base"))
+    painter.drawRoundedRect(place, 4, 4)
+    for number, pin in enumerate(pins):
+        width = place.width() / len(pins)
+        at = QRectF(place.left() + number * width, place.top(), width, place.height())
+        write(painter, at, pin, "window_text", bold=True, align=_CENTER)
+
+
+def jumper_size(line: float) -> tuple[float, float]:
+    """Return width and height of a jumper beside text whose lines have this height."""
+    return 3.6 * line, 1.8 * line
+
+
+def paint_jumper(painter: QPainter, place: QRectF, is_on: bool | None) -> None:
+    """Paint two pins, with the jumper on them or without; where it is not known, dashed."""
+    style = Qt.PenStyle.DashLine if is_on is None else Qt.PenStyle.SolidLine
+    painter.setPen(QPen(theme().color("outline"), 1.5, style))
+    painter.setBrush(theme().color("mark") if is_on else Qt.BrushStyle.NoBrush)
+    painter.drawRoundedRect(place, 5, 5)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(theme().color("base" if is_on else "outline"))
+    for share in (0.3, 0.7):
+        pin = place.topLeft() + QPointF(share * place.width(), place.height() / 2)
+        painter.drawEllipse(pin, 3.5, 3.5)
+
+
+def write(
+    painter: QPainter,
+    place: QRectF,
+    text: str,
+    color: str,
+    *,
+    bold: bool = False,
+    align: Qt.AlignmentFlag = _LEFT,
+) -> None:
+    """Write one line in a colour of the theme, elided where there is no room."""
+    painter.save()
+    painter.setFont(_font(painter.font(), bold=bold))
+    painter.setPen(theme().color(color))
+    elide = Qt.TextElideMode.ElideRight
+    shown = painter.fontMetrics().elidedText(text, elide, round(place.width()))
+    painter.drawText(place, align | Qt.AlignmentFlag.AlignVCenter, shown)
+    painter.restore()
+
+
+def write_lines(painter: QPainter, place: QRectF, lines: Sequence[str], *, alarm: str = "") -> None:
+    """Write lines below each other, the first one bold, and break those that are too long.
+
+    They are centred in `place`. The last one is in the colour `alarm`, if there is one.
+    """
+    wrap = Qt.TextFlag.TextWordWrap | Qt.AlignmentFlag.AlignTop
+    rows = []
+    for number, text in enumerate(lines):
+        is_alarm = bool(alarm) and number == len(lines) - 1
+        font = _font(painter.font(), bold=not number or is_alarm)
+        color = alarm if is_alarm else "muted" if number else "window_text"
+        room = QRect(0, 0, round(place.width()), _HIGHEST)
+        rows.append((text, font, color, QFontMetrics(font).boundingRect(room, wrap, text).height()))
+    top = place.center().y() - sum(height for *_, height in rows) / 2
+    painter.save()
+    for text, font, color, height in rows:
+        painter.setFont(font)
+        painter.setPen(theme().color(color))
+        painter.drawText(QRectF(place.left(), top, place.width(), height), wrap, text)
+        top += height
+    painter.restore()
+
+
+def text_width(font: QFont, *texts: str) -> int:
+    """Return the width of the widest of these texts in bold."""
+    return max(map(QFontMetrics(_font(font, bold=True)).horizontalAdvance, texts))
+
+
+def _font(font: QFont, *, bold: bool) -> QFont:
+    made = QFont(font)
+    made.setWeight(QFont.Weight.DemiBold if bold else QFont.Weight.Normal)
+    return made
