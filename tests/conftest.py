@@ -189,7 +189,7 @@ def _settings_root(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def _remember_usual_state(folder: Path) -> None:
-    """Let boards with the usual number drive at full speed, and no start be the first."""
+    """Let boards with the usual number drive at full speed."""
     boards = [
         f"{prefix}{model.key}-{firmware}-7"
         for prefix in ("", "demo-")
@@ -199,8 +199,7 @@ def _remember_usual_state(folder: Path) -> None:
     file = folder / _ORGANIZATION / f"{_APPLICATION}.ini"
     file.parent.mkdir(parents=True)
     lines = (f"ceilings\\{board}={FULL_SCALE}\n" for board in boards)
-    welcomed = "[start]\nwelcomed=true\n"
-    file.write_text(f"[motors]\n{''.join(lines)}{welcomed}", encoding="utf-8")
+    file.write_text(f"[motors]\n{''.join(lines)}", encoding="utf-8")
     QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.SystemScope, str(folder))
 
 

@@ -5,7 +5,7 @@ from functools import partial
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QLocale, QPoint, QRect, QSettings, QSize
+from PySide6.QtCore import QCoreApplication, QLocale, QPoint, QRect, QSize
 from PySide6.QtGui import QAccessible, QScreen
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -101,14 +101,6 @@ def check_pages(window: WindowDriver, screen: QRect, stop: str, panel: str) -> N
     ]
     assert len({said_of(each, QAccessible.Text.Name) for each in handled}) == len(handled) > 20
     assert all(each.toolTip() for each in handled)
-
-
-def test_first_start_fits(screen: QRect, request: pytest.FixtureRequest) -> None:
-    QSettings().setValue("start/welcomed", False)
-    window: WindowDriver = request.getfixturevalue("window")
-    assert window.has("welcome")
-    window.program.complete()  # each page counts
-    check_window(window.window, screen, window.button("stopButton"))
 
 
 def test_windows_of_trex_fit(screen: QRect, window: WindowDriver, tmp_path: Path) -> None:

@@ -5,7 +5,7 @@ from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QByteArray, QCoreApplication, QRect, QSettings
+from PySide6.QtCore import QCoreApplication, QRect
 from PySide6.QtWidgets import QApplication, QPushButton, QSpinBox, QWidget
 from pytestqt.qtbot import QtBot
 from serial.tools.list_ports_common import ListPortInfo
@@ -15,6 +15,7 @@ from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.window import WindowDriver
 from trex_gui.composition import build
 from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.frame.wiring_sketch import WiringSketch
 from trex_gui.ui.theme.theme import theme
 
 
@@ -43,22 +44,28 @@ def test_panel_with_each_wiring_is_shown_while_nothing_is_connected(window: Wind
 
     window.disconnect()
     assert status.find(QWidget, "startPanel").isVisible()
-    for way, (said, wires) in enumerate(
-        (
-            ("TTL levels", "TX of the adapter to SI"),
-            ("SI and SO free", "TX of the RS-232 port (pin 3 of nine) to RX"),
-            ("mode jumper on RC", "channels 1 and 2 of the receiver to channels 1 and 2"),
-        ),
-        start=1,
+    for way, wires, jumpers in (
+        (1, "TX of the adapter to SI", "Mode: take it off. SO–G: take it off"),
+        (2, "TX of the RS-232 port (pin 3 of nine) to RX", "Mode: take it off"),
+        (3, "channels 1 and 2 of the receiver to channels 1 and 2", "Mode: put it on RC"),
     ):
         window.click(f"startWay{way}")
         check_keyboard(window.window)
-        shown = [number for number in (1, 2, 3) if window.has(f"startSteps{number}")]
+        shown = [number for number in (1, 2, 3) if window.has(f"wiringSketch{number}")]
         assert shown == [way]
-        assert said in window.text(f"startSteps{way}")
-        sketch = window.find(QWidget, f"wiringSketch{way}")
-        assert sketch.isVisible()
+        sketch = window.find(WiringSketch, f"wiringSketch{way}")
         assert wires in sketch.accessibleName()
+        assert jumpers in sketch.spoken_state()
+
+
+def test_first_start_leads_to_a_turning_motor_in_four_clicks(window: WindowDriver) -> None:
+    window.click("startDemo")
+    window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
+    window.open_page("motorsPage")
+    window.click("runButton")
+    window.wait(lambda: window.is_enabled("motor1Slider"))
+    window.drag("motor1Slider", 30, release=False)
+    window.wait(lambda: bool(drive := window.motors.drive(1)) and drive.signed > 0)
 
 
 def test_port_that_is_plugged_in_is_offered_and_connected(
@@ -79,7 +86,6 @@ def test_port_that_is_plugged_in_is_offered_and_connected(
 def test_recent_files_are_offered_and_open(window: WindowDriver, tmp_path: Path) -> None:
     recent = window.window.files.recent
     group = window.find(QWidget, "startFiles")
-    assert not group.isVisible()
     poses = tmp_path / "walk & turn.ppr"
     poses.write_text("low = [1, 2, 3, 4, 5, 6, 7, 8]\n")
     for number in range(6):
@@ -88,7 +94,8 @@ def test_recent_files_are_offered_and_open(window: WindowDriver, tmp_path: Path)
 
     def shown() -> dict[str, QPushButton]:
         buttons = group.findChildren(QPushButton)
-        return {Path(one.toolTip()).name: one for one in buttons if one.isVisible()}
+        recent = [one for one in buttons if one.objectName() == "startRecent" and one.isVisible()]
+        return {Path(one.toolTip()).name: one for one in recent}
 
     window.wait(shown)
     assert list(shown()) == ["walk & turn.ppr", "5.txt", "4.txt"]
@@ -101,7 +108,7 @@ def test_recent_files_are_offered_and_open(window: WindowDriver, tmp_path: Path)
     window.wait_for_text("bannerText", "walk & turn.ppr was opened.")
 
     recent.clear()
-    assert not group.isVisible()
+    assert not shown()
 
 
 def test_panel_of_the_robot_leads_to_robots(
@@ -113,7 +120,7 @@ def test_panel_of_the_robot_leads_to_robots(
     window.program.device_manager.switch_to("aracna", lambda: None)
     panel = window.find(QWidget, "aracna_startPanel")
     assert panel.isVisible()
-    assert "servo power" in window.text("aracna_startSteps1")
+    assert "servo power" in window.text("aracna_startNote1")
     assert not window.has("aracnaSlider1")
     window.click("aracna_start_aracna_offline")
     assert not panel.isVisible()
@@ -158,50 +165,6 @@ def start(qtbot: QtBot, qapp: QApplication) -> Start:
             assert program.close(), "a thread of the program lives on"
 
     return started
-
-
-@pytest.fixture
-def _first_start() -> None:
-    QSettings().setValue("start/welcomed", False)
-
-
-@pytest.mark.usefixtures("_first_start")
-def test_only_first_start_shows_welcome(start: Start) -> None:
-    with start() as window:
-        assert window.has("welcome")
-        assert not window.has("startDemo")
-        check_keyboard(window.window)
-        window.open_page("channelsPage")
-        window.open_page("boardPage")
-        assert window.has("welcome")
-        window.click("welcomeConnect")
-        assert not window.has("welcome")
-        assert window.has("startDemo")
-        assert window.find(QWidget, "startWay1").hasFocus()
-    with start() as window:  # the window was not closed
-        assert window.has("startDemo")
-        assert not window.has("welcome")
-
-
-@pytest.mark.usefixtures("_first_start")
-def test_welcome_is_over_once_the_demo_was_tried(window: WindowDriver) -> None:
-    window.click("welcomeFind")
-    dialog = window.dialog("findDialog").root
-    window.wait(dialog.isVisible)
-    dialog.close()
-    window.click("welcomeDemo")
-    window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
-    window.disconnect()
-    assert window.has("startDemo")
-    assert not window.has("welcome")
-
-
-@pytest.mark.usefixtures("_first_start")
-def test_who_has_used_the_program_is_not_welcomed(start: Start) -> None:
-    QSettings().setValue("window/state", QByteArray(b"x"))
-    with start() as window:
-        assert window.has("startDemo")
-        assert not window.has("welcome")
 
 
 @pytest.mark.parametrize("is_closed", [True, False])

@@ -256,7 +256,6 @@ VALID: dict[str, object] = {
     "files/default_folder": "/tmp",
     "connection/automatic": True,
     "window/device": "aracna",
-    "start/welcomed": True,
     "trex/page": 2,
     "aracna/page": 1,
     "ports/typed": f"{URL}\nsocket://host:1",

@@ -1,46 +1,66 @@
-"""What a page shows while nothing is connected: how to begin."""
+"""The page while nothing is connected: wiring, what is plugged in, search, demo, files."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import zip_longest
 
 from PySide6.QtCore import Qt, Slot
-from PySide6.QtGui import QHideEvent
-from PySide6.QtWidgets import QAbstractButton, QPushButton, QStackedWidget, QWidget
+from PySide6.QtWidgets import QLabel, QPushButton, QStackedWidget, QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.frame.main_window import MainWindow
-from trex_gui.ui.frame.welcome import Welcome, is_first_start
 from trex_gui.ui.frame.wiring_sketch import Wires, WiringSketch
 from trex_gui.ui.frame.workspace import Workspace
-from trex_gui.ui.theme.theme import follow_theme
+from trex_gui.ui.theme.theme import set_look, set_text_color
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.labels import ElidedLabel, Muted, PageHead
 
-_WIDEST_LINES = 100  # characters: longer lines are hard to read
-_WIDEST_BUTTON = 38
+_WIDEST_BUTTON = 26  # characters
 _MOST_PORTS = 4
 _MOST_FILES = 3
 
 
 @dataclass(frozen=True, slots=True)
 class StartWay:
-    steps: str  # rich text
     wiring: Wires
+    note: str
     name: str = ""  # to choose it by, with a free letter, if there are several
-    jumpers: QWidget | None = None  # a picture, for below that of the wires
+    danger: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class StartTexts:
     title: str
+    hint: str  # what to do first, in one line
     ways: Sequence[StartWay]
     none: str  # heading of what needs no hardware
     demo: str  # on the button, as the texts of files with a free letter
-    files: Sequence[tuple[str, str, str]]  # action that opens a file, text, icon
+    files: Sequence[tuple[str, str]]  # action that opens a file, text
     prefix: str = ""  # starts object names
-    welcome: str = ""  # what the very first start says of the program; empty: nothing
+
+
+class PortRow(QWidget):
+    """A port with what is known of its adapter."""
+
+    def __init__(self, name: str, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._name, self._about = ElidedLabel("", self), ElidedLabel("", self)
+        ui.set_bold(self._name)
+        set_text_color(self._about, "muted")
+        self.button = ui.button(self, name, tr("Connect"))
+        texts = ui.column(self._name, self._about, margins=0, spacing=0)
+        ui.row((texts, 1), self.button, into=self, margins=0)
+
+    def show_port(self, port: Port, *, is_preferred: bool) -> None:
+        name, _, about = port.label.partition("  (")
+        self._name.show_text(name)
+        self._about.show_text(about.removesuffix(")"))
+        self._about.setVisible(bool(about))
+        set_look(self.button, "primary" if is_preferred else "")
+        self.button.setAccessibleName(tr("Connect to {0}").format(port.label))
+        self.button.setToolTip(ui.plain(port.label))
 
 
 class StartPanel(QWidget):
@@ -48,113 +68,80 @@ class StartPanel(QWidget):
 
     def __init__(self, texts: StartTexts, frame: MainWindow, workspace: Workspace) -> None:
         super().__init__(workspace)
-        self.setObjectName(f"{texts.prefix}startPanel")
+        self._prefix = prefix = texts.prefix
+        self.setObjectName(f"{prefix}startPanel")
         self._device = workspace.key
-        self._prefix = texts.prefix
         self._frame = frame
+        head = PageHead(texts.title, self)
+        head.show_state(texts.hint)
+        wirings = self._wirings(texts.ways)
 
-        hardware = ui.Card(texts.title, self)
-        pictures, steps = QStackedWidget(hardware), QStackedWidget(hardware)
-        choices: list[QAbstractButton] = []
-        for number, way in enumerate(texts.ways, start=1):
-            pictures.addWidget(self._picture(way, number, hardware))
-            name = f"{texts.prefix}startSteps{number}"
-            text = ui.label(steps, name, way.steps, wrap=True, rich=True)
-            text.setAlignment(Qt.AlignmentFlag.AlignTop)
-            steps.addWidget(text)
-            if way.name:
-                choice = ui.radio_button(hardware, f"{texts.prefix}startWay{number}", way.name)
-                choice.setChecked(number == 1)
-                choice.clicked.connect(partial(pictures.setCurrentIndex, number - 1))
-                choice.clicked.connect(partial(steps.setCurrentIndex, number - 1))
-                choices.append(choice)
-        self._ports = [
-            self._button(hardware, "startPort", "", "connect", partial(self._on_port_clicked, at))
-            for at in range(_MOST_PORTS)
-        ]
+        plugged = ui.Card(tr("What is plugged in"), self)
+        self._rows = [PortRow(f"{prefix}startPort", plugged) for _ in range(_MOST_PORTS)]
+        for at, row in enumerate(self._rows):
+            row.button.clicked.connect(partial(self._on_port_clicked, at))
         self._none = ui.label(
-            hardware,
-            f"{texts.prefix}startNoPort",
+            plugged,
+            f"{prefix}startNoPort",
             tr("No serial port was found. Plug the adapter in: it is listed here at once."),
             wrap=True,
         )
-        find = self._button(
-            hardware,
-            "startFind",
-            tr("Find &my board…"),
-            "find",
-            partial(workspace.trigger, "find"),
-        )
-        find.setToolTip(tr("Search every port and baud rate; no motor moves"))
-        begin = ui.column(steps, self._none, *_left(*self._ports, find), 1)
-        top = (pictures, 0, Qt.AlignmentFlag.AlignTop)
-        both = ui.row(top, (begin, 1), margins=0)
-        ui.column(*([ui.row(*choices, 1, margins=0)] if choices else []), both, into=hardware)
-
+        ui.column(*self._rows, self._none, 1, into=plugged, spacing=12)
+        silent = ui.Card(tr("It does not answer?"), self)
+        tip = tr("Search every port and baud rate; no motor moves")
+        find = ui.button(silent, f"{prefix}startFind", tr("Find &my board…"))
+        find.clicked.connect(partial(workspace.trigger, "find"))
         other = ui.Card(texts.none, self)
-        demo = self._button(other, "startDemo", texts.demo, "run", self._connect_to_demo)
-        demo.setToolTip(tr("A simulated board: nothing can be damaged"))
-        opening = [
-            self._button(other, f"start_{key}", text, icon, partial(workspace.trigger, key))
-            for key, text, icon in texts.files
-        ]
-        ui.row(demo, *opening, 1, into=other)
+        demo = ui.button(other, f"{prefix}startDemo", texts.demo, on_click=self._connect_to_demo)
+        about = tr("A simulated board: nothing can be damaged")
+        for card, text, button in ((silent, tip, find), (other, about, demo)):
+            button.setToolTip(text)
+            ui.column(Muted(text, card), (button, 0, Qt.AlignmentFlag.AlignLeft), into=card)
 
-        self._recent = ui.named(ui.Card(tr("Recent files"), self), f"{texts.prefix}startFiles")
-        self._files = [
-            self._button(
-                self._recent, "startRecent", "", "open", partial(self._on_file_clicked, at)
+        recent = ui.named(ui.Card(tr("Files"), self), f"{prefix}startFiles")
+        self._files = [ui.button(recent, f"{prefix}startRecent") for _ in range(_MOST_FILES)]
+        for at, button in enumerate(self._files):
+            button.clicked.connect(partial(self._on_file_clicked, at))
+        opening = [
+            ui.button(
+                recent, f"{prefix}start_{key}", text, on_click=partial(workspace.trigger, key)
             )
-            for at in range(_MOST_FILES)
+            for key, text in texts.files
         ]
-        ui.column(*_left(*self._files), into=self._recent)
-        content = QWidget(self)
-        ui.column(hardware, other, self._recent, into=content, margins=0)
-        shown = [content]
-        self._content, self._first = content, choices[0] if choices else find
-        self._welcome: Welcome | None = None
-        if texts.welcome and is_first_start():
-            find_board = partial(workspace.trigger, "find")
-            self._welcome = Welcome(texts.welcome, find_board, self._connect_to_demo, self)
-            self._welcome.connect_chosen.connect(self._end_welcome)
-            content.hide()
-            shown.append(self._welcome)
-        for each in shown:
-            follow_theme(each, "widest", partial(self._limit_width, each))
-        ui.column(*(ui.row((each, 1)) for each in shown), 1, into=self, margins=0)
+        for button in (*self._files, *opening):
+            set_look(button, "link")
+        ui.row(*self._files, *opening, 1, into=recent)
+        right = ui.column((plugged, 1), silent, other, margins=0, spacing=12)
+        top = ui.row((wirings, 2), (right, 1), margins=0, spacing=16)
+        ui.column(head, (top, 1), recent, into=self, margins=0, spacing=12)
         frame.ports.changed.connect(self._on_ports_changed)
         frame.files.recent.changed.connect(self._on_recent_changed)
         self._on_ports_changed()
         self._on_recent_changed()
 
-    def _picture(self, way: StartWay, number: int, parent: QWidget) -> QWidget:
-        picture = QWidget(parent)
-        sketch = WiringSketch(way.wiring, f"{self._prefix}wiringSketch{number}", picture)
-        ui.column(sketch, *([way.jumpers] if way.jumpers else []), 1, into=picture, margins=0)
-        return picture
-
-    def _limit_width(self, part: QWidget) -> None:
-        widest = self.fontMetrics().averageCharWidth() * _WIDEST_LINES
-        part.setMaximumWidth(max(widest, part.minimumSizeHint().width()))
-
-    @Slot()
-    def _end_welcome(self) -> None:
-        if self._welcome is not None:
-            self._welcome.hide()
-            self._content.show()
-            self._first.setFocus()
-            self._welcome.deleteLater()
-            self._welcome = None
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        super().hideEvent(event)
-        if self.isHidden():  # a device is being connected, rather than another page shown
-            self._end_welcome()
-
-    def _button(
-        self, parent: QWidget, name: str, text: str, icon: str, act: Callable[[], object]
-    ) -> QPushButton:
-        return ui.button(parent, f"{self._prefix}{name}", text, icon=icon, on_click=act)
+    def _wirings(self, ways: Sequence[StartWay]) -> QWidget:
+        """Return the drawing of each way, one of which is chosen."""
+        card = ui.Card("", self)
+        pages, choices = QStackedWidget(card), list[QPushButton]()
+        for number, way in enumerate(ways, start=1):
+            page = QWidget(pages)
+            sketch = WiringSketch(way.wiring, f"{self._prefix}wiringSketch{number}", page)
+            danger = ui.label(page, "", way.danger, wrap=True, bold=True)
+            set_text_color(danger, "danger")
+            note = ui.named(Muted(way.note, page), f"{self._prefix}startNote{number}")
+            parts: list[QLabel] = [danger, note] if way.danger else [note]
+            ui.column((sketch, 1), *parts, into=page, margins=0)
+            pages.addWidget(page)
+            if way.name:
+                name = f"{self._prefix}startWay{number}"
+                choice = ui.button(card, name, way.name, checkable=True)
+                choice.setAutoExclusive(True)
+                choice.setChecked(number == 1)
+                choice.clicked.connect(partial(pages.setCurrentWidget, page))
+                choices.append(choice)
+        chosen = [ui.row(*choices, 1, margins=0)] if choices else []
+        ui.column(*chosen, (pages, 1), into=card)
+        return card
 
     @property
     def _real_ports(self) -> list[Port]:
@@ -162,28 +149,22 @@ class StartPanel(QWidget):
 
     @Slot()
     def _on_ports_changed(self) -> None:
+        preferred = self._frame.ports.preferred
         self._none.setVisible(not any(port.kind is PortKind.SERIAL for port in self._real_ports))
-        for button, port in zip_longest(self._ports, self._real_ports[:_MOST_PORTS]):
-            button.setVisible(port is not None)
+        for row, port in zip_longest(self._rows, self._real_ports[:_MOST_PORTS]):
+            row.setVisible(port is not None)
             if port is not None:
-                button.setText(tr("Connect to {0}").format(self._elided(port.label)))
-                button.setToolTip(ui.plain(port.label))
+                row.show_port(port, is_preferred=port == preferred)
 
     @Slot()
     def _on_recent_changed(self) -> None:
-        files = self._frame.files.recent.entries[:_MOST_FILES]
-        self._recent.setVisible(bool(files))
+        metrics, files = self.fontMetrics(), self._frame.files.recent.entries[:_MOST_FILES]
+        room, end = metrics.averageCharWidth() * _WIDEST_BUTTON, Qt.TextElideMode.ElideRight
         for button, file in zip_longest(self._files, files):
             button.setVisible(file is not None)
             if file is not None:
-                button.setText(self._elided(file.title))
+                button.setText(ui.no_mnemonic(metrics.elidedText(file.title, end, room)))
                 button.setToolTip(ui.plain(str(file.path)))
-
-    def _elided(self, text: str) -> str:
-        """Return a text for a button, with an end that it has room for."""
-        metrics = self.fontMetrics()
-        room = metrics.averageCharWidth() * _WIDEST_BUTTON
-        return ui.no_mnemonic(metrics.elidedText(text, Qt.TextElideMode.ElideRight, room))
 
     def _on_port_clicked(self, at: int) -> None:
         """Connect to this kind of device, unless another one was found on the port."""
@@ -196,7 +177,3 @@ class StartPanel(QWidget):
 
     def _on_file_clicked(self, at: int) -> None:
         self._frame.files.open_recent(self._frame.files.recent.entries[at])
-
-
-def _left(*buttons: QPushButton) -> list[ui.Item]:
-    return [(button, 0, Qt.AlignmentFlag.AlignLeft) for button in buttons]

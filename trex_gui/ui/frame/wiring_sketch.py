@@ -1,29 +1,37 @@
-"""Picture of the wires between an adapter, or a receiver, and a board."""
+"""Drawing of the wires between an adapter, or a receiver, and a board; not to scale."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QPaintEvent, QPen
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from trex_gui.core.translation import tr
-from trex_gui.ui.theme.theme import follow_theme, theme
+from trex_gui.ui.theme.theme import follow_theme, scaled_font, theme
+from trex_gui.ui.widgets.circuit import (
+    Jumper,
+    jumpers_size,
+    paint_block,
+    paint_body,
+    paint_jumpers,
+    text_width,
+    write,
+)
 from trex_gui.ui.widgets.painted import Painted, Painter
 
-_GAP = 12  # characters between the boxes
-_LEAST_BOX = 11
-_MARGIN = 8  # pixels beside the name of a pin
-_WIRE_COLORS = ("motor1", "motor2", "muted")
+_COLORS = ("window_text", "accent", "outline")  # of the wires, from top to bottom
+_WIRES = 3.6  # lines of text above the first wire
+_LARGEST, _LARGEST_TEXT = 2.0, 1.2  # times the least size, where there is room
 
 
 @dataclass(frozen=True, slots=True)
 class Wires:
     board: str  # name of what is wired
+    adapter: str  # name of what it is wired to
     # Names of the pins at the adapter and at the board, from top to bottom; at most three.
     wires: Sequence[tuple[str, str]]
     text: str  # the wires in words
-    adapter: str = ""  # name of what the board is wired to, if it is no adapter
+    jumpers: Sequence[Jumper] = ()
 
 
 class WiringSketch(Painted):
@@ -31,52 +39,65 @@ class WiringSketch(Painted):
         super().__init__(parent)
         self.setObjectName(name)
         self.setAccessibleName(wiring.text)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
         self._wiring = wiring
-        follow_theme(self, "room", self._take_room)
+        follow_theme(self, "room", self.updateGeometry)
 
-    def _take_room(self) -> None:
-        self.setFixedSize(self.sizeHint())
-        self.update()
+    def spoken_state(self) -> str:
+        return ". ".join(text for text, _ in self._wiring.jumpers)
 
-    def sizeHint(self) -> QSize:
-        metrics = self.fontMetrics()
-        gap = metrics.averageCharWidth() * _GAP
-        return QSize(2 * self._box_width() + gap, metrics.height() * 9)
+    def minimumSizeHint(self) -> QSize:
+        _, body = self._boxes()
+        return QSize(round(body.right()) + 2, round(body.bottom()) + 2)
 
-    def _box_width(self) -> int:
-        metrics = self.fontMetrics()
-        pins = [pin for wire in self._wiring.wires for pin in wire]
-        widths = [metrics.horizontalAdvance(text) for text in (*pins, *self._titles())]
-        return max(metrics.averageCharWidth() * _LEAST_BOX, max(widths) + 2 * _MARGIN)
+    sizeHint = minimumSizeHint
 
-    def _titles(self) -> tuple[str, str]:
-        return self._wiring.adapter or tr("Adapter"), self._wiring.board
+    def _boxes(self) -> tuple[QRectF, QRectF]:
+        """Return where adapter and board are."""
+        wiring, font, line = self._wiring, self.font(), self.fontMetrics().height()
+        left, right = self._pin_widths()
+        rows, jumpers = 2 * len(wiring.wires), jumpers_size(font, wiring.jumpers)
+        width = max(8.5 * line, text_width(font, wiring.adapter) + line + left / 2)
+        adapter = QRectF(1, (_WIRES - 1.4) * line, width, (rows + 0.8) * line)
+        at = adapter.right() + (left + right) / 2 + 5 * line
+        board = max(12 * line, right + text_width(font, wiring.board))
+        height = (_WIRES + rows + 1) * line + jumpers.height()
+        return adapter, QRectF(at, 1, max(board, jumpers.width() + 3 * line), height)
+
+    def _pin_widths(self) -> tuple[float, float]:
+        line = self.fontMetrics().height()
+        left, right = zip(*self._wiring.wires, strict=True)
+        return text_width(self.font(), *left) + line, text_width(self.font(), *right) + line
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
-        painter = Painter(self)
-        line = self.fontMetrics().height()
-        box = QRectF(0.5, 1.5 * line, self._box_width(), 6 * line)
-        board = box.translated(self.width() - box.width() - 1, 0)
-        text = theme().color("window_text")
-        painter.setPen(QPen(text, 1))
-        for place, title in zip((box, board), self._titles(), strict=True):
-            painter.drawRoundedRect(place, 6, 6)
-            above = QRectF(place.left(), 0, place.width(), 1.4 * line)
-            painter.drawText(above, Qt.AlignmentFlag.AlignCenter, title)
-        for number, (left, right) in enumerate(self._wiring.wires):
-            y = box.top() + (2 * number + 1) * line
-            begin, end = QPointF(box.right(), y), QPointF(board.left(), y)
-            color = theme().color(_WIRE_COLORS[number])
-            painter.setPen(QPen(color, 2))
-            painter.drawLine(QLineF(begin, end))
-            painter.setBrush(color)
-            for pin in (begin, end):
-                painter.drawEllipse(pin, 3, 3)
-            painter.setBrush(Qt.BrushStyle.NoBrush)
-            painter.setPen(text)
-            room = QRectF(0, y - line / 2, box.width() - _MARGIN, line)
-            middle = Qt.AlignmentFlag.AlignVCenter
-            painter.drawText(room, middle | Qt.AlignmentFlag.AlignRight, left)
-            room.moveLeft(board.left() + _MARGIN)
-            painter.drawText(room, middle | Qt.AlignmentFlag.AlignLeft, right)
+        least, line = self.minimumSizeHint(), self.fontMetrics().height()
+        (adapter, body), (left, right) = self._boxes(), self._pin_widths()
+        scale = min(self.width() / least.width(), self.height() / least.height(), _LARGEST)
+        with Painter(self) as painter:
+            painter.translate(
+                (self.width() - scale * least.width()) / 2,
+                (self.height() - scale * least.height()) / 2,
+            )
+            painter.scale(scale, scale)
+            painter.setFont(scaled_font(self.font(), min(1.0, _LARGEST_TEXT / scale)))
+            painter.setPen(QPen(theme().color("outline"), 1.5))
+            painter.setBrush(theme().color("track"))
+            painter.drawRoundedRect(adapter, 8, 8)
+            title = adapter.adjusted(0, 0, -left / 2, 0)
+            center = Qt.AlignmentFlag.AlignHCenter
+            write(painter, title, self._wiring.adapter, "window_text", bold=True, align=center)
+            paint_body(painter, body, self._wiring.board)
+            for number, (pin, board_pin) in enumerate(self._wiring.wires):
+                y = (_WIRES + 2 * number) * line
+                painter.setPen(QPen(theme().color(_COLORS[number]), 3))
+                painter.drawLine(QPointF(adapter.right(), y), QPointF(body.left(), y))
+                for x, width, name in (
+                    (adapter.right(), left, pin),
+                    (body.left(), right, board_pin),
+                ):
+                    place = QRectF(x - width / 2, y - 0.75 * line, width, 1.5 * line)
+                    paint_block(painter, place, (name,))
+                top = (_WIRES + 2 * len(self._wiring.wires) - 0.4) * line
+            at = QPointF(body.left() + 2 * line, top)
+            paint_jumpers(painter, at, self._wiring.jumpers, line)

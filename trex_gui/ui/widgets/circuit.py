@@ -2,12 +2,13 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QPointF, QRect, QRectF, Qt
+from PySide6.QtCore import QPointF, QRect, QRectF, QSizeF, Qt
 from PySide6.QtGui import QFont, QFontMetrics, QPainter, QPen
 
 from trex_gui.ui.theme.theme import scaled_font, theme
 
 _HOLE, _INSET = 5, 12  # pixels: radius of a hole, and its distance from the edges
+_ROW = 2.4  # lines from one jumper to the next
 _HIGHEST = 10_000  # pixels: more than any text needs
 _LEFT = Qt.AlignmentFlag.AlignLeft
 _CENTER = Qt.AlignmentFlag.AlignHCenter
@@ -57,6 +58,27 @@ def paint_jumper(painter: QPainter, place: QRectF, is_on: bool | None) -> None:
     for share in (0.3, 0.7):
         pin = place.topLeft() + QPointF(share * place.width(), place.height() / 2)
         painter.drawEllipse(pin, 3.5, 3.5)
+
+
+Jumper = tuple[str, bool | None]
+"""What is said of a jumper, and whether it is on."""
+
+
+def jumpers_size(font: QFont, jumpers: Sequence[Jumper]) -> QSizeF:
+    """Return the size of jumpers below each other, with their texts."""
+    line = QFontMetrics(font).height()
+    widest = text_width(font, *(text for text, _ in jumpers)) if jumpers else 0
+    return QSizeF(jumper_size(line)[0] + line + widest, _ROW * line * len(jumpers))
+
+
+def paint_jumpers(painter: QPainter, at: QPointF, jumpers: Sequence[Jumper], line: float) -> None:
+    """Paint jumpers below each other with their texts, in rows for lines of this height."""
+    width, height = jumper_size(line)
+    for number, (text, is_on) in enumerate(jumpers):
+        place = QRectF(at.x(), at.y() + number * _ROW * line, width, height)
+        paint_jumper(painter, place, is_on)
+        beside = QRectF(place.right() + 0.6 * line, place.top(), _HIGHEST, height)
+        write(painter, beside, text, "window_text", bold=True)
 
 
 def write(

@@ -3,7 +3,7 @@
 import re
 
 from PySide6.QtCore import QPointF, QSize, Qt, Slot
-from PySide6.QtGui import QHideEvent, QPaintEvent, QPen, QShowEvent
+from PySide6.QtGui import QHideEvent, QPainter, QPaintEvent, QPen, QShowEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from trex_gui.core.translation import tr
@@ -34,6 +34,20 @@ def is_lit(pattern: str, seconds: float, *, second: bool = False) -> bool:
     return (phase < 0.5) is not (second and found[1] == "alternate")
 
 
+def paint_lamp(
+    painter: QPainter, middle: QPointF, radius: float, color: str, *, is_known: bool = True
+) -> None:
+    """Paint a LED, lit in a colour of the theme, or dark without one; dashed if not known."""
+    style = Qt.PenStyle.SolidLine if is_known else Qt.PenStyle.DashLine
+    painter.setPen(QPen(theme().color(color or "track_edge"), 1.5, style))
+    painter.setBrush(theme().color(color or "track_off"))
+    painter.drawEllipse(middle, radius, radius)
+    if color:  # a glint: a lit lamp differs from a dark one without its colour
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(Qt.GlobalColor.white)
+        painter.drawEllipse(middle - QPointF(radius, radius) * 0.3, radius / 4, radius / 4)
+
+
 class Lamp(Painted):
     """One LED; `color` is a name of the theme."""
 
@@ -54,17 +68,10 @@ class Lamp(Painted):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
-        color = theme().color
         radius = min(self.width(), self.height()) / 2 - 1.5
         middle = QPointF(self.width() / 2, self.height() / 2)
         with Painter(self) as painter:
-            painter.setPen(QPen(color(self._color if self.lit else "track_edge"), 1.5))
-            painter.setBrush(color(self._color if self.lit else "track_off"))
-            painter.drawEllipse(middle, radius, radius)
-            if self.lit:  # a glint: a lit lamp differs from a dark one without its colour
-                painter.setPen(Qt.PenStyle.NoPen)
-                painter.setBrush(Qt.GlobalColor.white)
-                painter.drawEllipse(middle - QPointF(radius, radius) * 0.3, radius / 4, radius / 4)
+            paint_lamp(painter, middle, radius, self._color if self.lit else "")
 
 
 class Leds(QWidget):

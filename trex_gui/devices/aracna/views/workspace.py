@@ -133,31 +133,30 @@ class AracnaWorkspace(Workspace):
     def _make_start_panel(self) -> StartPanel:
         texts = StartTexts(
             title=tr("Connect my Aracna"),
+            hint=tr(
+                "Give the legs room: this robot has no stop. Nothing moves until you choose Move."
+            ),
             ways=(
                 StartWay(
-                    tr(
-                        "<ol style='margin-left: -10px'>"
-                        "<li>Wire an FTDI cable to the header of the ArbotiX board, or put an XBee "
-                        "radio into its socket. Both share one line: use only one of them.</li>"
-                        "<li>Give the legs room. This robot has no stop: a motion ends by itself, "
-                        "or when its servo power is cut.</li>"
-                        "<li>Switch on the board and the servo power, without which the first move "
-                        "never ends, and connect. Nothing moves until you choose Move.</li>"
-                        "</ol>"
-                    ),
                     Wires(
                         tr("ArbotiX"),
+                        tr("Adapter"),
                         (("TX", "RX"), ("RX", "TX"), ("GND", "GND")),
                         tr("Wiring: TX of the adapter to RX, RX to TX, GND to GND of the board"),
+                    ),
+                    tr(
+                        "An FTDI cable at the header, or an XBee radio in the socket: both share "
+                        "one line. Switch on the servo power, too, without which the first move "
+                        "never ends."
                     ),
                 ),
             ),
             none=tr("No robot at hand?"),
             demo=tr("Tr&y the demo"),
             files=(
-                ("aracna_open", tr("Open pose fi&le…"), "open"),
-                ("aracna_open_recording", tr("Ope&n recording…"), "plot"),
-                ("aracna_offline", tr("Set &up goals and limits"), "settings"),
+                ("aracna_open", tr("Open pose fi&le…")),
+                ("aracna_open_recording", tr("Ope&n recording…")),
+                ("aracna_offline", tr("Set &up goals and limits")),
             ),
             prefix="aracna_",
         )

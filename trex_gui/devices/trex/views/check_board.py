@@ -10,8 +10,9 @@ from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.views.jumper_sketch import JumperPlaces, JumperSketch
+from trex_gui.devices.trex.views.start_texts import ttl_wiring
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.frame.wiring_sketch import Wires, WiringSketch
+from trex_gui.ui.frame.wiring_sketch import WiringSketch
 from trex_gui.ui.notifier import ConnectWith
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog, keep_room
@@ -89,9 +90,9 @@ _SIGHTS = (
 
 
 class SightsPage(QWidget):
-    """The LED patterns of a board, and how it is connected."""
+    """The LED patterns of a board."""
 
-    def __init__(self, wiring: Wires, parent: QWidget) -> None:
+    def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName("checkLedsPage")
         rows = ui.grid(margins=0, spacing=(16, 8), stretch=[(1, 1)])
@@ -105,12 +106,7 @@ class SightsPage(QWidget):
             rows.addLayout(ui.column(leds, shown, 1, margins=0, spacing=0), number, 0)
             rows.addLayout(about, number, 1)
         rows.setRowStretch(len(_SIGHTS), 1)
-        jumpers = JumperSketch(self)
-        jumpers.show_boards(JumperPlaces(tr("Jumpers to connect"), "", None))
-        caption = Muted(tr("Mode may also be on: the board responds in every mode."), self)
-        caption.setMaximumWidth(jumpers.width())
-        right = ui.column(WiringSketch(wiring, "checkWiring", self), jumpers, caption, 1)
-        ui.row((rows, 1), right, into=self, margins=12, spacing=20)
+        ui.column(rows, into=self, margins=12)
 
 
 @dataclass(frozen=True, slots=True)
@@ -249,7 +245,7 @@ class CheckBoardDialog(ReusedDialog):
     connect_requested = Signal(object)  # a `ConnectWith`
     find_requested = Signal()
 
-    def __init__(self, device: Device, wiring: Wires, parent: QWidget | None = None) -> None:
+    def __init__(self, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("checkBoardDialog")
         self.setWindowTitle(tr("Board does not respond"))
@@ -259,8 +255,13 @@ class CheckBoardDialog(ReusedDialog):
         tabs = ui.named(QTabWidget(self), "checkTabs", accessible=title)
         tabs.setDocumentMode(True)  # else its background is brighter than muted text bears
         self._steps = HandShakePage(tabs)
-        tabs.addTab(ScrollBox(SightsPage(wiring, tabs), tabs), tr("&What the board shows"))
+        wires = QWidget(tabs)
+        caption = Muted(tr("Mode may also be on: the board responds in every mode."), wires)
+        sketch = WiringSketch(ttl_wiring(), "checkWiring", wires)
+        ui.column((sketch, 1), caption, into=wires, margins=12)
+        tabs.addTab(ScrollBox(SightsPage(tabs), tabs), tr("&What the board shows"))
         tabs.addTab(self._steps, tr("&Lost serial settings"))
+        tabs.addTab(wires, tr("W&iring"))
         self._result = ui.named(Note(2, self), "checkResult")
         button = partial(ui.button, self)
         self._find = button("checkFindButton", tr("&Find now"), icon="find", default=True)

@@ -14,7 +14,6 @@ from trex_gui.devices.trex.views.history_dialog import HistoryDialog
 from trex_gui.devices.trex.views.learning.dialog import LearnDialog
 from trex_gui.devices.trex.views.review.review_dialog import ReviewDialog
 from trex_gui.devices.trex.views.setup.dialog import SetupDialog
-from trex_gui.devices.trex.views.start_texts import ttl_wiring
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.notifier import Remedy
 
@@ -62,7 +61,7 @@ class Tools(QObject):
 
     @cached_property
     def check_board(self) -> CheckBoardDialog:
-        dialog = CheckBoardDialog(self._device, ttl_wiring(), self._frame)
+        dialog = CheckBoardDialog(self._device, self._frame)
         dialog.find_requested.connect(lambda: self._frame.apply_remedy(Remedy.FIND))
         dialog.connect_requested.connect(self._frame.apply_remedy)
         return dialog

@@ -142,7 +142,7 @@ class TrexWorkspace(Workspace):
         self._undo_watch = device.draft.undo.indexChanged.connect(self._on_actions_changed)
 
     def _make_board_page(self) -> QWidget:
-        start = StartPanel(start_texts(self), self._frame, self)
+        start = StartPanel(start_texts(), self._frame, self)
         page = BoardPage(self._device, start, self)
         page.setup_requested.connect(self._set_up)
         page.page_wanted.connect(self.show_page)

@@ -19,7 +19,7 @@ from trex_gui.ui.widgets.circuit import (
     write,
     write_lines,
 )
-from trex_gui.ui.widgets.leds import is_lit
+from trex_gui.ui.widgets.leds import is_lit, paint_lamp
 from trex_gui.ui.widgets.painted import Painter, never_mirror
 
 _SPOKES = 5
@@ -146,17 +146,8 @@ class LedPart(BoardPart):
 
     def paint(self, painter: QPainter) -> None:
         radius = self.fontMetrics().height() / 2
-        middle = QPointF(radius + 6, self.height() / 2)
-        unknown = not self.pattern
-        style = Qt.PenStyle.DashLine if unknown else Qt.PenStyle.SolidLine
-        color = theme().color(self.color if self._is_lit else "track_edge")
-        painter.setPen(QPen(color, 1.5, style))
-        painter.setBrush(theme().color(self.color if self._is_lit else "track_off"))
-        painter.drawEllipse(middle, radius, radius)
-        if self._is_lit:  # a glint: a lit lamp differs from a dark one without its colour
-            painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(Qt.GlobalColor.white)
-            painter.drawEllipse(middle - QPointF(radius, radius) * 0.3, radius / 4, radius / 4)
+        middle, color = QPointF(radius + 6, self.height() / 2), self.color if self._is_lit else ""
+        paint_lamp(painter, middle, radius, color, is_known=bool(self.pattern))
         self.write_beside(painter, 2 * radius + 14)
 
 
