@@ -95,7 +95,7 @@ class StartPanel(QWidget):
         demo = ui.button(other, f"{prefix}startDemo", texts.demo, on_click=self._connect_to_demo)
         about = tr("A simulated board: nothing can be damaged")
         for card, text, button in ((silent, tip, find), (other, about, demo)):
-            button.setToolTip(text)
+            button.setToolTip(ui.plain(text))
             ui.column(Muted(text, card), (button, 0, Qt.AlignmentFlag.AlignLeft), into=card)
 
         recent = ui.named(ui.Card(tr("Files"), self), f"{prefix}startFiles")

@@ -34,14 +34,12 @@ class JumperPlaces:
     @property
     def rows(self) -> Sequence[Jumper]:
         """The jumpers, with a sign before the one to move now."""
-        mode = {"": tr("Mode: off"), "RC": tr("Mode: RC"), "Analog": tr("Mode: Analog")}
-        mix = {True: tr("Mix: on"), False: tr("Mix: off"), None: tr("Mix: either")}
+        position = tr("RC") if self.mode == "RC" else tr("Analog")
+        mode = tr("Mode: {0}").format(position) if self.mode else tr("Mode: off")
         so_ground = tr("SO–G: on") if self.so_ground else tr("SO–G: off")
-        rows = (
-            ("mode", mode[self.mode], bool(self.mode)),
-            ("mix", mix[self.mix], self.mix),
-            ("so_ground", so_ground, self.so_ground),
-        )
+        rows = [("mode", mode, bool(self.mode)), ("so_ground", so_ground, self.so_ground)]
+        if self.mix is not None:
+            rows.insert(1, ("mix", tr("Mix: on") if self.mix else tr("Mix: off"), self.mix))
         return [(f"▸ {text}" if key == self.next_one else text, on) for key, text, on in rows]
 
     @property

@@ -12,7 +12,7 @@ from trex_gui.devices.trex.model.drive_texts import TimeoutWarning, timeout_warn
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.theme import set_look, set_style_property
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import ConfirmButton
+from trex_gui.ui.widgets.behaviour import ConfirmButton, keep_room
 from trex_gui.ui.widgets.builders import RedButton
 from trex_gui.ui.widgets.labels import Note
 
@@ -104,9 +104,7 @@ class TimeoutNotice(QWidget):
         self._text = ui.named(Note(3, self), "timeoutLabel")
         name = tr("Write the serial timeout")
         self._button = ui.button(self, "timeoutButton", accessible=name, on_click=self._on_clicked)
-        policy = self._button.sizePolicy()
-        policy.setRetainSizeWhenHidden(True)
-        self._button.setSizePolicy(policy)
+        keep_room(self._button)
         ui.column(
             (self._text, 1), (self._button, 0, Qt.AlignmentFlag.AlignLeft), into=self, margins=0
         )

@@ -9,7 +9,7 @@ from trex_gui.ui.widgets.circuit import Jumper
 def ttl_wiring() -> Wires:
     return Wires(
         tr("TReX"),
-        tr("USB adapter"),
+        tr("Adapter"),
         (("TX", "SI"), ("RX", "SO"), ("GND", "GND")),
         tr("Wiring: TX of the adapter to SI, RX to SO, GND to GND of the board"),
         _to_connect(),

@@ -4,7 +4,7 @@ from html import escape
 
 from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QLabel, QWidget
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.board.drive_status import DriveStatus, drive_statuses
@@ -19,7 +19,7 @@ from trex_gui.devices.trex.views.board.view import BoardView
 from trex_gui.devices.trex.views.motor_controls import TimeoutNotice
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import only_when_visible
+from trex_gui.ui.widgets.behaviour import keep_room, only_when_visible
 from trex_gui.ui.widgets.labels import Muted, Note, Sign
 
 SIGNS = {
@@ -35,36 +35,28 @@ class Reasons(QWidget):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
-        self._rows: list[tuple[Sign, QLabel]] = []
-        self._grid = ui.grid(self, margins=0, spacing=(8, 2), stretch=[(1, 1)])
+        self._statuses: tuple[DriveStatus, ...] = ()
+        self._sign = Sign(self)
+        self._first = ui.label(self, "motorsReason1", wrap=True, selectable=True, size="title")
         self._remedy = ui.named(Muted("", self), "motorsRemedy")
-        self._grid.addWidget(self._remedy, 1, 1)
+        self._others = ui.label(self, "motorsReasons", wrap=True, rich=True, selectable=True)
+        keep_room(self._others)  # what is below does not move
+        sign = ui.column(self._sign, 1, margins=0)
+        texts = ui.column(self._first, self._remedy, self._others, margins=0, spacing=2)
+        ui.row(sign, (texts, 1), into=self, margins=0, spacing=8)
 
     def show_statuses(self, statuses: tuple[DriveStatus, ...]) -> None:
-        for row in range(len(self._rows), len(statuses)):
-            sign, name = Sign(self), f"motorsReason{row + 1}"
-            text = ui.label(
-                self, name, wrap=True, rich=True, selectable=True, size="" if row else "title"
-            )
-            place = 2 * row  # the remedy of the first is below it
-            self._grid.addWidget(sign, place, 0, Qt.AlignmentFlag.AlignTop)
-            self._grid.addWidget(text, place, 1)
-            self._rows.append((sign, text))
-        self._remedy.setText(statuses[0].remedy)
-        self._remedy.setVisible(bool(statuses[0].remedy))
-        for row, (sign, text) in enumerate(self._rows):
-            for widget in (sign, text):
-                widget.setVisible(row < len(statuses))
-            if row < len(statuses):
-                status = statuses[row]
-                shown = f"<b>{escape(status.text)}</b> {escape(status.remedy)}".rstrip()
-                if not row:
-                    shown = escape(status.text)
-                spoken = f"{status.text} {status.remedy}".rstrip()
-                if text.accessibleName() != spoken:
-                    sign.show_sign(*SIGNS[status.blocker.effect])
-                    text.setText(shown)
-                    text.setAccessibleName(spoken)
+        if statuses == self._statuses:
+            return
+        self._statuses = statuses
+        first, *others = statuses
+        self._sign.show_sign(*SIGNS[first.blocker.effect])
+        self._first.setText(first.text)
+        self._first.setAccessibleName(f"{first.text} {first.remedy}".rstrip())
+        self._remedy.setText(first.remedy)
+        rows = (f"<b>{escape(one.text)}</b> {escape(one.remedy)}" for one in others)
+        self._others.setText("<br>".join(rows))
+        self._others.setVisible(bool(others))
 
 
 class BoardPage(QWidget):
@@ -134,25 +126,23 @@ class BoardPage(QWidget):
     def _facts_of(self, state: DeviceState, settings: ConnectionSettings) -> list[str]:
         """Return model, firmware and how this computer talks to the board."""
         model, number = state.signature.model, settings.device_number
-        addressing = tr("compact packets")
-        if number is not None:
-            addressing = tr("device number {0}").format(number)
         facts = [
             f"{model.name} ({model.part})",
             tr("firmware {0}").format(state.signature.firmware),
-            tr("joint: one motor") if self._device.board.is_joint else tr("two independent motors"),
             settings.label,
             settings.line.text(),
-            addressing,
-            tr("RS-232 (everything sent comes back)")
-            if self._device.board.echo
-            else tr("TTL (SI and SO)"),
         ]
+        if number is not None:
+            facts.append(tr("device number {0}").format(number))
+        if self._device.board.is_joint:
+            facts.append(tr("joint: one motor"))
+        if self._device.board.echo:
+            facts.append(tr("RS-232 (everything sent comes back)"))
         wire = state.parameters.get(ParameterKey.UART_SETTINGS)
         is_valid = wire is not None and wire in state.specs[ParameterKey.UART_SETTINGS].valid
         real = settings.line.real_baud(state.signature.firmware)
         if is_valid and real != settings.line.baud:
-            facts.insert(5, tr("this firmware runs at half of this baud rate"))
+            facts.insert(4, tr("this firmware runs at half of this baud rate"))
         return facts
 
     @Slot()
