@@ -39,7 +39,7 @@ class Reasons(QWidget):
         self._sign = Sign(self)
         self._first = ui.label(self, "motorsReason1", wrap=True, selectable=True, size="title")
         self._remedy = ui.named(Muted("", self), "motorsRemedy")
-        self._others = ui.label(self, "motorsReasons", wrap=True, rich=True, selectable=True)
+        self._others = ui.label(self, "motorsReasons", wrap=True, rich=True)
         keep_room(self._others)  # what is below does not move
         sign = ui.column(self._sign, 1, margins=0)
         texts = ui.column(self._first, self._remedy, self._others, margins=0, spacing=2)
