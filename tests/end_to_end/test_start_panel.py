@@ -45,9 +45,9 @@ def test_panel_with_each_wiring_is_shown_while_nothing_is_connected(window: Wind
     window.disconnect()
     assert status.find(QWidget, "startPanel").isVisible()
     for way, wires, jumpers in (
-        (1, "TX of the adapter to SI", "Mode: take it off. SO–G: take it off"),
-        (2, "TX of the RS-232 port (pin 3 of nine) to RX", "Mode: take it off"),
-        (3, "channels 1 and 2 of the receiver to channels 1 and 2", "Mode: put it on RC"),
+        (1, "TReX: TX – SI, RX – SO, GND – GND", "Mode: take it off. SO–G: take it off"),
+        (2, "RS-232 port – TReX: TX, pin 3 – RX", "Mode: take it off"),
+        (3, "Receiver – TReX: CH 1 – CH1", "Mode: put it on RC"),
     ):
         window.click(f"startWay{way}")
         check_keyboard(window.window)

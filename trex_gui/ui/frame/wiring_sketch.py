@@ -7,6 +7,7 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from trex_gui.core.translation import tr
 from trex_gui.ui.theme.theme import follow_theme, scaled_font, theme
 from trex_gui.ui.widgets.circuit import (
     Jumper,
@@ -30,7 +31,6 @@ class Wires:
     adapter: str  # name of what it is wired to
     # Names of the pins at the adapter and at the board, from top to bottom; at most three.
     wires: Sequence[tuple[str, str]]
-    text: str  # the wires in words
     jumpers: Sequence[Jumper] = ()
 
 
@@ -38,7 +38,9 @@ class WiringSketch(Painted):
     def __init__(self, wiring: Wires, name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName(name)
-        self.setAccessibleName(wiring.text)
+        wires = ", ".join(f"{pin} – {board_pin}" for pin, board_pin in wiring.wires)
+        names = f"{wiring.adapter} – {wiring.board}"
+        self.setAccessibleName(tr("{0}: {1}").format(names, wires))
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
         self._wiring = wiring
         follow_theme(self, "room", self.updateGeometry)

@@ -132,7 +132,7 @@ class AracnaWorkspace(Workspace):
 
     def _make_start_panel(self) -> StartPanel:
         texts = StartTexts(
-            title=tr("Connect my Aracna"),
+            title=tr("Connect my {0}").format(self._controller.plugin.name),
             hint=tr(
                 "Give the legs room: this robot has no stop. Nothing moves until you choose Move."
             ),
@@ -142,7 +142,6 @@ class AracnaWorkspace(Workspace):
                         tr("ArbotiX"),
                         tr("Adapter"),
                         (("TX", "RX"), ("RX", "TX"), ("GND", "GND")),
-                        tr("Wiring: TX of the adapter to RX, RX to TX, GND to GND of the board"),
                     ),
                     tr(
                         "An FTDI cable at the header, or an XBee radio in the socket: both share "

@@ -11,7 +11,6 @@ def ttl_wiring() -> Wires:
         tr("TReX"),
         tr("Adapter"),
         (("TX", "SI"), ("RX", "SO"), ("GND", "GND")),
-        tr("Wiring: TX of the adapter to SI, RX to SO, GND to GND of the board"),
         _to_connect(),
     )
 
@@ -25,20 +24,12 @@ def start_texts() -> StartTexts:
         tr("TReX"),
         tr("RS-232 port"),
         (("TX, pin 3", "RX"), ("RX, pin 2", "TX"), ("GND, pin 5", "GND")),
-        tr(
-            "Wiring: TX of the RS-232 port (pin 3 of nine) to RX, RX (pin 2) to TX, GND "
-            "(pin 5) to GND of the board"
-        ),
         _to_connect(),
     )
     receiver = Wires(
         tr("TReX"),
         tr("Receiver"),
         (("CH 1", "CH1"), ("CH 2", "CH2"), ("5 V, GND", "5 V, GND")),
-        tr(
-            "Wiring: channels 1 and 2 of the receiver to channels 1 and 2 of the board, "
-            "5 V to 5 V, GND to GND"
-        ),
         ((tr("Mode: put it on RC"), True), (tr("BEC: feeds the receiver, 100 mA at most"), True)),
     )
     danger = tr("Never connect RS-232 levels (±12 V) to SI and SO: they can destroy the board.")
@@ -48,7 +39,7 @@ def start_texts() -> StartTexts:
         "settings."
     )
     return StartTexts(
-        title=tr("Connect my TReX"),
+        title=tr("Connect my {0}").format(tr("TReX")),
         hint=tr(
             "Switch off the motor supply, or put the robot on blocks. Connecting and searching "
             "move no motor."

@@ -79,7 +79,7 @@ class BoardPage(QWidget):
         ui.column((self._view, 1), self._facts, into=drawing)
 
         set_up = ui.Card(tr("Set up my robot"), self._report)
-        self._open = ui.label(set_up, "setUpOpen", wrap=True)
+        self._open = ui.named(Note(1, set_up), "setUpOpen")
         self._set_up = ui.button(
             set_up, "setUpButton", tr("Set &up my robot…"), on_click=self.setup_requested
         )
@@ -87,12 +87,10 @@ class BoardPage(QWidget):
         cable = ui.Card(tr("If the cable fails"), self._report)
         ui.column(TimeoutNotice(device, cable), into=cable)
         problems = ui.Card(tr("Problems"), self._report)
-        self._problems = ui.label(problems, "boardProblems", wrap=True)
+        self._problems = ui.named(Note(1, problems), "boardProblems")
         show = ui.button(problems, "showProblems", tr("Sh&ow them"))
         show.clicked.connect(lambda: self.page_wanted.emit("errors"))
         ui.column((self._problems, 1), (show, 0, Qt.AlignmentFlag.AlignLeft), into=problems)
-        for text in (self._open, self._problems):
-            text.setAlignment(Qt.AlignmentFlag.AlignTop)
         cards = ui.row((set_up, 1), (cable, 1), (problems, 1), spacing=16)
         ui.column(self._reasons, (drawing, 1), cards, into=self._report, margins=0, spacing=12)
         ui.column(self._lost, start, (self._report, 1), into=self, margins=16)
