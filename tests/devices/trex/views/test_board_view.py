@@ -60,7 +60,7 @@ def test_board_in_serial_mode(drawing: Drawing, quick_simulator: SimulatedDevice
     quick_simulator.do("channel 3 invalid")
     drawing.wait(lambda: drawing.said("Channel3") == "CH3, auxiliary, no signal")
     assert drawing.said("ModeJumper") == "Mode: off, serial mode"
-    assert drawing.said("SoGroundJumper") == "SO–G: off, replies reach this computer"
+    assert drawing.said("SoGroundJumper") == "SO–G: off, replies arrive"
     assert drawing.said("RedLed") == "Red, on"
     assert drawing.find(LedPart, "boardPartGreenLed").moves
 

@@ -30,13 +30,13 @@ def start_texts() -> StartTexts:
         tr("TReX"),
         tr("Receiver"),
         (("CH 1", "CH1"), ("CH 2", "CH2"), ("5 V, GND", "5 V, GND")),
-        ((tr("Mode: put it on RC"), True), (tr("BEC: feeds the receiver, 100 mA at most"), True)),
+        ((tr("Mode: put it on RC"), True), (tr("BEC: feeds the receiver"), True)),
     )
     danger = tr("Never connect RS-232 levels (±12 V) to SI and SO: they can destroy the board.")
     scale = tr("Schematic: the user's guide shows where your board has them.")
     set_up_first = tr(
         "Set the board up through an adapter first: with the mode jumper on, it accepts no "
-        "settings."
+        "settings. BEC gives 100 mA at most."
     )
     return StartTexts(
         title=tr("Connect my {0}").format(tr("TReX")),

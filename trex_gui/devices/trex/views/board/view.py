@@ -16,7 +16,6 @@ from trex_gui.devices.trex.board.drive_status import (
 )
 from trex_gui.devices.trex.board.quality import quality_text
 from trex_gui.devices.trex.driving.board_reasons import LED_TEXTS, PACKETS, led_patterns
-from trex_gui.devices.trex.model.channel_text import CHANNEL_NAMES
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import drive_inputs
 from trex_gui.devices.trex.model.drive_texts import direction_text, setpoint_text
@@ -37,6 +36,14 @@ from trex_gui.ui.widgets.circuit import paint_block, paint_body, text_width
 from trex_gui.ui.widgets.painted import Painter, never_mirror
 
 _FRAME_MS = 40
+
+_ROLES = {
+    1: tr_noop("motor 1"),
+    2: tr_noop("motor 2"),
+    3: tr_noop("auxiliary"),
+    4: tr_noop("flip"),
+    5: tr_noop("override"),
+}
 
 # Words for a setpoint that is no speed.
 _SOURCES = {
@@ -74,7 +81,7 @@ class BoardView(QWidget):
         self._channels = {
             number: ChannelPart(
                 f"Channel{number}",
-                tr("Channel {0}, {1}").format(number, tr(CHANNEL_NAMES[number]).lower()),
+                tr("Channel {0}, {1}").format(number, tr(_ROLES[number])),
                 channels,
                 self,
             )
@@ -101,20 +108,12 @@ class BoardView(QWidget):
 
     def _columns(self) -> tuple[tuple[float, float], ...]:
         """Return how wide channels, body and motors are at least and at most, in lines of text."""
-        line = self.fontMetrics().height()
-        roles = max((tr(name).lower() for name in CHANNEL_NAMES.values()), key=len)
-        motor = (*(part.accessibleName() for part in self._motors.values()), tr("not armed"))
-        channels = text_width(self.font(), f"CH5  {roles}  2000 µs ") / line + 1
-        return (
-            (channels, channels + 7),
-            (12, 28),
-            (
-                text_width(self.font(), *motor, tr("limit {0:.1f} A").format(88.8)) / line
-                + WHEEL
-                + 2,
-                17,
-            ),
-        )
+        font, line = self.font(), self.fontMetrics().height()
+        roles = text_width(font, *(f"CH5  {tr(role)}  2000 µs " for role in _ROLES.values()))
+        words = f"{tr('not armed')} {tr('reverse')} {tr('limit {0:.1f} A').format(88.8)}".split()
+        names = [part.accessibleName() for part in self._motors.values()]
+        motors = text_width(font, *names, *words) / line + WHEEL + 2
+        return (roles / line + 1, roles / line + 8), (14, 28), (motors, 17)
 
     def minimumSizeHint(self) -> QSize:
         width, line = sum(least for least, _ in self._columns()), self.fontMetrics().height()
@@ -228,7 +227,7 @@ class BoardView(QWidget):
     def _show_channels(self) -> None:
         device, state = self._device, self._device.state
         for number, part in self._channels.items():
-            name = tr(CHANNEL_NAMES[number]).lower()
+            name = tr(_ROLES[number])
             title = tr("CH{0}").format(number)
             if state is None or device.telemetry.raw is None:
                 part.show_lines(title, name, "–")
@@ -267,7 +266,7 @@ class BoardView(QWidget):
         if so_ground is None:
             self._so_ground.show_jumper(None, tr("SO–G: not known"))
         else:
-            words = tr("replies reach this computer")
+            words = tr("replies arrive")
             self._so_ground.show_jumper(so_ground, tr("SO–G: off"), words)
 
     def _show_motors(self, inputs: DriveInputs) -> None:
