@@ -102,7 +102,8 @@ class TimeoutNotice(QWidget):
         self._device = device
         self._warning: TimeoutWarning | None = None
         self._text = ui.named(Note(3, self), "timeoutLabel")
-        self._button = ui.button(self, "timeoutButton", on_click=self._on_clicked)
+        name = tr("Write the serial timeout")
+        self._button = ui.button(self, "timeoutButton", accessible=name, on_click=self._on_clicked)
         keep_room(self._button)
         ui.column(
             (self._text, 1), (self._button, 0, Qt.AlignmentFlag.AlignLeft), into=self, margins=0
