@@ -1027,8 +1027,8 @@
         <translation>Aufzeichnen nicht möglich: Es ist kein Roboter verbunden.</translation></message>
     <message><source>Aracna, Open recording</source>
         <translation>Aracna, Aufzeichnung öffnen</translation></message>
-    <message><source>Connect my Aracna</source>
-        <translation>Meinen Aracna verbinden</translation></message>
+    <message><source>Give the legs room: this robot has no stop. Nothing moves until you choose Move.</source>
+        <translation>Geben Sie den Beinen Platz: Dieser Roboter hat keinen Stopp. Nichts bewegt sich, bis Sie Bewegen wählen.</translation></message>
     <message><source>No robot at hand?</source>
         <translation>Kein Roboter zur Hand?</translation></message>
     <message><source>Tr&amp;y the demo</source>
@@ -1075,16 +1075,18 @@
         <translation>&amp;Istposition als Pose aufnehmen</translation></message>
     <message><source>&amp;Demo Aracna panel</source>
         <translation>Bedienfeld des &amp;Demo-Aracna</translation></message>
-    <message><source>&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Wire an FTDI cable to the header of the ArbotiX board, or put an XBee radio into its socket. Both share one line: use only one of them.&lt;/li&gt;&lt;li&gt;Give the legs room. This robot has no stop: a motion ends by itself, or when its servo power is cut.&lt;/li&gt;&lt;li&gt;Switch on the board and the servo power, without which the first move never ends, and connect. Nothing moves until you choose Move.&lt;/li&gt;&lt;/ol&gt;</source>
-        <translation>&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Schließen Sie ein FTDI-Kabel an die Stiftleiste des ArbotiX-Boards an oder stecken Sie ein XBee-Funkmodul in dessen Sockel. Beide teilen sich eine Leitung: Verwenden Sie nur eines davon.&lt;/li&gt;&lt;li&gt;Geben Sie den Beinen Platz. Dieser Roboter hat keinen Stopp: Eine Bewegung endet von selbst oder durch Trennen seiner Servoversorgung.&lt;/li&gt;&lt;li&gt;Schalten Sie das Board und die Servoversorgung ein (ohne sie endet die erste Bewegung nie) und verbinden Sie. Es bewegt sich nichts, bis Sie „Bewegen“ wählen.&lt;/li&gt;&lt;/ol&gt;</translation></message>
+    <message><source>Connect my {0}</source>
+        <translation>Meinen {0} verbinden</translation></message>
+    <message><source>An FTDI cable at the header, or an XBee radio in the socket: both share one line. Switch on the servo power, too, without which the first move never ends.</source>
+        <translation>Ein FTDI-Kabel an der Stiftleiste oder ein XBee-Funkmodul im Sockel: Beide teilen sich eine Leitung. Schalten Sie auch die Servoversorgung ein, ohne die die erste Bewegung nie endet.</translation></message>
     <message><source>Open pose fi&amp;le…</source>
         <translation>Po&amp;sendatei öffnen…</translation></message>
     <message><source>Set &amp;up goals and limits</source>
         <translation>&amp;Ziele und Grenzen einstellen</translation></message>
     <message><source>ArbotiX</source>
         <translation>ArbotiX</translation></message>
-    <message><source>Wiring: TX of the adapter to RX, RX to TX, GND to GND of the board</source>
-        <translation>Verdrahtung: TX des Adapters an RX, RX an TX, GND an GND des Boards</translation></message>
+    <message><source>Adapter</source>
+        <translation>Adapter</translation></message>
     <message><source>bench tests</source>
         <translation>Prüfläufe</translation></message>
     <message><source>it is not a text file</source>
@@ -1597,10 +1599,6 @@
         <translation>Das Board wurde neu gestartet, daher wurden die Motoren gestoppt.</translation></message>
     <message><source>Setpoint: none</source>
         <translation>Sollwert: keiner</translation></message>
-    <message><source>forward</source>
-        <translation>vorwärts</translation></message>
-    <message><source>reverse</source>
-        <translation>rückwärts</translation></message>
     <message><source>Serial timeout is off: motors keep turning if the cable or this computer fails.</source>
         <translation>Das serielle Timeout ist aus: Die Motoren drehen sich weiter, wenn das Kabel oder dieser Computer ausfällt.</translation></message>
     <message><source>Setpoint: coast</source>
@@ -1617,6 +1615,10 @@
         <translation>Das serielle Timeout ist aus, und der Wächterprozess konnte nicht gestartet werden: Die Motoren drehen sich weiter, wenn das Kabel, dieser Computer oder dieses Programm ausfällt.</translation></message>
     <message><source>Setpoint: brake, {0:.0f} %</source>
         <translation>Sollwert: bremsen, {0:.0f} %</translation></message>
+    <message><source>forward</source>
+        <translation>vorwärts</translation></message>
+    <message><source>reverse</source>
+        <translation>rückwärts</translation></message>
     <message><source>Channel {0}: N/A</source>
         <translation>Kanal {0}: k. A.</translation></message>
     <message><source>Channel {0}: no signal</source>
@@ -2087,8 +2089,6 @@
         <translation>Nr.</translation></message>
     <message><source>Device number</source>
         <translation>Gerätenummer</translation></message>
-    <message><source>Adapter</source>
-        <translation>Adapter</translation></message>
     <message><source>The port that the board was connected to</source>
         <translation>Der Port, mit dem das Board verbunden war</translation></message>
     <message><source>today {0}</source>
@@ -3025,8 +3025,6 @@
         <translation>Gespeichert als {0}.</translation></message>
     <message><source>Settled within {0:.0f} % after</source>
         <translation>Auf {0:.0f} % eingeschwungen nach</translation></message>
-    <message><source>compact packets</source>
-        <translation>kompakte Pakete</translation></message>
     <message><source>sticks learned</source>
         <translation>Knüppel gelernt</translation></message>
     <message><source>current limits</source>
@@ -3045,18 +3043,32 @@
         <translation>Das Board</translation></message>
     <message><source>joint: one motor</source>
         <translation>Parallelbetrieb: ein Motor</translation></message>
-    <message><source>two independent motors</source>
-        <translation>zwei unabhängige Motoren</translation></message>
     <message><source>RS-232 (everything sent comes back)</source>
         <translation>RS-232 (alles Gesendete kommt zurück)</translation></message>
-    <message><source>TTL (SI and SO)</source>
-        <translation>TTL (SI und SO)</translation></message>
     <message><source>this firmware runs at half of this baud rate</source>
         <translation>diese Firmware läuft mit der halben Baudrate</translation></message>
-    <message><source>device number {0}</source>
-        <translation>Gerätenummer {0}</translation></message>
     <message><source>None since {0}.</source>
         <translation>Keine seit {0}.</translation></message>
+    <message><source>device number {0}</source>
+        <translation>Gerätenummer {0}</translation></message>
+    <message><source>motor 1</source>
+        <translation>Motor 1</translation></message>
+    <message><source>motor 2</source>
+        <translation>Motor 2</translation></message>
+    <message><source>auxiliary</source>
+        <translation>Hilfsmotor</translation></message>
+    <message><source>flip</source>
+        <translation>Umdrehen</translation></message>
+    <message><source>override</source>
+        <translation>Vorrang</translation></message>
+    <message><source>not known</source>
+        <translation>nicht bekannt</translation></message>
+    <message><source>works with motor 1</source>
+        <translation>arbeitet mit Motor 1</translation></message>
+    <message><source>held by safe-start</source>
+        <translation>vom Sicherheitsstart gehalten</translation></message>
+    <message><source>not armed</source>
+        <translation>nicht freigegeben</translation></message>
     <message><source>no limit</source>
         <translation>keine Grenze</translation></message>
     <message><source>Mode jumper</source>
@@ -3069,6 +3081,8 @@
         <translation>Serielle Leitung</translation></message>
     <message><source>not responding</source>
         <translation>antwortet nicht</translation></message>
+    <message><source>replies arrive</source>
+        <translation>Antworten kommen an</translation></message>
     <message><source>Red LED</source>
         <translation>Rote LED</translation></message>
     <message><source>Green LED</source>
@@ -3095,14 +3109,8 @@
         <translation>SO–G: nicht bekannt</translation></message>
     <message><source>SO–G: off</source>
         <translation>SO–G: ab</translation></message>
-    <message><source>replies reach this computer</source>
-        <translation>Antworten erreichen diesen Computer</translation></message>
-    <message><source>not known</source>
-        <translation>nicht bekannt</translation></message>
-    <message><source>works with motor 1</source>
-        <translation>arbeitet mit Motor 1</translation></message>
-    <message><source>not armed</source>
-        <translation>nicht freigegeben</translation></message>
+    <message><source>flickers</source>
+        <translation>flackert</translation></message>
     <message><source>{0:.0f} reads/s, {1:.1f} % answered</source>
         <translation>{0:.0f} Abfragen/s, {1:.1f} % beantwortet</translation></message>
     <message><source>CH{0}</source>
@@ -3121,8 +3129,6 @@
         <translation>Mix: gesteckt</translation></message>
     <message><source>Mix: off</source>
         <translation>Mix: ab</translation></message>
-    <message><source>held by safe-start</source>
-        <translation>vom Sicherheitsstart gehalten</translation></message>
     <message><source>limit {0:.1f} A</source>
         <translation>Grenze {0:.1f} A</translation></message>
     <message><source>Channel {0}, {1}</source>
@@ -3271,8 +3277,6 @@
         <translation>Suchen Sie zuerst mit „Suchen“: Das findet ein Board mit jeder seiner Einstellungen. Hilft das nicht, stellen diese Schritte aus dem Support-Forum von Pololu die seriellen Werkseinstellungen wieder her (erschlossen). Ein Benutzer sah die LEDs nur drei Sekunden lang abwechseln, und nichts wurde wiederhergestellt: Beginnen Sie dann von vorn. Vergleichen Sie danach die übrigen Einstellungen mit Ihrer letzten Sicherungskopie (Strg+H).</translation></message>
     <message><source>Ways to a board that responds</source>
         <translation>Wege zu einem antwortenden Board</translation></message>
-    <message><source>Mode may also be on: the board responds in every mode.</source>
-        <translation>Der Modus-Jumper darf auch stecken: Das Board antwortet in jedem Modus.</translation></message>
     <message><source>&amp;Back</source>
         <translation>&amp;Zurück</translation></message>
     <message><source>&amp;Next</source>
@@ -3283,16 +3287,18 @@
         <translation>Was dieser Computer empfängt</translation></message>
     <message><source>Board does not respond</source>
         <translation>Board antwortet nicht</translation></message>
+    <message><source>Mode may also be on: the board responds in every mode.</source>
+        <translation>Der Modus-Jumper darf auch stecken: Das Board antwortet in jedem Modus.</translation></message>
     <message><source>&amp;What the board shows</source>
         <translation>Was das &amp;Board zeigt</translation></message>
     <message><source>&amp;Lost serial settings</source>
         <translation>&amp;Verlorene serielle Einstellungen</translation></message>
+    <message><source>W&amp;iring</source>
+        <translation>Ver&amp;drahtung</translation></message>
     <message><source>&amp;Find now</source>
         <translation>&amp;Jetzt suchen</translation></message>
     <message><source>&amp;Connect at factory settings</source>
         <translation>&amp;Mit Werkseinstellungen verbinden</translation></message>
-    <message><source>Jumpers to connect</source>
-        <translation>Jumper zum Verbinden</translation></message>
     <message><source>19200 baud, without parity and CRC, whatever the device number</source>
         <translation>19200 Baud, ohne Parität und CRC, bei jeder Gerätenummer</translation></message>
     <message><source>Show &amp;matching settings, too</source>
@@ -3375,8 +3381,6 @@
         <translation>Ein Fehler der seriellen Leitung, den das Board meldet</translation></message>
     <message><source>The next byte reaches the board with this error; the Errors page counts it. Only a board with parity detects a parity error.</source>
         <translation>Das nächste Byte erreicht das Board mit diesem Fehler; die Seite „Fehler“ zählt ihn. Nur ein Board mit Parität erkennt einen Paritätsfehler.</translation></message>
-    <message><source>flickers</source>
-        <translation>flackert</translation></message>
     <message><source>off: the power is off</source>
         <translation>aus: Die Stromversorgung ist aus</translation></message>
     <message><source>The power is off: the board does not reply.</source>
@@ -3463,12 +3467,6 @@
         <translation>Eine schwache Batterie bricht ein, wenn die Motoren anlaufen, und das Board startet neu</translation></message>
     <message><source>No jumper: serial</source>
         <translation>Kein Jumper: seriell</translation></message>
-    <message><source>auxiliary</source>
-        <translation>Hilfsmotor</translation></message>
-    <message><source>flip</source>
-        <translation>Umdrehen</translation></message>
-    <message><source>override</source>
-        <translation>Vorrang</translation></message>
     <message><source>The wire from SO is broken: the board executes commands, no reply arrives</source>
         <translation>Die Leitung von SO ist unterbrochen: Das Board führt Befehle aus, keine Antwort kommt an</translation></message>
     <message><source>This share of the bytes is corrupted in either direction; CRC detects them</source>
@@ -3493,10 +3491,6 @@
         <translation>Eingang {0}</translation></message>
     <message><source>turn</source>
         <translation>lenken</translation></message>
-    <message><source>motor 1</source>
-        <translation>Motor 1</translation></message>
-    <message><source>motor 2</source>
-        <translation>Motor 2</translation></message>
     <message><source>invalid</source>
         <translation>ungültig</translation></message>
     <message><source>Stick of input {0}</source>
@@ -3587,26 +3581,8 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Die Sicherungskopien sind in {0}.</translation></message>
     <message><source>Nothing was saved. {0}</source>
         <translation>Es wurde nichts gespeichert. {0}</translation></message>
-    <message><source>on</source><comment>jumper</comment>
-        <translation>gesteckt</translation></message>
-    <message><source>off</source><comment>jumper</comment>
-        <translation>offen</translation></message>
-    <message><source>either</source>
-        <translation>egal</translation></message>
-    <message><source>mode jumper at {0}</source>
-        <translation>Modus-Jumper auf {0}</translation></message>
-    <message><source>no mode jumper</source>
-        <translation>kein Modus-Jumper</translation></message>
-    <message><source>SO–G jumper on</source>
-        <translation>SO–G-Jumper gesteckt</translation></message>
-    <message><source>no SO–G jumper</source>
-        <translation>kein SO–G-Jumper</translation></message>
-    <message><source>Mode</source>
-        <translation>Modus</translation></message>
-    <message><source>mix jumper on</source>
-        <translation>Mix-Jumper gesteckt</translation></message>
-    <message><source>no mix jumper</source>
-        <translation>kein Mix-Jumper</translation></message>
+    <message><source>SO–G: on</source>
+        <translation>SO–G: gesteckt</translation></message>
     <message><source>Push every stick forward or right first, all the way; then the other way. Move switches to all positions.</source>
         <translation>Drücken Sie jeden Knüppel zuerst ganz nach vorn oder rechts, dann ganz in die andere Richtung. Bewegen Sie Schalter in alle Stellungen.</translation></message>
     <message><source>Hold each end until its check mark appears, for at least {0:.1f} s: this line ({1} baud) carries only {2:.1f} measurements per second. Then click Next.</source>
@@ -5187,36 +5163,32 @@ bisher {1}</translation></message>
         <translation>Hinweis: Diese Sicherungskopie ist von Gerätenummer {0}, das Board hier hat Nummer {1}.</translation></message>
     <message><source>Nothing was restored: {0}</source>
         <translation>Nichts wurde wiederhergestellt: {0}</translation></message>
-    <message><source>You need a USB-serial adapter with TTL levels (5 V or 3.3 V) and three wires.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Switch the board off. Remove the mode jumper: then it starts in serial mode, which is needed to drive it and to change settings from here. Remove the SO–G jumper, too.&lt;/li&gt;&lt;li&gt;Wire the adapter as shown.&lt;/li&gt;&lt;li&gt;Lift the wheels off the ground, switch the board on, and connect:&lt;/li&gt;&lt;/ol&gt;</source>
-        <translation>Sie brauchen einen USB-Seriell-Adapter mit TTL-Pegeln (5 V oder 3,3 V) und drei Leitungen.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Schalten Sie das Board aus. Ziehen Sie den Modus-Jumper ab: Dann startet es im seriellen Modus, der nötig ist, um es von hier aus zu steuern und Einstellungen zu ändern. Ziehen Sie auch den SO–G-Jumper ab.&lt;/li&gt;&lt;li&gt;Schließen Sie den Adapter wie gezeigt an.&lt;/li&gt;&lt;li&gt;Heben Sie die Räder vom Boden ab, schalten Sie das Board ein und verbinden Sie:&lt;/li&gt;&lt;/ol&gt;</translation></message>
-    <message><source>You need an RS-232 port of the computer or an RS-232 adapter, and three wires.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Switch the board off. Remove the mode and SO–G jumpers, as for a TTL adapter.&lt;/li&gt;&lt;li&gt;Wire the port to the RS-232 pins as shown, and leave SI and SO free: the voltages of RS-232 can damage them.&lt;/li&gt;&lt;li&gt;Lift the wheels off the ground, switch the board on, and connect:&lt;/li&gt;&lt;/ol&gt;</source>
-        <translation>Sie brauchen einen RS-232-Port am Computer oder einen RS-232-Adapter und drei Leitungen.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Schalten Sie das Board aus. Ziehen Sie Modus- und SO–G-Jumper ab, wie bei einem TTL-Adapter.&lt;/li&gt;&lt;li&gt;Schließen Sie den Port wie gezeigt an die RS-232-Pins an, und lassen Sie SI und SO frei: Die Spannungen von RS-232 können sie beschädigen.&lt;/li&gt;&lt;li&gt;Heben Sie die Räder vom Boden ab, schalten Sie das Board ein und verbinden Sie:&lt;/li&gt;&lt;/ol&gt;</translation></message>
-    <message><source>You need an RC receiver with a servo cable for each channel, and an adapter to connect the board to this computer.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Set the board up through the adapter first: with the mode jumper on, it accepts no settings.&lt;/li&gt;&lt;li&gt;Switch the board off. Connect the receiver as shown: a servo cable has signal, 5 V and GND. The BEC jumper lets the board feed the receiver, with 100 mA at most.&lt;/li&gt;&lt;li&gt;Put the mode jumper on RC. Lift the wheels off the ground and switch on: the transmitter drives, and this program shows what it does.&lt;/li&gt;&lt;/ol&gt;</source>
-        <translation>Sie brauchen einen RC-Empfänger mit einem Servokabel je Kanal und einen Adapter, um das Board mit diesem Computer zu verbinden.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Richten Sie das Board zuerst über den Adapter ein: Mit gestecktem Modus-Jumper nimmt es keine Einstellungen an.&lt;/li&gt;&lt;li&gt;Schalten Sie das Board aus. Schließen Sie den Empfänger wie gezeigt an: Ein Servokabel hat Signal, 5 V und GND. Mit dem BEC-Jumper versorgt das Board den Empfänger, mit höchstens 100 mA.&lt;/li&gt;&lt;li&gt;Stecken Sie den Modus-Jumper auf RC. Heben Sie die Räder vom Boden ab und schalten Sie ein: Der Sender steuert, und dieses Programm zeigt, was er tut.&lt;/li&gt;&lt;/ol&gt;</translation></message>
+    <message><source>Never connect RS-232 levels (±12 V) to SI and SO: they can destroy the board.</source>
+        <translation>Verbinden Sie nie RS-232-Pegel (±12 V) mit SI und SO: Diese können das Board zerstören.</translation></message>
+    <message><source>Set the board up through an adapter first: with the mode jumper on, it accepts no settings. BEC gives 100 mA at most.</source>
+        <translation>Richten Sie das Board zuerst über einen Adapter ein: Mit gestecktem Modus-Jumper nimmt es keine Einstellungen an. Der BEC liefert höchstens 100 mA.</translation></message>
     <message><source>TReX</source>
         <translation>TReX</translation></message>
-    <message><source>Wiring: TX of the adapter to SI, RX to SO, GND to GND of the board</source>
-        <translation>Verdrahtung: TX des Adapters an SI, RX an SO, GND an GND des Boards</translation></message>
-    <message><source>Jumpers to drive</source>
-        <translation>Jumper zum Fahren</translation></message>
-    <message><source>Wiring: TX of the RS-232 port (pin 3 of nine) to RX, RX (pin 2) to TX, GND (pin 5) to GND of the board</source>
-        <translation>Verdrahtung: TX des RS-232-Ports (Pin 3 von neun) an RX, RX (Pin 2) an TX, GND (Pin 5) an GND des Boards</translation></message>
     <message><source>RS-232 port</source>
         <translation>RS-232-Port</translation></message>
-    <message><source>Wiring: channels 1 and 2 of the receiver to channels 1 and 2 of the board, 5 V to 5 V, GND to GND</source>
-        <translation>Verdrahtung: Kanäle 1 und 2 des Empfängers an Kanäle 1 und 2 des Boards, 5 V an 5 V, GND an GND</translation></message>
     <message><source>Receiver</source>
         <translation>Empfänger</translation></message>
-    <message><source>Connect my TReX</source>
-        <translation>Meinen TReX verbinden</translation></message>
+    <message><source>Switch off the motor supply, or put the robot on blocks. Connecting and searching move no motor.</source>
+        <translation>Schalten Sie die Motorversorgung aus oder bocken Sie den Roboter auf. Verbinden und Suchen bewegen keinen Motor.</translation></message>
     <message><source>No board at hand?</source>
         <translation>Kein Board zur Hand?</translation></message>
     <message><source>&amp;Try the demo</source>
         <translation>Demo aus&amp;probieren</translation></message>
-    <message><source>Set up, calibrate, drive and understand a Pololu TReX or TReX Jr. You need the board with its supply, and a serial adapter with three wires. No motor moves before you arm the motors, and Esc stops the motors in every window.</source>
-        <translation>Einen Pololu TReX oder TReX Jr einrichten, kalibrieren, ansteuern und verstehen. Sie brauchen das Board mit seiner Stromversorgung und einen seriellen Adapter mit drei Leitungen. Kein Motor bewegt sich, bevor Sie die Motoren freigeben, und Esc stoppt die Motoren in jedem Fenster.</translation></message>
-    <message><source>TT&amp;L adapter</source>
-        <translation>&amp;TTL-Adapter</translation></message>
+    <message><source>Mode: take it off</source>
+        <translation>Modus: abziehen</translation></message>
+    <message><source>SO–G: take it off</source>
+        <translation>SO–G: abziehen</translation></message>
+    <message><source>Mode: put it on RC</source>
+        <translation>Modus: auf RC stecken</translation></message>
+    <message><source>BEC: feeds the receiver</source>
+        <translation>BEC: speist den Empfänger</translation></message>
+    <message><source>USB adapter, 3.3 or 5 V</source>
+        <translation>USB-Adapter, 3,3 oder 5 V</translation></message>
     <message><source>RS-&amp;232 adapter</source>
         <translation>RS-&amp;232-Adapter</translation></message>
     <message><source>RC recei&amp;ver</source>
@@ -5611,28 +5583,22 @@ Kein Produkt von Pololu.</translation></message>
         <translation>Der Bericht wurde in {0} geschrieben.</translation></message>
     <message><source>{0} ({1} bytes)</source>
         <translation>{0} ({1} Bytes)</translation></message>
-    <message><source>No serial port was found. Plug the adapter in: it is listed here at once.</source>
-        <translation>Kein serieller Port wurde gefunden. Stecken Sie den Adapter ein: Er erscheint hier sofort.</translation></message>
-    <message><source>Find &amp;my board…</source>
-        <translation>&amp;Mein Board suchen…</translation></message>
     <message><source>Search every port and baud rate; no motor moves</source>
         <translation>Alle Ports und Baudraten durchsuchen; kein Motor bewegt sich</translation></message>
     <message><source>A simulated board: nothing can be damaged</source>
         <translation>Ein simuliertes Board: Nichts kann beschädigt werden</translation></message>
-    <message><source>Recent files</source>
-        <translation>Zuletzt verwendete Dateien</translation></message>
+    <message><source>What is plugged in</source>
+        <translation>Angeschlossen</translation></message>
+    <message><source>No serial port was found. Plug the adapter in: it is listed here at once.</source>
+        <translation>Kein serieller Port wurde gefunden. Stecken Sie den Adapter ein: Er erscheint hier sofort.</translation></message>
+    <message><source>It does not answer?</source>
+        <translation>Keine Antwort?</translation></message>
+    <message><source>Find &amp;my board…</source>
+        <translation>&amp;Mein Board suchen…</translation></message>
+    <message><source>Files</source>
+        <translation>Dateien</translation></message>
     <message><source>Close the window</source>
         <translation>Fenster schließen</translation></message>
-    <message><source>Welcome to TReX Studio</source>
-        <translation>Willkommen bei TReX Studio</translation></message>
-    <message><source>Connect my &amp;board</source>
-        <translation>Mein Bo&amp;ard verbinden</translation></message>
-    <message><source>Shows the wiring for your adapter or receiver, then connects.</source>
-        <translation>Zeigt die Verdrahtung für Ihren Adapter oder Empfänger, dann wird verbunden.</translation></message>
-    <message><source>The board is wired, but you do not know its port or its serial settings. The search moves no motor of a TReX.</source>
-        <translation>Das Board ist verdrahtet, aber Sie kennen seinen Port oder seine seriellen Einstellungen nicht. Die Suche bewegt keinen Motor eines TReX.</translation></message>
-    <message><source>A simulated board: nothing can be damaged.</source>
-        <translation>Ein simuliertes Board: Nichts kann beschädigt werden.</translation></message>
     <message><source>Help</source>
         <translation>Hilfe</translation></message>
     <message><source>Search the help</source>

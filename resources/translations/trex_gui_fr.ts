@@ -1027,8 +1027,8 @@
         <translation>Rien ne peut être enregistré : aucun robot n'est connecté.</translation></message>
     <message><source>Aracna, Open recording</source>
         <translation>Aracna, Ouvrir un enregistrement</translation></message>
-    <message><source>Connect my Aracna</source>
-        <translation>Connecter mon Aracna</translation></message>
+    <message><source>Give the legs room: this robot has no stop. Nothing moves until you choose Move.</source>
+        <translation>Laissez de la place aux pattes : ce robot n'a pas d'arrêt. Rien ne bouge tant que vous ne choisissez pas Déplacer.</translation></message>
     <message><source>No robot at hand?</source>
         <translation>Pas de robot sous la main ?</translation></message>
     <message><source>Tr&amp;y the demo</source>
@@ -1075,16 +1075,18 @@
         <translation>&amp;Capturer la position actuelle comme pose</translation></message>
     <message><source>&amp;Demo Aracna panel</source>
         <translation>Panneau &amp;Démo Aracna</translation></message>
-    <message><source>&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Wire an FTDI cable to the header of the ArbotiX board, or put an XBee radio into its socket. Both share one line: use only one of them.&lt;/li&gt;&lt;li&gt;Give the legs room. This robot has no stop: a motion ends by itself, or when its servo power is cut.&lt;/li&gt;&lt;li&gt;Switch on the board and the servo power, without which the first move never ends, and connect. Nothing moves until you choose Move.&lt;/li&gt;&lt;/ol&gt;</source>
-        <translation>&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Reliez un câble FTDI au connecteur de la carte ArbotiX, ou enfichez une radio XBee dans son support. Les deux partagent une même liaison : n'en utilisez qu'un.&lt;/li&gt;&lt;li&gt;Laissez de la place aux pattes. Ce robot n'a pas d'arrêt : un mouvement se termine de lui-même, ou quand l'alimentation de ses servos est coupée.&lt;/li&gt;&lt;li&gt;Mettez sous tension la carte et les servos, sans quoi le premier mouvement ne se termine jamais, puis connectez. Rien ne bouge tant que vous n'avez pas choisi « Déplacer ».&lt;/li&gt;&lt;/ol&gt;</translation></message>
+    <message><source>Connect my {0}</source>
+        <translation>Connecter mon {0}</translation></message>
+    <message><source>An FTDI cable at the header, or an XBee radio in the socket: both share one line. Switch on the servo power, too, without which the first move never ends.</source>
+        <translation>Un câble FTDI sur le connecteur, ou une radio XBee dans le support : tous deux partagent une ligne. Mettez aussi l'alimentation des servos sous tension, sans laquelle le premier mouvement ne se termine jamais.</translation></message>
     <message><source>Open pose fi&amp;le…</source>
         <translation>O&amp;uvrir un fichier de poses…</translation></message>
     <message><source>Set &amp;up goals and limits</source>
         <translation>&amp;Régler cibles et limites</translation></message>
     <message><source>ArbotiX</source>
         <translation>ArbotiX</translation></message>
-    <message><source>Wiring: TX of the adapter to RX, RX to TX, GND to GND of the board</source>
-        <translation>Câblage : TX de l'adaptateur vers RX, RX vers TX, GND vers GND de la carte</translation></message>
+    <message><source>Adapter</source>
+        <translation>Adaptateur</translation></message>
     <message><source>bench tests</source>
         <translation>essais au banc</translation></message>
     <message><source>it is not a text file</source>
@@ -1597,10 +1599,6 @@
         <translation>La carte a été redémarrée ; les moteurs ont donc été arrêtés.</translation></message>
     <message><source>Setpoint: none</source>
         <translation>Consigne : aucune</translation></message>
-    <message><source>forward</source>
-        <translation>avant</translation></message>
-    <message><source>reverse</source>
-        <translation>arrière</translation></message>
     <message><source>Serial timeout is off: motors keep turning if the cable or this computer fails.</source>
         <translation>Le délai série est désactivé : les moteurs continuent de tourner si le câble ou cet ordinateur tombe en panne.</translation></message>
     <message><source>Setpoint: coast</source>
@@ -1617,6 +1615,10 @@
         <translation>Le délai série est désactivé, et le processus gardien n'a pas pu être démarré : les moteurs continuent de tourner si le câble, cet ordinateur ou ce programme tombe en panne.</translation></message>
     <message><source>Setpoint: brake, {0:.0f} %</source>
         <translation>Consigne : freinage, {0:.0f} %</translation></message>
+    <message><source>forward</source>
+        <translation>avant</translation></message>
+    <message><source>reverse</source>
+        <translation>arrière</translation></message>
     <message><source>Channel {0}: N/A</source>
         <translation>Voie {0} : N/D</translation></message>
     <message><source>Channel {0}: no signal</source>
@@ -2087,8 +2089,6 @@
         <translation>N°</translation></message>
     <message><source>Device number</source>
         <translation>Numéro d'appareil</translation></message>
-    <message><source>Adapter</source>
-        <translation>Adaptateur</translation></message>
     <message><source>The port that the board was connected to</source>
         <translation>Le port auquel la carte était connectée</translation></message>
     <message><source>today {0}</source>
@@ -3025,8 +3025,6 @@
         <translation>Enregistré sous {0}.</translation></message>
     <message><source>Settled within {0:.0f} % after</source>
         <translation>Stabilisé à ±{0:.0f} % après</translation></message>
-    <message><source>compact packets</source>
-        <translation>paquets compacts</translation></message>
     <message><source>sticks learned</source>
         <translation>manches appris</translation></message>
     <message><source>current limits</source>
@@ -3045,18 +3043,32 @@
         <translation>La carte</translation></message>
     <message><source>joint: one motor</source>
         <translation>jumelé : un seul moteur</translation></message>
-    <message><source>two independent motors</source>
-        <translation>deux moteurs indépendants</translation></message>
     <message><source>RS-232 (everything sent comes back)</source>
         <translation>RS-232 (tout ce qui est envoyé revient)</translation></message>
-    <message><source>TTL (SI and SO)</source>
-        <translation>TTL (SI et SO)</translation></message>
     <message><source>this firmware runs at half of this baud rate</source>
         <translation>ce micrologiciel fonctionne à la moitié de ce débit</translation></message>
-    <message><source>device number {0}</source>
-        <translation>numéro d'appareil {0}</translation></message>
     <message><source>None since {0}.</source>
         <translation>Aucun depuis {0}.</translation></message>
+    <message><source>device number {0}</source>
+        <translation>numéro d'appareil {0}</translation></message>
+    <message><source>motor 1</source>
+        <translation>moteur 1</translation></message>
+    <message><source>motor 2</source>
+        <translation>moteur 2</translation></message>
+    <message><source>auxiliary</source>
+        <translation>auxiliaire</translation></message>
+    <message><source>flip</source>
+        <translation>retournement</translation></message>
+    <message><source>override</source>
+        <translation>priorité</translation></message>
+    <message><source>not known</source>
+        <translation>inconnu</translation></message>
+    <message><source>works with motor 1</source>
+        <translation>marche avec le moteur 1</translation></message>
+    <message><source>held by safe-start</source>
+        <translation>retenu par le démarrage sûr</translation></message>
+    <message><source>not armed</source>
+        <translation>non activé</translation></message>
     <message><source>no limit</source>
         <translation>sans limite</translation></message>
     <message><source>Mode jumper</source>
@@ -3069,6 +3081,8 @@
         <translation>Ligne série</translation></message>
     <message><source>not responding</source>
         <translation>ne répond pas</translation></message>
+    <message><source>replies arrive</source>
+        <translation>les réponses arrivent</translation></message>
     <message><source>Red LED</source>
         <translation>LED rouge</translation></message>
     <message><source>Green LED</source>
@@ -3095,14 +3109,8 @@
         <translation>SO–G : inconnu</translation></message>
     <message><source>SO–G: off</source>
         <translation>SO–G : retiré</translation></message>
-    <message><source>replies reach this computer</source>
-        <translation>les réponses arrivent à cet ordinateur</translation></message>
-    <message><source>not known</source>
-        <translation>inconnu</translation></message>
-    <message><source>works with motor 1</source>
-        <translation>marche avec le moteur 1</translation></message>
-    <message><source>not armed</source>
-        <translation>non activé</translation></message>
+    <message><source>flickers</source>
+        <translation>scintille</translation></message>
     <message><source>{0:.0f} reads/s, {1:.1f} % answered</source>
         <translation>{0:.0f} lectures/s, {1:.1f} % répondues</translation></message>
     <message><source>CH{0}</source>
@@ -3121,8 +3129,6 @@
         <translation>Mixage : en place</translation></message>
     <message><source>Mix: off</source>
         <translation>Mixage : retiré</translation></message>
-    <message><source>held by safe-start</source>
-        <translation>retenu par le démarrage sûr</translation></message>
     <message><source>limit {0:.1f} A</source>
         <translation>limite {0:.1f} A</translation></message>
     <message><source>Channel {0}, {1}</source>
@@ -3271,8 +3277,6 @@
         <translation>Lancez d'abord « Rechercher… » : cela trouve une carte quels que soient ses réglages. En cas d'échec, ces étapes, tirées du forum d'assistance de Pololu, restaurent les réglages série d'usine (déduit). Un utilisateur n'a vu les LED alterner que pendant trois secondes, et rien n'a été restauré : dans ce cas, recommencez. Comparez ensuite les autres réglages avec votre dernier instantané (Ctrl+H).</translation></message>
     <message><source>Ways to a board that responds</source>
         <translation>Moyens d'obtenir une réponse de la carte</translation></message>
-    <message><source>Mode may also be on: the board responds in every mode.</source>
-        <translation>Le cavalier de mode peut aussi être en place : la carte répond dans tous les modes.</translation></message>
     <message><source>&amp;Back</source>
         <translation>Précéden&amp;t</translation></message>
     <message><source>&amp;Next</source>
@@ -3283,16 +3287,18 @@
         <translation>Ce que reçoit cet ordinateur</translation></message>
     <message><source>Board does not respond</source>
         <translation>La carte ne répond pas</translation></message>
+    <message><source>Mode may also be on: the board responds in every mode.</source>
+        <translation>Le cavalier de mode peut aussi être en place : la carte répond dans tous les modes.</translation></message>
     <message><source>&amp;What the board shows</source>
         <translation>Ce que &amp;montre la carte</translation></message>
     <message><source>&amp;Lost serial settings</source>
         <translation>&amp;Réglages série perdus</translation></message>
+    <message><source>W&amp;iring</source>
+        <translation>Câb&amp;lage</translation></message>
     <message><source>&amp;Find now</source>
         <translation>Rec&amp;hercher maintenant</translation></message>
     <message><source>&amp;Connect at factory settings</source>
         <translation>&amp;Connecter avec les réglages d'usine</translation></message>
-    <message><source>Jumpers to connect</source>
-        <translation>Cavaliers pour la connexion</translation></message>
     <message><source>19200 baud, without parity and CRC, whatever the device number</source>
         <translation>19200 bauds, sans parité ni CRC, quel que soit le numéro d'appareil</translation></message>
     <message><source>Show &amp;matching settings, too</source>
@@ -3375,8 +3381,6 @@
         <translation>Une erreur de la liaison série que la carte signale</translation></message>
     <message><source>The next byte reaches the board with this error; the Errors page counts it. Only a board with parity detects a parity error.</source>
         <translation>Le prochain octet arrive à la carte avec cette erreur ; la page Erreurs la compte. Seule une carte avec parité détecte une erreur de parité.</translation></message>
-    <message><source>flickers</source>
-        <translation>scintille</translation></message>
     <message><source>off: the power is off</source>
         <translation>éteinte : l'alimentation est coupée</translation></message>
     <message><source>The power is off: the board does not reply.</source>
@@ -3463,12 +3467,6 @@
         <translation>La tension d'une batterie faible chute au démarrage des moteurs, et la carte redémarre</translation></message>
     <message><source>No jumper: serial</source>
         <translation>Sans cavalier : série</translation></message>
-    <message><source>auxiliary</source>
-        <translation>auxiliaire</translation></message>
-    <message><source>flip</source>
-        <translation>retournement</translation></message>
-    <message><source>override</source>
-        <translation>priorité</translation></message>
     <message><source>The wire from SO is broken: the board executes commands, no reply arrives</source>
         <translation>Le fil de SO est coupé : la carte exécute les commandes, aucune réponse n'arrive</translation></message>
     <message><source>This share of the bytes is corrupted in either direction; CRC detects them</source>
@@ -3493,10 +3491,6 @@
         <translation>Entrée {0}</translation></message>
     <message><source>turn</source>
         <translation>rotation</translation></message>
-    <message><source>motor 1</source>
-        <translation>moteur 1</translation></message>
-    <message><source>motor 2</source>
-        <translation>moteur 2</translation></message>
     <message><source>invalid</source>
         <translation>non valide</translation></message>
     <message><source>Stick of input {0}</source>
@@ -3587,26 +3581,8 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Les instantanés se trouvent dans {0}.</translation></message>
     <message><source>Nothing was saved. {0}</source>
         <translation>Rien n'a été enregistré. {0}</translation></message>
-    <message><source>on</source><comment>jumper</comment>
-        <translation>en place</translation></message>
-    <message><source>off</source><comment>jumper</comment>
-        <translation>retiré</translation></message>
-    <message><source>either</source>
-        <translation>au choix</translation></message>
-    <message><source>mode jumper at {0}</source>
-        <translation>cavalier de mode sur {0}</translation></message>
-    <message><source>no mode jumper</source>
-        <translation>pas de cavalier de mode</translation></message>
-    <message><source>SO–G jumper on</source>
-        <translation>cavalier SO–G en place</translation></message>
-    <message><source>no SO–G jumper</source>
-        <translation>pas de cavalier SO–G</translation></message>
-    <message><source>Mode</source>
-        <translation>Mode</translation></message>
-    <message><source>mix jumper on</source>
-        <translation>cavalier Mix en place</translation></message>
-    <message><source>no mix jumper</source>
-        <translation>pas de cavalier Mix</translation></message>
+    <message><source>SO–G: on</source>
+        <translation>SO–G : en place</translation></message>
     <message><source>Push every stick forward or right first, all the way; then the other way. Move switches to all positions.</source>
         <translation>Poussez d'abord chaque manche à fond vers l'avant ou vers la droite, puis dans l'autre sens. Mettez les interrupteurs dans toutes leurs positions.</translation></message>
     <message><source>Hold each end until its check mark appears, for at least {0:.1f} s: this line ({1} baud) carries only {2:.1f} measurements per second. Then click Next.</source>
@@ -5187,36 +5163,32 @@ avant {1}</translation></message>
         <translation>Remarque : cet instantané est celui du numéro d'appareil {0}, la carte ici porte le numéro {1}.</translation></message>
     <message><source>Nothing was restored: {0}</source>
         <translation>Rien n'a été restauré : {0}</translation></message>
-    <message><source>You need a USB-serial adapter with TTL levels (5 V or 3.3 V) and three wires.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Switch the board off. Remove the mode jumper: then it starts in serial mode, which is needed to drive it and to change settings from here. Remove the SO–G jumper, too.&lt;/li&gt;&lt;li&gt;Wire the adapter as shown.&lt;/li&gt;&lt;li&gt;Lift the wheels off the ground, switch the board on, and connect:&lt;/li&gt;&lt;/ol&gt;</source>
-        <translation>Il vous faut un adaptateur USB-série à niveaux TTL (5 V ou 3,3 V) et trois fils.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Coupez l'alimentation de la carte. Retirez le cavalier de mode : elle démarre alors en mode série, nécessaire pour la piloter et modifier ses réglages d'ici. Retirez aussi le cavalier SO–G.&lt;/li&gt;&lt;li&gt;Câblez l'adaptateur comme indiqué.&lt;/li&gt;&lt;li&gt;Soulevez les roues du sol, mettez la carte sous tension et connectez :&lt;/li&gt;&lt;/ol&gt;</translation></message>
-    <message><source>You need an RS-232 port of the computer or an RS-232 adapter, and three wires.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Switch the board off. Remove the mode and SO–G jumpers, as for a TTL adapter.&lt;/li&gt;&lt;li&gt;Wire the port to the RS-232 pins as shown, and leave SI and SO free: the voltages of RS-232 can damage them.&lt;/li&gt;&lt;li&gt;Lift the wheels off the ground, switch the board on, and connect:&lt;/li&gt;&lt;/ol&gt;</source>
-        <translation>Il vous faut un port RS-232 de l'ordinateur ou un adaptateur RS-232, et trois fils.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Coupez l'alimentation de la carte. Retirez les cavaliers de mode et SO–G, comme pour un adaptateur TTL.&lt;/li&gt;&lt;li&gt;Câblez le port aux broches RS-232 comme indiqué et laissez SI et SO libres : les tensions RS-232 peuvent les endommager.&lt;/li&gt;&lt;li&gt;Soulevez les roues du sol, mettez la carte sous tension et connectez :&lt;/li&gt;&lt;/ol&gt;</translation></message>
-    <message><source>You need an RC receiver with a servo cable for each channel, and an adapter to connect the board to this computer.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Set the board up through the adapter first: with the mode jumper on, it accepts no settings.&lt;/li&gt;&lt;li&gt;Switch the board off. Connect the receiver as shown: a servo cable has signal, 5 V and GND. The BEC jumper lets the board feed the receiver, with 100 mA at most.&lt;/li&gt;&lt;li&gt;Put the mode jumper on RC. Lift the wheels off the ground and switch on: the transmitter drives, and this program shows what it does.&lt;/li&gt;&lt;/ol&gt;</source>
-        <translation>Il vous faut un récepteur RC avec un câble servo pour chaque voie, et un adaptateur pour relier la carte à cet ordinateur.&lt;ol style='margin-left: -10px'&gt;&lt;li&gt;Configurez d'abord la carte par l'adaptateur : quand le cavalier de mode est en place, elle n'accepte aucun réglage.&lt;/li&gt;&lt;li&gt;Coupez l'alimentation de la carte. Raccordez le récepteur comme indiqué : un câble servo comporte signal, 5 V et GND. Le cavalier BEC permet à la carte d'alimenter le récepteur, avec 100 mA au plus.&lt;/li&gt;&lt;li&gt;Placez le cavalier de mode sur RC. Soulevez les roues du sol et mettez sous tension : l'émetteur pilote, et ce programme montre ce qu'il fait.&lt;/li&gt;&lt;/ol&gt;</translation></message>
+    <message><source>Never connect RS-232 levels (±12 V) to SI and SO: they can destroy the board.</source>
+        <translation>Ne reliez jamais des niveaux RS-232 (±12 V) à SI et SO : ils peuvent détruire la carte.</translation></message>
+    <message><source>Set the board up through an adapter first: with the mode jumper on, it accepts no settings. BEC gives 100 mA at most.</source>
+        <translation>Configurez d'abord la carte par un adaptateur : quand le cavalier de mode est en place, elle n'accepte aucun réglage. Le BEC fournit 100 mA au plus.</translation></message>
     <message><source>TReX</source>
         <translation>TReX</translation></message>
-    <message><source>Wiring: TX of the adapter to SI, RX to SO, GND to GND of the board</source>
-        <translation>Câblage : TX de l'adaptateur vers SI, RX vers SO, GND vers GND de la carte</translation></message>
-    <message><source>Jumpers to drive</source>
-        <translation>Cavaliers pour la conduite</translation></message>
-    <message><source>Wiring: TX of the RS-232 port (pin 3 of nine) to RX, RX (pin 2) to TX, GND (pin 5) to GND of the board</source>
-        <translation>Câblage : TX du port RS-232 (broche 3 sur neuf) vers RX, RX (broche 2) vers TX, GND (broche 5) vers GND de la carte</translation></message>
     <message><source>RS-232 port</source>
         <translation>Port RS-232</translation></message>
-    <message><source>Wiring: channels 1 and 2 of the receiver to channels 1 and 2 of the board, 5 V to 5 V, GND to GND</source>
-        <translation>Câblage : voies 1 et 2 du récepteur vers voies 1 et 2 de la carte, 5 V vers 5 V, GND vers GND</translation></message>
     <message><source>Receiver</source>
         <translation>Récepteur</translation></message>
-    <message><source>Connect my TReX</source>
-        <translation>Connecter mon TReX</translation></message>
+    <message><source>Switch off the motor supply, or put the robot on blocks. Connecting and searching move no motor.</source>
+        <translation>Coupez l'alimentation des moteurs ou posez le robot sur cales. Connecter et rechercher ne font tourner aucun moteur.</translation></message>
     <message><source>No board at hand?</source>
         <translation>Pas de carte sous la main ?</translation></message>
     <message><source>&amp;Try the demo</source>
         <translation>&amp;Essayer la démo</translation></message>
-    <message><source>Set up, calibrate, drive and understand a Pololu TReX or TReX Jr. You need the board with its supply, and a serial adapter with three wires. No motor moves before you arm the motors, and Esc stops the motors in every window.</source>
-        <translation>Configurer, étalonner, piloter et comprendre un Pololu TReX ou TReX Jr. Il vous faut la carte avec son alimentation, et un adaptateur série avec trois fils. Aucun moteur ne bouge avant que vous n'activiez les moteurs, et Échap arrête les moteurs dans toutes les fenêtres.</translation></message>
-    <message><source>TT&amp;L adapter</source>
-        <translation>Adaptate&amp;ur TTL</translation></message>
+    <message><source>Mode: take it off</source>
+        <translation>Mode : le retirer</translation></message>
+    <message><source>SO–G: take it off</source>
+        <translation>SO–G : le retirer</translation></message>
+    <message><source>Mode: put it on RC</source>
+        <translation>Mode : le placer sur RC</translation></message>
+    <message><source>BEC: feeds the receiver</source>
+        <translation>BEC : alimente le récepteur</translation></message>
+    <message><source>USB adapter, 3.3 or 5 V</source>
+        <translation>Adaptateur USB, 3,3 ou 5 V</translation></message>
     <message><source>RS-&amp;232 adapter</source>
         <translation>Adaptateur RS-&amp;232</translation></message>
     <message><source>RC recei&amp;ver</source>
@@ -5611,28 +5583,22 @@ N'est pas un produit de Pololu.</translation></message>
         <translation>Le rapport a été écrit dans {0}.</translation></message>
     <message><source>{0} ({1} bytes)</source>
         <translation>{0} ({1} octets)</translation></message>
-    <message><source>No serial port was found. Plug the adapter in: it is listed here at once.</source>
-        <translation>Aucun port série n'a été trouvé. Branchez l'adaptateur : il apparaît ici aussitôt.</translation></message>
-    <message><source>Find &amp;my board…</source>
-        <translation>Rechercher ma &amp;carte…</translation></message>
     <message><source>Search every port and baud rate; no motor moves</source>
         <translation>Explorer tous les ports et tous les débits ; aucun moteur ne bouge</translation></message>
     <message><source>A simulated board: nothing can be damaged</source>
         <translation>Une carte simulée : rien ne peut être endommagé</translation></message>
-    <message><source>Recent files</source>
-        <translation>Fichiers récents</translation></message>
+    <message><source>What is plugged in</source>
+        <translation>Ce qui est branché</translation></message>
+    <message><source>No serial port was found. Plug the adapter in: it is listed here at once.</source>
+        <translation>Aucun port série n'a été trouvé. Branchez l'adaptateur : il apparaît ici aussitôt.</translation></message>
+    <message><source>It does not answer?</source>
+        <translation>Pas de réponse ?</translation></message>
+    <message><source>Find &amp;my board…</source>
+        <translation>Rechercher ma &amp;carte…</translation></message>
+    <message><source>Files</source>
+        <translation>Fichiers</translation></message>
     <message><source>Close the window</source>
         <translation>Fermer la fenêtre</translation></message>
-    <message><source>Welcome to TReX Studio</source>
-        <translation>Bienvenue dans TReX Studio</translation></message>
-    <message><source>Connect my &amp;board</source>
-        <translation>Connecter ma ca&amp;rte</translation></message>
-    <message><source>Shows the wiring for your adapter or receiver, then connects.</source>
-        <translation>Montre le câblage de votre adaptateur ou récepteur, puis connecte.</translation></message>
-    <message><source>The board is wired, but you do not know its port or its serial settings. The search moves no motor of a TReX.</source>
-        <translation>La carte est câblée, mais vous ne connaissez pas son port ou ses réglages série. La recherche ne fait bouger aucun moteur d'un TReX.</translation></message>
-    <message><source>A simulated board: nothing can be damaged.</source>
-        <translation>Une carte simulée : rien ne peut être endommagé.</translation></message>
     <message><source>Help</source>
         <translation>Aide</translation></message>
     <message><source>Search the help</source>
