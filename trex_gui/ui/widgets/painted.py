@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QPaintDevice, QPainter
-from PySide6.QtWidgets import QGraphicsWidget, QWidget
+from PySide6.QtWidgets import QGraphicsWidget, QStyle, QWidget
 
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.accessible import Spoken
@@ -11,6 +11,12 @@ from trex_gui.ui.widgets.accessible import Spoken
 def never_mirror(target: QWidget | QGraphicsWidget | QPainter) -> None:
     """Keep the ends of a slider, and the sign before a number."""
     target.setLayoutDirection(Qt.LayoutDirection.LeftToRight)
+
+
+def wants_motion(widget: QWidget) -> bool:
+    """Return whether the system lets drawings move."""
+    duration = QStyle.StyleHint.SH_Widget_Animation_Duration
+    return widget.style().styleHint(duration, None, widget) > 0
 
 
 class Painter(QPainter):

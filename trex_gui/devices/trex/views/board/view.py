@@ -5,7 +5,7 @@ from functools import partial
 
 from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Signal, Slot
 from PySide6.QtGui import QHideEvent, QPaintEvent, QPen, QResizeEvent, QShowEvent
-from PySide6.QtWidgets import QStyle, QWidget
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.translation import Number, tr, tr_noop
 from trex_gui.devices.trex.board.drive_status import (
@@ -33,7 +33,7 @@ from trex_gui.devices.trex.views.board.parts import (
 from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.theme.theme import follow_theme, scaled_font, theme
 from trex_gui.ui.widgets.circuit import paint_block, paint_body, text_width
-from trex_gui.ui.widgets.painted import Painter, never_mirror
+from trex_gui.ui.widgets.painted import Painter, never_mirror, wants_motion
 
 _FRAME_MS = 40
 
@@ -322,10 +322,8 @@ class BoardView(QWidget):
 
     def _run(self) -> None:
         """Let LEDs and wheels move while they are seen, unless the system wants no motion."""
-        duration = QStyle.StyleHint.SH_Widget_Animation_Duration
-        is_wanted = self.style().styleHint(duration, None, self) > 0
         moves = any(led.moves for led in self._leds) or any(m.speed for m in self._motors.values())
-        if not (moves and is_wanted and self.isVisible()):
+        if not (moves and wants_motion(self) and self.isVisible()):
             self._timer.stop()
         elif not self._timer.isActive():
             self._frame_at = now()

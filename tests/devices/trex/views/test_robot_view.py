@@ -1,0 +1,38 @@
+"""The drawing of the robot: which wheels turn, and which one was clicked."""
+
+from PySide6.QtCore import QTimer
+from PySide6.QtTest import QTest
+from pytestqt.qtbot import QtBot
+
+from tests.support.window import LEFT
+from trex_gui.devices.trex.views.robot_view import RobotView, WheelPart
+
+
+def test_clicked_half_of_a_wheel_is_reported_and_filled(qtbot: QtBot) -> None:
+    robot, clicked = RobotView(asks=True), list[tuple[str, bool]]()
+    qtbot.addWidget(robot)
+    robot.wheel_clicked.connect(lambda *part: clicked.append(part))
+    robot.show()
+    parts = {part.accessibleName(): part for part in robot.findChildren(WheelPart)}
+    for name in ("Right wheel, backward", "Left wheel, forward"):
+        QTest.mouseClick(parts[name], LEFT)
+        assert [each for each, part in parts.items() if part.isChecked()] == [name]
+    assert clicked == [("right", False), ("left", True)]
+    robot.choose(None)
+    assert not any(part.isChecked() for part in parts.values())
+
+
+def test_treads_move_only_while_a_visible_wheel_turns(qtbot: QtBot) -> None:
+    robot = RobotView()
+    qtbot.addWidget(robot)
+    robot.show()
+    timer = robot.findChild(QTimer)
+    assert timer is not None
+    robot.show_wheel("left", -0.5, "motor1")
+    assert timer.isActive()
+    assert robot.spoken_state() == "Left wheel, backward"
+    robot.hide()
+    assert not timer.isActive()
+    robot.show()
+    robot.show_wheel("left", 0.0, "motor1")
+    assert not timer.isActive()

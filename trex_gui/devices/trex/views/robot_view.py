@@ -1,0 +1,218 @@
+"""The robot from above: a chassis between two wheels, which can be asked for."""
+
+from functools import partial
+from typing import Literal
+
+from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Signal, Slot
+from PySide6.QtGui import (
+    QHideEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QPolygonF,
+    QResizeEvent,
+    QShowEvent,
+)
+from PySide6.QtWidgets import QPushButton, QWidget
+
+from trex_gui.core.translation import tr, tr_noop
+from trex_gui.devices.trex.views.board.parts import write
+from trex_gui.ui.runtime import new_timer, now
+from trex_gui.ui.theme.theme import follow_theme, theme
+from trex_gui.ui.widgets.painted import Painted, Painter, never_mirror, wants_motion
+
+Side = Literal["left", "right"]
+
+_FRAME_MS = 40
+_TREADS = 7  # along a wheel
+_TREADS_A_SECOND = 6.0  # at full speed: a sketch, as the board does not measure any speed
+_SIZE = 392.0, 300.0  # of the drawing, in the unit of the next
+_WHEEL, _CHASSIS = QRectF(0, 30, 60, 240), QRectF(86, 0, 220, 300)
+_PARTS = {True: QRectF(7, 50, 46, 86), False: QRectF(7, 164, 46, 86)}  # of the left wheel
+_NAMES = {
+    ("left", True): tr_noop("Left wheel, forward"),
+    ("left", False): tr_noop("Left wheel, backward"),
+    ("right", True): tr_noop("Right wheel, forward"),
+    ("right", False): tr_noop("Right wheel, backward"),
+}
+
+
+class WheelPart(QPushButton):
+    """Half of a wheel with an arrow; filled while it is checked."""
+
+    def __init__(self, side: Side, forward: bool, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._forward = forward
+        never_mirror(self)
+        self.setObjectName(f"{side}Wheel{'Forward' if forward else 'Backward'}")
+        self.setAccessibleName(tr(_NAMES[side, forward]))
+        self.setCheckable(True)
+        self.setAutoDefault(False)
+        self.setCursor(Qt.CursorShape.PointingHandCursor)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        del event
+        ink, fill = "mark", "selected" if self.underMouse() else "base"
+        if not self.isEnabled():
+            ink, fill = "outline", "base"
+        elif self.isChecked():
+            ink, fill = "primary_text", "primary"
+        box = QRectF(self.rect()).adjusted(1, 1, -1, -1)
+        with Painter(self) as painter:
+            painter.setPen(QPen(theme().color("outline"), 1))
+            painter.setBrush(theme().color(fill))
+            painter.drawRoundedRect(box, 6, 6)
+            paint_arrow(painter, box, 0.6 if self._forward else -0.6, ink)
+
+
+class RobotView(Painted):
+    """Shows which wheels turn; with `asks` each has a button for forward and for backward."""
+
+    wheel_clicked = Signal(str, bool)  # the side of the wheel, and whether it is its forward half
+
+    def __init__(self, parent: QWidget | None = None, *, asks: bool = False) -> None:
+        super().__init__(parent)
+        self.setAccessibleName(tr("The robot from above"))
+        self._amounts: dict[Side, float] = {"left": 0.0, "right": 0.0}
+        self._colors: dict[Side, str] = {"left": "outline", "right": "outline"}
+        self._shifts: dict[Side, float] = {"left": 0.0, "right": 0.0}  # of the treads
+        self._frame_at = now()
+        self._timer = new_timer(self, _FRAME_MS, self._on_frame)
+        self._parts: dict[tuple[Side, bool], WheelPart] = {}
+        sides: tuple[Side, ...] = ("left", "right") if asks else ()
+        for side in sides:
+            for forward in (True, False):
+                part = self._parts[side, forward] = WheelPart(side, forward, self)
+                part.clicked.connect(partial(self._on_part_clicked, side, forward))
+        follow_theme(self, "room", self.updateGeometry)
+
+    def show_wheel(self, side: Side, amount: float, color: str = "outline") -> None:
+        """Show a wheel in the colour of its motor, turning by `amount`: -1 to 1, 0 is at rest."""
+        if (amount, color) != (self._amounts[side], self._colors[side]):
+            self._amounts[side], self._colors[side] = amount, color
+            self._run()
+            self.update()
+
+    def choose(self, side: Side | None, forward: bool = True) -> None:
+        """Fill one half of a wheel; `None` fills none."""
+        for key, part in self._parts.items():
+            part.setChecked(key == (side, forward))
+        self.update()
+
+    def _on_part_clicked(self, side: Side, forward: bool) -> None:
+        self.choose(side, forward)
+        self.wheel_clicked.emit(side, forward)
+
+    def spoken_state(self) -> str:
+        amounts = self._amounts.items()
+        return ", ".join(tr(_NAMES[side, amount > 0]) for side, amount in amounts if amount)
+
+    def sizeHint(self) -> QSize:
+        line = self.fontMetrics().height()
+        return QSize(26 * line, 20 * line)
+
+    def minimumSizeHint(self) -> QSize:
+        return self.sizeHint() / 2
+
+    def robot_place(self) -> QRectF:
+        """Return where the robot is drawn."""
+        scale = min(self.width() / _SIZE[0], self.height() / _SIZE[1])
+        place = QRectF(0, 0, _SIZE[0] * scale, _SIZE[1] * scale).adjusted(2, 2, -2, -2)
+        place.moveCenter(QRectF(self.rect()).center())
+        return place
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        place = self.robot_place()
+        for (side, forward), part in self._parts.items():
+            part.setGeometry(_placed(_PARTS[forward], place, side).toRect())
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        del event
+        with Painter(self) as painter:
+            place = self.robot_place()
+            self.paint_robot(painter, place)
+            line = self.fontMetrics().height()
+            body = _placed(_CHASSIS, place).toRect()
+            word = body.adjusted(0, round(place.height() * 0.08), 0, 0)
+            word.setHeight(line)
+            write(painter, word, tr("front"), "muted", align=Qt.AlignmentFlag.AlignHCenter)
+
+    def paint_robot(self, painter: QPainter, place: QRectF) -> None:
+        """Paint chassis and wheels; their proportions are those of `robot_place`."""
+        color, unit = theme().color, place.height() / _SIZE[1]
+        body = _placed(_CHASSIS, place)
+        painter.setPen(QPen(color("board_edge"), 2))
+        painter.setBrush(color("board"))
+        painter.drawRoundedRect(body, 34 * unit, 34 * unit)
+        tip, wide, high = QPointF(body.center().x(), body.top() + 7 * unit), 14 * unit, 15 * unit
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(color("mark"))
+        painter.drawPolygon(QPolygonF([tip, tip + QPointF(wide, high), tip + QPointF(-wide, high)]))
+        for side in self._amounts:
+            self._paint_wheel(painter, side, _placed(_WHEEL, place, side))
+
+    def _paint_wheel(self, painter: QPainter, side: Side, wheel: QRectF) -> None:
+        chosen = any(part.isChecked() for key, part in self._parts.items() if key[0] == side)
+        name, round_by = self._colors[side], wheel.width() * 0.22
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(theme().color("selected" if chosen else "track"))
+        painter.drawRoundedRect(wheel, round_by, round_by)
+        if amount := self._amounts[side]:
+            painter.setPen(QPen(theme().color("hatch"), 1.5))
+            step = wheel.height() / _TREADS
+            for tread in range(_TREADS):
+                y = wheel.top() + step * (tread + self._shifts[side] % 1)
+                if wheel.top() + round_by < y < wheel.bottom() - round_by:
+                    for left in (wheel.left(), wheel.right() - round_by):
+                        painter.drawLine(QLineF(left, y, left + round_by, y))
+            if not self._parts:
+                paint_arrow(painter, wheel, amount, name)
+        edge = "accent" if chosen and name == "outline" else name
+        painter.setPen(QPen(theme().color(edge), 2 if edge == "outline" else 3))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawRoundedRect(wheel, round_by, round_by)
+
+    @Slot()
+    def _on_frame(self) -> None:
+        seconds, self._frame_at = min(now() - self._frame_at, 0.2), now()
+        for side, amount in self._amounts.items():
+            self._shifts[side] -= _TREADS_A_SECOND * amount * seconds
+        self.update()
+
+    def _run(self) -> None:
+        """Let the treads move while a wheel turns and is seen."""
+        if not (any(self._amounts.values()) and self.isVisible() and wants_motion(self)):
+            self._timer.stop()
+        elif not self._timer.isActive():
+            self._frame_at = now()
+            self._timer.start()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._run()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        self._run()
+
+
+def _placed(part: QRectF, place: QRectF, side: Side = "left") -> QRectF:
+    """Return a part of the drawing in a place; what is `right` is the mirror image of the left."""
+    unit = place.height() / _SIZE[1]
+    left = part.left() if side == "left" else _SIZE[0] - part.right()
+    corner = QPointF(place.center().x() + (left - _SIZE[0] / 2) * unit, place.top())
+    return QRectF(corner + QPointF(0, part.top() * unit), part.size() * unit)
+
+
+def paint_arrow(painter: QPainter, box: QRectF, amount: float, color: str) -> None:
+    """Paint an arrow up (or down, if `amount` is negative), as long as the amount says."""
+    up = 1 if amount > 0 else -1
+    head = min(box.width() * 0.3, box.height() * 0.2)
+    length = max(box.height() * 0.85 * min(abs(amount), 1), 2 * head) / 2
+    middle, cap = box.center(), Qt.PenCapStyle.RoundCap
+    tip = middle - QPointF(0, up * length)
+    painter.setPen(QPen(theme().color(color), max(head / 2.5, 2), Qt.PenStyle.SolidLine, cap))
+    painter.drawLine(middle + QPointF(0, up * length), tip)
+    for side in (-head, head):
+        painter.drawLine(tip, tip + QPointF(side, up * head))
