@@ -300,7 +300,7 @@ _REGIONS = QGroupBox, QDockWidget, QScrollArea
 _COLUMNS = {"benchLeft", "boardPanel"}
 """Tab goes through what is in these before it goes on, as through the parts of a splitter."""
 
-_IN_COLUMNS = {"boardDrawing", "motorsOptions"}
+_IN_COLUMNS = {"boardDrawing"}
 """Boxes in which Tab may go up to the next column."""
 
 

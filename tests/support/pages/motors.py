@@ -43,6 +43,7 @@ class MotorsPage(WindowDriver):
         super().__init__(window.program, window.qtbot)
         self.simulator = simulator
         self.show_page()
+        self.click("moreOptions")
         self.activate()
 
     def show_page(self) -> None:

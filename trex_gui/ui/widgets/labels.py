@@ -4,6 +4,7 @@ from PySide6.QtCore import QPointF, QSize, Qt
 from PySide6.QtGui import (
     QAccessible,
     QAccessibleAnnouncementEvent,
+    QFontMetrics,
     QPainter,
     QPaintEvent,
     QPen,
@@ -12,12 +13,19 @@ from PySide6.QtWidgets import QLabel, QLayout, QSizePolicy, QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.ui.theme.icons import set_sign
-from trex_gui.ui.theme.theme import follow_theme, set_style_property, set_text_color, theme
+from trex_gui.ui.theme.theme import (
+    follow_theme,
+    scaled_font,
+    set_style_property,
+    set_text_color,
+    theme,
+)
 from trex_gui.ui.widgets.accessible import Spoken
-from trex_gui.ui.widgets.builders import column, label, plain, row, set_bold
+from trex_gui.ui.widgets.builders import column, plain, row, set_bold
 from trex_gui.ui.widgets.painted import never_mirror
 
 _SIGN_ROOM = 2  # pixels beyond the height of a line
+_TITLE_SIZE, _LONG_TITLE = 1.6, 48  # times the size of the font, characters
 
 
 class Note(QLabel):
@@ -172,10 +180,19 @@ class PageHead(QWidget):
 
     def __init__(self, title: str, parent: QWidget, *controls: QWidget | QLayout) -> None:
         super().__init__(parent)
-        self._state = ElidedLabel("", self)
+        self.title, self._state = ElidedLabel("", self), ElidedLabel("", self)
+        self.show_title(title)
         set_style_property(self._state, "textSize", "caption")
-        texts = column(label(self, text=title, size="title"), self._state, margins=0, spacing=2)
+        texts = column(self.title, self._state, margins=0, spacing=2)
         row((texts, 1), *controls, into=self, margins=0)
+
+    def show_title(self, text: str) -> None:
+        """Show a title, a long one in a smaller size in the same place."""
+        self.title.show_text(text)
+        large = QFontMetrics(scaled_font(self.font(), _TITLE_SIZE))
+        self.title.setFixedHeight(large.height() + 2)
+        is_long = len(text) > _LONG_TITLE
+        set_style_property(self.title, "textSize", "heading" if is_long else "title")
 
     def show_state(self, text: str) -> None:
         self._state.show_text(text)

@@ -8,7 +8,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.accessible_names import spoken_state
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.views.bars import ChannelBar, CurrentBar, OutputBar
+from trex_gui.devices.trex.views.bars import ChannelBar, OutputBar
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.bar import Bar, BarState
 
@@ -34,15 +34,6 @@ def bar(qtbot: QtBot) -> ChannelBar:
 @pytest.fixture
 def output(qtbot: QtBot) -> OutputBar:
     widget = OutputBar()
-    qtbot.addWidget(widget)
-    widget.resize(400, widget.sizeHint().height())
-    widget.set_connected(True)
-    return widget
-
-
-@pytest.fixture
-def current(qtbot: QtBot) -> CurrentBar:
-    widget = CurrentBar()
     qtbot.addWidget(widget)
     widget.resize(400, widget.sizeHint().height())
     widget.set_connected(True)
@@ -149,7 +140,7 @@ def test_bar_is_painted_at_any_width_and_calibration(
             assert not bar.grab().isNull()
 
 
-@pytest.mark.parametrize("make", [ChannelBar, OutputBar, CurrentBar])
+@pytest.mark.parametrize("make", [ChannelBar, OutputBar])
 def test_bar_grows_with_the_font(qtbot: QtBot, make: Callable[[], Bar]) -> None:
     widget = make()
     qtbot.addWidget(widget)
@@ -166,39 +157,3 @@ def test_output_is_described_for_screen_readers(output: OutputBar) -> None:
         output.set_value(value)
         assert spoken_state(output) == spoken
     output.grab()
-
-
-def test_current_has_a_line_at_its_limit(current: CurrentBar) -> None:
-    current.set_scale(15.0, None)
-    current.set_value(3.0)
-    assert colours(current, current.x_of(0), current.x_of(3)) == {named("bar")}
-    assert colours(current, current.x_of(3), current.x_of(15)) == {named("track")}
-    assert spoken_state(current) == "3.00 A"
-
-    current.set_scale(15.0, 5.0)
-    assert current.x_of(10) == current._track().left() + current._track().width()
-    current.set_value(2.0)
-    assert named("limit") in colours(current, current.x_of(3), current.x_of(7))
-    assert spoken_state(current) == "2.00 A, limit 5.00 A"
-    before = current.x_of(5)
-    current.set_value(20.0)
-    assert current.x_of(5) < before, "the scale widens for a greater current"
-
-
-@pytest.mark.parametrize(
-    ("amps", "spoken", "color"),
-    [
-        (3.9, "3.90 A, limit 5.00 A", "bar"),
-        (4.0, "4.00 A, near the limit of 5.00 A", "warning"),
-        (5.0, "5.00 A, near the limit of 5.00 A", "warning"),
-        (5.1, "5.10 A, over the limit of 5.00 A", "danger"),
-    ],
-)
-def test_current_near_its_limit_has_a_sign(
-    current: CurrentBar, amps: float, spoken: str, color: str
-) -> None:
-    current.set_scale(15.0, 5.0)
-    current.set_value(amps)
-    assert spoken_state(current) == spoken
-    assert ("⚠" in current._value_text()) == (color != "bar")
-    assert named(color) in colours(current, current.x_of(0), current.x_of(amps))

@@ -119,12 +119,12 @@ def test_pad_is_released_once_and_then_ignores_the_mouse(
 def test_slider_is_released_once_and_then_ignores_the_mouse(
     controls: DriveControlsDriver, end: Callable[[DriveControlsDriver], object]
 ) -> None:
-    QTest.mousePress(controls.slider, LEFT, pos=QPoint(20, controls.slider.height() // 2))
+    QTest.mousePress(controls.slider, LEFT, pos=controls.handle_of(controls.slider))
     assert controls.slider.held
     end(controls)
     assert controls.released == ["slider"]
     value = controls.slider.value()
-    QTest.mouseMove(controls.slider, QPoint(100, 8))
+    QTest.mouseMove(controls.slider, QPoint(20, 20))
     assert controls.slider.value() == value
 
 
@@ -160,13 +160,14 @@ def test_second_finger_changes_nothing(controls: DriveControlsDriver) -> None:
 def test_only_left_button_moves_a_slider(
     controls: DriveControlsDriver, button: Qt.MouseButton
 ) -> None:
-    QTest.mousePress(controls.slider, button, pos=QPoint(20, 12))
-    QTest.mouseMove(controls.slider, QPoint(30, 12))
-    QTest.mouseRelease(controls.slider, button, pos=QPoint(30, 12))
+    handle = controls.handle_of(controls.slider)
+    QTest.mousePress(controls.slider, button, pos=handle)
+    QTest.mouseMove(controls.slider, handle - QPoint(0, 30))
+    QTest.mouseRelease(controls.slider, button, pos=handle - QPoint(0, 30))
     assert controls.slider.value() == 0
     assert not controls.slider.held
-    QTest.mousePress(controls.slider, LEFT, pos=QPoint(20, 12))
-    QTest.mouseRelease(controls.slider, button, pos=QPoint(20, 12))
+    QTest.mousePress(controls.slider, LEFT, pos=handle)
+    QTest.mouseRelease(controls.slider, button, pos=handle)
     assert controls.slider.held
 
 

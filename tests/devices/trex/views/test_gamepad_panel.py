@@ -56,7 +56,7 @@ def set_up(active_panel: Panel) -> Panel:
 
 def test_inactive_panel_reads_nothing_and_hides_its_controls(panel: Panel) -> None:
     assert not panel.pads.is_open
-    for name in ("gamepadCombo", "gamepadSetUpButton", "gamepadForward", "gamepadState"):
+    for name in ("gamepadCombo", "gamepadSetUpButton", "gamepadState"):
         assert not panel.find(QWidget, name).isVisible(), name
 
 
@@ -100,13 +100,6 @@ def test_another_window_stops_the_motors_unless_that_is_allowed(
     assert active_panel.motors.armed
     active_panel.pads.release(HOLD)
     qtbot.waitUntil(lambda: not active_panel.motors.holder)
-
-
-def test_bar_shows_the_gamepad_setpoint(active_panel: Panel) -> None:
-    bar = active_panel.find(PartBar, "gamepadForward")
-    active_panel.wait(lambda: spoken_state(bar) == "0 %")
-    active_panel.pads.move(Y, -1.0)
-    active_panel.wait(lambda: spoken_state(bar) == "+100 %")
 
 
 def test_every_control_works_with_the_keyboard(set_up: Panel) -> None:

@@ -12,11 +12,11 @@ from tests.support.simulator import StartSimulator
 from tests.support.window import WidgetDriver
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.views.bars import CurrentBar
+from trex_gui.devices.trex.views.pages.motors.drive_control import SpeedSlider
 from trex_gui.devices.trex.views.pages.motors.drive_pad import DrivePad
 from trex_gui.devices.trex.views.pages.motors.page import MotorsPage
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.labels import LiveLabel, Note
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 
@@ -61,7 +61,7 @@ def test_page_says_why_the_ceiling_is_low(
     assert page.text("ceilingNote") == ""
     page.connect(start_simulator("--unpaced", "--device", "9").url)
     assert entry.text() == "38 (30 %)"
-    assert page.text("ceilingNote").startswith("New board")
+    assert page.text("ceilingNote").startswith("Raise it once")
     assert "30 % of full speed" in spoken_state(page.pad)
     assert page.find(QSpinBox, "motor1Entry").maximum() == 38
     assert "the speed ceiling" in page.find(QSpinBox, "motor1Entry").toolTip()
@@ -102,12 +102,34 @@ def test_currents_are_shown_with_their_limits(
     simulator = start_simulator("--unpaced")
     simulator.do("eeprom motor2_current_limit 20", "current 1 3.0", "current 2 4.5")
     page.connect(simulator.url)
-    first, second = (page.find(CurrentBar, f"motor{motor}Current") for motor in (1, 2))
-    page.wait(lambda: spoken_state(second) == "4.50 A, limit 6.00 A")
-    assert spoken_state(first) == "3.00 A"
-    assert first.accessibleName() == "Motor 1, current"
-    simulator.do("current 2 5.4")
-    page.wait(lambda: spoken_state(second) == "5.40 A, near the limit of 6.00 A")
-    assert not page.has("auxCurrent")
+    for amps, shown in ((4.5, "4.50 A"), (4.95, "⚠ 4.95 A"), (6.15, "⚠ 6.15 A")):
+        simulator.do(f"current 2 {amps}")
+        page.wait_for_text("motor2Current", shown)
+    assert page.text("motor2Reported") == "limit 6.0 A"
+    first = page.find(LiveLabel, "motor1Current")
+    assert (first.spoken_name(), page.text("motor1Reported")) == (
+        "Motor 1, current: 3.00 A",
+        "no limit",
+    )
     page.device.disconnect_line()
-    page.wait(lambda: spoken_state(first) == "not connected")
+    page.wait_for_text("motor1Current", "–")
+
+
+def test_currents_are_below_the_motors_where_there_is_no_room(page: MotorsPageDriver) -> None:
+    plot = page.button("openPlot")
+    assert page.place_of(plot).left() > page.place_of(page.button("auxZero")).right()
+    page.resize(664, 519)
+    assert page.place_of(plot).top() > page.place_of(page.button("auxZero")).bottom()
+
+
+def test_channels_that_drive_are_shown_on_the_controls(
+    page: MotorsPageDriver, start_simulator: StartSimulator
+) -> None:
+    simulator = start_simulator("--unpaced", "--mode", "rc")
+    simulator.do("channel 1 1800us", "channel 2 silent")
+    page.device.connect_to(ConnectionSettings(simulator.url))
+    slider = page.find(SpeedSlider, "motor1Slider")
+    page.wait(lambda: slider.value() > 20)
+    assert not slider.isEnabled()
+    page.wait_for_text("motor2Setpoint", "no signal")
+    assert page.pad.spoken_state().startswith("At rest.")

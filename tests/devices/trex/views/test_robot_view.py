@@ -29,10 +29,13 @@ def test_treads_move_only_while_a_visible_wheel_turns(qtbot: QtBot) -> None:
     timer = robot.findChild(QTimer)
     assert timer is not None
     robot.show_wheel("left", -0.5, "motor1")
-    assert timer.isActive()
     assert robot.spoken_state() == "Left wheel, backward"
+    qtbot.waitUntil(timer.isActive)
     robot.hide()
-    assert not timer.isActive()
+    qtbot.waitUntil(lambda: not timer.isActive())
     robot.show()
+    qtbot.waitUntil(timer.isActive)
     robot.show_wheel("left", 0.0, "motor1")
+    qtbot.waitUntil(lambda: not timer.isActive())
+    robot.repaint()
     assert not timer.isActive()

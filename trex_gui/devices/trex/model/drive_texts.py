@@ -15,14 +15,16 @@ from trex_gui.ui.runtime import now
 
 
 def setpoint_text(drive: Drive | None) -> str:
-    """Setpoint of motor 1 or 2; `None`: none since it was armed."""
+    """Setpoint of motor 1 or 2 beside its number; `None`: none since it was armed."""
     if drive is None:
-        return tr("Setpoint: none")
-    if drive.is_brake:
-        if not drive.speed:
-            return tr("Setpoint: coast")
-        return tr("Setpoint: brake, {0:.0f} %").format(100 * drive.speed / FULL_SCALE)
-    return tr("Setpoint: {0}").format(speed_text(drive.signed))
+        return tr("no setpoint")
+    if not drive.is_brake:
+        return share_text(drive.speed)
+    return tr("brake, {0}").format(share_text(drive.speed)) if drive.speed else tr("coast")
+
+
+def share_text(speed: int) -> str:
+    return f"{100 * abs(speed) / FULL_SCALE:.0f} %"
 
 
 def direction_text(speed: int) -> str:
@@ -38,40 +40,23 @@ def speed_text(speed: int) -> str:
     return f"{direction_text(speed)}{share}"
 
 
-def channel_text(device: Device, channel: int) -> str:
-    """The command of a channel where channels drive: the board's own view of its speed."""
-    telemetry = device.telemetry
-    value = telemetry.remapped_of(channel)
-    if value is None:
-        return tr("Channel {0}: N/A").format(channel)
-    if telemetry.raw is not None and telemetry.raw_of(channel) is None:
-        return tr("Channel {0}: no signal").format(channel)
-    # Channel 3 drives one way only, whichever side the stick is on.
-    text = str(abs(value)) if channel == 3 else speed_text(value)
-    return tr("Channel {0}: {1}").format(channel, text)
-
-
 def report_text(device: Device, motor: int) -> str:
-    """What the board reports of motor 1 or 2, or of the auxiliary (3): control and errors.
+    """What the board reports of motor 1 or 2, or of the auxiliary (3); empty if nothing.
 
     If channel 5 has handed over to serial, its channel shows what the motor does after that.
     """
     telemetry, state, parts = device.telemetry, device.state, []
-    by_serial = telemetry.serial_controls
-    if by_serial is not None:
-        parts.append(tr("serial in control") if by_serial else tr("serial not in control"))
-    if motor in {1, 2}:
-        if telemetry.motor_currents is None:
-            return tr("Board: N/A")
+    if motor in {1, 2} and telemetry.motor_currents is not None:
         if device.board.is_joint:
             parts.append(tr("no current sensing in joint mode"))
         else:
             parts += [tr(entry.name).lower() for entry in device.board.errors.recent(motor, now())]
     value = telemetry.remapped_of(motor)
-    if by_serial and state is not None and not state.mode.is_serial and value is not None:
+    is_overridden = telemetry.serial_controls and state is not None and not state.mode.is_serial
+    if is_overridden and value is not None:
         value = abs(value) if motor == 3 else value
         parts.append(tr("channel {0} at {1} (overridden)").format(motor, signed_text(value)))
-    return tr("Board: {0}").format(", ".join(parts) or tr("N/A"))
+    return ", ".join(parts)
 
 
 # --- The serial timeout -----------------------------------------------------------------

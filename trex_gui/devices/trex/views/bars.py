@@ -1,4 +1,4 @@
-"""The live bars: a channel's input with its calibration, an output, and a current."""
+"""The live bars: a channel's input with its calibration, and an output."""
 
 from collections.abc import Iterable
 
@@ -7,13 +7,13 @@ from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.texts import signed_text
-from trex_gui.core.translation import Number, tr
+from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.plotting.axes import Labels, spread, ticks, value_labels
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.accessible import SpokenRange
-from trex_gui.ui.widgets.bar import WARNING_SIGN, Bar, BarState, LimitState, limit_state
+from trex_gui.ui.widgets.bar import Bar, BarState
 
 # Raw counts. Ref: Pololu TReX User's Guide 4.b: a pulse counts from 0.5 to 2.5 ms.
 USUAL_AXIS = {InputSource.RC: (2000, 5500), InputSource.ANALOG: (0, 1023)}
@@ -266,13 +266,14 @@ class ChannelBar(Bar):
         self._paint_fill(painter, track, edge, self.x_of(raw), self._marks.fill)
 
 
-class _FilledBar(Bar):
-    """Filled from zero to `value`, the one shown; `None` is no valid signal."""
+class OutputBar(Bar):
+    """Shows -127 to 127 from the centre; `None` is no valid signal."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         self.value: float | None = None
         super().__init__("bar", parent)
         self._refresh()
+        self.setAccessibleName(tr("Output"))
 
     def set_value(self, value: float | None) -> None:
         if not self._has_value or value != self.value:
@@ -285,7 +286,7 @@ class _FilledBar(Bar):
         return _x_on(self._track(), self._axis(), value)
 
     def _axis(self) -> tuple[float, float]:
-        raise NotImplementedError
+        return -FULL_SCALE, FULL_SCALE
 
     def spoken_range(self) -> SpokenRange:
         low, high = self._axis()
@@ -317,98 +318,18 @@ class _FilledBar(Bar):
     def _paint_live(self, painter: QPainter, track: QRect) -> None:
         value = self.value
         if value is not None:
-            color = self._fill_color(value)
-            self._paint_fill(painter, track, self.x_of(0), self.x_of(value), color)
+            self._paint_fill(painter, track, self.x_of(0), self.x_of(value), self._marks.fill)
             self._paint_line(painter, track, 0, self._marks.mark)
             self._paint_pointer(painter, track, self.x_of(value), 0)
 
-    def _fill_color(self, value: float) -> QColor:
-        del value
-        return self._marks.fill
-
-
-class OutputBar(_FilledBar):
-    """Shows -127 to 127 from the centre, or 0 to 127 from the left."""
-
-    def __init__(self, parent: QWidget | None = None, *, bipolar: bool = True) -> None:
-        self._bipolar = bipolar
-        super().__init__(parent)
-        self.setAccessibleName(tr("Output"))
-
-    def _axis(self) -> tuple[float, float]:
-        return (-FULL_SCALE if self._bipolar else 0), FULL_SCALE
-
     def _value_text(self) -> str:
-        if self.value is None:
-            return ""
-        return signed_text(int(self.value)) if self._bipolar else f"{self.value:.0f}"
+        return "" if self.value is None else signed_text(int(self.value))
 
     def _spoken_value(self) -> str:
         return tr("{value} of {full}").format(value=self._value_text(), full=FULL_SCALE)
 
     def _widest_value(self) -> str:
-        return signed_text(-FULL_SCALE) if self._bipolar else str(FULL_SCALE)
-
-
-class CurrentBar(_FilledBar):
-    """Shows a motor's current in A, with a line at its limit; near it with a sign and a colour."""
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        self._limit: float | None = None
-        self._usual = self._end = 1.0
-        super().__init__(parent)
-
-    def set_scale(self, usual: float, limit: float | None) -> None:
-        """Show 0 to `usual` A, or twice the limit; greater currents widen that."""
-        if (usual, limit) != (self._usual, self._limit):
-            self._usual, self._limit = usual, limit
-            self._end = 2 * limit if limit else usual
-            self._refresh()
-
-    def set_value(self, value: float | None) -> None:
-        self._end = max(self._end, value or 0.0)
-        super().set_value(value)
-
-    def _axis(self) -> tuple[float, float]:
-        return 0.0, self._end
-
-    def _cache_key(self) -> tuple[object, ...]:
-        return (self._limit, self._end)
-
-    @property
-    def limit_state(self) -> LimitState:
-        return limit_state(self.value, self._limit)
-
-    def _fill_color(self, value: float) -> QColor:
-        name = self.limit_state.value
-        return theme().color(name) if name else super()._fill_color(value)
-
-    def _value_text(self) -> str:
-        sign = "" if self.limit_state is LimitState.BELOW else f"{WARNING_SIGN} "
-        return sign + self._amps()
-
-    def _amps(self) -> str:
-        return "" if self.value is None else f"{Number(self.value):.2f} A"
-
-    def _spoken_value(self) -> str:
-        if self._limit is None:
-            return self._amps()
-        text = {
-            LimitState.BELOW: tr("{value}, limit {limit:.2f} A"),
-            LimitState.NEAR: tr("{value}, near the limit of {limit:.2f} A"),
-            LimitState.OVER: tr("{value}, over the limit of {limit:.2f} A"),
-        }[self.limit_state]
-        return text.format(value=self._amps(), limit=Number(self._limit or 0))
-
-    def _widest_value(self) -> str:
-        return f"{WARNING_SIGN} 00.00 A"
-
-    def _paint_live(self, painter: QPainter, track: QRect) -> None:
-        super()._paint_live(painter, track)
-        if self._limit is not None:
-            color = theme().color("limit")
-            for x in (self._limit, self._limit + self._end / track.width()):
-                self._paint_line(painter, track, x, color)
+        return signed_text(-FULL_SCALE)
 
 
 def _x_on(track: QRect, axis: tuple[float, float], value: float) -> float:

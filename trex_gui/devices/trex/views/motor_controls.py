@@ -1,13 +1,14 @@
 """Stop and *Arm motors*: the row below every page, and what asks before arming."""
 
-import math
-
 from PySide6.QtCore import Qt, Signal, Slot
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QDialog, QFrame, QWidget
 
 from trex_gui.core.translation import Number, tr
+from trex_gui.devices.trex.board.drive_status import drive_statuses
+from trex_gui.devices.trex.driving.blockers import DriveBlocker
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.drive_status import recent_fault_text
+from trex_gui.devices.trex.model.drive_status import drive_inputs, recent_fault_text
 from trex_gui.devices.trex.model.drive_texts import TimeoutWarning, timeout_warning
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.theme import set_look, set_style_property
@@ -17,6 +18,7 @@ from trex_gui.ui.widgets.builders import RedButton
 from trex_gui.ui.widgets.labels import Note
 
 _ARM_DIALOG_WIDTH = 480  # pixels
+_ARROWS = {Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Up, Qt.Key.Key_Down}
 
 
 def arm(device: Device, window: QWidget) -> None:
@@ -149,6 +151,11 @@ class StopButton(RedButton):
         self._device = device
         device.link_changed.connect(self._on_link_changed)
         self._on_link_changed()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Keep the focus: in Qt arrow keys move it, and the next ones may drive a motor."""
+        if event.key() not in _ARROWS:
+            super().keyPressEvent(event)
 
     @Slot()
     def _on_link_changed(self) -> None:
@@ -290,24 +297,16 @@ class ControlBar(ActionBar):
         return self._device.is_connected and is_locked_out and motors.locked_for > 0
 
     def _state_text(self) -> str:
-        motors, link = self._device.motors, self._device.link
+        """Return what is sent, or the first reason why nothing is; faults are in another text."""
+        device, motors = self._device, self._device.motors
         if motors.armed:
             sent = tr("Armed. Sent: {0}").format(motors.text)
             return sent if motors.text else tr("Armed. Drive them on the Motors page.")
-        if self._device.may_move:
-            return self._device.loss_text if self._is_out_of_reach else tr("Stopping …")
-        if self._device.driving.lost_board:
-            return tr("The board driven before may still turn its motors. Cut their power.")
+        if self._is_out_of_reach and device.may_move:
+            return device.loss_text
+        if device.driving.lost_board:
+            return device.driving.lost_board
         if self._is_beyond_reach:
             return tr("Channels control the motors: Stop does not affect them.")
-        if motors.locked_for:
-            return tr("Stopped. Motors are locked for {0} s.").format(math.ceil(motors.locked_for))
-        if link is not ConnectionState.CONNECTED:
-            return tr("No board is connected.")
-        if motors.stop_reason:
-            return tr("Stopped. {0}").format(motors.stop_reason)
-        if self._device.driving.reaches_several:
-            return tr("Several boards on this line: select the one to drive.")
-        if motors.is_available:
-            return tr("Not armed: nothing is sent to the motors.")
-        return tr("Channels control the motors: serial commands do not reach them.")
+        statuses = drive_statuses(drive_inputs(device))
+        return next((one.text for one in statuses if one.blocker is not DriveBlocker.FAULT), "")

@@ -4,32 +4,23 @@ from functools import partial
 from typing import Literal
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Signal, Slot
-from PySide6.QtGui import (
-    QHideEvent,
-    QPainter,
-    QPaintEvent,
-    QPen,
-    QPolygonF,
-    QResizeEvent,
-    QShowEvent,
-)
+from PySide6.QtGui import QPainter, QPaintEvent, QPen, QPolygonF, QResizeEvent
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.views.board.parts import write
-from trex_gui.ui.runtime import new_timer, now
+from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.theme import follow_theme, theme
 from trex_gui.ui.widgets.painted import Painted, Painter, never_mirror, wants_motion
 
 Side = Literal["left", "right"]
 
 _FRAME_MS = 40
-_TREADS = 7  # along a wheel
-_TREADS_A_SECOND = 6.0  # at full speed: a sketch, as the board does not measure any speed
+_TREADS, _TREADS_A_FRAME = 7, 0.24  # on a wheel, at full speed: the board measures no speed
 _SIZE = 392.0, 300.0  # of the drawing, in the unit of the next
 _WHEEL, _CHASSIS = QRectF(0, 30, 60, 240), QRectF(86, 0, 220, 300)
 _PARTS = {True: QRectF(7, 50, 46, 86), False: QRectF(7, 164, 46, 86)}  # of the left wheel
-_NAMES = {
+_NAMES: dict[tuple[Side, bool], str] = {
     ("left", True): tr_noop("Left wheel, forward"),
     ("left", False): tr_noop("Left wheel, backward"),
     ("right", True): tr_noop("Right wheel, forward"),
@@ -62,7 +53,7 @@ class WheelPart(QPushButton):
             painter.setPen(QPen(theme().color("outline"), 1))
             painter.setBrush(theme().color(fill))
             painter.drawRoundedRect(box, 6, 6)
-            paint_arrow(painter, box, 0.6 if self._forward else -0.6, ink)
+            _paint_arrow(painter, box, 0.6 if self._forward else -0.6, ink)
 
 
 class RobotView(Painted):
@@ -76,21 +67,16 @@ class RobotView(Painted):
         self._amounts: dict[Side, float] = {"left": 0.0, "right": 0.0}
         self._colors: dict[Side, str] = {"left": "outline", "right": "outline"}
         self._shifts: dict[Side, float] = {"left": 0.0, "right": 0.0}  # of the treads
-        self._frame_at = now()
-        self._timer = new_timer(self, _FRAME_MS, self._on_frame)
-        self._parts: dict[tuple[Side, bool], WheelPart] = {}
-        sides: tuple[Side, ...] = ("left", "right") if asks else ()
-        for side in sides:
-            for forward in (True, False):
-                part = self._parts[side, forward] = WheelPart(side, forward, self)
-                part.clicked.connect(partial(self._on_part_clicked, side, forward))
+        self._timer = new_timer(self, _FRAME_MS, self._on_frame, single_shot=True)
+        self._parts = {key: WheelPart(*key, self) for key in _NAMES} if asks else {}
+        for key, part in self._parts.items():
+            part.clicked.connect(partial(self._on_part_clicked, *key))
         follow_theme(self, "room", self.updateGeometry)
 
     def show_wheel(self, side: Side, amount: float, color: str = "outline") -> None:
         """Show a wheel in the colour of its motor, turning by `amount`: -1 to 1, 0 is at rest."""
         if (amount, color) != (self._amounts[side], self._colors[side]):
             self._amounts[side], self._colors[side] = amount, color
-            self._run()
             self.update()
 
     def choose(self, side: Side | None, forward: bool = True) -> None:
@@ -132,14 +118,12 @@ class RobotView(Painted):
         with Painter(self) as painter:
             place = self.robot_place()
             self.paint_robot(painter, place)
-            line = self.fontMetrics().height()
-            body = _placed(_CHASSIS, place).toRect()
-            word = body.adjusted(0, round(place.height() * 0.08), 0, 0)
-            word.setHeight(line)
+            word = _placed(_CHASSIS, place).toRect().adjusted(0, round(place.height() / 12), 0, 0)
+            word.setHeight(self.fontMetrics().height())
             write(painter, word, tr("front"), "muted", align=Qt.AlignmentFlag.AlignHCenter)
 
     def paint_robot(self, painter: QPainter, place: QRectF) -> None:
-        """Paint chassis and wheels; their proportions are those of `robot_place`."""
+        """Paint chassis and wheels, and the next frame while a wheel turns."""
         color, unit = theme().color, place.height() / _SIZE[1]
         body = _placed(_CHASSIS, place)
         painter.setPen(QPen(color("board_edge"), 2))
@@ -151,6 +135,8 @@ class RobotView(Painted):
         painter.drawPolygon(QPolygonF([tip, tip + QPointF(wide, high), tip + QPointF(-wide, high)]))
         for side in self._amounts:
             self._paint_wheel(painter, side, _placed(_WHEEL, place, side))
+        if any(self._amounts.values()) and wants_motion(self) and not self._timer.isActive():
+            self._timer.start()
 
     def _paint_wheel(self, painter: QPainter, side: Side, wheel: QRectF) -> None:
         chosen = any(part.isChecked() for key, part in self._parts.items() if key[0] == side)
@@ -160,14 +146,13 @@ class RobotView(Painted):
         painter.drawRoundedRect(wheel, round_by, round_by)
         if amount := self._amounts[side]:
             painter.setPen(QPen(theme().color("hatch"), 1.5))
-            step = wheel.height() / _TREADS
             for tread in range(_TREADS):
-                y = wheel.top() + step * (tread + self._shifts[side] % 1)
+                y = wheel.top() + wheel.height() * (tread + self._shifts[side] % 1) / _TREADS
                 if wheel.top() + round_by < y < wheel.bottom() - round_by:
                     for left in (wheel.left(), wheel.right() - round_by):
                         painter.drawLine(QLineF(left, y, left + round_by, y))
             if not self._parts:
-                paint_arrow(painter, wheel, amount, name)
+                _paint_arrow(painter, wheel, amount, name)
         edge = "accent" if chosen and name == "outline" else name
         painter.setPen(QPen(theme().color(edge), 2 if edge == "outline" else 3))
         painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -175,26 +160,9 @@ class RobotView(Painted):
 
     @Slot()
     def _on_frame(self) -> None:
-        seconds, self._frame_at = min(now() - self._frame_at, 0.2), now()
         for side, amount in self._amounts.items():
-            self._shifts[side] -= _TREADS_A_SECOND * amount * seconds
+            self._shifts[side] -= _TREADS_A_FRAME * amount
         self.update()
-
-    def _run(self) -> None:
-        """Let the treads move while a wheel turns and is seen."""
-        if not (any(self._amounts.values()) and self.isVisible() and wants_motion(self)):
-            self._timer.stop()
-        elif not self._timer.isActive():
-            self._frame_at = now()
-            self._timer.start()
-
-    def showEvent(self, event: QShowEvent) -> None:
-        super().showEvent(event)
-        self._run()
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        super().hideEvent(event)
-        self._run()
 
 
 def _placed(part: QRectF, place: QRectF, side: Side = "left") -> QRectF:
@@ -205,7 +173,7 @@ def _placed(part: QRectF, place: QRectF, side: Side = "left") -> QRectF:
     return QRectF(corner + QPointF(0, part.top() * unit), part.size() * unit)
 
 
-def paint_arrow(painter: QPainter, box: QRectF, amount: float, color: str) -> None:
+def _paint_arrow(painter: QPainter, box: QRectF, amount: float, color: str) -> None:
     """Paint an arrow up (or down, if `amount` is negative), as long as the amount says."""
     up = 1 if amount > 0 else -1
     head = min(box.width() * 0.3, box.height() * 0.2)

@@ -159,6 +159,7 @@ class TrexWorkspace(Workspace):
 
         page = MotorsPage(self._device, self)
         page.parameter_wanted.connect(self._show_parameter)
+        page.plot_wanted.connect(partial(self.show_page, "currents"))
         return page
 
     def _make_parameters_page(self) -> QWidget:

@@ -1,21 +1,26 @@
 """Controls of one motor: slider, entry box, zero and brake, and what the board reports."""
 
-from PySide6.QtCore import QEvent, QRect, QSignalBlocker, QSize, Qt, Signal, Slot
+from PySide6.QtCore import QEvent, QRect, QRectF, QSignalBlocker, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPen, QWheelEvent
-from PySide6.QtWidgets import QSpinBox, QWidget
+from PySide6.QtWidgets import QSpinBox, QStyle, QStyleOptionSlider, QWidget
 
 from trex_gui.core.texts import signed_text
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.descriptions import CURRENT_ACCURACY
-from trex_gui.devices.trex.views.bars import CurrentBar, OutputBar
-from trex_gui.ui.theme.theme import set_look, set_text_color, theme
+from trex_gui.ui.theme.theme import (
+    scaled_font,
+    set_look,
+    set_style_property,
+    set_text_color,
+    theme,
+)
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import keep_room
-from trex_gui.ui.widgets.labels import ElidedLabel
+from trex_gui.ui.widgets.bar import WARNING_SIGN, LimitState, limit_state
+from trex_gui.ui.widgets.labels import ElidedLabel, LiveLabel
 from trex_gui.ui.widgets.sliders import PressSlider
 
-_MARKS = (-127, -64, 0, 64, 127)
+_GROOVE, _HANDLE = 14, 36  # widths in pixels; that of the handle is in the style sheet
 _MOVING_KEYS = {
     *(Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Up, Qt.Key.Key_Down),
     *(Qt.Key.Key_PageUp, Qt.Key.Key_PageDown),
@@ -26,7 +31,7 @@ _DISCARDS = {  # events that discard a half-typed number
 
 
 class SpeedSlider(PressSlider):
-    """Horizontal, from `lowest` to 127; keys that move it hold it, too.
+    """Vertical, from `lowest` to 127; keys that move it hold it, too.
 
     End and the wheel do nothing: neither one key nor scrolling must drive a motor.
     """
@@ -34,6 +39,8 @@ class SpeedSlider(PressSlider):
     def __init__(self, lowest: int, parent: QWidget | None = None, color: str = "bar") -> None:
         """`color` is that of the motor in the theme."""
         super().__init__(lowest, FULL_SCALE, parent)
+        self.setOrientation(Qt.Orientation.Vertical)
+        set_look(self, color)
         self._color = color
         self._ceiling = FULL_SCALE
         self.setPageStep(16)
@@ -73,50 +80,56 @@ class SpeedSlider(PressSlider):
     def wheelEvent(self, event: QWheelEvent) -> None:
         event.ignore()
 
+    def _beside(self) -> int:
+        """Return the pixels at either side of the handle: the scale is at its left."""
+        return self.fontMetrics().horizontalAdvance(f"{signed_text(FULL_SCALE)} ")
+
     def sizeHint(self) -> QSize:
-        hint = super().sizeHint()
-        return QSize(max(hint.width(), 240), hint.height() + self.fontMetrics().height() + 10)
+        return QSize(_HANDLE + 2 * self._beside(), 200)
 
     def minimumSizeHint(self) -> QSize:
-        return QSize(150, self.sizeHint().height())
+        return QSize(self.sizeHint().width(), 6 * self.fontMetrics().height())
 
-    def room_below(self) -> int:
-        return self.fontMetrics().height() + 6
+    def initStyleOption(self, option: QStyleOptionSlider) -> None:
+        super().initStyleOption(option)
+        option.rect = self.rect().adjusted(self._beside(), 0, -self._beside(), 0)
+
+    def _y_of(self, value: int, handle: QRect) -> int:
+        """Return where the middle of a handle of this size is at a value."""
+        room = self.height() - handle.height()
+        return handle.height() // 2 + QStyle.sliderPositionFromValue(
+            self.minimum(), self.maximum(), value, room, upsideDown=True
+        )
 
     def paint_groove(self, painter: QPainter, handle: QRect) -> None:
-        middle = handle.center().y()
-        left, right = self.x_of(self.minimum(), handle), self.x_of(self.maximum(), handle)
-        groove = QRect(left, middle - 3, right - left, 7)
-        painter.setPen(QPen(theme().color("track_edge")))
-        painter.setBrush(theme().color("track_off"))
-        painter.drawRoundedRect(groove, 3, 3)
-        if not self.isEnabled():
-            return
-        ends = max(-self._ceiling, self.minimum()), self._ceiling
-        start, end = (self.x_of(value, handle) for value in ends)
-        painter.setBrush(theme().color("track"))
-        painter.drawRoundedRect(QRect(start, middle - 3, end - start, 7), 3, 3)
-        if self._ceiling < self.maximum():
-            for x in (start, end):
-                painter.fillRect(x - 1, middle - 7, 2, 15, theme().color("mark"))
-        zero, here = self.x_of(0, handle), handle.center().x()
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(theme().color(self._color))
-        painter.drawRect(QRect(min(zero, here), middle - 2, abs(here - zero), 5))
+        color, left = theme().color, handle.center().x() + 0.5 - _GROOVE / 2
+        ceiling = self._ceiling if self.isEnabled() else 0
 
-    def paint_below(self, painter: QPainter, handle: QRect) -> None:
-        painter.setPen(self.palette().color(self.foregroundRole()))
-        metrics = self.fontMetrics()
-        top = handle.bottom() + 2
-        for value in _MARKS:
-            if value < self.minimum():
-                continue
-            x = self.x_of(value, handle)
-            painter.drawLine(x, top, x, top + 4)
-            text = signed_text(value) if self.minimum() < 0 else str(value)
-            width = metrics.horizontalAdvance(text)
-            place = min(max(x - width // 2, 0), self.width() - width)
-            painter.drawText(place, top + 6 + metrics.ascent(), text)
+        def between(first: int, second: int) -> QRectF:
+            top, bottom = sorted(self._y_of(value, handle) for value in (first, second))
+            return QRectF(left, top, _GROOVE, bottom - top)
+
+        painter.setPen(QPen(color("track_edge")))
+        for surface, low, high in (
+            ("track_off", self.minimum(), self.maximum()),
+            ("track", max(-ceiling, self.minimum()), ceiling),
+        ):
+            if high:
+                painter.setBrush(color(surface))
+                place = between(low, high).adjusted(0, -_GROOVE / 2, 0, _GROOVE / 2)
+                painter.drawRoundedRect(place, _GROOVE / 2, _GROOVE / 2)
+        painter.fillRect(between(0, self.value()).adjusted(2, 0, -2, 0), color(self._color))
+        painter.setFont(scaled_font(self.font(), 0.85))
+        height = painter.fontMetrics().height()
+        for value in (self.minimum(), 0, self.maximum()):
+            y = self._y_of(value, handle)
+            top = min(max(y - height // 2, 0), self.height() - height)
+            text = signed_text(value) if self.minimum() else str(value)
+            painter.setPen(color("muted"))
+            painter.drawText(
+                QRect(0, top, handle.left() - 4, height), Qt.AlignmentFlag.AlignRight, text
+            )
+            painter.fillRect(QRectF(left - 4, y, _GROOVE + 8, 1), color("mark"))
 
 
 class SpeedEntry(QSpinBox):
@@ -186,8 +199,8 @@ class SpeedEntry(QSpinBox):
         self.chosen.emit(speed)
 
 
-class DriveControl(QWidget):
-    """Slider and entry of one speed, or a bar of the channel that drives; and the current."""
+class DriveControl(ui.Card):
+    """Slider and entry of one speed; and the current, with its limit."""
 
     speed_wanted = Signal(int)  # a speed of 0 or -127 to 127 that the user chose
     brake_wanted = Signal()
@@ -195,49 +208,48 @@ class DriveControl(QWidget):
     def __init__(
         self, title: str, name: str, *, two_way: bool = True, parent: QWidget | None = None
     ) -> None:
-        super().__init__(parent)
+        super().__init__("", parent)
+        set_look(self, "compact")
         self._two_way = two_way
         lowest = -FULL_SCALE if two_way else 0
-
-        self._title = ui.label(self, f"{name}Title", bold=True)
-        # Its signals report whether the user holds it
         color = "auxiliary" if name == "aux" else name
+
+        self._title = ui.label(self, f"{name}Title", size="heading")
         set_text_color(self._title, color)
+        # Its signals report whether the user holds it
         self.slider = ui.named(SpeedSlider(lowest, self, color), f"{name}Slider")
         self._entry = ui.named(SpeedEntry(self), f"{name}Entry")
-        self._entry.setRange(-FULL_SCALE, FULL_SCALE)
-        self._entry.setMinimumWidth(self._entry.sizeHint().width() + 8)  # as wide with any range
         self._entry.setRange(lowest, FULL_SCALE)
+        set_style_property(self._entry, "textSize", "title")
+        ui.make_bare(self._entry, str(-FULL_SCALE))
+        self._setpoint = ui.named(ElidedLabel("", self), f"{name}Setpoint")
+        self._current = LiveLabel(f"{name}Current", "", self)
+        ui.set_bold(self._current)
+        tip = tr("⚠ means 80 % of the limit or more.")
+        self._current.setToolTip(ui.plain(f"{tip} {tr(CURRENT_ACCURACY)}"))
+        self._report = ui.named(ElidedLabel("", self), f"{name}Reported")
+        texts = self._title, self._setpoint, self._current, self._report
+        for label in (*texts, self._entry):
+            label.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        for label in (self._setpoint, self._report):
+            set_style_property(label, "textSize", "caption")
         self._zero = ui.button(
             self,
             f"{name}Zero",
-            tr("Zero"),
+            "0",
             tip=tr("Speed 0: the motor is not driven and coasts"),
             on_click=lambda: self.speed_wanted.emit(0),
         )
         self.brake = ui.button(self, f"{name}Brake", tr("Brake"), on_click=self.brake_wanted)
-        self._bar = ui.named(OutputBar(self, bipolar=two_way), f"{name}Channel")
-        self._bar.hide()
-        self._setpoint_label = ui.label(self, f"{name}Setpoint")
-        reported = ElidedLabel(tr("Board: serial in control…"), self)
-        self.reported = ui.named(reported, f"{name}Reported")
-        self.reported.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        self.brake.setVisible(two_way)
         for button in (self._zero, self.brake):
             set_look(button, "compact")
-        self.current = ui.named(CurrentBar(self), f"{name}Current")
-        tip = tr("Current of this motor; the red line is its limit, ⚠ means 80 % of it or more.")
-        self.current.setToolTip(ui.plain(f"{tip} {tr(CURRENT_ACCURACY)}"))
-        if not two_way:  # so that all sliders have the same length
-            keep_room(self.brake)
-        for widget in (self.brake, self.current):
-            widget.setVisible(two_way)
 
-        words = ui.row(self._title, self._setpoint_label, 1, self.reported, spacing=10)
-        numbers = ui.row(self._entry, self._zero, self.brake, 1, spacing=4)
-        beside = ui.column(numbers, self.current, 1, spacing=1)
-        speed = ui.column(self.slider, self._bar, 1, spacing=0)
-        halves = ui.row((speed, 3), (beside, 1), spacing=4)
-        ui.column(words, halves, into=self, margins=0, spacing=2)
+        center = Qt.AlignmentFlag.AlignHCenter
+        buttons = ui.row((self._zero, 1), (self.brake, 2), spacing=4)
+        setpoint = (self.slider, 1, center), self._entry, self._setpoint
+        parts = self._title, *setpoint, self._current, self._report, buttons
+        ui.column(*parts, into=self, margins=0, spacing=2)
 
         self.slider.valueChanged.connect(self._on_slider_changed)
         self._entry.chosen.connect(self._on_entry_chosen)
@@ -245,12 +257,16 @@ class DriveControl(QWidget):
 
     def set_title(self, title: str) -> None:
         self._title.setText(title)
+        self.setAccessibleName(title)
         self.slider.setAccessibleName(tr("{0}, speed").format(title))
         self._entry.setAccessibleName(tr("{0}, speed as a number").format(title))
         self._zero.setAccessibleName(tr("{0}, speed zero").format(title))
         self.brake.setAccessibleName(tr("{0}, brake").format(title))
-        self._bar.setAccessibleName(tr("{0}, channel command").format(title))
-        self.current.setAccessibleName(tr("{0}, current").format(title))
+        self._current.setAccessibleName(tr("{0}, current").format(title))
+
+    def set_usable(self, usable: bool) -> None:
+        for widget in (self.slider, self._entry, self._zero, self.brake):
+            widget.setEnabled(usable)
 
     def set_ceiling(self, ceiling: int) -> None:
         """Offer no speed beyond this one, 1-127, either way."""
@@ -259,27 +275,25 @@ class DriveControl(QWidget):
         two_way = tr("From −127, full speed back, to 127, full speed forward")
         tip = two_way if self._two_way else one_way
         if ceiling < FULL_SCALE:
-            tip = tr("Up to {0}, the speed ceiling above").format(ceiling)
+            tip = tr("Up to {0}, the speed ceiling").format(ceiling)
         for widget in (self.slider, self._entry):
             widget.setToolTip(ui.plain(tip))
         self._entry.set_limits(-ceiling if self._two_way else 0, ceiling)
 
-    def set_channel_driven(self, driven: bool) -> None:
-        for widget in (self.slider, self._entry, self._zero):
-            widget.setVisible(not driven)
-        self.brake.setVisible(self._two_way and not driven)
-        self._bar.setVisible(driven)
-
-    def show_channel(self, value: int | None) -> None:
-        """Show the command of a channel, -127 to 127; `None`: no signal."""
-        self._bar.set_connected(True)
-        self._bar.set_value(value if value is None or self._two_way else abs(value))
+    def show_current(self, amps: float | None, limit: float | None, report: str) -> None:
+        """Show a current in A, and its limit unless there is a report of the board."""
+        state = limit_state(amps, limit)
+        sign = "" if state is LimitState.BELOW else f"{WARNING_SIGN} "
+        self._current.setText("–" if amps is None else f"{sign}{Number(amps):.2f} A")
+        set_text_color(self._current, state.value or "window_text")
+        limited = tr("no limit") if limit is None else tr("limit {0:.1f} A").format(Number(limit))
+        self._report.show_text(report or limited)
 
     def show_setpoint(self, speed: int, text: str) -> None:
         if not self.slider.isSliderDown():
             self._move_slider(speed)
         self._entry.show_setpoint(speed)
-        self._setpoint_label.setText(text)
+        self._setpoint.show_text(text)
 
     def release(self) -> None:
         """End a drag, so that the slider can be set."""

@@ -1,6 +1,8 @@
 """Pad to steer in: up is forward, to the side turns, letting go springs back."""
 
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal, Slot
+import math
+
+from PySide6.QtCore import QEvent, QPointF, QRect, QRectF, QSize, Qt, Signal, Slot
 from PySide6.QtGui import (
     QAccessible,
     QEventPoint,
@@ -10,25 +12,25 @@ from PySide6.QtGui import (
     QPainter,
     QPaintEvent,
     QPen,
-    QResizeEvent,
     QTouchEvent,
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
+from trex_gui.devices.trex.views.board.parts import write
+from trex_gui.devices.trex.views.robot_view import RobotView
 from trex_gui.ui.theme.theme import scaled_font, theme
 from trex_gui.ui.widgets.behaviour import PressMonitor
-from trex_gui.ui.widgets.painted import Painted, Painter
+from trex_gui.ui.widgets.painted import Painter
 
 _STRAIGHT = 0.06  # share of the travel within which a direction counts as zero
-_KNOB = 13
-_MARGIN = 2  # pixels between the frame and a word
-_USUAL_SIDE = 210  # pixels
-_LARGEST_SHARE = 0.4  # share of its parent's width that it takes at most
+_KNOB = 13  # pixels, like the next: the least radius, and what is around the field
+_MARGIN = 4
+_ROBOT = 0.42  # its height as a share of the field
 
 
-class DrivePad(Painted):
+class DrivePad(RobotView):
     """Steers while it is `held` with a mouse button or a finger; keys belong to `KeyDriver`."""
 
     spoken_role = QAccessible.Role.Canvas
@@ -48,10 +50,8 @@ class DrivePad(Painted):
         self.setAccessibleName(tr("Drive pad"))
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAttribute(Qt.WidgetAttribute.WA_AcceptTouchEvents)
-        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Expanding)
-
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self._watch.lost.connect(self.release)
-        theme().changed.connect(self.update)
 
     def set_can_turn(self, can_turn: bool) -> None:
         if can_turn != self._can_turn:
@@ -134,8 +134,13 @@ class DrivePad(Painted):
         return QRectF(middle.x() - side / 2, middle.y() - side / 2, side, side)
 
     def _border(self) -> int:
-        """Return the space around the field for the knob and a word, in pixels."""
-        return _KNOB + _MARGIN + QFontMetrics(self._small_font()).height()
+        """Return the space around the field for a word, in pixels."""
+        return _MARGIN + QFontMetrics(self._small_font()).height()
+
+    def robot_place(self) -> QRectF:
+        field, place = self._field(), super().robot_place()
+        size = place.size() * (field.height() * _ROBOT / max(place.height(), 1))
+        return QRectF(field.center() - QPointF(size.width(), size.height()) / 2, size)
 
     def _small_font(self) -> QFont:
         return scaled_font(self.font(), 0.85)
@@ -168,70 +173,48 @@ class DrivePad(Painted):
         return " ".join(parts)
 
     def sizeHint(self) -> QSize:
-        """Return a square of its height, which the page gives; the sliders need the rest."""
-        page = self.parentWidget()
-        most = _LARGEST_SHARE * page.width() if page is not None else _USUAL_SIDE
-        return QSize(round(max(min(self.height(), most), _USUAL_SIDE)), _USUAL_SIDE)
+        return QSize(260, 260)
 
     def minimumSizeHint(self) -> QSize:
         return QSize(170, 170)
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self.updateGeometry()
-
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
-        field, border, color = self._field(), self._border(), theme().color
-        frame = field.adjusted(-border, -border, border, border)
-        active = self.isEnabled()
+        field, color, active = self._field(), theme().color, self.isEnabled()
         with Painter(self) as painter:
             focus = self.hasFocus() and active
             painter.setPen(QPen(color("highlight" if focus else "track_edge"), 2 if focus else 1))
             painter.setBrush(color("track" if active else "track_off"))
-            painter.drawRoundedRect(frame, 10, 10)
-            self._paint_axes(painter, field)
-            self._paint_words(painter, frame)
+            painter.drawEllipse(field)
+            self.paint_robot(painter, self.robot_place())
+            self._paint_words(painter, field)
             if active:
                 self._paint_knob(painter, field)
 
-    def _paint_axes(self, painter: QPainter, field: QRectF) -> None:
-        middle = field.center()
-        painter.setPen(QPen(theme().color("track_edge"), 1, Qt.PenStyle.DotLine))
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.drawLine(QPointF(middle.x(), field.top()), QPointF(middle.x(), field.bottom()))
-        if self._can_turn:
-            painter.drawLine(QPointF(field.left(), middle.y()), QPointF(field.right(), middle.y()))
-            painter.drawEllipse(middle, field.width() / 4, field.height() / 4)
-
-    def _paint_words(self, painter: QPainter, frame: QRectF) -> None:
-        disabled = self.palette().color(self.foregroundRole())
-        painter.setPen(theme().color("muted") if self.isEnabled() else disabled)
+    def _paint_words(self, painter: QPainter, field: QRectF) -> None:
         painter.setFont(self._small_font())
-        box = frame.adjusted(6, _MARGIN, -6, -_MARGIN)
-        centred = Qt.AlignmentFlag.AlignHCenter
-        forward = tr("forward")
+        height = painter.fontMetrics().height()
+        below = (field.bottom() + self.robot_place().bottom() - height) / 2
+        words = {field.top() - height - 2: tr("forward"), field.bottom() + 2: tr("back")}
         if self._ceiling < FULL_SCALE:
             share = 100 * self._ceiling / FULL_SCALE
-            forward = tr("forward, at most {0:.0f} %").format(share)
-        painter.drawText(box, centred | Qt.AlignmentFlag.AlignTop, forward)
-        painter.drawText(box, centred | Qt.AlignmentFlag.AlignBottom, tr("back"))
-        if self._can_turn:
-            box.setBottom(box.center().y() - _KNOB)  # beside the knob
-            side = Qt.AlignmentFlag.AlignBottom
-            painter.drawText(box, side | Qt.AlignmentFlag.AlignLeft, tr("left"))
-            painter.drawText(box, side | Qt.AlignmentFlag.AlignRight, tr("right"))
+            words[below] = tr("ceiling {0:.0f} %").format(share)
+        for top, word in words.items():
+            place = QRect(0, round(top), self.width(), height)
+            write(painter, place, word, "muted", align=Qt.AlignmentFlag.AlignHCenter)
 
     def _paint_knob(self, painter: QPainter, field: QRectF) -> None:
-        color, middle, half = theme().color, field.center(), field.width() / 2
+        middle, radius = field.center(), max(_KNOB, field.width() / 18)
+        beyond = max(1.0, math.hypot(self._turn, self._forward))
+        half = field.width() / 2 / beyond
         place = QPointF(middle.x() + self._turn * half, middle.y() - self._forward * half)
-        moved = bool(self._forward or self._turn)
-        if moved:
-            painter.setPen(QPen(color("bar"), 4, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
+        accent = theme().color("bar")
+        if self._forward or self._turn:
+            painter.setPen(QPen(accent, 4, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
             painter.drawLine(middle, place)
-        painter.setPen(QPen(color("mark"), 1.5))
-        painter.setBrush(color("bar" if moved else "button"))
-        painter.drawEllipse(place, _KNOB - 2, _KNOB - 2)
+        painter.setPen(QPen(theme().color("base"), 3))
+        painter.setBrush(accent)
+        painter.drawEllipse(place, radius, radius)
 
 
 def _straightened(share: float) -> float:

@@ -7,20 +7,20 @@ from PySide6.QtWidgets import QWidget
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.gamepad import Gamepad
-from trex_gui.devices.trex.views.pages.motors.gamepad_dialog import GamepadDialog, PartBar
+from trex_gui.devices.trex.views.pages.motors.gamepad_dialog import GamepadDialog
 from trex_gui.gamepad.pads import PadSource, SdlPads
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.builders import ComboBox
 from trex_gui.ui.widgets.labels import Note
 
 
-class GamepadPanel(ui.Card):
+class GamepadPanel(QWidget):
     """Lets a gamepad drive only while this panel is visible."""
 
     def __init__(
         self, device: Device, parent: QWidget | None = None, *, source: PadSource | None = None
     ) -> None:
-        super().__init__("", parent)
+        super().__init__(parent)
         self.setObjectName("gamepadPanel")
         self.gamepad = Gamepad(device, source or SdlPads(), self)
         self._dialog: GamepadDialog | None = None
@@ -28,7 +28,7 @@ class GamepadPanel(ui.Card):
         self._on = ui.check_box(
             self,
             "gamepadBox",
-            tr("Drive with a &gamepad"),
+            tr("&Gamepad"),
             accessible=tr("Drive with a gamepad"),
             on_toggle=lambda on: self.gamepad.switch_on() if on else self.gamepad.switch_off(),
         )
@@ -46,32 +46,21 @@ class GamepadPanel(ui.Card):
         self._state.setTextInteractionFlags(
             flags.TextSelectableByMouse | flags.TextSelectableByKeyboard
         )
-        forward, turn = tr("Forward"), tr("Turn")
-        self._forward = ui.named(PartBar(self), "gamepadForward", accessible=forward)
-        self._turn = ui.named(PartBar(self), "gamepadTurn", accessible=turn)
-        self._bars = QWidget(self)
-        bars = (
-            ui.label(self, "", forward),
-            (self._forward, 1),
-            ui.label(self, "", turn),
-            (self._turn, 1),
-        )
-        ui.row(*bars, into=self._bars, margins=0)
         self._unfocused = ui.check_box(
             self,
             "gamepadUnfocusedBox",
-            tr("Stop whe&n the window loses the focus"),
+            tr("Stop behi&nd other windows"),
             accessible=tr("Stop what the gamepad drives when the window loses the focus"),
             checked=self.gamepad.stops_unfocused,
             on_toggle=self.gamepad.set_stops_unfocused,
         )
 
-        top = ui.row(self._on, (self._pads, 1), self._set_up, 0)
-        ui.column(top, self._state, self._bars, self._unfocused, into=self)
+        pad = ui.row((self._pads, 1), self._set_up)
+        parts = self._on, pad, self._state, self._unfocused
+        ui.column(*parts, into=self, margins=0, spacing=6)
 
         self._set_up.clicked.connect(self._on_set_up_clicked)
         self.gamepad.changed.connect(self._on_gamepad_changed)
-        self.gamepad.moved.connect(self._on_gamepad_moved)
         app = QGuiApplication.instance()
         if isinstance(app, QGuiApplication):
             app.focusWindowChanged.connect(self._attend)
@@ -105,24 +94,15 @@ class GamepadPanel(ui.Card):
             self._pads.setCurrentIndex(pads.index(gamepad.pad))
         self._pads.setEnabled(bool(pads))
         self._set_up.setEnabled(gamepad.pad is not None)
-        for widget in (self._pads, self._set_up, self._bars, self._unfocused):
+        for widget in (self._pads, self._set_up, self._unfocused):
             widget.setVisible(gamepad.on)
         self._state.show_note(gamepad.text, alarming=bool(gamepad.failure or gamepad.gone))
         self._state.setAccessibleName(gamepad.text or tr("Gamepad"))
         self._attend()
-        self._on_gamepad_moved()
-
-    @Slot()
-    def _on_gamepad_moved(self) -> None:
-        if self.isVisible():
-            ask = self.gamepad.request if self.gamepad.state is not None else None
-            self._forward.set_part(ask.forward if ask else None)
-            self._turn.set_part(ask.turn if ask else None)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         self._attend()
-        self._on_gamepad_moved()
 
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)

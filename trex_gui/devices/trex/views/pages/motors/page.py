@@ -3,40 +3,50 @@
 from functools import partial
 from html import escape
 
-from PySide6.QtCore import QEvent, Qt, Signal, Slot
-from PySide6.QtGui import QHideEvent, QShowEvent
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import QEvent, QSize, Qt, Signal, Slot
+from PySide6.QtGui import QHideEvent, QResizeEvent, QShowEvent
+from PySide6.QtWidgets import QBoxLayout, QFrame, QSizePolicy, QWidget
 
-from trex_gui.core.translation import tr
+from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.board.drive_status import drive_statuses
+from trex_gui.devices.trex.driving.blockers import DriveBlocker
+from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import drive_inputs
-from trex_gui.devices.trex.model.drive_texts import channel_text, report_text, setpoint_text
+from trex_gui.devices.trex.model.drive_texts import (
+    report_text,
+    setpoint_text,
+    share_text,
+    timeout_warning,
+)
 from trex_gui.devices.trex.model.momentary_drive import MomentaryDrive
-from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
-from trex_gui.devices.trex.views.board.page import SIGNS
+from trex_gui.devices.trex.views.pages.motors.current_strip import CurrentStrip
 from trex_gui.devices.trex.views.pages.motors.drive_control import DriveControl
 from trex_gui.devices.trex.views.pages.motors.drive_pad import DrivePad
-from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
 from trex_gui.devices.trex.views.pages.motors.key_driver import KeyDriver
-from trex_gui.devices.trex.views.pages.motors.options import Options, SpeedCeiling
+from trex_gui.devices.trex.views.pages.motors.options import DriveWith, Options, SpeedCeiling
+from trex_gui.devices.trex.views.robot_view import Side
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import new_timer
-from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.theme.theme import set_look, set_style_property, theme
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.bar import NO_VALUE, WARNING_SIGN
 from trex_gui.ui.widgets.behaviour import only_when_visible
-from trex_gui.ui.widgets.labels import LinkLabel, Note, Sign
+from trex_gui.ui.widgets.labels import LinkLabel, PageHead
 
 _AUXILIARY = 3  # number of the auxiliary motor among the controls: that of its channel
 _UNLIMITED = 16_777_215  # the height of widgets without a limit, QWIDGETSIZE_MAX in C++
-_USUAL_COUNTS = 100  # of current, without a limit: 15 A, on a Jr 4 A, as bench tests allow
+_ANYWHERE = Qt.AlignmentFlag(0)
+_GAP = 8  # pixels between cards
 
 
 class MotorsPage(QWidget):
     """Nothing moves before the motors are armed; leaving the page releases every control."""
 
     parameter_wanted = Signal(str)  # the key of a parameter that the user wants to see or change
+    plot_wanted = Signal()
 
     def __init__(self, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -50,33 +60,47 @@ class MotorsPage(QWidget):
         self._is_held_still = False
         self._forget_holder = new_timer(self, 0, self._on_event_over, single_shot=True)
 
-        self._sign = Sign(self)
-        self._reason = ui.named(Note(2, self), "motorsReason")
-        self._reason.setTextFormat(Qt.TextFormat.RichText)
-        self._reason.setAlignment(Qt.AlignmentFlag.AlignVCenter)
-        self._drive_box = drive_box = ui.Card(tr("Drive"), self)
-        ceiling = SpeedCeiling(device.motors, drive_box)
-        self._pad = DrivePad(drive_box)
-        auxiliary_title = tr("Auxiliary (one way)")
+        self._head = PageHead("", self)
+        ui.named(self._head.title, "motorsReason")
+        self._drive_box = drive_box = QWidget(self)
+        pad_card = ui.Card("", drive_box)
+        self._pad = DrivePad(pad_card)
+        self._lost = LostPanel(device, pad_card)
         self._controls = {
             1: DriveControl(tr("Motor 1"), "motor1", parent=drive_box),
             2: DriveControl(tr("Motor 2"), "motor2", parent=drive_box),
-            _AUXILIARY: DriveControl(auxiliary_title, "aux", two_way=False, parent=drive_box),
+            _AUXILIARY: DriveControl(tr("Auxiliary"), "aux", two_way=False, parent=drive_box),
         }
-        self._options = Options(device.motors, self)
-        self._stored = LinkLabel("motorsStored", self)
-        self._stored.setToolTip(tr("Stored settings; click a value to open its parameter"))
+        self._side = side = QWidget(self)
+        title = tr("Motor currents, 10 s")
+        currents = ui.named(ui.Card("", side), "currentsCard", accessible=title)
+        self._strip = CurrentStrip(device, currents)
+        plot = ui.button(currents, "openPlot", tr("Open plot"), on_click=self.plot_wanted)
+        set_look(plot, "link")
+        self._options = Options(device.motors, side)
+        self._options.hide()
+        self._drive_with = DriveWith(device, side)
+        stored = ui.Card(tr("What the board does with them"), self)
+        self._stored = LinkLabel("motorsStored", stored)
+        ceiling = SpeedCeiling(device.motors, stored)
         self._keys = KeyDriver(self._key_drive, device.motors, self, self._pad)
 
-        head = ui.row(self._sign, (self._reason, 1), spacing=10)
-        first, second, auxiliary = self._controls.values()
-        controls = ui.column(first, 1, second, 1, auxiliary, 1, spacing=4)
-        drive = ui.row(self._pad, (controls, 1), spacing=10)
-        ui.column(ceiling, (drive, 1), into=drive_box)
-        gamepad = GamepadPanel(device, self)
+        places = ui.grid(pad_card, margins=0)
+        places.addWidget(self._pad, 0, 0)
+        places.addWidget(self._lost, 0, 0)
+        controls = ((control, 1) for control in self._controls.values())
+        ui.row((pad_card, 4), *controls, into=drive_box, margins=0, spacing=_GAP)
+        heading = ui.row((ui.label(currents, text=title, size="heading"), 1), plot)
+        ui.column(heading, (self._strip, 1), into=currents, margins=0, spacing=0)
+        cards = (currents, 1), (self._options, 1), self._drive_with
+        self._beside = ui.column(*cards, into=side, margins=0, spacing=_GAP)
+        ui.row((self._stored, 1), (ceiling, 1), into=stored, margins=0, spacing=24)
+        self._body = ui.grid(margins=0, spacing=(_GAP, _GAP), stretch=((0, 5), (1, 2)))
+        self._body.setRowStretch(0, 1)
         ui.column(
-            head, (drive_box, 1), self._options, self._stored, gamepad, 0, into=self, margins=4
+            self._head, (self._body, 1), stored, into=self, margins=(16, 12, 16, 12), spacing=_GAP
         )
+        self._place_side()
 
         for number, control in self._controls.items():
             control.speed_wanted.connect(partial(self._on_speed_wanted, number))
@@ -86,12 +110,14 @@ class MotorsPage(QWidget):
         self._pad.steered.connect(self._on_pad_steered)
         self._pad.released.connect(self._pad_drive.release)
         self._keys.steered.connect(self._pad.show_position)
-        self._options.keys_toggled.connect(self._keys.set_enabled)
+        self._drive_with.keys.toggled.connect(self._keys.set_enabled)
+        self._drive_with.more.toggled.connect(self._options.setVisible)
+        self._drive_with.more.toggled.connect(currents.setHidden)
         self._stored.linkActivated.connect(self.parameter_wanted)
         motors = self._motors
         motors.holder_changed.connect(self._on_holder_changed)
-        for signal in (motors.setpoints_changed, motors.arming_changed):
-            signal.connect(self._show_setpoints)
+        motors.setpoints_changed.connect(self._show_setpoints)
+        motors.arming_changed.connect(self._hold_still)
         for signal in (
             motors.arming_changed,
             motors.availability_changed,
@@ -107,6 +133,42 @@ class MotorsPage(QWidget):
         device.telemetry.frame_due.connect(self._on_frame_due)
         device.telemetry.text_due.connect(self._on_text_due)
         self._on_state_changed()
+
+    # --- Places -------------------------------------------------------------------------
+
+    def minimumSizeHint(self) -> QSize:
+        """Return the least size, with the currents below the motors."""
+        hint = super().minimumSizeHint()
+        return QSize(self._drive_box.minimumSizeHint().width() + 32, hint.height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._place_side()
+
+    def _place_side(self) -> None:
+        """Place what is beside the motors below them where there is no room."""
+        cards = self._options, self._drive_with
+        beside = max(card.minimumSizeHint().width() for card in cards)
+        wide = self.width() >= self.minimumSizeHint().width() + _GAP + beside
+        direction = QBoxLayout.Direction.TopToBottom if wide else QBoxLayout.Direction.LeftToRight
+        if not self._body.count() or direction is not self._beside.direction():
+            self._beside.setDirection(direction)
+            place = Qt.AlignmentFlag.AlignTop if self._is_held_still else _ANYWHERE
+            self._body.addWidget(self._drive_box, 0, 0, 1, 1 if wide else 2, place)
+            self._body.addWidget(self._side, *((0, 1, 1, 1) if wide else (1, 0, 1, 2)))
+
+    @Slot()
+    def _hold_still(self) -> None:
+        """Move no control while the motors are armed, whatever needs more room beside or below."""
+        box, still = self._drive_box, self._motors.armed and self.isVisible()
+        if still is not self._is_held_still:
+            self._is_held_still = still
+            height = box.height()
+            box.setMinimumHeight(height if still else 0)
+            box.setMaximumHeight(height if still else _UNLIMITED)
+            self._body.setAlignment(box, Qt.AlignmentFlag.AlignTop if still else _ANYWHERE)
+
+    # --- What the user does -------------------------------------------------------------
 
     def _on_speed_wanted(self, number: int, speed: int) -> None:
         holder = _name(number) if self._motors.holder == _name(number) else ""
@@ -146,23 +208,22 @@ class MotorsPage(QWidget):
         for drive in (self._pad_drive, self._key_drive):
             drive.joint = joint
         self._controls[1].set_title(tr("Motor (joint)") if joint else tr("Motor 1"))
-        self._options.set_joint(joint)
-        if (state := self._device.state) is not None:
-            usual = _USUAL_COUNTS * state.signature.model.current_unit
-            for number in (1, 2):
-                self._controls[number].current.set_scale(usual, self._device.current_limit(number))
+        self._drive_with.set_joint(joint)
         self._show_stored()
-        self._show_setpoints()
         self._show_options()
 
     @Slot()
     def _show_stored(self) -> None:
         """Show the stored settings; grey, and without links, while the board may store others."""
         device, is_connected = self._device, self._device.is_connected
-        text = _stored_text(device.parameters, joint=device.board.is_joint, linked=is_connected)
-        self._stored.setText(text)
+        facts = _stored_facts(device)
+        self._stored.setText(_table(facts, linked=is_connected))
         self._stored.setEnabled(is_connected)
-        self._stored.setAccessibleName("" if text else tr("Stored motor settings: not known"))
+        spoken = ". ".join(f"{title}: {', '.join(texts)}" for title, texts in facts.items())
+        self._stored.setAccessibleName(spoken or tr("Stored motor settings: not known"))
+        warning = timeout_warning(device)
+        tip = tr("Stored settings; click a value to open its parameter")
+        self._stored.setToolTip(ui.plain(tip if warning is None else f"{tip}\n\n{warning.text}"))
 
     @Slot()
     def _on_holder_changed(self) -> None:
@@ -178,6 +239,8 @@ class MotorsPage(QWidget):
         if self._pad.held and not self._pad_drive.held:
             self._pad.release()
 
+    # --- What is shown ------------------------------------------------------------------
+
     @Slot()
     def _show_options(self) -> None:
         motors = self._motors
@@ -187,12 +250,10 @@ class MotorsPage(QWidget):
         share = 100 * motors.release_brake / FULL_SCALE
         brake = tr("Brake with {0:.0f} % (see Brake strength below)").format(share)
         for number, control in self._controls.items():
-            control.setEnabled(motors.armed and not self._is_unused(number))
+            control.set_usable(motors.armed and not self._is_unused(number))
             control.set_ceiling(motors.ceiling)
-            control.current.set_connected(
-                self._device.is_connected and not self._device.board.is_joint
-            )
             control.brake.setToolTip(ui.plain(brake))
+        self._show_setpoints()
         self._on_text_due()
 
     def _is_unused(self, number: int) -> bool:
@@ -200,76 +261,74 @@ class MotorsPage(QWidget):
 
     @Slot()
     def _show_setpoints(self) -> None:
-        motors = self._motors
-        for number in (1, 2):
-            drive = motors.drive(number)
-            text = setpoint_text(drive) if motors.armed else ""
-            if self._is_unused(number):
-                text = tr("Joint mode: follows motor 1")
-            self._controls[number].show_setpoint(drive.signed if drive else 0, text)
-        text = tr("Setpoint: {0}").format(motors.auxiliary) if motors.armed else ""
-        self._controls[_AUXILIARY].show_setpoint(motors.auxiliary, text)
+        for number, control in self._controls.items():
+            speed, text = self._setpoint_of(number)
+            control.show_setpoint(speed, text)
+            if number != _AUXILIARY:
+                side: Side = "left" if number == 1 else "right"
+                motor = 1 if self._is_unused(number) else number
+                self._pad.show_wheel(side, speed / FULL_SCALE, f"motor{motor}")
+
+    def _setpoint_of(self, number: int) -> tuple[int, str]:
+        """Return what a motor is told by this program or its channel, and words for it."""
+        motors, telemetry = self._motors, self._device.telemetry
+        if self._is_unused(number):
+            return self._setpoint_of(1)[0], tr("works with motor 1")
+        if self._channels_drive():
+            value = telemetry.remapped_of(number)
+            if value is None:
+                return 0, NO_VALUE
+            if telemetry.raw is not None and telemetry.raw_of(number) is None:
+                return 0, tr("no signal")
+            # Channel 3 drives one way only, whichever side the stick is on.
+            return abs(value) if number == _AUXILIARY else value, share_text(value)
+        if not motors.armed:
+            return 0, ""
+        if number == _AUXILIARY:
+            return motors.auxiliary, share_text(motors.auxiliary)
+        drive = motors.drive(number)
+        return drive.signed if drive else 0, setpoint_text(drive)
 
     @Slot()
     @only_when_visible
     def _on_frame_due(self) -> None:
+        self._hold_still()
         if self._channels_drive():
-            for number, control in self._controls.items():
-                self._show_channel(number, control)
-        for number, amps in enumerate(self._device.telemetry.motor_currents or (), 1):
-            self._controls[number].current.set_value(amps)
+            self._show_setpoints()
+        self._strip.draw()
 
     @Slot()
     @only_when_visible
     def _on_text_due(self) -> None:
         device = self._device
-        self._hold_still()
         self._show_status()
-        driven = self._channels_drive()
-        self._pad.setVisible(not driven)
+        currents = dict(enumerate(device.telemetry.motor_currents or (), 1))
+        is_sensed = device.is_connected and not device.board.is_joint
         for number, control in self._controls.items():
-            control.set_channel_driven(driven)
-            if driven:
-                self._show_channel(number, control)
-                if not self._is_unused(number):
-                    control.show_setpoint(0, channel_text(device, number))
             report = "" if self._is_unused(number) else report_text(device, number)
-            control.reported.show_text(report)
-
-    def _hold_still(self) -> None:
-        """Move no control while the motors are armed, whatever needs more room below."""
-        armed = self._motors.armed
-        if armed != self._is_held_still:
-            self._is_held_still = armed
-            height = self._drive_box.height()
-            self._drive_box.setMinimumHeight(height if armed else 0)
-            self._drive_box.setMaximumHeight(height if armed else _UNLIMITED)
+            if number == _AUXILIARY:
+                report = report or tr("one way")
+            amps = currents.get(number) if is_sensed else None
+            control.show_current(amps, device.current_limit(number), report)
+        self._strip.draw()
 
     def _show_status(self) -> None:
-        """Show what matters most in bold, and every other reason behind it."""
-        inputs = drive_inputs(self._device)
-        first, *others = drive_statuses(inputs)
-        name, color = SIGNS[first.blocker.effect]
-        self._sign.show_sign(name, color)
-        lines = [f"<b>{escape(first.text)}</b> {_plain(first.remedy)}"]
-        lines += [_plain(other.text) for other in others]
-        # While a control may be held, what is below must not move.
-        text = (" " if self._motors.armed else "<br>").join(lines)
-        self._reason.show_note(text, alarming=color == "warning")
-        spoken = [first.text, first.remedy, *(other.text for other in others)]
-        self._reason.setAccessibleName(" ".join(filter(None, spoken)))
+        """Show what matters most as the title, and every other reason below it."""
+        first, *others = drive_statuses(drive_inputs(self._device))
+        title = first.text
+        if first.blocker is DriveBlocker.RUNNING:
+            title = tr("Armed: these controls move the motors.")
+        more = " ".join(filter(None, (first.remedy, *(other.text for other in others))))
+        self._head.show_title(title)
+        self._head.show_state(more)
+        self._head.title.setAccessibleName(f"{title} {more}")
+        self._lost.show_loss(f"{first.text} {first.remedy}".strip())
 
     def _channels_drive(self) -> bool:
         state = self._device.state
         if state is None or not self._device.is_connected or state.mode.is_serial:
             return False
         return not self._device.telemetry.serial_controls
-
-    def _show_channel(self, number: int, control: DriveControl) -> None:
-        telemetry = self._device.telemetry
-        there = telemetry.raw is None or telemetry.raw_of(number) is not None
-        control.setEnabled(not self._is_unused(number))
-        control.show_channel(telemetry.remapped_of(number) if there else None)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -284,6 +343,7 @@ class MotorsPage(QWidget):
         elif self._options.stops_on_leaving and self._motors.armed:
             self._motors.stop(tr("The Motors page was left."))
         super().hideEvent(event)
+        self._hold_still()
 
     def changeEvent(self, event: QEvent) -> None:
         if event.type() == QEvent.Type.ActivationChange and self.isActiveWindow():
@@ -300,43 +360,80 @@ class MotorsPage(QWidget):
             self._holder = ""
 
 
-def _plain(text: str) -> str:
-    """Return a text that is not bold in an alarming note either."""
-    return f'<span style="font-weight:400">{escape(text)}</span>'
+class LostPanel(QFrame):
+    """Covers the pad while motors may be turning that no stop can reach."""
+
+    def __init__(self, device: Device, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._device = device
+        self.hide()
+        set_look(self, "message")
+        set_style_property(self, "danger", True)
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
+        center = Qt.AlignmentFlag.AlignCenter
+        self._text = ui.label(self, "motorsLost", wrap=True, size="heading")
+        self._text.setAlignment(center)
+        text, press = tr("Reconnect and stop"), device.press_stop
+        self._button = ui.button(self, "reconnectAndStop", text, default=False, on_click=press)
+        ui.column(1, self._text, (self._button, 0, center), 1, into=self, spacing=16)
+
+    def show_loss(self, text: str) -> None:
+        device = self._device
+        is_lost = device.may_stop_matter and not device.is_connected
+        if is_lost:
+            self._text.setText(text)
+            self._button.setEnabled(device.link is ConnectionState.DISCONNECTED)
+        self.setVisible(is_lost)
 
 
 def _name(number: int) -> str:
     return "auxiliary slider" if number == _AUXILIARY else f"motor {number} slider"
 
 
-def _stored_text(parameters: ParameterModel, *, joint: bool, linked: bool) -> str:
-    """Return the stored settings; `linked`: each value is a link to the key of its parameter."""
+_Facts = dict[str, dict[str, str]]
 
-    def link(key: str) -> str:
-        wire = parameters.values.stored.get(key)
-        if wire is None:
-            return ""
-        value = escape(parameters.values.specs[key].text(wire))
-        if not linked:
-            return value
-        return f'<a href="{key}" style="color:{theme().color("link").name()}">{value}</a>'
+_SILENCE = {
+    TimeoutStop.EXPECTED: tr_noop("stop after {0}"),
+    TimeoutStop.TRIED: tr_noop("stop after {0}"),
+    TimeoutStop.DOUBTFUL: tr_noop("may keep turning"),
+}
 
-    names = {
-        "acceleration": tr("acceleration"),
-        "brake_duration": tr("brake duration"),
-        "current_limit": tr("current limit"),
+
+def _stored_facts(device: Device) -> _Facts:
+    """Return what the board stores: under each title, texts of values with their parameters."""
+    values, motors = device.parameters.values, (1,) if device.board.is_joint else (1, 2)
+
+    def both(name: str) -> dict[str, str]:
+        found: dict[str, str] = {}
+        for key in (f"motor{motor}_{name}" for motor in motors):
+            if (wire := values.stored.get(key)) is not None:
+                found.setdefault(values.specs[key].text(wire), key)
+        return found
+
+    silence: dict[str, str] = {}
+    if (wire := values.stored.get(key := ParameterKey.SERIAL_TIMEOUT)) is not None:
+        stop = device.board.timeout_stop
+        text = tr(_SILENCE.get(stop, tr_noop("keep turning"))).format(values.specs[key].text(wire))
+        silence[text if stop.is_reliable else f"{text} {WARNING_SIGN}"] = key
+    facts = {
+        tr("Ramp"): both("acceleration"),
+        tr("Brake before reversal"): both("brake_duration"),
+        tr("Current limit"): both("current_limit"),
+        tr("If the cable fails"): silence,
     }
-    stored = parameters.values.stored.get
-    same = all(stored(f"motor1_{key}") == stored(f"motor2_{key}") for key in names)
-    parts = []
-    for motor in (1,) if same or joint else (1, 2):
-        links = {name: link(f"motor{motor}_{key}") for key, name in names.items()}
-        title = tr("Both motors") if same else tr("Motor {0}").format(motor)
-        if joint:
-            title = tr("Motor (joint)")
-        pair = tr("{0}: {1}")
-        if values := ", ".join(pair.format(*both) for both in links.items() if both[1]):
-            parts.append(f"<b>{title}</b> \u2013 {values}.")
-    if timeout := link(ParameterKey.SERIAL_TIMEOUT):
-        parts.append(f"<b>{tr('Serial timeout')}</b> \u2013 {timeout}.")
-    return " ".join(parts)
+    return {title: texts for title, texts in facts.items() if texts}
+
+
+def _table(facts: _Facts, *, linked: bool) -> str:
+    """Return the titles above their values; `linked`: values are links to their parameters."""
+
+    def link(text: str, key: str) -> str:
+        style = f"color:{theme().color('link').name()}; text-decoration:none"
+        return f'<a href="{key}" style="{style}">{escape(text)}</a>' if linked else escape(text)
+
+    cell = '<td style="padding-right:28px; white-space:pre; {0}">{1}</td>'
+    titles = "".join(cell.format("", f"<small>{escape(title)}</small>") for title in facts)
+    texts = (" · ".join(link(*value) for value in values.items()) for values in facts.values())
+    row = "".join(cell.format("font-weight:600", text) for text in texts)
+    muted = theme().color("muted").name()
+    return f'<table cellspacing="0"><tr style="color:{muted}">{titles}</tr><tr>{row}</tr></table>'
