@@ -17,7 +17,7 @@ from trex_gui.ui.runtime import now
 def setpoint_text(drive: Drive | None) -> str:
     """Setpoint of motor 1 or 2 beside its number; `None`: none since it was armed."""
     if drive is None:
-        return tr("no setpoint")
+        return "–"
     if not drive.is_brake:
         return share_text(drive.speed)
     return tr("brake, {0}").format(share_text(drive.speed)) if drive.speed else tr("coast")

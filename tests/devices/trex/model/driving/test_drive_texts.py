@@ -24,7 +24,7 @@ from trex_gui.devices.trex.protocol.line_settings import LineSettings
 @pytest.mark.parametrize(
     ("drive", "text"),
     [
-        (None, "no setpoint"),
+        (None, "–"),
         (Drive.brake(0), "coast"),
         (Drive.brake(127), "brake, 100 %"),
         (Drive.at(-64), "50 %"),

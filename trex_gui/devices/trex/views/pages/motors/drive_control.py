@@ -271,13 +271,8 @@ class DriveControl(ui.Card):
     def set_ceiling(self, ceiling: int) -> None:
         """Offer no speed beyond this one, 1-127, either way."""
         self.slider.set_ceiling(ceiling)
-        one_way = tr("From 0 to 127, full speed")
-        two_way = tr("From −127, full speed back, to 127, full speed forward")
-        tip = two_way if self._two_way else one_way
-        if ceiling < FULL_SCALE:
-            tip = tr("Up to {0}, the speed ceiling").format(ceiling)
         for widget in (self.slider, self._entry):
-            widget.setToolTip(ui.plain(tip))
+            widget.setToolTip(tr("Up to {0}, the speed ceiling").format(ceiling))
         self._entry.set_limits(-ceiling if self._two_way else 0, ceiling)
 
     def show_current(self, amps: float | None, limit: float | None, report: str) -> None:

@@ -61,10 +61,8 @@ class SpeedCeiling(QWidget):
         motors = self._motors
         self._entry.show_setpoint(motors.ceiling)
         self.setEnabled(bool(motors.board))
-        text = tr("Remembered for this board.")
-        if motors.is_first_drive:
-            text = tr("Raise it once the motors turn the right way.")
-        self._note.show_text(text if motors.board else "")
+        text = tr("Raise it once the motors turn the right way.")
+        self._note.show_text(text if motors.board and motors.is_first_drive else "")
 
 
 class DriveWith(ui.Card):
@@ -79,13 +77,13 @@ class DriveWith(ui.Card):
             "Held keys drive wherever the focus is on this page, except in number fields, "
             "tables and lists; sliders then get no arrow keys. In the pad they always drive."
         )
-        text = tr("Arrow &keys or WASD")
+        text = tr("Arrow ke&ys or WASD")
         self.keys = ui.check_box(self, "driveWithKeys", text, tip=tip)
         text = tr("Both motors &linked")
         self._link = ui.check_box(self, "linkMotors", text, on_toggle=motors.set_linked)
-        self.more = ui.button(self, "moreOptions", tr("More opt&ions"), checkable=True)
-        set_look(self.more, "link")
         gamepad = GamepadPanel(device, self)
+        self.more = ui.button(self, "moreOptions", tr("E&xtra options"), checkable=True)
+        set_look(self.more, "link")
         more = self.more, 0, Qt.AlignmentFlag.AlignLeft
         ui.column(self.keys, self._link, gamepad, more, 1, into=self, margins=0, spacing=4)
         motors.options_changed.connect(self._show_link)
@@ -154,7 +152,7 @@ class Options(ui.Card):
         self._return = self._make_stored("returnToZero", text, tip, "motors/return_to_zero")
 
         numbers = ui.grid(spacing=(_SPACING, _SPACING), stretch=[(0, 1)])
-        lock_title = tr("L&ock after Stop")
+        lock_title = tr("Loc&k after Stop")
         for line, (text, entry) in enumerate(((title, brake), (lock_title, lock))):
             label = ui.label(self, "", text, tip=entry.toolTip(), buddy=entry)
             numbers.addWidget(label, line, 0)

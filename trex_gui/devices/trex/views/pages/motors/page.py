@@ -75,7 +75,7 @@ class MotorsPage(QWidget):
         title = tr("Motor currents, 10 s")
         currents = ui.named(ui.Card("", side), "currentsCard", accessible=title)
         self._strip = CurrentStrip(device, currents)
-        plot = ui.button(currents, "openPlot", tr("Open plot"), on_click=self.plot_wanted)
+        plot = ui.button(currents, "openPlot", tr("&Open plot"), on_click=self.plot_wanted)
         set_look(plot, "link")
         self._options = Options(device.motors, side)
         self._options.hide()
@@ -219,11 +219,9 @@ class MotorsPage(QWidget):
         facts = _stored_facts(device)
         self._stored.setText(_table(facts, linked=is_connected))
         self._stored.setEnabled(is_connected)
-        spoken = ". ".join(f"{title}: {', '.join(texts)}" for title, texts in facts.items())
-        self._stored.setAccessibleName(spoken or tr("Stored motor settings: not known"))
+        self._stored.setAccessibleName("" if facts else NO_VALUE)
         warning = timeout_warning(device)
-        tip = tr("Stored settings; click a value to open its parameter")
-        self._stored.setToolTip(ui.plain(tip if warning is None else f"{tip}\n\n{warning.text}"))
+        self._stored.setToolTip("" if warning is None else ui.plain(warning.text))
 
     @Slot()
     def _on_holder_changed(self) -> None:
@@ -247,12 +245,11 @@ class MotorsPage(QWidget):
         self._pad.setEnabled(motors.armed)
         self._pad.set_can_turn(self._pad_drive.can_turn)
         self._pad.set_ceiling(motors.ceiling)
-        share = 100 * motors.release_brake / FULL_SCALE
-        brake = tr("Brake with {0:.0f} % (see Brake strength below)").format(share)
+        brake = tr("Brake with {0}").format(share_text(motors.release_brake))
         for number, control in self._controls.items():
             control.set_usable(motors.armed and not self._is_unused(number))
             control.set_ceiling(motors.ceiling)
-            control.brake.setToolTip(ui.plain(brake))
+            control.brake.setToolTip(brake)
         self._show_setpoints()
         self._on_text_due()
 
