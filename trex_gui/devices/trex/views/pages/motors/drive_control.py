@@ -272,7 +272,7 @@ class DriveControl(ui.Card):
         """Offer no speed beyond this one, 1-127, either way."""
         self.slider.set_ceiling(ceiling)
         for widget in (self.slider, self._entry):
-            widget.setToolTip(tr("Up to {0}, the speed ceiling").format(ceiling))
+            widget.setToolTip(ui.plain(tr("Up to {0}, the speed ceiling").format(ceiling)))
         self._entry.set_limits(-ceiling if self._two_way else 0, ceiling)
 
     def show_current(self, amps: float | None, limit: float | None, report: str) -> None:

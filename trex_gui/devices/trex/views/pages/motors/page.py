@@ -153,6 +153,7 @@ class MotorsPage(QWidget):
         direction = QBoxLayout.Direction.TopToBottom if wide else QBoxLayout.Direction.LeftToRight
         if not self._body.count() or direction is not self._beside.direction():
             self._beside.setDirection(direction)
+            self._side.setMinimumWidth(beside if wide else 0)
             place = Qt.AlignmentFlag.AlignTop if self._is_held_still else _ANYWHERE
             self._body.addWidget(self._drive_box, 0, 0, 1, 1 if wide else 2, place)
             self._body.addWidget(self._side, *((0, 1, 1, 1) if wide else (1, 0, 1, 2)))
@@ -249,7 +250,7 @@ class MotorsPage(QWidget):
         for number, control in self._controls.items():
             control.set_usable(motors.armed and not self._is_unused(number))
             control.set_ceiling(motors.ceiling)
-            control.brake.setToolTip(brake)
+            control.brake.setToolTip(ui.plain(brake))
         self._show_setpoints()
         self._on_text_due()
 
