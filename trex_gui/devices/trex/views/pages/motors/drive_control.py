@@ -121,7 +121,7 @@ class SpeedSlider(PressSlider):
         painter.fillRect(between(0, self.value()).adjusted(2, 0, -2, 0), color(self._color))
         painter.setFont(scaled_font(self.font(), 0.85))
         height = painter.fontMetrics().height()
-        for value in (self.minimum(), 0, self.maximum()):
+        for value in {self.minimum(), 0, self.maximum()}:
             y = self._y_of(value, handle)
             top = min(max(y - height // 2, 0), self.height() - height)
             text = signed_text(value) if self.minimum() else str(value)
