@@ -125,10 +125,13 @@ def test_channels_that_drive_are_shown_on_the_controls(
     page: MotorsPageDriver, start_simulator: StartSimulator
 ) -> None:
     simulator = start_simulator("--unpaced", "--mode", "rc")
-    simulator.do("channel 1 1800us", "channel 2 silent")
     page.device.connect_to(ConnectionSettings(simulator.url))
-    slider = page.find(SpeedSlider, "motor1Slider")
-    page.wait(lambda: slider.value() > 20)
+    page.wait_for_text("motor1Setpoint", "0 %")
+    simulator.do("channel 1 1900us")
+    slider, entry = page.find(SpeedSlider, "motor1Slider"), page.find(QSpinBox, "motor1Entry")
+    page.wait(lambda: entry.value() > 80)
+    assert slider.value() == entry.value()
     assert not slider.isEnabled()
-    page.wait_for_text("motor2Setpoint", "no signal")
-    assert page.pad.spoken_state().startswith("At rest.")
+    simulator.do("channel 1 silent")
+    page.wait_for_text("motor1Setpoint", "held by safe-start")
+    assert slider.value() == 0

@@ -42,15 +42,11 @@ class SpeedSlider(PressSlider):
         self.setOrientation(Qt.Orientation.Vertical)
         set_look(self, color)
         self._color = color
-        self._ceiling = FULL_SCALE
+        self.ceiling = 0  # greatest speed, 1-127, either way
         self.setPageStep(16)
 
-    def set_ceiling(self, ceiling: int) -> None:
-        self._ceiling = ceiling
-        self.update()
-
     def limited(self, speed: int) -> int:
-        return max(-self._ceiling, min(speed, self._ceiling))
+        return max(-self.ceiling, min(speed, self.ceiling))
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """End the hold if the release of the button was not reported."""
@@ -103,7 +99,7 @@ class SpeedSlider(PressSlider):
 
     def paint_groove(self, painter: QPainter, handle: QRect) -> None:
         color, left = theme().color, handle.center().x() + 0.5 - _GROOVE / 2
-        ceiling = self._ceiling if self.isEnabled() else 0
+        ceiling = self.ceiling if self.isEnabled() else 0
 
         def between(first: int, second: int) -> QRectF:
             top, bottom = sorted(self._y_of(value, handle) for value in (first, second))
@@ -270,7 +266,10 @@ class DriveControl(ui.Card):
 
     def set_ceiling(self, ceiling: int) -> None:
         """Offer no speed beyond this one, 1-127, either way."""
-        self.slider.set_ceiling(ceiling)
+        if ceiling == self.slider.ceiling:
+            return
+        self.slider.ceiling = ceiling
+        self.slider.update()
         for widget in (self.slider, self._entry):
             widget.setToolTip(ui.plain(tr("Up to {0}, the speed ceiling").format(ceiling)))
         self._entry.set_limits(-ceiling if self._two_way else 0, ceiling)

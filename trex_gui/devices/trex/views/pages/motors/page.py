@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QBoxLayout, QFrame, QSizePolicy, QWidget
 from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.board.drive_status import drive_statuses
 from trex_gui.devices.trex.driving.blockers import DriveBlocker
+from trex_gui.devices.trex.driving.board_reasons import held_by_safe_start
 from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import drive_inputs
@@ -58,6 +59,7 @@ class MotorsPage(QWidget):
         self._holder = ""
         self._dragged: int | None = None
         self._is_held_still = False
+        self._is_held = False  # by safe-start, while channels drive
         self._forget_holder = new_timer(self, 0, self._on_event_over, single_shot=True)
 
         self._head = PageHead("", self)
@@ -245,11 +247,9 @@ class MotorsPage(QWidget):
         motors = self._motors
         self._pad.setEnabled(motors.armed)
         self._pad.set_can_turn(self._pad_drive.can_turn)
-        self._pad.set_ceiling(motors.ceiling)
         brake = tr("Brake with {0}").format(share_text(motors.release_brake))
         for number, control in self._controls.items():
             control.set_usable(motors.armed and not self._is_unused(number))
-            control.set_ceiling(motors.ceiling)
             control.brake.setToolTip(ui.plain(brake))
         self._show_setpoints()
         self._on_text_due()
@@ -259,7 +259,10 @@ class MotorsPage(QWidget):
 
     @Slot()
     def _show_setpoints(self) -> None:
+        ceiling = FULL_SCALE if self._channels_drive() else self._motors.ceiling
+        self._pad.set_ceiling(ceiling)
         for number, control in self._controls.items():
+            control.set_ceiling(ceiling)
             speed, text = self._setpoint_of(number)
             control.show_setpoint(speed, text)
             if number != _AUXILIARY:
@@ -274,6 +277,8 @@ class MotorsPage(QWidget):
             return self._setpoint_of(1)[0], tr("works with motor 1")
         if self._channels_drive():
             value = telemetry.remapped_of(number)
+            if self._is_held:
+                return 0, tr("held by safe-start")
             if value is None:
                 return 0, NO_VALUE
             if telemetry.raw is not None and telemetry.raw_of(number) is None:
@@ -291,8 +296,7 @@ class MotorsPage(QWidget):
     @only_when_visible
     def _on_frame_due(self) -> None:
         self._hold_still()
-        if self._channels_drive():
-            self._show_setpoints()
+        self._show_setpoints()
         self._strip.draw()
 
     @Slot()
@@ -312,7 +316,9 @@ class MotorsPage(QWidget):
 
     def _show_status(self) -> None:
         """Show what matters most as the title, and every other reason below it."""
-        first, *others = drive_statuses(drive_inputs(self._device))
+        inputs = drive_inputs(self._device)
+        self._is_held = inputs.board is not None and bool(held_by_safe_start(inputs.board))
+        first, *others = drive_statuses(inputs)
         title = first.text
         if first.blocker is DriveBlocker.RUNNING:
             title = tr("Armed: these controls move the motors.")
