@@ -8,9 +8,9 @@ from PySide6.QtGui import QPainter, QPaintEvent, QPen, QPolygonF, QResizeEvent
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from trex_gui.core.translation import tr, tr_noop
-from trex_gui.devices.trex.views.board.parts import write
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.theme import follow_theme, theme
+from trex_gui.ui.widgets.circuit import write
 from trex_gui.ui.widgets.painted import Painted, Painter, never_mirror, wants_motion
 
 Side = Literal["left", "right"]
@@ -118,7 +118,7 @@ class RobotView(Painted):
         with Painter(self) as painter:
             place = self.robot_place()
             self.paint_robot(painter, place)
-            word = _placed(_CHASSIS, place).toRect().adjusted(0, round(place.height() / 12), 0, 0)
+            word = _placed(_CHASSIS, place).adjusted(0, place.height() / 12, 0, 0)
             word.setHeight(self.fontMetrics().height())
             write(painter, word, tr("front"), "muted", align=Qt.AlignmentFlag.AlignHCenter)
 

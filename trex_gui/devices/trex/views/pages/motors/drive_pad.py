@@ -2,7 +2,7 @@
 
 import math
 
-from PySide6.QtCore import QEvent, QPointF, QRect, QRectF, QSize, Qt, Signal, Slot
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal, Slot
 from PySide6.QtGui import (
     QAccessible,
     QEventPoint,
@@ -18,10 +18,10 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
-from trex_gui.devices.trex.views.board.parts import write
 from trex_gui.devices.trex.views.robot_view import RobotView
 from trex_gui.ui.theme.theme import scaled_font, theme
 from trex_gui.ui.widgets.behaviour import PressMonitor
+from trex_gui.ui.widgets.circuit import write
 from trex_gui.ui.widgets.painted import Painter
 
 _STRAIGHT = 0.06  # share of the travel within which a direction counts as zero
@@ -200,7 +200,7 @@ class DrivePad(RobotView):
             share = 100 * self._ceiling / FULL_SCALE
             words[below] = tr("ceiling {0:.0f} %").format(share)
         for top, word in words.items():
-            place = QRect(0, round(top), self.width(), height)
+            place = QRectF(0, top, self.width(), height)
             write(painter, place, word, "muted", align=Qt.AlignmentFlag.AlignHCenter)
 
     def _paint_knob(self, painter: QPainter, field: QRectF) -> None:
