@@ -104,7 +104,7 @@ def test_tour_ends_after_an_internal_error(
 
 
 def tour_pages() -> list[str]:
-    pages = ["board", "channels", "calibration", "motors", "currents", "parameters"]
+    pages = ["board", "channels", "motors", "currents", "parameters"]
     pages += [f"learn-{step}" for step in ("rest", "travel", "review", "test")]
     setup_steps = ("driver", "jumpers", "sticks", "motors", "limits", "review")
     pages += [f"setup-{step}" for step in setup_steps]

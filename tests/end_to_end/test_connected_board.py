@@ -5,9 +5,9 @@ from functools import partial
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QSpinBox, QWidget
+from PySide6.QtWidgets import QSpinBox
 
-from tests.support.accessible_names import spoken_state
+from tests.support.pages.channels import input_of
 from tests.support.pages.parameters import ParametersPage
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
@@ -28,7 +28,7 @@ def test_minimised_window_shows_nothing_new_until_it_is_restored(
 ) -> None:
     window = connected
     channels = window.open_page("channelsPage")
-    channels.wait(lambda: channels.text("channel1Input") == "1500 µs (3750)")
+    channels.wait(lambda: input_of(channels, 1).startswith("1500 µs (3750)"))
     telemetry = window.device.telemetry
     window.window.showMinimized()
     simulator.do("channel 1 1800us")
@@ -36,10 +36,10 @@ def test_minimised_window_shows_nothing_new_until_it_is_restored(
     begun, before = now(), telemetry.samples
     window.wait(lambda: now() > begun + 2)
     assert telemetry.samples - before < 2 * 60
-    assert channels.text("channel1Input") == "1500 µs (3750)"
+    assert input_of(channels, 1).startswith("1500 µs (3750)")
 
     window.window.showNormal()
-    assert channels.text("channel1Input") == "1800 µs (4500)"
+    assert input_of(channels, 1).startswith("1800 µs (4500)")
     begun, before = now(), telemetry.samples
     window.wait(lambda: now() > begun + 2)
     assert telemetry.samples - before > 2 * 150
@@ -48,7 +48,7 @@ def test_minimised_window_shows_nothing_new_until_it_is_restored(
     window.disconnect()
     window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
     window.window.showNormal()
-    assert channels.text("channel1Input") == "N/A"
+    assert input_of(channels, 1).startswith("N/A")
 
 
 def test_title_and_pages_show_board_data_until_disconnect(
@@ -70,27 +70,25 @@ def test_title_and_pages_show_board_data_until_disconnect(
     assert "TReX (DMC01) · firmware 1.2" in board.text("boardFacts")
 
     channels = window.open_page("channelsPage")
-    channels.wait(lambda: channels.text("channel1Input") == "1500 µs (3750)")
+    channels.wait(lambda: input_of(channels, 1).startswith("1500 µs (3750)"))
     simulator.do("channel 1 1800us")
-    channels.wait(lambda: channels.text("channel1Input") == "1800 µs (4500)")
-    bar, output = channels.find(QWidget, "channel1Bar"), channels.find(QWidget, "channel1Output")
-    channels.wait(lambda: "1800 µs" in spoken_state(bar))
+    channels.wait(lambda: input_of(channels, 1).startswith("1800 µs (4500)"))
     remapped = simulator.show()["channels"][0]["remapped"]
-    channels.wait(lambda: str(remapped) in spoken_state(output))
+    channels.wait(lambda: f"remapped +{remapped}" in input_of(channels, 1))
     simulator.do("channel 2 invalid")
-    channels.wait(lambda: channels.text("channel2Input") == "no signal")
+    channels.wait(lambda: input_of(channels, 2).startswith("no signal"))
 
     simulator.do("power off")
     window.wait(lambda: window.device.link is ConnectionState.NOT_RESPONDING)
     assert "stopped responding" in window.text("statusLabel")
     simulator.do("power on")
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
-    channels.wait(lambda: "µs" in channels.text("channel1Input"))
+    channels.wait(lambda: "µs" in input_of(channels, 1))
 
     window.click("connectButton")
     window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
     assert window.window.windowTitle() == "TReX Studio[*]"
-    assert channels.text("channel1Input") == "N/A"
+    assert input_of(channels, 1).startswith("N/A")
     assert not board.has("boardView")
     for name in ("parametersView", "runButton", "stopButton", "applyButton"):
         assert not window.is_enabled(name), name

@@ -5,6 +5,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QCheckBox, QDockWidget
 
+from tests.support.pages.channels import input_of
 from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
@@ -67,7 +68,7 @@ def test_stick_sliders_set_channel_inputs(window: WindowDriver, panel: DemoPanel
     page = window.open_page("channelsPage")
     wanted = panel.drag_stick("demoInput1", 0.9).value()
     assert 1900 < wanted < 2100
-    page.wait(lambda: page.text("channel1Input").startswith(f"{wanted} µs"))
+    page.wait(lambda: input_of(page, 1).startswith(f"{wanted} µs"))
     panel.wait(lambda: panel.text("demoValue1") == f"{wanted}\u00a0µs")
     automatic = panel.find(QCheckBox, "demoAutomatic")
     assert automatic.checkState() is Qt.CheckState.PartiallyChecked
@@ -75,13 +76,13 @@ def test_stick_sliders_set_channel_inputs(window: WindowDriver, panel: DemoPanel
     slider = panel.find(StickSlider, "demoInput2")
     slider.setFocus()
     QTest.keyClick(slider, Qt.Key.Key_End)
-    page.wait(lambda: page.text("channel2Input").startswith("2100 µs"))
+    page.wait(lambda: input_of(page, 2).startswith("2100 µs"))
 
     panel.click("demoNoSignal3")
-    page.wait_for_text("channel3Input", "no signal")
+    page.wait(lambda: "no signal" in input_of(page, 3))
     panel.wait(lambda: not panel.is_enabled("demoInput3"))
     panel.click("demoNoSignal3")
-    page.wait_for_text("channel3Input", "µs")
+    page.wait(lambda: "µs" in input_of(page, 3))
 
     panel.click("demoAutomatic")
     assert trex(window.program).controller.demo_board.automatic == set(CHANNELS)

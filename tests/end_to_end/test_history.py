@@ -5,7 +5,7 @@ from pathlib import Path
 
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QComboBox, QListWidget, QTabBar, QTableView
+from PySide6.QtWidgets import QComboBox, QTabBar, QTableView
 
 from tests.support.pages.settings import HistoryDialog, ReviewDialog
 from tests.support.program import trex
@@ -233,8 +233,8 @@ def test_calibrations_have_notes_on_page_and_in_editor(
 ) -> None:
     window.connect(quick_simulator.url)
     settle(window)
-    page = window.open_page("calibrationPage")
-    page.find(QListWidget, "calibrationChannels").setCurrentRow(1)
+    page = window.open_page("channelsPage")
+    page.click("channel2Strip")
     field = page.find(NoteField, "channelNoteEdit")
     field.setFocus()
     QTest.keyClicks(field, "Learned with the new stick.")

@@ -57,7 +57,7 @@ def is_in_sight(window: WidgetDriver, name: str) -> bool:
 def test_messages_are_in_sight_and_move_no_control(connected_window: WindowDriver) -> None:
     window = connected_window
     window.window.resize(1024, 700)
-    for page in ("motorsPage", "calibrationPage", "parametersPage"):
+    for page in ("motorsPage", "channelsPage", "parametersPage"):
         window.open_page(page)
         QTest.qWait(300)
         window.device.notifier.cleared.emit()

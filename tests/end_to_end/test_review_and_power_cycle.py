@@ -360,7 +360,7 @@ def test_review_offers_findings_and_writes_what_is_accepted(
     connected_window: WindowDriver, quick_simulator: VirtualSimulator
 ) -> None:
     window, device = connected_window, connected_window.device
-    window.open_page("calibrationPage")
+    window.open_page("channelsPage")
     for key, wire in {
         "ignored_channels": 1,
         "motor1_current_limit": 10,

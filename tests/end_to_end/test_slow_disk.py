@@ -20,7 +20,7 @@ from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
 from trex_gui.core.code import Language
 from trex_gui.core.files import data_folder
-from trex_gui.devices.trex.views.pages.calibration.change_menu import CalibrationFiles
+from trex_gui.devices.trex.views.pages.channels.change_menu import CalibrationFiles
 from trex_gui.ui.runtime import now
 
 

@@ -7,7 +7,7 @@ from functools import partial
 from PySide6.QtWidgets import QDialog
 
 from tests.fault_matrix.scene import Scene
-from tests.support.pages.calibration import CalibrationPage
+from tests.support.pages.channels import ChannelsDriver
 from tests.support.pages.find_dialog import FindBoardDialog
 from tests.support.pages.learning import LearningDialog
 from tests.support.pages.motors import MotorsPage
@@ -17,7 +17,7 @@ from trex_gui.devices.trex.model.calibration_moves import Handle
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.views.learning.dialog import LearnDialog
-from trex_gui.devices.trex.views.pages.calibration import page as calibration
+from trex_gui.devices.trex.views.pages.channels.page import ChannelsPage
 from trex_gui.ui.frame.find_dialog import FindDialog
 from trex_gui.ui.plotting.panel import TracePanel
 
@@ -90,22 +90,22 @@ def _end_apply(scene: Scene) -> None:
     scene.window.find(QDialog, "reviewDialog").close()
 
 
-def _calibration_page(scene: Scene) -> CalibrationPage:
-    widget = scene.window.open_page("calibrationPage").root
-    assert isinstance(widget, calibration.CalibrationPage)
-    return CalibrationPage(widget, scene.window.device, scene.window.qtbot)
+def _channels_page(scene: Scene) -> ChannelsDriver:
+    widget = scene.window.open_page("channelsPage").root
+    assert isinstance(widget, ChannelsPage)
+    return ChannelsDriver(widget, scene.window.device, scene.window.qtbot)
 
 
 def _calibrate(scene: Scene, inject: Inject) -> None:
     _connect_and_edit(scene)
-    page = _calibration_page(scene)
+    page = _channels_page(scene)
     shown = page.shown()
     page.drag_handle(Handle.MAXIMUM, shown.maximum - 300, release=False)
     inject()
 
 
 def _end_calibrating(scene: Scene) -> None:
-    _calibration_page(scene).release_handle()
+    _channels_page(scene).release_handle()
 
 
 def _learning_dialog(scene: Scene) -> LearningDialog:

@@ -145,8 +145,7 @@ class MainWindow(QMainWindow):
             keep_on_screen(self)
             self.restoreState(self._store.data("window/state"))
         page_key = f"{workspace.key}/page"
-        page = self._store.integer(page_key, 0, 0, workspace.count - 1)
-        workspace.show_number(page)
+        workspace.show_saved(self._store.text(page_key))
         workspace.page_changed.connect(partial(self._store.set, page_key))
         for each in self._workspaces:
             each.take_actions(self._actions)

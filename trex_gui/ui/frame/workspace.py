@@ -89,7 +89,7 @@ class Workspace(QWidget):
     """
 
     actions_changed = Signal()  # `enabled_actions`
-    page_changed = Signal(int)  # the number of the page that is shown now, from 0
+    page_changed = Signal(str)  # the key of the page that is shown now
 
     bar: QWidget  # with the stop button
 
@@ -109,6 +109,7 @@ class Workspace(QWidget):
         self.openers: Mapping[str, Callable[[Path], object]] = {}
         # At the right of the window; the workspace shows and hides them.
         self.docks: Sequence[QDockWidget] = ()
+        self.former_pages: Sequence[str] = ()  # keys by the numbers that were saved before keys
         self.pages = Places(self)
         self._actions: Mapping[str, QAction] = {}  # by key, once the menus are built
         self._infos: tuple[PageInfo, ...] = ()
@@ -168,7 +169,7 @@ class Workspace(QWidget):
     @Slot()
     def _on_current_changed(self) -> None:
         self._make_page(self.current)
-        self.page_changed.emit(self.current)
+        self.page_changed.emit(self._infos[self.current].key)
 
     def make_pages(self) -> None:
         """Make the pages that were not shown yet."""
@@ -197,6 +198,14 @@ class Workspace(QWidget):
 
     def show_page(self, key: str) -> None:
         self.show_number(self._number_of(key))
+
+    def show_saved(self, saved: str) -> None:
+        """Show the page of the last session, by its key or number; else the first."""
+        keys = [info.key for info in self._infos]
+        former = self.former_pages or keys
+        if saved.isdecimal() and int(saved) < len(former):
+            saved = former[int(saved)]
+        self.show_page(saved if saved in keys else keys[0])
 
     def show_number(self, number: int) -> None:
         holder, index = self._holders[number]

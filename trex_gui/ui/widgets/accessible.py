@@ -4,7 +4,7 @@ from typing import Any, NamedTuple
 
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QAccessible, QAccessibleInterface, QAccessibleValueInterface
-from PySide6.QtWidgets import QAccessibleWidget, QWidget
+from PySide6.QtWidgets import QAbstractButton, QAccessibleWidget, QWidget
 from shiboken6.Shiboken import VoidPtr, getCppPointer
 
 
@@ -43,6 +43,12 @@ class Spoken:
 
 class _Interface(QAccessibleWidget):
     """Belongs to its widget, which it holds no reference to."""
+
+    def state(self) -> QAccessible.State:
+        state, widget = super().state(), self.widget()
+        if isinstance(widget, QAbstractButton):
+            state.checkable, state.checked = widget.isCheckable(), widget.isChecked()
+        return state
 
     def text(self, kind: QAccessible.Text, /) -> str:
         said, widget = super().text(kind), self.widget()

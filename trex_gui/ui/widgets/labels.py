@@ -21,7 +21,7 @@ from trex_gui.ui.theme.theme import (
     theme,
 )
 from trex_gui.ui.widgets.accessible import Spoken
-from trex_gui.ui.widgets.builders import column, plain, row, set_bold
+from trex_gui.ui.widgets.builders import column, named, plain, row, set_bold
 from trex_gui.ui.widgets.painted import never_mirror
 
 _SIGN_ROOM = 2  # pixels beyond the height of a line
@@ -180,7 +180,8 @@ class PageHead(QWidget):
 
     def __init__(self, title: str, parent: QWidget, *controls: QWidget | QLayout) -> None:
         super().__init__(parent)
-        self.title, self._state = ElidedLabel("", self), ElidedLabel("", self)
+        self.title = ElidedLabel("", self)
+        self._state = named(ElidedLabel("", self), "pageState")
         self.show_title(title)
         set_style_property(self._state, "textSize", "caption")
         texts = column(self.title, self._state, margins=0, spacing=2)

@@ -30,7 +30,7 @@ USUAL = Calibration(2500, 3750, 5000, 75)
         (2, Mode.RC, {"mixed": True}, "forward and back (the mix jumper is on)"),
         (2, Mode.RC, {"mixed": False}, "motor 2 (the mix jumper is off)"),
         (3, Mode.RC, {"mixed": True}, "Channel 3 drives the auxiliary motor"),
-        (2, Mode.SERIAL_RC, {"mixed": False}, "Read only; does not drive. In RC and analog mode"),
+        (2, Mode.SERIAL_RC, {"mixed": False}, "In RC and analog mode"),
         (1, Mode.ANALOG, {"joint": True, "mixed": True}, "both drivers power (joint mode"),
         (2, Mode.RC, {"joint": True}, "has no motor"),
         (4, Mode.RC, {"joint": True}, "flip"),

@@ -1,123 +1,401 @@
-"""The page of the live inputs, by itself, on a simulated board."""
+"""The page of the channels, by itself, on a simulated board."""
 
 import math
 from collections.abc import Iterator
 
 import pytest
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QAccessible, QKeyEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QSpinBox
 from pytestqt.qtbot import QtBot
 
+from tests.support.keyboard import tab_order
+from tests.support.pages.channels import ChannelsDriver, channels_page
 from tests.support.simulator import SimulatedDevice
-from tests.support.window import WidgetDriver
-from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.flags import CHANNELS
-from trex_gui.devices.trex.views.pages.channels import STRIP_SECONDS, ChannelsPage, InputStrip
-from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.core.texts import signed_text
+from trex_gui.devices.trex.board import WriteResult
+from trex_gui.devices.trex.model.calibration_moves import Handle
+from trex_gui.devices.trex.protocol.calibration import (
+    DEFAULT_CALIBRATION,
+    Calibration,
+    CalibrationKey,
+)
+from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
+from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
+from trex_gui.devices.trex.simulator.channel_control import ChannelSetup
+from trex_gui.devices.trex.views.pages.channels.strip import STRIP_SECONDS, ChannelStrip
 
-
-class ChannelsDriver(WidgetDriver):
-    """The page with a device of its own."""
-
-    def __init__(self, qtbot: QtBot) -> None:
-        self.device = Device()
-        self.page = ChannelsPage(self.device)
-        super().__init__(self.page, qtbot)
-
-    def connect(self, url: str) -> None:
-        self.device.connect_to(ConnectionSettings(url))
-        self.wait(lambda: self.device.link is ConnectionState.CONNECTED)
-
-    def restart(self, simulator: SimulatedDevice, *lines: str) -> None:
-        """Change jumpers or stored settings, and connect to the restarted board."""
-        self.device.disconnect_line()
-        self.wait(lambda: self.device.link is ConnectionState.DISCONNECTED)
-        simulator.do(*lines, "power cycle")
-        self.connect(simulator.url)
-
-    def functions(self) -> list[str]:
-        return [self.text(f"channel{channel}Function") for channel in CHANNELS]
-
-    def strip(self, channel: int) -> InputStrip:
-        return self.find(InputStrip, f"channel{channel}Strip")
+FACTORY = DEFAULT_CALIBRATION[InputSource.RC]
 
 
 @pytest.fixture
-def page(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[ChannelsDriver]:
-    driver = ChannelsDriver(qtbot)
-    qtbot.addWidget(driver.page)
-    driver.page.show()
-    driver.connect(quick_simulator.url)
-    yield driver
-    qtbot.waitUntil(driver.device.shut_down)
+def unconnected_page(qtbot: QtBot) -> Iterator[ChannelsDriver]:
+    with channels_page(qtbot) as page:
+        yield page
 
 
-def test_texts_say_what_each_channel_does_in_the_mode_of_the_board(
-    page: ChannelsDriver, quick_simulator: SimulatedDevice
-) -> None:
-    assert page.text("channelsSummary") == (
-        "Serial mode, with inputs read as RC pulses. Moving channel 1 or 2 shows whether the mix "
-        "jumper is on. A count is 0.4 µs."
+@pytest.fixture
+def page(unconnected_page: ChannelsDriver, quick_simulator: SimulatedDevice) -> ChannelsDriver:
+    unconnected_page.connect(quick_simulator.url)
+    return unconnected_page
+
+
+# --- The numbers ------------------------------------------------------------------------
+
+
+def test_steps_in_one_field_are_undone_together(page: ChannelsDriver) -> None:
+    page.widget.activateWindow()
+    undo = page.device.draft.undo
+    deadband, maximum = (page.find(QSpinBox, f"{name}Edit") for name in ("deadband", "maximum"))
+    deadband.setFocus()
+    for key in (Qt.Key.Key_Up, Qt.Key.Key_Up, Qt.Key.Key_Down):
+        QTest.keyClick(deadband, key)
+    assert page.shown().deadband == FACTORY.deadband + 1
+    QTest.keyClick(deadband, Qt.Key.Key_PageUp)
+    QTest.keyPress(deadband, Qt.Key.Key_Up)  # and held: what Qt makes of that
+    held = QKeyEvent(
+        QEvent.Type.KeyPress, Qt.Key.Key_Up, Qt.KeyboardModifier.NoModifier, "", True, 5
     )
-    assert all(text.startswith("Read only; does not drive.") for text in page.functions())
+    QApplication.sendEvent(deadband, held)
+    QTest.keyRelease(deadband, Qt.Key.Key_Up)
+    assert page.shown().deadband >= FACTORY.deadband + 13
+    assert undo.count() == 1
+
+    maximum.setFocus()
+    QTest.keyClick(maximum, Qt.Key.Key_Down)
+    QTest.keyClick(maximum, Qt.Key.Key_Down)
+    assert undo.count() == 2
+    page.type_into("maximumEdit", "4990 counts")
+    assert undo.count() == 3
+    QTest.keyClick(maximum, Qt.Key.Key_Down)
+    assert undo.count() == 4
+    for maximum_then in (4990, FACTORY.maximum - 2, FACTORY.maximum):
+        undo.undo()
+        assert page.shown().maximum == maximum_then
+    undo.undo()
+    assert page.shown() == FACTORY
+    assert not undo.canUndo()
+
+    for field in (deadband, maximum, deadband):  # leaving a field ends its steps
+        field.setFocus()
+        QTest.keyClick(field, Qt.Key.Key_Up)
+        QTest.keyClick(field, Qt.Key.Key_Up)
+    assert undo.count() == 3
+
+
+def test_impossible_values_are_rejected_with_a_note(page: ChannelsDriver) -> None:
+    page.type_into("minimumEdit", "1600")
+    assert page.note == "Minimum (1600 µs) cannot be above neutral (1500 µs)."
+    assert page.marked_handle == "minimum"
+    assert page.plot.handles.message == page.note
+    assert page.find(QSpinBox, "minimumEdit").text() == "1000 µs"
+    page.type_into("maximumEdit", "1.2 ms")
+    assert "Maximum (1200 µs) cannot be below neutral" in page.note
+    assert page.marked_handle == "maximum"
+    page.type_into("neutralEdit", "nonsense")
+    assert "not a valid value" in page.note
+    assert page.marked_handle == ""
+    page.type_into("minimumEdit", "1600")
+    page.select_channel(2)
+    assert page.marked_handle == ""
+    page.select_channel(1)
+    assert page.device.draft.pending == 0
+
+    page.drag_handle(Handle.MINIMUM, 4200)
+    assert page.shown().minimum == page.shown().neutral
+    page.type_into("neutralEdit", "1520")
+    assert "The deadband (30 µs to each side of neutral)" in page.note
+    assert "problem" in page.input(1)
+
+
+# --- The handles ------------------------------------------------------------------------
+
+
+def test_disconnected_page_is_read_only(page: ChannelsDriver) -> None:
+    page.type_into("minimumEdit", "1100")
+    page.disconnect()
+    for name in ("minimumEdit", "reversedBox", "learnButton", "learnAllButton", "changeButton"):
+        assert not page.is_enabled(name), name
+    assert page.text("pageState").startswith("No board responds")
+    assert "N/A" in page.input(1)
+    assert page.plot.dot is None
+    before = page.shown()
+    page.drag_handle(Handle.MAXIMUM, 5200)
+    assert page.shown() == before
+    page.select_source(1)
+    assert page.text("otherSourceWords") == "No board responds."
+    assert not page.has("switchSourceButton")
+
+
+# --- Live inputs ------------------------------------------------------------------------
+
+
+def test_live_dot_follows_the_stick(page: ChannelsDriver, quick_simulator: SimulatedDevice) -> None:
     quick_simulator.do("channel 1 1800us")
-    page.wait(lambda: "mix jumper is off" in page.text("channelsSummary"))
-    assert "drives motor 1 (the mix jumper is off)" in page.text("channel1Function")
-
-    page.restart(
-        quick_simulator,
-        "jumper mode analog",
-        "eeprom ignored_channels 8",
-        "eeprom reversed_channels 18",
-    )
-    assert "A count is 4.89 mV" in page.text("channelsSummary")
-    one, two, three, four, five = page.functions()
-    assert one == "Channel 1 drives motor 1; with the mix jumper on it steers."
-    assert two.endswith("with the mix jumper on it drives forward and back; it is reversed.")
-    assert three == "Channel 3 drives the auxiliary motor, which turns one way only."
-    assert four == "Channel 4 is ignored: it is held off, whatever its input is."
-    assert five.endswith("control the motors while the input is above about 3.75 V (inferred).")
+    page.wait(lambda: "1800 µs (4500 counts)" in page.live)
+    remapped = ChannelSetup((FACTORY,) * 5).remapped([4500] * 5)[0]
+    assert page.plot.dot == (4500, remapped)
+    assert f"output {signed_text(remapped)}" in page.live
+    assert "1800 µs" in page.input(1)
+    page.click("parabolicBox")
+    gentle = ChannelSetup((FACTORY,) * 5, parabolic=1).remapped([4500] * 5)[0]
+    assert page.plot.dot == (4500, gentle)
+    quick_simulator.do("channel 1 invalid")
+    page.wait(lambda: "no signal" in page.input(1))
+    page.wait(lambda: page.plot.dot is None)
+    page.wait(lambda: "no signal" in page.live)
 
 
-def test_override_switch_changes_the_texts_at_once(
-    page: ChannelsDriver, quick_simulator: SimulatedDevice
-) -> None:
-    page.restart(quick_simulator, "jumper mode rc")
-    assert page.text("channel1Function").startswith("Channel 1 drives motor 1")
-    quick_simulator.do("channel 5 1000us")
-    page.wait(lambda: page.text("channel5Function").startswith("On now."))
-    assert page.text("channel1Function").startswith("Does not drive now")
-    quick_simulator.do("channel 5 1500us")
-    page.wait(lambda: page.text("channel1Function").startswith("Channel 1 drives motor 1"))
+def test_hidden_page_is_not_updated(page: ChannelsDriver, quick_simulator: SimulatedDevice) -> None:
+    page.widget.hide()
+    before = page.input(1)
+    quick_simulator.do("channel 1 1900us")
+    page.wait(lambda: page.device.telemetry.raw_of(1) == 4750)
+    samples = page.device.telemetry.samples
+    page.wait(lambda: page.device.telemetry.samples > samples + 5)
+    assert page.input(1) == before
+    page.widget.show()
+    assert "1900 µs" in page.input(1)
 
 
-def test_strip_shows_the_last_seconds_with_a_gap_where_the_signal_was_lost(
+def test_strips_show_the_last_seconds_with_a_gap_where_the_signal_was_lost(
     page: ChannelsDriver, quick_simulator: SimulatedDevice
 ) -> None:
     strip = page.strip(2)
     page.wait(lambda: len(strip.lines) == 1 and strip.lines[0].count() > 20)
     quick_simulator.do("channel 2 invalid")
-    page.wait(lambda: page.text("channel2Input") == "no signal")
+    page.wait(lambda: page.input(2).startswith("no signal"))
     quick_simulator.do("channel 2 1700us")
     page.wait(lambda: len(strip.lines) == 2)
     assert strip.lines[1].last().y() == 4250
     assert len(page.strip(1).lines) == 1
-
-    page.page.hide()
-    before = strip.lines[1].count()
-    page.wait(lambda: page.device.telemetry.latest > strip.lines[1].last().x() + 1)
-    assert strip.lines[1].count() == before
-    page.page.show()
-    assert strip.lines[1].last().x() == page.device.telemetry.inputs.span[1]  # type: ignore[index]
-
-    page.device.disconnect_line()
+    page.disconnect()
     page.wait(lambda: not strip.lines)
 
 
 def test_strip_keeps_no_more_than_it_shows(qtbot: QtBot) -> None:
-    strip = InputStrip()
+    strip = ChannelStrip(1)
     qtbot.addWidget(strip)
     for step in range(3000):
         strip.add_samples([step / 50], [math.nan if step % 500 < 10 else 3750.0])
     points = [point for line in strip.lines for point in line.toList()]
     assert min(point.x() for point in points) >= 59.98 - STRIP_SECONDS
     assert len(points) == 491
+
+
+def test_arrow_keys_choose_a_strip_and_screen_readers_hear_which(page: ChannelsDriver) -> None:
+    page.strip(1).setFocus()
+    for key in (Qt.Key.Key_Down, Qt.Key.Key_Down, Qt.Key.Key_Up):
+        QTest.keyClick(page.strip(page.widget.channel), key)
+    assert page.widget.channel == 2
+    assert page.text("channelTitle").startswith("2")
+    for channel in CHANNELS:
+        said = QAccessible.queryAccessibleInterface(page.strip(channel))
+        assert said.text(QAccessible.Text.Name).startswith(f"Channel {channel}: ")
+        assert bool(said.state().checked) is (channel == 2)
+
+
+# --- What a channel does ----------------------------------------------------------------
+
+
+def test_card_says_what_the_channel_does_in_the_mode_of_the_board(
+    page: ChannelsDriver, quick_simulator: SimulatedDevice
+) -> None:
+    assert page.text("pageState").startswith("Inputs are read as RC pulses. In serial mode")
+    quick_simulator.do("channel 1 1800us")
+    page.wait(lambda: "drives motor 1 (the mix jumper is off)" in page.text("channelDoes"))
+    page.restart(quick_simulator, "jumper mode analog", "eeprom ignored_channels 8")
+    assert page.text("pageState").startswith("Inputs are read as analog voltages. They control")
+    page.select_channel(4)
+    assert page.text("channelDoes").endswith("ignored: it is held off, whatever its input is.")
+
+
+def test_override_switch_changes_the_texts_at_once(
+    page: ChannelsDriver, quick_simulator: SimulatedDevice
+) -> None:
+    page.restart(quick_simulator, "jumper mode rc")
+    assert page.text("channelDoes").startswith("Channel 1 drives motor 1")
+    quick_simulator.do("channel 5 1000us")
+    page.wait(lambda: page.text("channelDoes").startswith("Does not drive now"))
+    assert "override them now" in page.text("pageState")
+    quick_simulator.do("channel 5 1500us")
+    page.wait(lambda: page.text("channelDoes").startswith("Channel 1 drives motor 1"))
+
+
+# --- Switches and the menu --------------------------------------------------------------
+
+
+def test_check_boxes_edit_parameter_bits(
+    page: ChannelsDriver, quick_simulator: SimulatedDevice
+) -> None:
+    page.select_channel(3)
+    for name in ("reversed", "parabolic", "ignored", "required"):
+        box = page.button(f"{name}Box")
+        assert not box.isChecked()
+        box.click()
+        assert page.device.parameters.values.value_of(f"{name}_channels") in {4, 5}
+        page.device.draft.undo.undo()
+        assert not box.isChecked()
+        page.device.draft.undo.redo()
+        assert box.isChecked()
+    assert "edited" in page.input(3)
+    assert "ignored" in page.text("channelDoes")
+    page.select_channel(1)
+    assert not page.button("reversedBox").isChecked()
+    assert page.button("requiredBox").isChecked()
+    page.select_channel(3)
+    page.apply()
+    stored = quick_simulator.show()["parameters"]
+    assert stored["reversed_channels"] == stored["parabolic_channels"] == 4
+    assert stored["required_channels"] == 5
+
+
+def test_calibration_is_copied_made_symmetric_and_reset(page: ChannelsDriver) -> None:
+    undo = page.device.draft.undo
+    page.type_into("minimumEdit", "1100")
+    edited = page.shown()
+    steps = undo.count()
+    page.action("copyTo3").trigger()
+    assert page.shown(3) == edited
+    page.action("copyToAll").trigger()
+    assert all(page.shown(channel) == edited for channel in CHANNELS)
+    assert undo.count() == steps + 2
+    undo.undo()
+    assert page.shown(2) == FACTORY
+    for key, expected in (
+        ("symmetricSmaller", Calibration(2750, 3750, 4750, 75)),
+        ("symmetricLarger", Calibration(2500, 3750, 5000, 75)),
+        ("resetCalibration", FACTORY),
+    ):
+        page.action(key).trigger()
+        assert page.shown() == expected, key
+        undo.undo()
+
+    page.type_into("minimumEdit", "1500")
+    steps = undo.count()
+    shorter = page.action("symmetricSmaller")
+    assert not shorter.isEnabled()
+    assert "too little to reach every output" in shorter.toolTip()
+    shorter.trigger()
+    assert undo.count() == steps
+    undo.undo()
+    assert shorter.isEnabled()
+
+    page.button("reversedBox").click()
+    page.action("discardChannel").trigger()
+    assert page.shown() == FACTORY
+    assert not page.button("reversedBox").isChecked()
+    assert page.shown(3) == edited
+    assert not page.action("discardChannel").isEnabled()
+    undo.undo()
+    assert page.shown() == edited
+    assert page.button("reversedBox").isChecked()
+
+
+# --- Sources and modes ------------------------------------------------------------------
+
+
+def test_inactive_source_is_shown_and_can_be_activated(
+    page: ChannelsDriver, quick_simulator: SimulatedDevice
+) -> None:
+    page.select_source(1)
+    assert "have not been read yet" in page.text("otherSourceWords")
+    for name in ("minimumEdit", "neutralEdit", "maximumEdit", "deadbandEdit", "changeButton"):
+        assert not page.is_enabled(name), name
+    for name in ("learnButton", "reversedBox", "ignoredBox"):
+        button = page.button(name)
+        assert not button.isEnabled(), name
+        assert button.toolTip().startswith("The board reads RC pulses now."), name
+        assert "make the board read analog voltages first" in button.toolTip(), name
+    assert page.is_enabled("learnAllButton")
+    assert not page.has("requiredBox")
+
+    page.click("switchSourceButton")
+    assert page.device.parameters.values.pending == (("channel_input_source", 1),)
+    assert "apply it, then power-cycle" in page.text("otherSourceWords")
+    page.apply()
+    assert "after the next power cycle" in page.text("otherSourceWords")
+    assert page.widget.source is InputSource.ANALOG
+    with page.qtbot.waitSignal(page.widget.power_cycle_requested):
+        page.click("switchSourceCycleButton")
+
+    quick_simulator.do("power cycle")
+    page.wait(lambda: "read as analog voltages" in page.text("pageState"))
+    for name in ("minimumEdit", "learnButton", "reversedBox"):
+        assert page.is_enabled(name), name
+    assert page.find(QSpinBox, "maximumEdit").text() == "5.000 V"
+    assert not page.button("learnButton").toolTip()
+    assert "forward and reverse" in page.button("reversedBox").toolTip()
+    assert not page.has("requiredBox")
+    quick_simulator.do("channel 1 2.5V")
+    page.wait(lambda: "2.50 V" in page.live)
+    page.type_into("minimumEdit", "500 mV")
+    assert page.shown().minimum == 102
+
+    page.select_source(0)
+    assert "The values below were applied 20" in page.text("otherSourceWords")
+    assert page.find(QSpinBox, "neutralEdit").text() == "1500 µs"
+    assert not page.is_enabled("neutralEdit")
+    assert page.device.draft.pending == 1
+
+
+def test_rc_mode_disables_what_the_board_rejects_and_says_so_once(
+    unconnected_page: ChannelsDriver, quick_simulator: SimulatedDevice
+) -> None:
+    page, board = unconnected_page, quick_simulator
+    board.do("jumper mode rc", "power cycle")
+    page.connect(board.url)
+    page.device.calibrations.edit(1, Calibration(2400, 3700, 3800, 60))
+    assert page.text("channelDoes").startswith("Channel 1 drives motor 1")
+    assert page.note == page.device.writer.blocker
+    assert "serial mode only" in page.note
+    for name in ("minimumEdit", "reversedBox", "learnButton", "learnAllButton"):
+        assert not page.is_enabled(name), name
+    assert page.action("discardChannel").isEnabled()
+    before = page.shown()
+    page.drag_handle(Handle.MINIMUM, 2300)
+    assert page.shown() == before
+    assert not page.action("resetCalibration").isEnabled()
+    assert page.action("saveCalibrations").isEnabled()
+    page.select_source(1)
+    assert "mode jumper to analog" in page.text("otherSourceWords")
+    assert not page.has("switchSourceButton")
+
+    page.select_source(0)
+    board.do("jumper mode serial", "power cycle")
+    page.wait(lambda: page.is_enabled("minimumEdit"))
+    assert page.is_enabled("learnButton")
+    assert "serial mode only" not in page.note
+    assert page.action("resetCalibration").isEnabled()
+
+
+def test_value_that_the_board_rejects_is_explained(page: ChannelsDriver) -> None:
+    page.device.calibrations.edit(2, Calibration(2400, 3700, 5100, 60))
+    error = Rejected("Calibration of channel 2", ResultCode.BAD_VALUE)
+    page.device.applied.emit((WriteResult(CalibrationKey.RC_CHANNEL_2, error=error),))
+    assert "problem" in page.input(2)
+    assert "problem" not in page.input(1)
+    assert "code 2" not in page.note
+    page.select_channel(2)
+    assert "code 2" in page.note
+    assert "minimum is not above neutral" in page.note
+    page.device.draft.undo.undo()
+    assert "problem" not in page.input(2)
+
+
+# --- The widgets ------------------------------------------------------------------------
+
+
+def test_buttons_and_fields_are_at_hand(page: ChannelsDriver) -> None:
+    requested: list[object] = []
+    page.widget.learn_requested.connect(requested.append)
+    page.select_channel(2)
+    page.click("learnButton")
+    page.click("learnAllButton")
+    assert requested == [(2,), CHANNELS]
+    with page.qtbot.waitSignal(page.widget.test_requested):
+        page.click("testSticksButton")
+    # The handles themselves take the mouse only.
+    reached = {each.objectName() for each in tab_order(page.root.window())}
+    assert reached >= {f"{name}Edit" for name in ("minimum", "neutral", "maximum", "deadband")}

@@ -10,14 +10,14 @@ from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.catalogs import in_language
-from tests.support.pages.calibration import handle_position
+from tests.support.pages.channels import handle_position
 from tests.support.window import LEFT, WidgetDriver
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.calibration_moves import Handle
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
+from trex_gui.devices.trex.views.pages.channels.curve_plot import CurvePlot
 from trex_gui.ui.plotting.canvas import PlotCanvas
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.translations import LANGUAGES

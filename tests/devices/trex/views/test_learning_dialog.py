@@ -12,7 +12,7 @@ from tests.support.simulator import SimulatedDevice
 from tests.support.transmitter import Stick
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.protocol.flags import CHANNELS
-from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
+from trex_gui.devices.trex.views.pages.channels.curve_plot import CurvePlot
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 

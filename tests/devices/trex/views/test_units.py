@@ -7,16 +7,14 @@ from PySide6.QtWidgets import QSpinBox, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.views.parameters import ParametersDriver
-from tests.support.pages.calibration import calibration_page
+from tests.support.pages.channels import channels_page
 from tests.support.simulator import SimulatedDevice
-from tests.support.window import WidgetDriver
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.model.channel_text import input_text
 from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.views.count_editor import CountEditor, UnitSpinBox
-from trex_gui.devices.trex.views.pages.channels import ChannelsPage
 from trex_gui.devices.trex.views.pages.parameters.editors import NumberEditor, editor_for
 from trex_gui.ui.units import units
 
@@ -186,22 +184,17 @@ def test_typed_number_is_not_resumed_in_another_unit(qtbot: QtBot) -> None:
     assert not parameters.model.values.pending
 
 
-def test_switch_changes_calibration_and_channels_at_once(
-    qtbot: QtBot, quick_simulator: SimulatedDevice
-) -> None:
+def test_switch_changes_channels_at_once(qtbot: QtBot, quick_simulator: SimulatedDevice) -> None:
     assert input_text(InputSource.RC, 3092) == "1237 µs (3092)"
-    with calibration_page(qtbot) as page:
+    with channels_page(qtbot) as page:
         page.connect(quick_simulator.url)
-        channels = WidgetDriver(ChannelsPage(page.device), qtbot)
-        qtbot.addWidget(channels.root)
-        channels.root.show()
         quick_simulator.do("channel 1 1800us")
-        page.wait(lambda: channels.text("channel1Input") == "1800 µs (4500)")
+        page.wait(lambda: page.input(1).startswith("1800 µs (4500)"))
         neutral = page.find(QSpinBox, "neutralEdit")
         assert (neutral.text(), page.text("neutralCounts")) == ("1500 µs", "= 3750 counts")
 
         units().set_own_first(True)
-        assert channels.text("channel1Input") == "4500 (1800 µs)"
+        assert page.input(1).startswith("4500 (1800 µs)")
         assert (neutral.text(), page.text("neutralCounts")) == ("3750", "= 1500 µs")
         page.type_into("neutralEdit", "3800")
         assert page.shown().neutral == 3800

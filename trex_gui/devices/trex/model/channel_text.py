@@ -81,7 +81,7 @@ def function_text(
         elif is_reversed:
             task = tr("{0}; it is reversed").format(task)
     if mode.is_serial:
-        text = tr("Read only; does not drive. In RC and analog mode it {1}.")
+        text = tr("In RC and analog mode it {1}.")
     elif overridden and channel not in _SWITCHES:
         text = tr("Does not drive now: serial commands override it. Otherwise it {1}.")
     elif overridden and channel == 5:
@@ -107,13 +107,6 @@ def switching_text(channel: int, curve: ChannelCurve, source: InputSource) -> st
         return ""
     side = tr("above about {0} (inferred)") if curve.reversed_ else tr("below about {0} (inferred)")
     return side.format(source.text(threshold))
-
-
-def learned_text(learned: bool) -> str:
-    """Return the meaning of the board's learned flag (0x95) of a channel."""
-    if learned:
-        return tr("Learned: the board stores a calibration of its own for it.")
-    return tr("Not learned: it has the factory default calibration.")
 
 
 def source_instructions(source: InputSource, mode: Mode) -> str:

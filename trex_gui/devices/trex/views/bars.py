@@ -2,8 +2,8 @@
 
 from collections.abc import Iterable
 
-from PySide6.QtCore import QRect, QRectF, Qt
-from PySide6.QtGui import QColor, QPainter
+from PySide6.QtCore import QPointF, QRect, QRectF, Qt
+from PySide6.QtGui import QColor, QPainter, QPen
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.texts import signed_text
@@ -48,6 +48,36 @@ def input_labels(source: InputSource, axis: tuple[int, int], most: int) -> Label
             break
     labels = value_labels(values, source.unit)
     return [(value * source.counts_per_unit, text) for value, text in labels]
+
+
+def paint_input(
+    painter: QPainter,
+    track: QRectF,
+    axis: tuple[int, int],
+    count: int | None,
+    calibration: Calibration | None,
+) -> None:
+    """Paint a raw count as the way from neutral, between marks; `None`: no signal, not known."""
+    color, radius = theme().color, track.height() / 2
+
+    def x_of(value: int) -> float:
+        low, high = axis
+        return track.left() + track.width() * min(max((value - low) / (high - low), 0.0), 1.0)
+
+    painter.setPen(QPen(color("hairline"), 1))
+    painter.setBrush(color("track"))
+    painter.drawRoundedRect(track, radius, radius)
+    if calibration is None:
+        return
+    if count is not None:
+        left, right = sorted((x_of(calibration.neutral), x_of(count)))
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(color("bar"))
+        painter.drawRoundedRect(QRectF(left, track.top(), right - left, track.height()), 2, 2)
+    painter.setPen(QPen(color("mark"), 1))
+    for mark in (calibration.minimum, calibration.neutral, calibration.maximum):
+        x = x_of(mark)
+        painter.drawLine(QPointF(x, track.top() - 3), QPointF(x, track.bottom() + 3))
 
 
 class ChannelBar(Bar):

@@ -12,7 +12,6 @@ _FINDINGS = "messages.md#findings-about-settings"
 TOPICS = {  # by object names
     "boardPage": "status.md",
     "channelsPage": "channels.md",
-    "calibrationPage": "calibration.md",
     "motorsPage": "driving.md",
     "gamepadPanel": "driving.md#gamepad",
     "currentsPage": "currents.md",
@@ -37,7 +36,7 @@ TOPICS = {  # by object names
     "defaultsDialog": "settings.md#factory-defaults",
     "gamepadDialog": "driving.md#gamepad",
     "historyDialog": "settings.md#history",
-    "learnDialog": "calibration.md#learn-channels",
+    "learnDialog": "channels.md#learn-channels",
     "lineSettingsDialog": "connecting.md#line-settings",
     "loadSettingsDialog": "settings.md#settings-files",
     "newSettingsDialog": "settings.md#settings-files",

@@ -1,6 +1,6 @@
 """A field for the note on a setting."""
 
-from PySide6.QtCore import QSignalBlocker, Slot
+from PySide6.QtCore import QSignalBlocker, Qt, Slot
 from PySide6.QtGui import QFocusEvent
 from PySide6.QtWidgets import QPlainTextEdit, QWidget
 
@@ -25,7 +25,14 @@ class NoteField(QPlainTextEdit):
         self._run = object()
         named(self, name, accessible=tr("Note"))
         self.setTabChangesFocus(True)
-        self.setPlaceholderText(tr("Why this value? Kept on this computer and in files."))
+        use = tr("Why this value? Kept on this computer and in files.")
+        if lines > 1:
+            self.setPlaceholderText(use)
+        else:
+            self.setToolTip(use)
+            self.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
+            self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+            self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         follow_theme(self, "height", self._fit)
         self.textChanged.connect(self._on_typed)
         notes.changed.connect(self._renew)

@@ -23,8 +23,7 @@ from trex_gui.devices.trex.views.help import GUIDE, TOPICS, message_help
 from trex_gui.devices.trex.views.learning.dialog import LearnDialog
 from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
 from trex_gui.devices.trex.views.motor_controls import ControlBar, arm
-from trex_gui.devices.trex.views.pages.calibration.page import CalibrationPage
-from trex_gui.devices.trex.views.pages.channels import ChannelsPage
+from trex_gui.devices.trex.views.pages.channels.page import ChannelsPage
 from trex_gui.devices.trex.views.pages.currents import CurrentsPage
 from trex_gui.devices.trex.views.pages.errors import ErrorsPage
 from trex_gui.devices.trex.views.pages.parameters.page import ParametersPage
@@ -69,6 +68,7 @@ class TrexWorkspace(Workspace):
         self._question = frame.question
         self._frame = frame
         self._linter = BoardLinter(device, self)
+        self.former_pages = ("board", "channels", "channels", "motors", "currents", "parameters")
         self.help_topics, self.message_help = TOPICS, message_help()
         self.log.follow(device.events)
 
@@ -77,19 +77,12 @@ class TrexWorkspace(Workspace):
         panel.file_requested.connect(self._apply_to_boards)
         tabs = ui.named(self.pages, "tabs", accessible=tr("Pages"))
         ui.tab_order(panel, tabs.tabBar())
-        channels = "channelsPlace", tr("Channels")
         trouble = "diagnosticsPage", tr("Diagnostics")
-        make_channels, make_errors = (
-            partial(ChannelsPage, device, self),
-            partial(ErrorsPage, device, self),
-        )
+        make_errors = partial(ErrorsPage, device, self)
         self.add_pages(
             (
                 PageInfo("board", tr("B&oard"), self._make_board_page, "board"),
-                PageInfo("channels", tr("&Channels"), make_channels, "channels", channels),
-                PageInfo(
-                    "calibration", tr("Cali&bration"), self._make_calibration_page, "", channels
-                ),
+                PageInfo("channels", tr("&Channels"), self._make_channels_page, "channels"),
                 PageInfo("motors", tr("&Motors"), self._make_motors_page, "motor"),
                 PageInfo("currents", tr("C&urrents"), self._make_currents_page, "plot"),
                 PageInfo("parameters", tr("&Parameters"), self._make_parameters_page, "settings"),
@@ -148,10 +141,11 @@ class TrexWorkspace(Workspace):
         page.page_wanted.connect(self.show_page)
         return page
 
-    def _make_calibration_page(self) -> QWidget:
-        page = CalibrationPage(self._device, self._linter, self)
+    def _make_channels_page(self) -> QWidget:
+        page = ChannelsPage(self._device, self._linter, self)
         page.power_cycle_requested.connect(self._settings.power.guide)
         page.learn_requested.connect(self._learn.learn)
+        page.test_requested.connect(self._learn.test)
         return page
 
     def _make_motors_page(self) -> QWidget:

@@ -8,6 +8,7 @@ from PySide6.QtGui import QAccessible, QColor, QPainter, QPaintEvent, QPen, QPol
 from PySide6.QtWidgets import QAbstractButton, QWidget
 
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
+from trex_gui.devices.trex.views.bars import paint_input
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.accessible import Spoken
 from trex_gui.ui.widgets.builders import plain
@@ -106,26 +107,7 @@ class ChannelPart(BoardPart):
         write(painter, line.adjusted(beside, 0, -taken, 0), role, "muted")
         write(painter, line, value, "window_text", bold=True, align=Qt.AlignmentFlag.AlignRight)
         track = QRectF(room.left(), line.bottom() + 4, room.width(), 10)
-        painter.setPen(QPen(theme().color("hairline"), 1))
-        painter.setBrush(theme().color("track"))
-        painter.drawRoundedRect(track, 5, 5)
-        if self._calibration is None:
-            return
-        marks = self._calibration.minimum, self._calibration.neutral, self._calibration.maximum
-        if self._count is not None:
-            ends = sorted((self._x(track, self._calibration.neutral), self._x(track, self._count)))
-            painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(theme().color("bar"))
-            painter.drawRoundedRect(QRectF(ends[0], track.top(), ends[1] - ends[0], 10), 2, 2)
-        painter.setPen(QPen(theme().color("mark"), 1))
-        for mark in marks:
-            x = self._x(track, mark)
-            painter.drawLine(QPointF(x, track.top() - 3), QPointF(x, track.bottom() + 3))
-
-    def _x(self, track: QRectF, count: int) -> float:
-        low, high = self._axis
-        share = (count - low) / (high - low)
-        return track.left() + track.width() * min(max(share, 0.0), 1.0)
+        paint_input(painter, track, self._axis, self._count, self._calibration)
 
 
 class LedPart(BoardPart):

@@ -18,7 +18,7 @@ from trex_gui.devices.trex.model.learning.problem_text import problems_text
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.descriptions import CHANNEL_ROLES
 from trex_gui.devices.trex.views.count_editor import CountEditor
-from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
+from trex_gui.devices.trex.views.pages.channels.curve_plot import CurvePlot
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.units import units

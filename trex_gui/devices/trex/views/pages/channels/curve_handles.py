@@ -164,8 +164,9 @@ class HandleLayer(QGraphicsObject):
         x, frame = round(self._places[handle]) + 0.5, self._frame
         active = handle is self._active
         color = theme().color("pointer" if active else "neutral" if handle.is_deadband else "mark")
-        style = Qt.PenStyle.DotLine if handle.is_deadband else Qt.PenStyle.SolidLine
-        self._paint_line(painter, x, QPen(color, 2 if active else 1, style))
+        style = Qt.PenStyle.SolidLine if active else Qt.PenStyle.DotLine
+        if active or not handle.is_deadband:  # the band shows its ends
+            self._paint_line(painter, x, QPen(color, 2 if active else 1, style))
         if not self._editable:
             return
         tip, base = frame.top() + GRIP * 0.9, frame.top() - GRIP * 0.7

@@ -1,4 +1,4 @@
-"""The page on which channels are calibrated by pointing."""
+"""The page of the channels, which are calibrated by pointing."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -6,19 +6,21 @@ from contextlib import contextmanager
 from PySide6.QtCore import QPoint
 from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QListWidget, QTabBar, QWidget
+from PySide6.QtWidgets import QApplication, QTabBar, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.accessible_names import spoken_state
+from tests.support.simulator import SimulatedDevice
 from tests.support.window import LEFT, TIMEOUT_MS, WidgetDriver
 from trex_gui.devices.trex.model.calibration_moves import Handle
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.views.pages.calibration import page
-from trex_gui.devices.trex.views.pages.calibration.curve_handles import GRIP
-from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
+from trex_gui.devices.trex.views.pages.channels.curve_handles import GRIP
+from trex_gui.devices.trex.views.pages.channels.curve_plot import CurvePlot
+from trex_gui.devices.trex.views.pages.channels.page import ChannelsPage
+from trex_gui.devices.trex.views.pages.channels.strip import ChannelStrip
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.theme import theme
 
@@ -31,10 +33,15 @@ def handle_position(plot: CurvePlot, handle: Handle) -> QPoint:
     return QPoint(round(plot.x_of(handle.count(plot.curve.calibration))), round(y))
 
 
-class CalibrationPage(WidgetDriver):
+def input_of(page: WidgetDriver, channel: int) -> str:
+    """Return what the strip of a channel says of its input."""
+    return spoken_state(page.find(ChannelStrip, f"channel{channel}Strip"))
+
+
+class ChannelsDriver(WidgetDriver):
     """The page, in the main window or by itself."""
 
-    def __init__(self, widget: page.CalibrationPage, device: Device, qtbot: QtBot) -> None:
+    def __init__(self, widget: ChannelsPage, device: Device, qtbot: QtBot) -> None:
         super().__init__(widget, qtbot)
         self.widget = widget
         self.device = device
@@ -47,6 +54,12 @@ class CalibrationPage(WidgetDriver):
     def disconnect(self) -> None:
         self.device.disconnect_line()
         self.wait(lambda: self.device.link is ConnectionState.DISCONNECTED)
+
+    def restart(self, simulator: SimulatedDevice, *lines: str) -> None:
+        """Change jumpers or stored settings, and connect to the restarted board."""
+        self.disconnect()
+        simulator.do(*lines, "power cycle")
+        self.connect(simulator.url)
 
     # --- Read ---------------------------------------------------------------------------
 
@@ -61,7 +74,7 @@ class CalibrationPage(WidgetDriver):
     @property
     def live(self) -> str:
         """What is said of the live input."""
-        return spoken_state(self.find(QWidget, "curveLegend"))
+        return self.text("channelLive")
 
     @property
     def marked_handle(self) -> str:
@@ -69,9 +82,11 @@ class CalibrationPage(WidgetDriver):
         handle = self.plot.handles.message_at
         return "" if handle is None else handle.value
 
-    def row(self, channel: int) -> str:
-        """Return the text of a channel in the list."""
-        return self.find(QListWidget, "calibrationChannels").item(channel - 1).text()
+    def strip(self, channel: int) -> ChannelStrip:
+        return self.find(ChannelStrip, f"channel{channel}Strip")
+
+    def input(self, channel: int) -> str:
+        return input_of(self, channel)
 
     def shown(self, channel: int = 1) -> Calibration:
         shown = self.device.calibrations.shown(channel)
@@ -81,9 +96,7 @@ class CalibrationPage(WidgetDriver):
     # --- Operate ------------------------------------------------------------------------
 
     def select_channel(self, channel: int) -> None:
-        view = self.find(QListWidget, "calibrationChannels")
-        place = view.visualItemRect(view.item(channel - 1)).center()
-        QTest.mouseClick(view.viewport(), LEFT, pos=place)
+        QTest.mouseClick(self.strip(channel), LEFT)
         assert self.widget.channel == channel
 
     def select_source(self, index: int) -> None:
@@ -119,17 +132,17 @@ class CalibrationPage(WidgetDriver):
 
 
 @contextmanager
-def calibration_page(qtbot: QtBot) -> Iterator[CalibrationPage]:
+def channels_page(qtbot: QtBot) -> Iterator[ChannelsDriver]:
     """Show the page by itself, without the main window."""
     app = QApplication.instance()
     assert isinstance(app, QApplication)
     theme().install(app)
     device = Device()
-    widget = page.CalibrationPage(device, BoardLinter(device))
+    widget = ChannelsPage(device, BoardLinter(device))
     qtbot.addWidget(widget)
     widget.resize(1050, 600)
     widget.show()
     try:
-        yield CalibrationPage(widget, device, qtbot)
+        yield ChannelsDriver(widget, device, qtbot)
     finally:
         qtbot.waitUntil(device.shut_down, timeout=TIMEOUT_MS)

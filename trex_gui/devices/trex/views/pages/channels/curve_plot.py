@@ -13,7 +13,7 @@ from trex_gui.devices.trex.model.calibration_moves import Handle, moved, within_
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.views.bars import USUAL_AXIS, input_labels, widened
-from trex_gui.devices.trex.views.pages.calibration.curve_handles import HandleLayer, Threshold
+from trex_gui.devices.trex.views.pages.channels.curve_handles import HandleLayer, Threshold
 from trex_gui.ui.plotting.axes import Labels, count_labels
 from trex_gui.ui.plotting.canvas import PlotCanvas
 from trex_gui.ui.plotting.history import Floats
@@ -26,7 +26,7 @@ TRACE_SECONDS = 10.0
 _OUTPUT_REACH = FULL_SCALE + 14.0
 _DOT = 5.0
 _WIDEST_X_LABEL = "5000 µs"
-_MIN_CURVE_LINES = 6
+_MIN_CURVE_LINES = 4
 _MIN_TRACE_LINES = 5  # of text: less height shows neither noise nor drift
 _ROOM = {InputSource.RC: 125, InputSource.ANALOG: 0}  # counts beyond a handle, to drag it on
 
@@ -55,10 +55,11 @@ class CurvePlot(Painted):
 
         self._canvas = PlotCanvas(self.accessibleName(), self)
         self._canvas.viewport.setObjectName("curveViewport")
+        self._canvas.viewport.setAutoFillBackground(False)  # it may be in a card
         self._deadband = self._canvas.add_band("deadband")
         self._stored_line = self._canvas.add_curve("muted", 1, Qt.PenStyle.DashLine)
-        self._line = self._canvas.add_curve("motor1", 2)
-        self._dot_line = self._canvas.add_curve("motor2")
+        self._line = self._canvas.add_curve("pointer", 2)
+        self._dot_line = self._canvas.add_curve("accent")
         self._dot = QGraphicsEllipseItem(-_DOT, -_DOT, 2 * _DOT, 2 * _DOT)
         self._dot.setFlag(QGraphicsItem.GraphicsItemFlag.ItemIgnoresTransformations)
         self._dot.setZValue(60)
@@ -198,7 +199,7 @@ class CurvePlot(Painted):
         self._canvas.setMinimumHeight((_MIN_CURVE_LINES + 2) * metrics.height() + above)
         self.trace.align(left=left, right=side)
         self._dot.setPen(QPen(theme().color("plot_background"), 1.5))
-        self._dot.setBrush(QBrush(theme().color("motor2")))
+        self._dot.setBrush(QBrush(theme().color("accent")))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -246,7 +247,7 @@ class InputTrace(PlotCanvas):
         self.setToolTip(tr("The input of the last 10 seconds; the newest is at the top"))
         self._deadband = self.add_band("deadband")
         self._lines = [self.add_line("mark", vertical=True) for _ in range(3)]
-        self._line = self.add_curve("motor2", 1)
+        self._line = self.add_curve("accent", 1)
 
     def align(self, *, left: str, right: int) -> None:
         line = self.fontMetrics().height()

@@ -1,4 +1,4 @@
-"""Fields of a channel's calibration, and check boxes for its bits of the channel masks."""
+"""Controls of one channel: fields, check boxes for its bits of the masks, its input source."""
 
 from dataclasses import replace
 from functools import partial
@@ -8,16 +8,30 @@ from PySide6.QtWidgets import QLabel, QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
-from trex_gui.devices.trex.model.channel_text import wrong_order
+from trex_gui.devices.trex.model import channel_text
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.settings.board_records import Known
 from trex_gui.devices.trex.views.count_editor import CountEditor
+from trex_gui.ui.theme.theme import follow_theme
 from trex_gui.ui.units import units
 from trex_gui.ui.widgets.bar import NO_VALUE
-from trex_gui.ui.widgets.builders import check_box, grid, label, named, plain, row, set_bold
-from trex_gui.ui.widgets.labels import Muted
+from trex_gui.ui.widgets.builders import (
+    button,
+    check_box,
+    column,
+    grid,
+    label,
+    named,
+    plain,
+    row,
+    set_bold,
+)
+
+_SOURCE = ParameterKey.CHANNEL_INPUT_SOURCE
 
 
 class CalibrationFields(QWidget):
@@ -45,11 +59,11 @@ class CalibrationFields(QWidget):
         for number, (field, title) in enumerate(titles.items()):
             accessible = title.replace("&", "")
             editor = named(CountEditor(self._source, self), f"{field}Edit", accessible=accessible)
-            other = named(Muted("", self), f"{field}Counts")
-            other.setWordWrap(False)
+            other = label(self, f"{field}Counts", size="caption")
             layout.addWidget(label(self, text=title, buddy=editor), 0, number)
             layout.addWidget(editor, 1, number)
             layout.addWidget(other, 2, number)
+            follow_theme(editor, "width", partial(_fit, editor))
             editor.valueChanged.connect(partial(self._on_value_changed, field))
             editor.editingFinished.connect(self._on_run_ended)
             editor.rejected.connect(lambda why: self.rejected.emit(why, ""))
@@ -83,7 +97,7 @@ class CalibrationFields(QWidget):
         if calibration is None:
             return
         wanted = replace(calibration, **{field: count})
-        if wrong := wrong_order(wanted, self._source):
+        if wrong := channel_text.wrong_order(wanted, self._source):
             self.show_calibration(self._source, calibration, editable=True)
             self.rejected.emit(wrong, field)
         elif self._editors[field].stepping:
@@ -95,6 +109,11 @@ class CalibrationFields(QWidget):
     @Slot()
     def _on_run_ended(self) -> None:
         self._run = object()
+
+
+def _fit(editor: CountEditor) -> None:
+    """Let it become as narrow as a value; Qt leaves room for the widest one."""
+    editor.setMinimumWidth(editor.fontMetrics().horizontalAdvance("0000 µs") + 44)
 
 
 CHANNEL_OPTIONS: set[str] = {
@@ -143,7 +162,7 @@ class ChannelOptions(QWidget):
             )
             for key, (title, _) in options.items()
         }
-        row(*self._boxes.values(), 1, into=self, margins=0, spacing=18)
+        row(*self._boxes.values(), 1, into=self, margins=0, spacing=8)
         parameters.dataChanged.connect(self._refresh)
         parameters.modelReset.connect(self._refresh)
         self._refresh()
@@ -200,3 +219,54 @@ class ChannelOptions(QWidget):
             bit = 1 << (channel - 1)
             wire = self._parameters.values.value_of(key) or 0
             self._parameters.edit(key, wire | bit if wanted else wire & ~bit)
+
+
+class OtherSource(QWidget):
+    """Explains how to make the board read the other input source, and edits the setting."""
+
+    power_cycle_requested = Signal()
+
+    def __init__(self, device: Device, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._device = device
+        self._source = InputSource.ANALOG
+        self._text = label(self, "otherSourceWords", wrap=True)
+        accessible = tr("Read the other input source")
+        self._switch = button(self, "switchSourceButton", icon="calibrate", accessible=accessible)
+        title = tr("Ma&ke active…")
+        self._cycle = button(self, "switchSourceCycleButton", title, icon="power")
+        column(self._text, row(self._switch, self._cycle, 1), into=self, margins=0)
+
+        def on_switch() -> None:
+            device.parameters.edit(_SOURCE, int(self._source is InputSource.ANALOG))
+
+        self._switch.clicked.connect(on_switch)
+        self._cycle.clicked.connect(self.power_cycle_requested)
+
+    def show_source(self, source: InputSource, known: Known | None) -> None:
+        """Describe a source that the board does not read; `None`: no calibrations are shown."""
+        state, parameters = self._device.state, self._device.parameters
+        self._source = source
+        if state is None:
+            self._text.setText(tr("No board responds."))
+            self._switch.hide()
+            self._cycle.hide()
+            return
+        name, wire = tr(channel_text.SOURCE_NAMES[source]), int(source is InputSource.ANALOG)
+        is_serial = state.mode.is_serial
+        is_edited = parameters.values.value_of(_SOURCE) == wire
+        is_stored = parameters.values.stored.get(_SOURCE) == wire
+        text = channel_text.source_instructions(source, state.mode)
+        if is_serial and is_stored and is_edited:
+            text = tr("Stored: the board reads {0} after the next power cycle.").format(name)
+        elif is_serial and is_edited:
+            text = tr("Edited: apply it, then power-cycle the board to read {0}.").format(name)
+        values = tr("Its values have not been read yet.")
+        if known is not None:
+            values = tr("The values below were {0}.").format(channel_text.known_text(known))
+        self._text.setText(f"{text} {values}")
+        self._switch.setText(tr("Read {0} after the next power cycle").format(name))
+        self._switch.setVisible(is_serial and not is_edited)
+        self._switch.setEnabled(self._device.is_connected and parameters.values.can_edit(_SOURCE))
+        self._cycle.setVisible(is_serial and is_edited and is_stored)
+        self._cycle.setEnabled(self._device.is_connected)

@@ -5,7 +5,7 @@ from datetime import datetime
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QFileDialog, QMenu, QWidget
 
@@ -29,6 +29,8 @@ from trex_gui.ui.widgets.builders import Trigger, action, plain
 
 class ChangeMenu(QMenu):
     """Actions on the calibration of one channel; each is one edit to undo."""
+
+    discard_requested = Signal()  # the edits of the channel
 
     def __init__(self, device: Device, parent: QWidget) -> None:
         super().__init__(parent)
@@ -59,6 +61,9 @@ class ChangeMenu(QMenu):
         text = tr("&Reset to factory defaults")
         reset = self._add(self, "resetCalibrationAction", text, self._reset, icon="default")
         reset.setToolTip(tr("Assumed values: Pololu publishes no factory defaults"))
+        text = tr("&Discard the edits of this channel")
+        discard = self.discard_requested.emit
+        self._discard = self._add(self, "discardChannelAction", text, discard, icon="undo")
         self.addSeparator()
         text = tr("&Load calibrations from a file…")
         self._add(self, "loadCalibrationsAction", text, self.files.ask_and_load, icon="open")
@@ -71,11 +76,12 @@ class ChangeMenu(QMenu):
         menu.addAction(made)
         return made
 
-    def show_channel(self, channel: int, *, editable: bool) -> None:
+    def show_channel(self, channel: int, *, editable: bool, edited: bool) -> None:
         """Act on a channel, or save only; a tool tip gives the reason for a disabled action."""
         self._channel = channel
         for change in self.actions():
             change.setEnabled(editable or change is self._save)
+        self._discard.setEnabled(edited)
         for copy in self._copies.actions():
             copy.setVisible(copy.objectName() != f"copyTo{channel}Action")
         calibrations = self._device.calibrations

@@ -1,0 +1,452 @@
+"""Page of the channels: five live strips, and the calibration of the chosen one."""
+
+import math
+from functools import partial
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import QSizePolicy, QTabBar, QWidget
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.core.texts import signed_text
+from trex_gui.core.translation import tr
+from trex_gui.devices.trex.board import WriteResult
+from trex_gui.devices.trex.model import channel_text
+from trex_gui.devices.trex.model.calibration_moves import Handle
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.linter import BoardLinter
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
+from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, channels_in
+from trex_gui.devices.trex.views.findings_list import FindingsList
+from trex_gui.devices.trex.views.note_field import NoteField
+from trex_gui.devices.trex.views.pages.channels.change_menu import ChangeMenu
+from trex_gui.devices.trex.views.pages.channels.controls import (
+    CHANNEL_OPTIONS,
+    CalibrationFields,
+    ChannelOptions,
+    OtherSource,
+)
+from trex_gui.devices.trex.views.pages.channels.strip import STRIP_SECONDS, ChannelStrip
+from trex_gui.ui.plotting.page import PlotPage
+from trex_gui.ui.theme.theme import set_look, set_style_property
+from trex_gui.ui.translations import error_sentence
+from trex_gui.ui.units import units
+from trex_gui.ui.widgets.behaviour import only_when_visible
+from trex_gui.ui.widgets.builders import Card, button, column, label, named, plain, row
+from trex_gui.ui.widgets.labels import ElidedLabel, LegendKey, LiveLabel, Note, PageHead
+
+if TYPE_CHECKING:
+    from trex_gui.devices.trex.views.pages.channels.curve_plot import CurvePlot
+
+_STRIP_INTERVAL = 0.06  # seconds: every second frame
+_SOURCES = (InputSource.RC, InputSource.ANALOG)
+_HANDLES = {
+    "minimum": Handle.MINIMUM,
+    "neutral": Handle.NEUTRAL,
+    "maximum": Handle.MAXIMUM,
+    "deadband": Handle.DEADBAND_HIGH,
+}
+
+
+class ChannelsPage(PlotPage):
+    learn_requested = Signal(object)  # the channels, 1 to 5, to learn from the user's movements
+    test_requested = Signal()
+    power_cycle_requested = Signal()
+
+    def __init__(self, device: Device, linter: BoardLinter, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("channelsPage")
+        self._device = device
+        self.channel = 1  # the chosen one
+        self.source = InputSource.RC  # the input source whose calibrations are shown
+        self._followed: InputSource | None = None
+        self._control: bool | None = None  # as the texts say
+        self._drawn_until = -math.inf  # time of the newest sample in the strips
+        self._failures: dict[int, tuple[Calibration | None, str]] = {}
+        self._rejection = ""
+        self._plot: CurvePlot | None = None
+
+        learn_all = button(self, "learnAllButton", tr("Learn a&ll…"))
+        set_look(learn_all, "primary")
+        test = button(self, "testSticksButton", tr("Test stic&ks…"), on_click=self.test_requested)
+        self._head = PageHead(tr("Channels"), self, learn_all, test)
+        strips = named(QWidget(self), "channelStrips", accessible=tr("Channels"))
+        self._strips = {channel: ChannelStrip(channel, strips) for channel in CHANNELS}
+        self._strips[1].setChecked(True)
+        column(*((strip, 1) for strip in self._strips.values()), into=strips, margins=0, spacing=8)
+
+        card = named(Card("", self), "channelCard", accessible=tr("Calibration"))
+        self._title = label(card, "channelTitle", size="heading")
+        self._learned = named(ElidedLabel("", card), "learnedLabel")
+        self._learned.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self._sources = named(QTabBar(card), "sourceTabs", accessible=tr("Input source"))
+        set_look(self._sources, "switch")
+        self._sources.setDrawBase(False)
+        self._sources.setUsesScrollButtons(False)
+        for text in (tr("RC pulses"), tr("Analog")):
+            self._sources.addTab(text)
+        self._role = label(card, "channelDoes", wrap=True, size="caption")
+        self._findings = FindingsList("calibration", self._sources, card, is_wide=True)
+        self._other = OtherSource(device, card)
+        self._live = LiveLabel("channelLive", tr("Live value"), card)
+        # Values that change must not change the least width of the page.
+        self._live.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        set_style_property(self._live, "textSize", "caption")
+        self._keys = (
+            LegendKey(tr("edited"), "pointer", card),
+            LegendKey(tr("stored"), "muted", card, Qt.PenStyle.DashLine),
+        )
+        self._note = named(Note(1, card), "calibrationNote")
+        self._fields = CalibrationFields(card)
+        self._options = ChannelOptions(device.parameters, card)
+        text = tr("Learn &this channel…")
+        self._learn = button(card, "learnButton", text)
+        self._why = NoteField(device.draft.notes, "channelNoteEdit", card, lines=1)
+        why = label(card, text=tr("&Note:"), buddy=self._why)
+        self._menu = ChangeMenu(device, self)
+        self._menu.discard_requested.connect(self._on_discard)
+        self._change = button(card, "changeButton", tr("Cop&y, reset, files"))
+        self._change.setMenu(self._menu)
+        set_look(self._change, "link")
+        self._head_buttons = (learn_all, test)
+
+        title = row(self._title, (self._learned, 1), self._sources, spacing=12)
+        legend = row((self._live, 1), *self._keys, spacing=16)
+        buttons = row(self._learn, why, (self._why, 1), self._change, spacing=8)
+        above = column(title, self._role, self._findings, self._other, legend, spacing=4)
+        self._inside = column(
+            above, self._note, self._fields, self._options, buttons, into=card, spacing=6
+        )
+        column(
+            self._head,
+            (row((strips, 3), (card, 5), spacing=12), 1),
+            into=self,
+            margins=12,
+            spacing=8,
+        )
+
+        for channel, strip in self._strips.items():
+            strip.toggled.connect(partial(self._on_strip_toggled, channel))
+        learn_all.clicked.connect(lambda: self.learn_requested.emit(CHANNELS))
+        self._learn.clicked.connect(lambda: self.learn_requested.emit((self.channel,)))
+        # `concern` is about the calibration that is shown; these are about the options.
+        self._findings.follow(linter, lambda found: not CHANNEL_OPTIONS.isdisjoint(found.keys))
+        self._sources.currentChanged.connect(self._on_source_chosen)
+        self._fields.edited.connect(self._on_edited)
+        self._fields.rejected.connect(self._on_rejected)
+        self._other.power_cycle_requested.connect(self.power_cycle_requested)
+        device.mix_jumper.changed.connect(self._show_texts)
+        for changed in (device.link_changed, device.state_changed):
+            changed.connect(self._on_device_changed)
+        device.applied.connect(self._on_applied)
+        device.telemetry.frame_due.connect(self._on_frame_due)
+        device.telemetry.text_due.connect(self._on_text_due)
+        device.calibrations.changed.connect(self._refresh)
+        device.kept.changed.connect(self._show_channel)
+        device.parameters.pending_changed.connect(self._refresh)
+        units().changed.connect(self._on_text_due)
+        self._on_device_changed()
+
+    @property
+    def _is_active(self) -> bool:
+        """Whether the board reads the input source that is shown."""
+        return self.source is self._device.calibrations.source
+
+    @property
+    def _editable(self) -> bool:
+        device = self._device
+        return device.is_writable and self._is_active and not device.writer.is_rejected
+
+    def _calibration(self) -> Calibration | None:
+        calibrations = self._device.calibrations
+        if self._is_active:
+            return calibrations.shown(self.channel)
+        return self._device.board.memory.hidden_calibration(self.channel, self.source)[0]
+
+    # --- The chosen channel -------------------------------------------------------------
+
+    @Slot()
+    def _on_device_changed(self) -> None:
+        state = self._device.state
+        if state is not None and state.source is not self._followed:
+            self.source = self._followed = state.source
+        self._clear_strips()
+        self._show_channel()
+
+    def _on_strip_toggled(self, channel: int, chosen: bool) -> None:
+        if chosen:
+            self.channel = channel
+            self._refresh()
+
+    @Slot()
+    def _refresh(self) -> None:
+        """Show the channel without a message about a rejected value."""
+        self._clear_rejection()
+        self._show_channel()
+
+    def _show_channel(self) -> None:
+        channel, editable, is_active = self.channel, self._editable, self._is_active
+        shown = self._calibration()
+        after = self._options.curve(channel, shown)
+        before = self._device.draft.stored_curve(channel) if is_active else after
+        self._fields.show_calibration(self.source, shown, editable=editable)
+        key = CalibrationKey.of(self.source, channel)
+        self._why.show_note_on(key, tr("the calibration of {0}").format(key.label))
+        self._show_texts()
+        self._show_marks()
+        self._show_actions()
+        for legend in self._keys:
+            legend.setVisible(before != after)
+        self._other.setVisible(not is_active)
+        if not is_active:
+            known = self._device.board.memory.hidden_calibration(channel, self.source)[1]
+            self._other.show_source(self.source, known)
+        if self._plot is not None:
+            self._plot.show_channel(channel, self.source, before, after, editable=editable)
+        self._show_note()
+        self._on_frame_due()
+        self._on_text_due()
+
+    @Slot()
+    def _show_texts(self) -> None:
+        """Say how the inputs are read, and what the chosen one does."""
+        device, channel, state = self._device, self.channel, self._device.state
+        self._control = device.telemetry.serial_controls
+        self._head.show_state(self._state_text())
+        self._title.setText(f"{channel}  {tr(channel_text.CHANNEL_NAMES[channel])}")
+        with QSignalBlocker(self._sources):
+            self._sources.setCurrentIndex(_SOURCES.index(self.source))
+        learned = role = ""
+        if state is not None:
+            if self._is_active:
+                is_learned = channel in channels_in(state.calibrated)
+                learned = tr("learned") if is_learned else tr("factory calibration")
+            curve = self._options.curve(channel, self._calibration())
+            role = channel_text.function_text(
+                channel,
+                state.mode,
+                joint=device.board.is_joint,
+                ignored=curve is not None and curve.ignored,
+                is_reversed=curve is not None and curve.reversed_,
+                overridden=bool(self._control) and not state.mode.is_serial,
+                switches_at=""
+                if curve is None
+                else channel_text.switching_text(channel, curve, self.source),
+                mixed=device.mix_jumper.is_on,
+            )
+        self._learned.show_text(learned)
+        self._role.setText(role)
+
+    def _state_text(self) -> str:
+        device, state = self._device, self._device.state
+        if state is None or not device.is_connected:
+            if device.calibrations.stored(1) is None:
+                return tr("Connect to a board to see and change its calibrations.")
+            return tr(
+                "No board responds. Edits are kept until a board of the same kind is connected."
+            )
+        source = tr(channel_text.SOURCE_NAMES[state.source])
+        text = tr("Inputs are read as {0}. They control the motors.")
+        if state.mode.is_serial:
+            text = tr("Inputs are read as {0}. In serial mode they are shown only.")
+        elif self._control:
+            text = tr("Inputs are read as {0}. Serial commands override them now.")
+        return text.format(source)
+
+    def _show_actions(self) -> None:
+        is_connected, blocker = self._device.is_connected, self._device.writer.blocker
+        reason = blocker
+        if not self._is_active:
+            read = tr(channel_text.SOURCE_NAMES[self._device.calibrations.source])
+            shown = tr(channel_text.SOURCE_NAMES[self.source])
+            reason = tr(
+                "The board reads {0} now. Open their tab, or make the board read {1} first, as "
+                "described above."
+            ).format(read, shown)
+        for each, why in ((self._learn, reason), *((each, blocker) for each in self._head_buttons)):
+            each.setEnabled(is_connected and not why)
+            each.setToolTip(plain(why))
+        self._options.show_channel(self.channel, self.source, editable=is_connected, blocker=reason)
+        self._findings.set_can_accept(is_connected and not reason)
+        self._change.setEnabled(self._device.is_writable and self._is_active)
+        edited = self._is_edited(self.channel)
+        self._menu.show_channel(self.channel, editable=self._editable, edited=edited)
+
+    def _is_edited(self, channel: int) -> bool:
+        calibrations = self._device.calibrations
+        shown = calibrations.shown(channel)
+        is_other = shown is not None and shown != calibrations.stored(channel)
+        return is_other or self._options.is_edited(channel)
+
+    def _show_marks(self) -> None:
+        calibrations = self._device.calibrations
+        for channel, strip in self._strips.items():
+            shown = calibrations.shown(channel)
+            strip.set_scale(calibrations.source, shown)
+            problem = self._failure(channel)
+            if shown is not None and not problem:
+                problem = channel_text.concern(shown, calibrations.source)
+            mark = "warning" if problem else "edited" if self._is_edited(channel) else ""
+            strip.show_mark(mark, problem)
+
+    def _failure(self, channel: int) -> str:
+        failed, why = self._failures.get(channel, (None, ""))
+        return why if failed == self._device.calibrations.shown(channel) else ""
+
+    def _show_note(self) -> None:
+        problem = self._problem_text()
+        is_connected = self._is_active and self._device.is_connected
+        hint = self._device.writer.blocker if is_connected else ""
+        self._note.show_note(problem or hint, alarming=bool(problem))
+
+    def _problem_text(self) -> str:
+        """Return why a value was rejected or not stored, or a concern; empty: none."""
+        if self._rejection or not self._is_active:
+            return self._rejection
+        if failure := self._failure(self.channel):
+            return failure
+        calibration = self._calibration()
+        if calibration is None or not self._device.is_connected or self._device.writer.is_rejected:
+            return ""
+        return channel_text.concern(calibration, self.source)
+
+    # --- What is live -------------------------------------------------------------------
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._show_channel()
+
+    def add_plot(self) -> None:
+        from trex_gui.devices.trex.views.pages.channels.curve_plot import CurvePlot  # noqa: PLC0415
+
+        self._plot = plot = CurvePlot(self)
+        plot.setObjectName("curvePlot")
+        plot.trace.hide()  # the strips have it
+        plot.previewed.connect(self._on_previewed)
+        plot.released.connect(self._refresh)
+        plot.edited.connect(self._on_edited)
+        self._inside.insertWidget(1, plot, 1)
+
+    @Slot()
+    @only_when_visible
+    def _on_frame_due(self) -> None:
+        telemetry = self._device.telemetry
+        if self._plot is not None:
+            self._plot.set_raw(self._raw)
+        if telemetry.raw is not None and telemetry.latest - self._drawn_until >= _STRIP_INTERVAL:
+            self._draw_strips()
+
+    def _draw_strips(self) -> None:
+        inputs = self._device.telemetry.inputs
+        newest = inputs.span[1] if inputs.span is not None else -math.inf
+        first = max(math.nextafter(self._drawn_until, math.inf), newest - STRIP_SECONDS)
+        rows = inputs.rows(first, newest)
+        times = inputs.times[rows].tolist()
+        for channel, strip in self._strips.items():
+            strip.add_samples(times, inputs.values(channel - 1)[rows].tolist())
+        self._drawn_until = newest
+
+    def _clear_strips(self) -> None:
+        self._drawn_until = -math.inf
+        for strip in self._strips.values():
+            strip.clear()
+
+    @Slot()
+    @only_when_visible
+    def _on_text_due(self) -> None:
+        telemetry, source = self._device.telemetry, self._device.calibrations.source
+        if telemetry.serial_controls is not self._control:
+            self._show_texts()
+        if telemetry.raw is None and self._drawn_until > -math.inf:
+            self._clear_strips()
+        for channel, strip in self._strips.items():
+            raw, remapped = telemetry.raw_of(channel), telemetry.remapped_of(channel)
+            value = spoken = tr("N/A") if telemetry.raw is None else tr("no signal")
+            output = ""
+            if raw is not None:
+                value = units().ordered(source.text(raw), str(raw))[0]
+                spoken = channel_text.input_text(source, raw)
+                # Without a signal the board reports 0, which is no measurement.
+                output = "" if remapped is None else signed_text(remapped)
+            if output:
+                spoken = tr("{0}, remapped {1}").format(spoken, output)
+            strip.show_value(value, output, spoken)
+        self._live.setText(self._live_text(self._raw))
+
+    @property
+    def _raw(self) -> int | None:
+        """The raw count of the chosen channel, if the board measures it now."""
+        return self._device.telemetry.raw_of(self.channel) if self._is_active else None
+
+    def _live_text(self, raw: int | None) -> str:
+        if self._device.telemetry.raw is None:
+            return tr("no live value")
+        if not self._is_active:
+            return tr("no live value: the board reads the other source")
+        if raw is None:
+            return tr("no signal now: the output is 0")
+        curve = self._plot.curve if self._plot is not None else None
+        output = curve.output(raw) if curve is not None else 0
+        counts = tr("%n count(s)", "", raw)
+        return tr("input now {0} ({1}), output {2}").format(
+            *units().ordered(self.source.text(raw), counts), signed_text(output)
+        )
+
+    # --- Edits --------------------------------------------------------------------------
+
+    @Slot(int)
+    def _on_source_chosen(self, index: int) -> None:
+        self.source = _SOURCES[index]
+        self._refresh()
+
+    @Slot(object)
+    def _on_previewed(self, calibration: Calibration) -> None:
+        """Show the numbers of a held handle, and why it cannot move further."""
+        self._fields.show_calibration(self.source, calibration, editable=self._editable)
+        if self._plot is not None:
+            self._rejection = self._plot.handles.message
+            differs = self._plot.curve != self._device.draft.stored_curve(self.channel)
+            for legend in self._keys:
+                legend.setVisible(differs)
+        self._show_note()
+
+    @Slot(object)
+    @Slot(object, object)
+    def _on_edited(self, calibration: Calibration, run: object = None) -> None:
+        try:
+            self._device.calibrations.edit(self.channel, calibration, run=run)
+        except BadRequest as error:
+            self._on_rejected(error_sentence(error))
+
+    @Slot(str, str)
+    def _on_rejected(self, why: str, field: str = "") -> None:
+        self._clear_rejection()
+        self._rejection = why
+        if self._plot is not None and field in _HANDLES:
+            self._plot.show_message(_HANDLES[field], why)
+        self._show_note()
+
+    def _clear_rejection(self) -> None:
+        self._rejection = ""
+        if self._plot is not None:
+            self._plot.show_message(None, "")
+
+    @Slot()
+    def _on_discard(self) -> None:
+        text = tr("Discard edits of channel {0}").format(self.channel)
+        with self._device.draft.one_edit(text):
+            self._device.calibrations.restore(self.channel)
+            self._options.restore(self.channel)
+
+    @Slot(object)
+    def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
+        """Remember why the board did not store a calibration."""
+        for result in results:
+            if (channel := result.channel) is None:
+                continue
+            self._failures.pop(channel, None)
+            if result.error is not None:
+                why = channel_text.write_failure(result.error)
+                self._failures[channel] = self._device.calibrations.shown(channel), why
+        self._show_channel()

@@ -1,0 +1,184 @@
+"""One input, live: its value, a bar with its calibration, and a line of the last seconds."""
+
+import math
+from collections.abc import Iterable
+
+from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt
+from PySide6.QtGui import QAccessible, QFont, QFontMetrics, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
+
+from trex_gui.core.translation import tr
+from trex_gui.devices.trex.model.channel_text import CHANNEL_NAMES
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.views.bars import USUAL_AXIS, paint_input, widened
+from trex_gui.devices.trex.views.board.parts import write
+from trex_gui.ui.theme.icons import icon
+from trex_gui.ui.theme.theme import scaled_font, theme
+from trex_gui.ui.widgets.accessible import Spoken
+from trex_gui.ui.widgets.behaviour import strokes
+from trex_gui.ui.widgets.builders import plain
+from trex_gui.ui.widgets.painted import Painter, never_mirror
+
+STRIP_SECONDS = 10.0
+_MAX_GAP = 0.5  # seconds without a sample that interrupt the line
+_PADDING, _GAP, _TRACK, _BEYOND = 10, 7, 8, 3  # pixels
+_RIGHT = Qt.AlignmentFlag.AlignRight
+
+
+class ChannelStrip(QAbstractButton, Spoken):
+    """A channel to choose. Time runs to the right of its line, counts upwards.
+
+    Qt keeps the points: a frame adds the new samples and costs a twentieth of a millisecond.
+    """
+
+    spoken_role = QAccessible.Role.RadioButton
+
+    def __init__(self, channel: int, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        never_mirror(self)
+        self._name = tr(CHANNEL_NAMES[channel])
+        self.setText(str(channel))
+        self.setObjectName(f"channel{channel}Strip")
+        self.setAccessibleName(tr("Channel {0}: {1}").format(channel, self._name))
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setCheckable(True)
+        self.setAutoExclusive(True)  # arrow keys go from one to the next
+        self._axis = USUAL_AXIS[InputSource.RC]
+        self._calibration: Calibration | None = None
+        self._count: int | None = None
+        self._value = self._output = self._spoken = self._mark = ""
+        self._newest = -math.inf  # time at the right edge
+        self._is_broken = True  # the next point begins a line
+        self.lines: list[QPolygonF] = []  # of points (time, count); gaps are between them
+        theme().changed.connect(self.update)
+
+    def set_scale(self, source: InputSource, calibration: Calibration | None) -> None:
+        """Set whose minimum, neutral and maximum are marked; the scale contains them."""
+        self._calibration = calibration
+        ends = () if calibration is None else (calibration.minimum, calibration.maximum)
+        self._axis = widened(USUAL_AXIS[source], ends)
+        self.update()
+
+    def show_value(self, value: str, output: str, spoken: str) -> None:
+        if (value, output, spoken) != (self._value, self._output, self._spoken):
+            self._value, self._output, self._spoken = value, output, spoken
+            self.update(0, 0, self.width(), self._bar_top())
+
+    def show_mark(self, mark: str, problem: str) -> None:
+        """Mark the channel as edited, or as one with a problem, which the tool tip explains."""
+        if (mark, plain(problem)) != (self._mark, self.toolTip()):
+            self._mark = mark
+            self.setToolTip(plain(problem))
+            self.update()
+
+    def add_samples(self, times: Iterable[float], counts: Iterable[float]) -> None:
+        """Add samples that are newer than those before; NaN is a gap."""
+        for time, count in zip(times, counts, strict=True):
+            if math.isnan(count):
+                self._is_broken = True
+            else:
+                if self._is_broken or time - self._newest > _MAX_GAP:
+                    self.lines.append(QPolygonF())
+                self.lines[-1].append(QPointF(time, count))
+                self._is_broken = False
+            self._newest = time
+        self._count = None if self._is_broken else round(self.lines[-1].last().y())
+        self._axis = widened(self._axis, () if self._count is None else (self._count,))
+        self._drop_before(self._newest - STRIP_SECONDS)
+        top = self._bar_top()
+        self.update(0, top, self.width(), self.height() - top)
+
+    def _drop_before(self, oldest: float) -> None:
+        while self.lines:
+            line = self.lines[0]
+            while not line.isEmpty() and line.first().x() < oldest:
+                line.removeFirst()
+            if not line.isEmpty():
+                return
+            del self.lines[0]
+
+    def clear(self) -> None:
+        self.lines.clear()
+        self._count, self._newest, self._is_broken = None, -math.inf, True
+        self.update()
+
+    def spoken_state(self) -> str:
+        mark = {"warning": tr("problem"), "edited": tr("edited")}.get(self._mark, "")
+        counts = [point.y() for line in self.lines for point in line.toList()]
+        reach = ""
+        if counts:
+            reach = tr("{0:.0f} to {1:.0f} counts").format(min(counts), max(counts))
+        return ", ".join(filter(None, (self._spoken, mark, reach)))
+
+    def _width(self, font: QFont, role: str = "") -> int:
+        return QFontMetrics(font).horizontalAdvance(f"0  {role}  0000 µs  −000") + 2 * _PADDING
+
+    def _large(self) -> QFont:
+        """Return the font of the values, which is larger where there is room."""
+        larger = scaled_font(self.font(), 1.15)
+        return larger if self._width(larger, f"{self._name} MM") <= self.width() else self.font()
+
+    def _bar_top(self) -> int:
+        height = QFontMetrics(scaled_font(self.font(), 1.15)).height()
+        return _PADDING + height + _GAP - _BEYOND
+
+    def sizeHint(self) -> QSize:
+        return QSize(2 * self._width(self.font(), self._name), self._bar_top() * 3)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(self._width(self.font(), "MMM"), self._bar_top() + _TRACK + 4 * _GAP)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        room = self.rect().adjusted(_PADDING, _PADDING, -_PADDING, -_PADDING)
+        color = theme().color
+        with Painter(self) as painter:
+            chosen = self.isChecked()
+            width = 2 if chosen else 1
+            inset = width / 2
+            painter.setPen(QPen(color("accent" if chosen else "hairline"), width))
+            painter.setBrush(color("selected" if chosen else "base"))
+            box = QRectF(self.rect()).adjusted(inset, inset, -inset, -inset)
+            painter.drawRoundedRect(box, 10, 10)
+            if event.rect().top() < self._bar_top():
+                self._paint_texts(painter, room)
+            track = QRectF(room.left(), self._bar_top() + _BEYOND, room.width(), _TRACK)
+            paint_input(painter, track, self._axis, self._count, self._calibration)
+            top = track.bottom() + _GAP
+            self._paint_line(painter, QRectF(room.left(), top, room.width(), room.bottom() - top))
+
+    def _paint_texts(self, painter: QPainter, room: QRect) -> None:
+        painter.setFont(self._large())
+        line = QRect(room.left(), room.top(), room.width(), painter.fontMetrics().height())
+        write(painter, line, self.text(), "window_text", bold=True)
+        write(painter, line, self._output, "accent", bold=True, align=_RIGHT)
+        advance = painter.fontMetrics().horizontalAdvance
+        values = line.adjusted(0, 0, -advance("  −000"), 0)
+        color = "window_text" if self._output else "muted"
+        write(painter, values, self._value, color, bold=True, align=_RIGHT)
+        taken = advance(self._value) * 11 // 10 + 6  # bold text is wider
+        role = values.adjusted(advance("0 ") + 4, 0, -taken, 0)
+        painter.setFont(self.font())
+        if self._mark:
+            side = self.fontMetrics().height()
+            at = min(self.fontMetrics().horizontalAdvance(self._name) + 6, role.width() - side)
+            icon(self._mark).paint(painter, role.left() + at, line.top(), side, line.height())
+            role.setWidth(at)
+        write(painter, role, self._name, "window_text")
+
+    def _paint_line(self, painter: QPainter, room: QRectF) -> None:
+        if not self.lines:
+            return
+        painter.setClipRect(room.adjusted(0, -1, 0, 1))
+        low, high = self._axis
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, on=False)
+        painter.translate(room.right(), room.bottom())
+        painter.scale(room.width() / STRIP_SECONDS, -room.height() / (high - low))
+        painter.translate(-self._newest, -low)
+        pen = QPen(theme().color("muted"), 1)
+        pen.setCosmetic(True)
+        painter.setPen(pen)
+        for _ in strokes(painter):
+            for line in self.lines:
+                painter.drawPolyline(line)
