@@ -76,12 +76,6 @@ class ChannelsDriver(WidgetDriver):
         """What is said of the live input."""
         return self.text("channelLive")
 
-    @property
-    def marked_handle(self) -> str:
-        """The handle beside which there is a message; empty without one."""
-        handle = self.plot.handles.message_at
-        return "" if handle is None else handle.value
-
     def strip(self, channel: int) -> ChannelStrip:
         return self.find(ChannelStrip, f"channel{channel}Strip")
 

@@ -13,7 +13,6 @@ from PySide6.QtGui import (
     QPaintEvent,
     QPen,
     QPixmap,
-    QPolygonF,
     QResizeEvent,
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
@@ -91,7 +90,6 @@ class Bar(Painted):
         self._small = QFont()
         self._marks = self._read_marks()
         self._ratio = 1.0
-        self._value_shown = True
         self._frame = QRect()
         self._measure()
 
@@ -107,13 +105,6 @@ class Bar(Painted):
         self._has_value = False
         self._clear()
         self._refresh()
-
-    def set_value_shown(self, shown: bool) -> None:
-        if shown != self._value_shown:
-            self._value_shown = shown
-            self._forget_layout()
-            self.updateGeometry()
-            self.update()
 
     # --- For each kind of bar -----------------------------------------------------------
 
@@ -183,8 +174,6 @@ class Bar(Painted):
 
     def _value_column(self) -> int:
         """Return the width of the number right of the bar, its gap included."""
-        if not self._value_shown:
-            return 0
         return self._value_width + self.fontMetrics().averageCharWidth()
 
     def _measure(self) -> None:
@@ -233,8 +222,7 @@ class Bar(Painted):
             painter.drawPixmap(0, 0, self._static)
             if self.state is BarState.LIVE:
                 self._paint_live(painter, track)
-            if self._value_shown:
-                self._paint_value(painter, track)
+            self._paint_value(painter, track)
 
     def _draw_static(self, track: QRect) -> QPixmap:
         pixmap = QPixmap(self.size() * self._ratio)
@@ -291,18 +279,10 @@ class Bar(Painted):
         left, right = sorted((self._snap(start), self._snap(end)))
         painter.fillRect(QRectF(left, track.top(), right - left, track.height()), color)
 
-    def _paint_pointer(self, painter: QPainter, track: QRect, x: float, head: float) -> None:
-        """Paint the needle at `x`; `head` is the height of the triangle under it, or 0."""
+    def _paint_pointer(self, painter: QPainter, track: QRect, x: float) -> None:
+        """Paint the needle at `x`."""
         x = self._snap(min(max(x, track.left()), track.left() + track.width()))
         painter.fillRect(QRectF(x - 1, track.top(), 2, track.height()), self._marks.pointer)
-        if head:
-            bottom = track.top() + track.height()
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-            painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(self._marks.pointer)
-            corners = ((x, 0), (x + head * 0.75, head), (x - head * 0.75, head))
-            painter.drawPolygon(QPolygonF([QPointF(at, bottom + below) for at, below in corners]))
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing, on=False)
 
     def _snap(self, x: float) -> float:
         """Return `x` on the nearest edge of a device pixel, so that lines stay sharp."""

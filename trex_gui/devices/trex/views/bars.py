@@ -10,7 +10,7 @@ from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.ui.plotting.axes import Labels, spread, ticks, value_labels
+from trex_gui.ui.plotting.axes import Labels, ticks, value_labels
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.accessible import SpokenRange
 from trex_gui.ui.widgets.bar import Bar, BarState
@@ -25,7 +25,6 @@ _STEPS = {  # between two labels of an axis, in µs and V
 }
 _MARK_OVERSHOOT = 3
 _ZERO_OVERSHOOT = 2
-_POINTER_HEAD = 6
 
 
 def widened(axis: tuple[int, int], counts: Iterable[int]) -> tuple[int, int]:
@@ -83,6 +82,8 @@ def paint_input(
 class ChannelBar(Bar):
     """A raw value between minimum, neutral and maximum; the axis widens for what lies outside."""
 
+    inset = 1  # pixels from the left edge to the track
+
     def __init__(self, parent: QWidget | None = None) -> None:
         self._source = InputSource.RC
         self._calibration: Calibration | None = None
@@ -126,11 +127,6 @@ class ChannelBar(Bar):
             self._raw = raw
             self._widen()
             self._refresh()
-
-    @property
-    def inset(self) -> int:
-        """Pixels from the left edge to the track: half a tick label."""
-        return self._small_metrics.horizontalAdvance("0000") // 2 + 1
 
     def x_of(self, raw: float) -> float:
         """Return where a count lies, in pixels from the left of the widget."""
@@ -178,122 +174,39 @@ class ChannelBar(Bar):
         return self._source.text(_WIDEST[self._source][1])
 
     def _height(self) -> int:
-        text = self._small_metrics.height()
-        return 2 * text + self._track_height() + _MARK_OVERSHOOT + _POINTER_HEAD + 2
-
-    def _track_height(self) -> int:
-        return self.fontMetrics().height() + 2
+        return self.fontMetrics().height() + 2 * _MARK_OVERSHOOT
 
     def _lay_out(self) -> QRect:
-        top = (self.height() - self._height()) // 2
-        top += self._small_metrics.height() + _MARK_OVERSHOOT
-        width = self.width() - 2 * self.inset - self._value_column()
-        return QRect(self.inset, top + 1, max(width, 1), self._track_height())
+        width, height = self.width() - self._value_column() - 3, self.fontMetrics().height() - 4
+        return QRect(self.inset, (self.height() - height) // 2, max(width, 1), height)
 
     def _cache_key(self) -> tuple[object, ...]:
         return (self._source, self._calibration, tuple(self.marks), self.axis)
 
     def _paint_static(self, painter: QPainter, track: QRect) -> None:
-        painter.setFont(self._small)
-        painter.setPen(self._marks.muted)
-        self._paint_ticks(painter, track)
-        if self._calibration is not None:
+        if (calibration := self._calibration) is not None:
             if self.state is BarState.LIVE:
-                self._paint_deadband(painter, track, self._calibration)
+                middle, reach = calibration.neutral, calibration.deadband
+                left, right = self.x_of(middle - reach), self.x_of(middle + reach)
+                self._paint_fill(painter, track, left, right, theme().color("deadband"))
             self._paint_marks(painter, track)
-            painter.setPen(self._marks.text)
-            self._paint_mark_labels(painter, track)
-        painter.setFont(self.font())
-
-    def _paint_ticks(self, painter: QPainter, track: QRect) -> None:
-        metrics = self._small_metrics
-        gap = metrics.averageCharWidth() * 1.2
-        widest = metrics.horizontalAdvance("0000") + gap
-        labels = input_labels(self._source, self.axis, max(2, int(track.width() / widest)))
-        xs, texts = [self.x_of(count) for count, _ in labels], [text for _, text in labels]
-        widths = [float(metrics.horizontalAdvance(text)) for text in texts]
-        # The digits are under the tick, the unit beside them.
-        unit = metrics.horizontalAdvance(f" {self._source.unit}")
-        wanted = [*xs[:-1], xs[-1] + unit / 2]
-        # The unit may reach under the number, but not out of the widget.
-        end = float(self.width() - self._value_column() / 2)
-        centres = spread(wanted, widths, 0.0, end, gap)
-        if centres is not None:
-            bottom = track.top() + track.height()
-            for x in xs:
-                painter.fillRect(QRectF(self._snap(x), bottom + 1, 1, 3), self._marks.muted)
-            self._paint_labels(painter, bottom + _POINTER_HEAD, centres, widths, texts)
-
-    def _paint_labels(
-        self,
-        painter: QPainter,
-        top: float,
-        centres: Iterable[float],
-        widths: Iterable[float],
-        texts: Iterable[str],
-    ) -> None:
-        for centre, width, text in zip(centres, widths, texts, strict=True):
-            where = QRectF(centre - width / 2, top, width + 1, self._small_metrics.height())
-            painter.drawText(where, Qt.AlignmentFlag.AlignCenter, text)
-
-    def _paint_deadband(self, painter: QPainter, track: QRect, calibration: Calibration) -> None:
-        left = self._snap(self.x_of(calibration.neutral - calibration.deadband))
-        right = self._snap(self.x_of(calibration.neutral + calibration.deadband))
-        if right > left:
-            band = QRectF(left, track.top(), right - left, track.height())
-            painter.fillRect(band, theme().color("deadband"))
-            for x in (left, right - 1):
-                painter.fillRect(QRectF(x, track.top(), 1, track.height()), self._marks.neutral)
 
     def _paint_marks(self, painter: QPainter, track: QRect) -> None:
-        top, height = track.top() - _MARK_OVERSHOOT, track.height() + _MARK_OVERSHOOT
+        top, height = track.top() - _MARK_OVERSHOOT, track.height() + 2 * _MARK_OVERSHOOT
         for count in self.marks.values():
             x = self._snap(self.x_of(count) - 0.5)
             painter.fillRect(QRectF(x, top, 1, height), self._marks.mark)
 
-    def _paint_mark_labels(self, painter: QPainter, track: QRect) -> None:
-        low, high = self.axis
-        metrics, counts = self._small_metrics, list(self.marks.values())
-        if counts != sorted(counts):  # the board rejects such a calibration
-            return
-        texts = [
-            f"◂ {name}" if count < low else f"{name} ▸" if count > high else name
-            for name, count in self.marks.items()
-        ]
-        widths = [float(metrics.horizontalAdvance(text)) for text in texts]
-        xs = [self.x_of(count) for count in counts]
-        gap = metrics.averageCharWidth() * 0.8
-        end = float(track.left() + track.width() + self.inset)
-        centres = spread(xs, widths, 0.0, end, gap)
-        if centres is None:  # too narrow for all: the ends alone, if those have room
-            texts, xs, widths = texts[::2], xs[::2], widths[::2]
-            centres = spread(xs, widths, 0.0, end, gap)
-        if centres is not None:
-            top = track.top() - _MARK_OVERSHOOT - metrics.height()
-            self._paint_labels(painter, top, centres, widths, texts)
-
     def _paint_live(self, painter: QPainter, track: QRect) -> None:
-        raw = self._raw
+        raw, calibration = self._raw, self._calibration
         if raw is None:
             return
-        if self._calibration is not None:
-            self._paint_deviation(painter, track, self._calibration, raw)
+        if calibration is not None:
+            start, end = self.x_of(calibration.neutral), self.x_of(raw)
+            color = self._marks.neutral if self._in_deadband(raw) else self._marks.fill
+            self._paint_fill(painter, track, start, end, color)
             self._paint_marks(painter, track)
-        self._paint_pointer(painter, track, self.x_of(raw), _POINTER_HEAD)
-
-    def _paint_deviation(
-        self, painter: QPainter, track: QRect, calibration: Calibration, raw: int
-    ) -> None:
-        """Fill from neutral to the value: grey as far as the deadband goes, coloured beyond."""
-        neutral, deadband = calibration.neutral, calibration.deadband
-        start = self.x_of(neutral)
-        if self._in_deadband(raw):
-            self._paint_fill(painter, track, start, self.x_of(raw), self._marks.neutral)
-            return
-        above = raw > neutral
-        edge = self.x_of(neutral + deadband if above else neutral - deadband)
-        self._paint_fill(painter, track, start, edge, self._marks.neutral)
-        self._paint_fill(painter, track, edge, self.x_of(raw), self._marks.fill)
+        self._paint_pointer(painter, track, self.x_of(raw))
 
 
 class OutputBar(Bar):
@@ -350,7 +263,7 @@ class OutputBar(Bar):
         if value is not None:
             self._paint_fill(painter, track, self.x_of(0), self.x_of(value), self._marks.fill)
             self._paint_line(painter, track, 0, self._marks.mark)
-            self._paint_pointer(painter, track, self.x_of(value), 0)
+            self._paint_pointer(painter, track, self.x_of(value))
 
     def _value_text(self) -> str:
         return "" if self.value is None else signed_text(int(self.value))

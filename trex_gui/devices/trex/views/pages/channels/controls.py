@@ -39,8 +39,7 @@ class CalibrationFields(QWidget):
 
     # A valid calibration, and its run of steps, which is one undo step; `None`: it was typed
     edited = Signal(object, object)
-    # Why the text is invalid, for the user; and the field that conflicts with another, or none
-    rejected = Signal(str, str)
+    rejected = Signal(str)  # why the text is invalid, for the user
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -66,7 +65,7 @@ class CalibrationFields(QWidget):
             follow_theme(editor, "width", partial(_fit, editor))
             editor.valueChanged.connect(partial(self._on_value_changed, field))
             editor.editingFinished.connect(self._on_run_ended)
-            editor.rejected.connect(lambda why: self.rejected.emit(why, ""))
+            editor.rejected.connect(self.rejected)
             self._editors[field] = editor
             self._others[field] = other
         units().changed.connect(self._show_others)
@@ -99,7 +98,7 @@ class CalibrationFields(QWidget):
         wanted = replace(calibration, **{field: count})
         if wrong := channel_text.wrong_order(wanted, self._source):
             self.show_calibration(self._source, calibration, editable=True)
-            self.rejected.emit(wrong, field)
+            self.rejected.emit(wrong)
         elif self._editors[field].stepping:
             self.edited.emit(wanted, self._run)
         else:

@@ -53,8 +53,7 @@ class HandleLayer(QGraphicsObject):
         self._active: Handle | None = None
         self._grabbed_at = 0.0  # pixels from the handle
         self.held: Handle | None = None  # the handle that the mouse drags
-        self.message = ""  # why the handle `message_at` cannot move further, or was rejected
-        self.message_at: Handle | None = None
+        self.message = ""  # why the held handle cannot move further
         self.setZValue(50)
         self.setAcceptHoverEvents(True)
         self.setAcceptedMouseButtons(Qt.MouseButton.LeftButton)
@@ -83,8 +82,8 @@ class HandleLayer(QGraphicsObject):
         self._editable = editable
         self.update()
 
-    def set_message(self, handle: Handle | None, message: str) -> None:
-        self.message_at, self.message = handle if message else None, message
+    def show_message(self, message: str) -> None:
+        self.message = message
         self.update()
 
     def _handle_at(self, where: QPointF) -> Handle | None:
@@ -116,7 +115,6 @@ class HandleLayer(QGraphicsObject):
         if handle is None:
             event.ignore()
             return
-        self.set_message(None, "")
         self.held = handle
         self._grabbed_at = event.pos().x() - self._places[handle]
         self._set_active(handle)
@@ -132,7 +130,7 @@ class HandleLayer(QGraphicsObject):
         if self.held is not None:
             self.held = None
             self._set_active(None)
-            self.set_message(None, "")
+            self.message = ""
             self.released.emit()
 
     def boundingRect(self) -> QRectF:
@@ -152,8 +150,8 @@ class HandleLayer(QGraphicsObject):
         for handle in (*_EDGES, *_MAIN):
             self._paint_handle(painter, handle)
         self._paint_names(painter)
-        if self.message_at is not None:
-            self._paint_message(painter, self._places[self.message_at])
+        if self.held is not None and self.message:
+            self._paint_message(painter, self._places[self.held])
 
     def _paint_line(self, painter: QPainter, x: float, pen: QPen) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)

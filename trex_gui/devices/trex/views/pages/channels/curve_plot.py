@@ -89,7 +89,6 @@ class CurvePlot(Painted):
         """Show a channel: what the board stores and what it would store after Apply."""
         if (channel, source) != (self._channel, self._source):
             self._cancel_drag()
-            self.handles.set_message(None, "")
             self._raw = None
             self.trace.clear()
         editable = editable and shown is not None
@@ -120,11 +119,6 @@ class CurvePlot(Painted):
     def dot(self) -> tuple[int, int] | None:
         curve, raw = self.curve, self._raw
         return None if raw is None or curve is None else (raw, curve.output(raw))
-
-    def show_message(self, handle: Handle | None, message: str) -> None:
-        """Show a message beside a handle, or none; a held handle keeps its own."""
-        if self.handles.held is None:
-            self.handles.set_message(handle, message)
 
     def x_of(self, count: float) -> float:
         """Return the place of a raw count, in pixels from the left."""
@@ -220,7 +214,7 @@ class CurvePlot(Painted):
         if not low <= reached <= high:
             self.axis = min(low, reached), max(high, reached)
             self._show_axis()
-        self.handles.set_message(handle, move.why or why)
+        self.handles.show_message(move.why or why)
         self._show_curves()
         self.previewed.emit(move.calibration)
 

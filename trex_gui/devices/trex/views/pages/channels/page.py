@@ -13,7 +13,6 @@ from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.model import channel_text
-from trex_gui.devices.trex.model.calibration_moves import Handle
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
@@ -41,12 +40,6 @@ if TYPE_CHECKING:
 
 _STRIP_INTERVAL = 0.06  # seconds: every second frame
 _SOURCES = (InputSource.RC, InputSource.ANALOG)
-_HANDLES = {
-    "minimum": Handle.MINIMUM,
-    "neutral": Handle.NEUTRAL,
-    "maximum": Handle.MAXIMUM,
-    "deadband": Handle.DEADBAND_HIGH,
-}
 
 
 class ChannelsPage(PlotPage):
@@ -182,7 +175,7 @@ class ChannelsPage(PlotPage):
     @Slot()
     def _refresh(self) -> None:
         """Show the channel without a message about a rejected value."""
-        self._clear_rejection()
+        self._rejection = ""
         self._show_channel()
 
     def _show_channel(self) -> None:
@@ -196,8 +189,7 @@ class ChannelsPage(PlotPage):
         self._show_texts()
         self._show_marks()
         self._show_actions()
-        for legend in self._keys:
-            legend.setVisible(before != after)
+        self._show_keys(before != after)
         self._other.setVisible(not is_active)
         if not is_active:
             known = self._device.board.memory.hidden_calibration(channel, self.source)[1]
@@ -207,6 +199,10 @@ class ChannelsPage(PlotPage):
         self._show_note()
         self._on_frame_due()
         self._on_text_due()
+
+    def _show_keys(self, differs: bool) -> None:
+        for key in self._keys:
+            key.setVisible(differs)
 
     @Slot()
     def _show_texts(self) -> None:
@@ -258,12 +254,8 @@ class ChannelsPage(PlotPage):
         is_connected, blocker = self._device.is_connected, self._device.writer.blocker
         reason = blocker
         if not self._is_active:
-            read = tr(channel_text.SOURCE_NAMES[self._device.calibrations.source])
-            shown = tr(channel_text.SOURCE_NAMES[self.source])
-            reason = tr(
-                "The board reads {0} now. Open their tab, or make the board read {1} first, as "
-                "described above."
-            ).format(read, shown)
+            state = self._device.state
+            reason = channel_text.source_instructions(self.source, state.mode) if state else ""
         for each, why in ((self._learn, reason), *((each, blocker) for each in self._head_buttons)):
             each.setEnabled(is_connected and not why)
             each.setToolTip(plain(why))
@@ -402,14 +394,11 @@ class ChannelsPage(PlotPage):
 
     @Slot(object)
     def _on_previewed(self, calibration: Calibration) -> None:
-        """Show the numbers of a held handle, and why it cannot move further."""
+        """Show the numbers of a held handle."""
         self._fields.show_calibration(self.source, calibration, editable=self._editable)
         if self._plot is not None:
-            self._rejection = self._plot.handles.message
             differs = self._plot.curve != self._device.draft.stored_curve(self.channel)
-            for legend in self._keys:
-                legend.setVisible(differs)
-        self._show_note()
+            self._show_keys(differs)
 
     @Slot(object)
     @Slot(object, object)
@@ -419,18 +408,10 @@ class ChannelsPage(PlotPage):
         except BadRequest as error:
             self._on_rejected(error_sentence(error))
 
-    @Slot(str, str)
-    def _on_rejected(self, why: str, field: str = "") -> None:
-        self._clear_rejection()
+    @Slot(str)
+    def _on_rejected(self, why: str) -> None:
         self._rejection = why
-        if self._plot is not None and field in _HANDLES:
-            self._plot.show_message(_HANDLES[field], why)
         self._show_note()
-
-    def _clear_rejection(self) -> None:
-        self._rejection = ""
-        if self._plot is not None:
-            self._plot.show_message(None, "")
 
     @Slot()
     def _on_discard(self) -> None:
